@@ -1,0 +1,197 @@
+//! The contract of a machine, and the data that describes its axes.
+
+use core::fmt::Debug;
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use super::{Explanation, Invalid, Solutions, Unreachable};
+
+/// Tool tip and tool axis in the workpiece frame; no spin about the tool.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pose {
+    /// Tool tip, mm.
+    pub tip: Point3<f64>,
+    /// Unit vector from the tip to the spindle.
+    pub axis: UnitVector3<f64>,
+}
+
+/// Whether an axis slides or turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AxisKind {
+    /// X Y Z U V W; values in mm.
+    Linear,
+    /// A B C; values in rad.
+    Rotary,
+}
+
+/// Side of the machine frame (`|` in the chain) that carries an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Between the frame and the workpiece: a table axis.
+    Workpiece,
+    /// Between the frame and the tool: a head or column axis.
+    Tool,
+}
+
+/// Sense of an axis word. `Plus` is ISO 841: the tool moves in the positive sense relative to the workpiece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sign {
+    /// As ISO 841 has it.
+    Plus,
+    /// The word runs backwards.
+    Minus,
+}
+
+impl Sign {
+    /// `1.0` or `-1.0`.
+    #[must_use]
+    pub const fn factor(self) -> f64 {
+        match self {
+            Self::Plus => 1.0,
+            Self::Minus => -1.0,
+        }
+    }
+}
+
+/// Travel of an axis, inclusive; mm or rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Smallest value.
+    pub lower: f64,
+    /// Largest value.
+    pub upper: f64,
+}
+
+/// One axis of the chain: what no dimension can change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axis {
+    /// Address of the axis: X Y Z U V W A B C.
+    pub letter: char,
+    /// Linear or rotary.
+    pub kind: AxisKind,
+    /// Workpiece side or tool side of the frame.
+    pub side: Side,
+    /// Sense of the word.
+    pub sign: Sign,
+    /// Declared travel, mm or rad; `None` is endless (`free`). A default: configuration may change it.
+    pub limits: Option<Limits>,
+    /// Declared largest speed, mm/min or rad/min; `None` is unlimited. A default: configuration may change it.
+    pub speed: Option<f64>,
+    /// True for an axis of `hold`: an input of the inverse kinematics, not solved for.
+    pub held: bool,
+}
+
+/// What a dimension measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DimensionKind {
+    /// Millimetres.
+    Length,
+    /// Radians in the struct, degrees in configuration files.
+    Angle,
+}
+
+/// A named dimension of the declaration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dimension {
+    /// Name of the field.
+    pub name: &'static str,
+    /// Length or angle.
+    pub kind: DimensionKind,
+    /// Declared value, mm or rad.
+    pub default: f64,
+}
+
+/// One joint of the chain for the current set-up, transcribed from the declaration.
+///
+/// A linear joint is `Trans(sign · q · direction)`; a rotary joint is
+/// `Trans(point) · Rot(direction, sign · q) · Trans(-point)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joint {
+    /// Unit direction with all axes at zero, machine frame.
+    pub direction: UnitVector3<f64>,
+    /// A point of the centre line in the workpiece frame of the zero position, mm; the origin for a linear joint.
+    pub point: Point3<f64>,
+    /// `1.0` or `-1.0`.
+    pub sign: f64,
+}
+
+/// A machine tool with closed-form kinematics; implemented by [`machine!`](crate::machine).
+///
+/// Zero position: with all axes at zero the tool tip stands on the workpiece origin. Axis values are `[f64; N]` in
+/// chain order, mm and radians, held axes included.
+///
+/// Not object safe on purpose: everything is monomorphised for the one machine.
+pub trait Machine: Default + Clone + Send + Sync + 'static {
+    /// `[f64; N]` in chain order.
+    type Axes: Copy
+        + Default
+        + PartialEq
+        + Debug
+        + Send
+        + Sync
+        + 'static
+        + AsRef<[f64]>
+        + AsMut<[f64]>;
+
+    /// Identifier of the declared struct.
+    const NAME: &'static str;
+    /// The axes in chain order.
+    const AXES: &'static [Axis];
+    /// The named dimensions in the order of `dims`.
+    const DIMENSIONS: &'static [Dimension];
+    /// Zeros, and the declared values of `hold`.
+    const HELD: Self::Axes;
+    /// Formulas, branches, singular set and proofs in words.
+    const EXPLANATION: &'static Explanation;
+
+    /// Value of a dimension, mm or rad.
+    ///
+    /// # Panics
+    /// If `index` is not below `DIMENSIONS.len()`.
+    fn dimension(&self, index: usize) -> f64;
+
+    /// Changes a dimension, mm or rad; see [`validate`](Self::validate).
+    ///
+    /// # Panics
+    /// If `index` is not below `DIMENSIONS.len()`.
+    fn set_dimension(&mut self, index: usize, value: f64);
+
+    /// Places the workpiece and the tool: part zero from the table's reference point (mm, table directions), and the
+    /// distance from gauge line to tool tip (mm).
+    fn set_up(&mut self, part_origin: Vector3<f64>, gauge_length: f64);
+
+    /// Checks that all numbers are finite and that the side conditions of the proofs hold.
+    ///
+    /// # Errors
+    /// [`Invalid`] names the number or the condition.
+    fn validate(&self) -> Result<(), Invalid>;
+
+    /// Direction, centre line and sign of an axis for the current set-up, as declared.
+    ///
+    /// # Panics
+    /// If `index` is not below `AXES.len()`.
+    fn joint(&self, index: usize) -> Joint;
+
+    /// Unit vector from tip to spindle with all axes at zero.
+    fn tool_axis(&self) -> UnitVector3<f64>;
+
+    /// Pose of the tool in the workpiece frame for axis values (mm, rad).
+    fn forward_kinematics(&self, axes: &Self::Axes) -> Pose;
+
+    /// Axis values that bring the tool to `pose`: at most two, rotary values in (-π, π], first branch first.
+    ///
+    /// `held` supplies the values of held axes, and of a rotary that is free at a singular pose. No solution: see
+    /// [`reach`](Self::reach).
+    fn inverse_kinematics(&self, pose: &Pose, held: &Self::Axes) -> Solutions<Self::Axes>;
+
+    /// Linear axes that bring the tip to `tip` while rotary and held values stay as they are in `axes`.
+    ///
+    /// `None` where the linear axes are degenerate, see [`SMALLEST_DETERMINANT`](super::SMALLEST_DETERMINANT).
+    fn linear_axes(&self, tip: &Point3<f64>, axes: &Self::Axes) -> Option<Self::Axes>;
+
+    /// Says why a tool axis has no solution.
+    ///
+    /// # Errors
+    /// [`Unreachable`] with the reason in machine-shop words.
+    fn reach(&self, axis: &UnitVector3<f64>, held: &Self::Axes) -> Result<(), Unreachable>;
+}

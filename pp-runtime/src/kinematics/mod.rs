@@ -1,0 +1,29 @@
+//! What a machine tool is to the rest of the program: axes, poses, and the maps between them.
+//!
+//! Millimetres and radians throughout. *Forward* is always axes to pose, *inverse* pose to axes. Everything here builds
+//! without `std` and allocates nothing; [`machine!`](crate::machine) implements [`Machine`] for one declared machine.
+
+mod explanation;
+mod machine;
+pub mod math;
+mod refusal;
+mod solutions;
+
+pub use explanation::Explanation;
+pub use machine::{
+    Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign,
+};
+pub use refusal::{Invalid, Unreachable};
+pub use solutions::{Branch, Solution, Solutions};
+
+/// How far outside the reachable set a tool axis may lie and still be posted, in radians.
+///
+/// CL data carries seven digits: an axis of `k = -5e-8` on a machine that reaches `k >= 0` is rounding. The nearest
+/// reachable axis is used and the deviation is reported with the solution.
+pub const REACH_TOLERANCE: f64 = 1e-6;
+
+/// Sine of the angle to the first rotary axis below which the tool axis carries no information about that rotary.
+pub const SINGULAR_SINE: f64 = 1e-15;
+
+/// Smallest determinant of the linear axes (unit directions) that counts as solvable.
+pub const SMALLEST_DETERMINANT: f64 = 1e-9;

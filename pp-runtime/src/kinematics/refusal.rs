@@ -1,0 +1,149 @@
+//! Why a machine or a pose is refused.
+
+use core::fmt;
+
+/// A dimension or set-up value with which the machine's formulas do not hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Invalid {
+    /// A dimension or set-up value is NaN or infinite.
+    NotFinite {
+        /// Name of the field.
+        name: &'static str,
+    },
+    /// An expression that the proofs divide by is zero.
+    Zero {
+        /// The expression in the names of the declaration.
+        expression: &'static str,
+        /// What it means for the machine.
+        meaning: &'static str,
+    },
+}
+
+impl fmt::Display for Invalid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotFinite { name } => write!(f, "`{name}` is not a finite number"),
+            Self::Zero {
+                expression,
+                meaning,
+            } => write!(f, "`{expression}` is zero: {meaning}"),
+        }
+    }
+}
+
+impl core::error::Error for Invalid {}
+
+/// Why no axis values give a wanted tool axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unreachable {
+    /// The wanted axis is not a unit vector of finite numbers.
+    NotFinite,
+    /// The machine has no solved rotary axis and the tool points elsewhere.
+    Fixed {
+        /// The machine's name.
+        machine: &'static str,
+        /// The wanted axis.
+        wanted: [f64; 3],
+        /// The one there is.
+        tool_axis: [f64; 3],
+    },
+    /// The angle between the wanted axis and the first rotary direction is outside what can be reached.
+    Cone {
+        /// The machine's name.
+        machine: &'static str,
+        /// The first solved rotary axis from the workpiece.
+        rotary: char,
+        /// Its direction.
+        direction: [f64; 3],
+        /// The wanted axis.
+        wanted: [f64; 3],
+        /// Angle between the two, rad.
+        angle: f64,
+        /// Smallest angle the machine reaches, rad.
+        smallest: f64,
+        /// Largest angle the machine reaches, rad.
+        largest: f64,
+    },
+    /// At the held values the second rotary is parallel to the tool or to the first rotary.
+    Held {
+        /// The machine's name.
+        machine: &'static str,
+        /// The rotary that cannot tilt the tool.
+        rotary: char,
+        /// The held axes, in chain order.
+        held: &'static str,
+    },
+    /// The linear axes cannot move the tip in every direction at this tool axis.
+    LinearAxes {
+        /// The machine's name.
+        machine: &'static str,
+        /// The linear axes, in chain order.
+        axes: &'static str,
+    },
+}
+
+impl fmt::Display for Unreachable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NotFinite => f.write_str("the tool axis is not a unit vector of finite numbers"),
+            Self::Fixed {
+                machine,
+                wanted: [i, j, k],
+                tool_axis: [a, b, c],
+            } => write!(
+                f,
+                "{machine} has no rotary axis to tilt the tool: its axis is ({a:.4}, {b:.4}, {c:.4}), \
+                 wanted ({i:.7}, {j:.7}, {k:.7})"
+            ),
+            Self::Cone {
+                machine,
+                rotary,
+                direction,
+                wanted,
+                angle,
+                smallest,
+                largest,
+            } => {
+                // A rotary that keeps the tool square to a coordinate direction: name that direction.
+                let square = (largest - smallest).abs() < 1e-9
+                    && (smallest - core::f64::consts::FRAC_PI_2).abs() < 1e-9;
+                let towards = direction
+                    .iter()
+                    .position(|component| (component.abs() - 1.0).abs() < 1e-9);
+                if let (true, Some(index)) = (square, towards) {
+                    let (letter, name) = [('X', 'i'), ('Y', 'j'), ('Z', 'k')][index];
+                    return write!(
+                        f,
+                        "{machine} cannot tilt the tool towards {letter}: {name} = {}",
+                        wanted[index]
+                    );
+                }
+                write!(
+                    f,
+                    "{machine} cannot bring the tool to {:.4}° from the axis of {rotary}: it reaches {:.4}° to {:.4}°",
+                    angle.to_degrees(),
+                    smallest.to_degrees(),
+                    largest.to_degrees()
+                )
+            }
+            Self::Held {
+                machine,
+                rotary,
+                held,
+            } => {
+                write!(
+                    f,
+                    "{machine} cannot tilt the tool with {rotary} at the held values of {held}"
+                )
+            }
+            Self::LinearAxes { machine, axes } => {
+                write!(
+                    f,
+                    "at this tool axis the linear axes {axes} of {machine} cannot move the tip in every direction"
+                )
+            }
+        }
+    }
+}
+
+impl core::error::Error for Unreachable {}

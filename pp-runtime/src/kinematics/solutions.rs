@@ -1,0 +1,70 @@
+//! The answers of the inverse kinematics, on the stack.
+
+use core::fmt;
+use core::ops::Deref;
+
+/// Which closed-form answer: the first is the one the papers print (`sin B >= 0` for a C-B table).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub enum Branch {
+    /// The branch that is listed first; the only one where both coincide.
+    #[default]
+    First,
+    /// The other one.
+    Second,
+}
+
+/// Axis values for a pose, before whole turns and limits.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Solution<A> {
+    /// Axis values in chain order, mm and rad.
+    pub axes: A,
+    /// The closed-form answer this is.
+    pub branch: Branch,
+    /// True where the tool axis is parallel to the first rotary: that rotary keeps its held value.
+    pub singular: bool,
+    /// Angle between the wanted tool axis and the one reached, rad; at most
+    /// [`REACH_TOLERANCE`](super::REACH_TOLERANCE).
+    pub deviation: f64,
+}
+
+/// Zero to two solutions; derefs to a slice.
+#[derive(Clone, Copy, Default)]
+pub struct Solutions<A> {
+    list: [Solution<A>; 2],
+    len: usize,
+}
+
+impl<A: Copy + Default> Solutions<A> {
+    /// No solution.
+    #[must_use]
+    #[inline]
+    pub fn none() -> Self {
+        Self::default()
+    }
+
+    /// The same list with one solution more.
+    ///
+    /// # Panics
+    /// If there are two already.
+    #[must_use]
+    #[inline]
+    pub fn with(mut self, solution: Solution<A>) -> Self {
+        self.list[self.len] = solution;
+        self.len += 1;
+        self
+    }
+}
+
+impl<A> Deref for Solutions<A> {
+    type Target = [Solution<A>];
+    #[inline]
+    fn deref(&self) -> &[Solution<A>] {
+        &self.list[..self.len]
+    }
+}
+
+impl<A: fmt::Debug> fmt::Debug for Solutions<A> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.iter()).finish()
+    }
+}

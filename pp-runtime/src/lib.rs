@@ -1,0 +1,22 @@
+//! Runtime of machine-specific CNC postprocessors.
+//!
+//! Declare a machine with [`machine!`], hand it to `cli::run`, and the binary turns CL data (APT/CLS) into G-code for
+//! that one machine. Data flows one way: CL text → records → motions → axis values → blocks → text.
+//!
+//! Without default features only [`kinematics`] is built, under `no_std`.
+#![cfg_attr(not(feature = "std"), no_std)]
+
+// Generated code names `::pp_runtime`, also inside this crate's own tests.
+extern crate self as pp_runtime;
+
+pub use nalgebra;
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+pub use serde;
+
+pub mod kinematics;
+
+#[cfg(feature = "std")]
+pub mod diag;
+#[cfg(feature = "std")]
+pub mod program;
