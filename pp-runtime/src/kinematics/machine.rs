@@ -123,15 +123,7 @@ pub struct Joint {
 /// Not object safe on purpose: everything is monomorphised for the one machine.
 pub trait Machine: Default + Clone + Send + Sync + 'static {
     /// `[f64; N]` in chain order.
-    type Axes: Copy
-        + Default
-        + PartialEq
-        + Debug
-        + Send
-        + Sync
-        + 'static
-        + AsRef<[f64]>
-        + AsMut<[f64]>;
+    type Axes: Copy + Default + PartialEq + Debug + Send + Sync + 'static + AsRef<[f64]> + AsMut<[f64]>;
 
     /// Identifier of the declared struct.
     const NAME: &'static str;

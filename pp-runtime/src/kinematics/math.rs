@@ -37,42 +37,26 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
 #[inline]
 pub fn angle(sine: f64, cosine: f64) -> f64 {
     let angle = atan2(sine, cosine);
-    if angle <= -core::f64::consts::PI {
-        core::f64::consts::PI
-    } else {
-        angle
-    }
+    if angle <= -core::f64::consts::PI { core::f64::consts::PI } else { angle }
 }
 
 /// The angle half a turn away, in (-π, π].
 #[must_use]
 #[inline]
 pub fn half_turn(angle: f64) -> f64 {
-    if angle > 0.0 {
-        angle - core::f64::consts::PI
-    } else {
-        angle + core::f64::consts::PI
-    }
+    if angle > 0.0 { angle - core::f64::consts::PI } else { angle + core::f64::consts::PI }
 }
 
 /// The angle with the same sine and the opposite cosine, in (-π, π].
 #[must_use]
 #[inline]
 pub fn mirrored(angle: f64) -> f64 {
-    if angle >= 0.0 {
-        core::f64::consts::PI - angle
-    } else {
-        -core::f64::consts::PI - angle
-    }
+    if angle >= 0.0 { core::f64::consts::PI - angle } else { -core::f64::consts::PI - angle }
 }
 
 /// The angle with the same cosine and the opposite sine, in (-π, π].
 #[must_use]
 #[inline]
 pub fn negated(angle: f64) -> f64 {
-    if angle >= core::f64::consts::PI {
-        angle
-    } else {
-        -angle
-    }
+    if angle >= core::f64::consts::PI { angle } else { -angle }
 }

@@ -10,9 +10,7 @@ mod refusal;
 mod solutions;
 
 pub use explanation::Explanation;
-pub use machine::{
-    Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign,
-};
+pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
 pub use refusal::{Invalid, Unreachable};
 pub use solutions::{Branch, Solution, Solutions};
 

@@ -23,10 +23,7 @@ impl fmt::Display for Invalid {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotFinite { name } => write!(f, "`{name}` is not a finite number"),
-            Self::Zero {
-                expression,
-                meaning,
-            } => write!(f, "`{expression}` is zero: {meaning}"),
+            Self::Zero { expression, meaning } => write!(f, "`{expression}` is zero: {meaning}"),
         }
     }
 }
@@ -86,37 +83,19 @@ impl fmt::Display for Unreachable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::NotFinite => f.write_str("the tool axis is not a unit vector of finite numbers"),
-            Self::Fixed {
-                machine,
-                wanted: [i, j, k],
-                tool_axis: [a, b, c],
-            } => write!(
+            Self::Fixed { machine, wanted: [i, j, k], tool_axis: [a, b, c] } => write!(
                 f,
                 "{machine} has no rotary axis to tilt the tool: its axis is ({a:.4}, {b:.4}, {c:.4}), \
                  wanted ({i:.7}, {j:.7}, {k:.7})"
             ),
-            Self::Cone {
-                machine,
-                rotary,
-                direction,
-                wanted,
-                angle,
-                smallest,
-                largest,
-            } => {
+            Self::Cone { machine, rotary, direction, wanted, angle, smallest, largest } => {
                 // A rotary that keeps the tool square to a coordinate direction: name that direction.
-                let square = (largest - smallest).abs() < 1e-9
-                    && (smallest - core::f64::consts::FRAC_PI_2).abs() < 1e-9;
-                let towards = direction
-                    .iter()
-                    .position(|component| (component.abs() - 1.0).abs() < 1e-9);
+                let square =
+                    (largest - smallest).abs() < 1e-9 && (smallest - core::f64::consts::FRAC_PI_2).abs() < 1e-9;
+                let towards = direction.iter().position(|component| (component.abs() - 1.0).abs() < 1e-9);
                 if let (true, Some(index)) = (square, towards) {
                     let (letter, name) = [('X', 'i'), ('Y', 'j'), ('Z', 'k')][index];
-                    return write!(
-                        f,
-                        "{machine} cannot tilt the tool towards {letter}: {name} = {}",
-                        wanted[index]
-                    );
+                    return write!(f, "{machine} cannot tilt the tool towards {letter}: {name} = {}", wanted[index]);
                 }
                 write!(
                     f,
@@ -126,15 +105,8 @@ impl fmt::Display for Unreachable {
                     largest.to_degrees()
                 )
             }
-            Self::Held {
-                machine,
-                rotary,
-                held,
-            } => {
-                write!(
-                    f,
-                    "{machine} cannot tilt the tool with {rotary} at the held values of {held}"
-                )
+            Self::Held { machine, rotary, held } => {
+                write!(f, "{machine} cannot tilt the tool with {rotary} at the held values of {held}")
             }
             Self::LinearAxes { machine, axes } => {
                 write!(
