@@ -137,9 +137,7 @@ impl Model {
         let Axis { side, point, .. } = &self.axes[axis];
         std::array::from_fn(|index| match side {
             Side::Workpiece => &point[index] - &Poly::from(self.frame.part[index]),
-            Side::Tool => {
-                &point[index] + &self.ring.mul(&Poly::from(self.frame.gauge), &self.tool_axis[index])
-            }
+            Side::Tool => &point[index] + &self.ring.mul(&Poly::from(self.frame.gauge), &self.tool_axis[index]),
         })
     }
 

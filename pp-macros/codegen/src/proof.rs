@@ -163,12 +163,7 @@ fn assign(symbols: [Symbol; 3], values: P3) -> BTreeMap<Symbol, Poly> {
     symbols.into_iter().zip(values).collect()
 }
 
-fn turns(
-    model: &Model,
-    reader: &mut Interpreter<'_>,
-    axes: &[AxisId],
-    words: &[(Id, Id)],
-) -> BTreeMap<Symbol, Poly> {
+fn turns(model: &Model, reader: &mut Interpreter<'_>, axes: &[AxisId], words: &[(Id, Id)]) -> BTreeMap<Symbol, Poly> {
     let mut values = BTreeMap::new();
     for (axis, (sine, cosine)) in axes.iter().zip(words) {
         let turn = model.axes[*axis].turn;

@@ -23,8 +23,31 @@ pub struct Spots {
 
 /// Names that a dimension cannot have.
 const RESERVED: &[&str] = &[
-    "x", "y", "z", "i", "j", "k", "gauge", "part_x", "part_y", "part_z", "part_origin", "gauge_length", "sin", "cos",
-    "asin", "acos", "atan2", "sqrt", "Rx", "Ry", "Rz", "deg", "mm", "free", "where",
+    "x",
+    "y",
+    "z",
+    "i",
+    "j",
+    "k",
+    "gauge",
+    "part_x",
+    "part_y",
+    "part_z",
+    "part_origin",
+    "gauge_length",
+    "sin",
+    "cos",
+    "asin",
+    "acos",
+    "atan2",
+    "sqrt",
+    "Rx",
+    "Ry",
+    "Rz",
+    "deg",
+    "mm",
+    "free",
+    "where",
 ];
 
 /// Axis letters.
@@ -98,6 +121,15 @@ pub fn report(refusals: &[Refusal], model: &Model, spots: &Spots, errors: &mut E
     }
 }
 
+/// A claim that the proof could not confirm: a fault of the engine, not of the declaration.
+pub fn unproven(claim: &str, spots: &Spots, errors: &mut Errors) {
+    errors.push(
+        spots.chain,
+        format!("this machine could not be proven: {claim}"),
+        "this is a fault of the generator; please report the declaration",
+    );
+}
+
 fn frame(ring: &mut Ring) -> Frame {
     Frame {
         tip: ["x", "y", "z"].map(|name| ring.symbol(name)),
@@ -130,9 +162,17 @@ fn check_chain(chain: &Chain, declaration: &Declaration, errors: &mut Errors) {
     for axis in &chain.axes {
         let name = axis.name.as_str();
         if kind_of(name).is_none() {
-            errors.push(axis.phrase, format!("`{name}` is not an axis letter"), "linear axes are X Y Z U V W, rotary axes A B C");
+            errors.push(
+                axis.phrase,
+                format!("`{name}` is not an axis letter"),
+                "linear axes are X Y Z U V W, rotary axes A B C",
+            );
         } else if seen.contains(&name) {
-            errors.push(axis.phrase, format!("`{name}` stands twice in the chain"), "every axis has a letter of its own");
+            errors.push(
+                axis.phrase,
+                format!("`{name}` stands twice in the chain"),
+                "every axis has a letter of its own",
+            );
         }
         seen.push(name);
     }
@@ -227,7 +267,8 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
     for Assign { key, value } in &declaration.dimensions {
         let name = &key.name;
         let letter = LETTERS.contains(&name.as_str());
-        if letter || RESERVED.contains(&name.as_str()) || syn::parse_str::<syn::Ident>(name).is_err() {
+        let reserved = letter || name.starts_with("r#") || RESERVED.contains(&name.as_str());
+        if reserved || syn::parse_str::<syn::Ident>(name).is_err() {
             errors.push(
                 key.phrase,
                 format!("`{name}` cannot be the name of a dimension"),
@@ -247,14 +288,23 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
             }
         };
         let quantity = if unit == Some(Unit::Degree) {
-            let (sine, cosine) = ring.sin_cos(format!("sin_{name}"), format!("cos_{name}"));
+            // `sin_b` is the sine of axis B.
+            let stem = if ["a", "b", "c"].contains(&name.as_str()) { format!("dim_{name}") } else { name.clone() };
+            let (sine, cosine) = ring.sin_cos(format!("sin_{stem}"), format!("cos_{stem}"));
             Quantity::Angle(sine, cosine)
         } else {
-            Quantity::Length(ring.symbol(name.clone()))
+            Quantity::Length(ring.symbol(local_name(name)))
         };
         dimensions.push(Dimension { name: name.clone(), default, quantity });
     }
     dimensions
+}
+
+/// What a length is called inside generated functions: its own name, unless that means something there.
+fn local_name(name: &str) -> String {
+    let means_something = crate::emit::LOCALS.contains(&name)
+        || ["sin_", "cos_", "word_", "angle_"].iter().any(|prefix| name.starts_with(prefix));
+    if means_something { format!("dim_{name}") } else { name.to_string() }
 }
 
 fn axis(
@@ -285,7 +335,11 @@ fn axis(
             if let (Some(lower), Some(upper)) = &ends
                 && lower > upper
             {
-                errors.push(phrase, format!("the travel of `{letter}` is empty"), "write the smaller value first: `-5..110`");
+                errors.push(
+                    phrase,
+                    format!("the travel of `{letter}` is empty"),
+                    "write the smaller value first: `-5..110`",
+                );
             }
             ends.0.zip(ends.1)
         }
@@ -294,7 +348,11 @@ fn axis(
     let speed = find(&declaration.speeds, letter).and_then(|entry| {
         let value = axis_value(&entry.value, kind, errors)?;
         if !value.is_positive() {
-            errors.push(entry.value.phrase, format!("the speed of `{letter}` is not above zero"), "give deg/min for rotary and mm/min for linear axes");
+            errors.push(
+                entry.value.phrase,
+                format!("the speed of `{letter}` is not above zero"),
+                "give deg/min for rotary and mm/min for linear axes",
+            );
         }
         Some(value)
     });
@@ -309,7 +367,7 @@ fn axis(
         held,
         limits,
         speed,
-        word: ring.symbol(letter),
+        word: ring.symbol(format!("word_{lower}")),
         turn: ring.sin_cos(format!("sin_{lower}"), format!("cos_{lower}")),
     })
 }
@@ -394,7 +452,11 @@ fn normalised(vector: &Vector, ring: &mut Ring) -> Result<P3, Fault> {
     }
     let squared = parts.iter().fold(Surd::zero(), |sum, part| &sum + &(part * part));
     if squared.is_zero() {
-        return Err(Fault::new(vector.phrase, "the vector (0, 0, 0) has no direction", "give one component that is not zero"));
+        return Err(Fault::new(
+            vector.phrase,
+            "the vector (0, 0, 0) has no direction",
+            "give one component that is not zero",
+        ));
     }
     let inverse = match squared.sqrt().and_then(|length| length.inverse()) {
         Some(inverse) => Poly::from(inverse),

@@ -60,9 +60,11 @@ pub(super) fn number(expr: &Expr) -> Result<(BigRational, Option<Unit>), Fault> 
 pub(super) fn ratio(expr: &Expr) -> Result<Surd, Fault> {
     match constant(expr)? {
         (value, None) => Ok(value),
-        (_, Some(_)) => {
-            Err(Fault::new(expr.phrase, "a component of a direction has no unit", "write plain numbers: `(0, 1, -0.5)`"))
-        }
+        (_, Some(_)) => Err(Fault::new(
+            expr.phrase,
+            "a component of a direction has no unit",
+            "write plain numbers: `(0, 1, -0.5)`",
+        )),
     }
 }
 
@@ -122,9 +124,7 @@ pub(super) fn length(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<Poly
 
 /// A polynomial and its power of millimetres; a bare number may stand for a length.
 fn measured(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<(Poly, u32), Fault> {
-    let angle = || {
-        Fault::new(expr.phrase, "an angle where a length is needed", "components of `d` are lengths in mm")
-    };
+    let angle = || Fault::new(expr.phrase, "an angle where a length is needed", "components of `d` are lengths in mm");
     match &expr.kind {
         ExprKind::Number(_, Some(Unit::Degree)) => Err(angle()),
         ExprKind::Number(value, unit) => Ok((Poly::from(Surd::from(value.clone())), u32::from(unit.is_some()))),
@@ -157,9 +157,7 @@ pub(super) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(
     match &expr.kind {
         ExprKind::Number(degrees, Some(Unit::Degree)) => Ok(turn_by(degrees, ring)),
         ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => Ok(turn_by(value, ring)),
-        ExprKind::Number(_, None) => {
-            Err(Fault::new(expr.phrase, "an angle needs its unit", "write `45 deg`"))
-        }
+        ExprKind::Number(_, None) => Err(Fault::new(expr.phrase, "an angle needs its unit", "write `45 deg`")),
         ExprKind::Number(_, Some(Unit::Millimetre)) => {
             Err(Fault::new(expr.phrase, "a length where an angle is needed", "write `45 deg`"))
         }
@@ -182,13 +180,21 @@ pub(super) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(
             let turn = angle(turned, names, ring)?;
             let times = ratio(factor).ok().and_then(|f| f.as_rational()).filter(BigRational::is_integer);
             let Some(times) = times.and_then(|times| times.to_integer().to_i32()).filter(|n| n.abs() <= 24) else {
-                return Err(Fault::new(factor.phrase, "an angle is multiplied by a whole number only", "write `2 * alpha`"));
+                return Err(Fault::new(
+                    factor.phrase,
+                    "an angle is multiplied by a whole number only",
+                    "write `2 * alpha`",
+                ));
             };
             let step = if times < 0 { (-&turn.0, turn.1) } else { turn };
             let start = (Poly::zero(), Poly::one());
             Ok((0..times.abs()).fold(start, |sum, _| sum_of_angles(&sum, &step, ring)))
         }
-        _ => Err(Fault::new(expr.phrase, "this is not an angle", "write degrees or an angle of `dims`: `Rx(-45 deg)`, `Rx(alpha)`")),
+        _ => Err(Fault::new(
+            expr.phrase,
+            "this is not an angle",
+            "write degrees or an angle of `dims`: `Rx(-45 deg)`, `Rx(alpha)`",
+        )),
     }
 }
 

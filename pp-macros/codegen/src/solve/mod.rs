@@ -145,6 +145,14 @@ impl Chain<'_> {
         self.graph.scale_vector(word, step)
     }
 
+    /// Names the components of a point after the axis it is seen from.
+    fn name(&mut self, what: &str, axis: AxisId, offset: V3) {
+        let letter = self.model.axes[axis].letter.to_ascii_lowercase();
+        for (node, component) in offset.into_iter().zip(["x", "y", "z"]) {
+            self.graph.name(node, format!("{what}_{letter}_{component}"));
+        }
+    }
+
     /// The same point, given from another centre. Centres on one side differ by their `d` alone, whatever the set-up.
     fn seen_from(&mut self, point: Point, from: Option<AxisId>) -> Point {
         if point.from == from {

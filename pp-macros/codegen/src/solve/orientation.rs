@@ -150,10 +150,7 @@ pub struct Edge {
     pub along: (Id, Id),
 }
 
-pub(super) fn solve(
-    chain: &mut Chain<'_>,
-    defaults: &BTreeMap<Symbol, Poly>,
-) -> Result<Orientation, Vec<Refusal>> {
+pub(super) fn solve(chain: &mut Chain<'_>, defaults: &BTreeMap<Symbol, Poly>) -> Result<Orientation, Vec<Refusal>> {
     let model: &Model = chain.model;
     let mut axis = model.frame.axis.map(|symbol| chain.graph.input(symbol));
     let solved: Vec<AxisId> = model.solved_rotaries().collect();
@@ -232,13 +229,7 @@ fn one(
         deviation,
         length,
         length_claim: square,
-        tilt: Tilt {
-            wanted: (wanted_radius, along),
-            between: (zero, one),
-            tool: (radius, level),
-            direction: n,
-            axis,
-        },
+        tilt: Tilt { wanted: (wanted_radius, along), between: (zero, one), tool: (radius, level), direction: n, axis },
     }))
 }
 

@@ -50,7 +50,9 @@ fn solve_at(chain: &mut Chain<'_>, cut: usize) -> Position {
             Kind::Linear => columns.push((id, chain.step(id))),
             Kind::Rotary => {
                 wanted = chain.seen_from(wanted, Some(id));
+                chain.name("tip_from", id, wanted.offset);
                 wanted.offset = chain.turn_back(id, wanted.offset);
+                chain.name("tip_on", id, wanted.offset);
                 for (_, column) in &mut columns {
                     *column = chain.turn_back(id, *column);
                 }
@@ -70,6 +72,7 @@ fn solve_at(chain: &mut Chain<'_>, cut: usize) -> Position {
             Kind::Rotary => {
                 tool = chain.seen_from(tool, Some(id));
                 tool.offset = chain.turn(id, tool.offset);
+                chain.name("tool_on", id, tool.offset);
                 for (_, column) in &mut columns[before..] {
                     *column = chain.turn(id, *column);
                 }

@@ -94,6 +94,34 @@ impl Ring {
         Some(sum)
     }
 
+    /// A polynomial as a person reads it; factors to nine digits.
+    #[must_use]
+    pub fn text(&self, poly: &Poly) -> String {
+        let mut text = String::new();
+        for (monomial, factor) in &poly.terms {
+            let factor = factor.to_f64();
+            let powers: Vec<String> = monomial
+                .iter()
+                .map(|(symbol, power)| match power {
+                    1 => self.name(*symbol).to_string(),
+                    power => format!("{}^{power}", self.name(*symbol)),
+                })
+                .collect();
+            let size = (factor.abs() * 1e9).round() / 1e9;
+            let number =
+                if size.to_bits() == 1.0_f64.to_bits() && !powers.is_empty() { None } else { Some(size.to_string()) };
+            let term = number.into_iter().chain(powers).collect::<Vec<_>>().join(" ");
+            text += match (text.is_empty(), factor < 0.0) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            text += &term;
+        }
+        if text.is_empty() { "0".into() } else { text }
+    }
+
     /// Product in normal form.
     #[must_use]
     pub fn mul(&self, a: &Poly, b: &Poly) -> Poly {

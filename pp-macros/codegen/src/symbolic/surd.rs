@@ -295,9 +295,8 @@ pub fn exact_sin_cos(degrees: &BigRational) -> Option<(Surd, Surd)> {
 
 /// Sine of `step · 15°`.
 fn sine_of_step(step: i64) -> Surd {
-    let root = |n: i64, q: (i64, i64)| {
-        Surd::term(BigUint::from(n.unsigned_abs()), BigRational::new(q.0.into(), q.1.into()))
-    };
+    let root =
+        |n: i64, q: (i64, i64)| Surd::term(BigUint::from(n.unsigned_abs()), BigRational::new(q.0.into(), q.1.into()));
     let step = step.rem_euclid(24);
     if step > 12 {
         return -&sine_of_step(step - 12);

@@ -11,8 +11,7 @@ use super::expr::Expr;
 use crate::report::{Errors, Phrase, Refused};
 
 /// Fields of the language, in the order of the documentation.
-const FIELDS: [&str; 10] =
-    ["chain", "d", "signs", "axes", "dims", "tool_axis", "hold", "limits", "speeds", "verify"];
+const FIELDS: [&str; 10] = ["chain", "d", "signs", "axes", "dims", "tool_axis", "hold", "limits", "speeds", "verify"];
 
 /// Numbers the phrases in the order of reading.
 #[derive(Debug, Default)]
@@ -201,7 +200,9 @@ fn chain(input: ParseStream<'_>, source: &Source, key: Phrase) -> syn::Result<Ch
 }
 
 fn offsets(input: ParseStream<'_>, source: &Source) -> syn::Result<Offsets> {
-    if input.peek(token::Brace) { Ok(Offsets::Each(assigns(input, source, vector)?)) } else {
+    if input.peek(token::Brace) {
+        Ok(Offsets::Each(assigns(input, source, vector)?))
+    } else {
         Ok(Offsets::Common(vector(input, source)?))
     }
 }
