@@ -13,7 +13,7 @@ use core::fmt;
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::kinematics::{AxisKind, Branch, DimensionKind, Machine, Pose, REACH_TOLERANCE, Side, Unreachable};
 
-use crate::oracle::{Oracle, Rotaries, angle_between, wrapped};
+use crate::oracle::{Oracle, angle_between, wrapped};
 use crate::random::Random;
 use crate::subject::{Erased, Found, Subject};
 
@@ -23,8 +23,9 @@ pub const POSITION: f64 = 1e-9;
 pub const POSITION_BY_DETERMINANT: f64 = 1e-12;
 /// Largest angle between the axis reached and the axis wanted beyond the deviation that the solution reports, rad.
 pub const AXIS: f64 = 1e-12;
-/// Largest deviation that a solution may report for an axis that the machine reaches exactly, rad.
-pub const DEVIATION: f64 = 1e-12;
+/// The same, times the sine of the angle to the pole, where the cone ends beside the pole and not at it (a held head
+/// at 0.001°): the cosine of so small an angle says no more.
+pub const AXIS_BY_POLE_SINE: f64 = 1e-15;
 /// Largest difference of a rotary value from the one that made the pose, rad, times the sine of the angle to the pole
 /// or the rim, whichever is smaller.
 pub const ROTARY: f64 = 1e-9;
@@ -248,6 +249,8 @@ struct Case {
     /// Sines of the angle to the pole and to the rim; 1 where there is no such thing.
     pole_sine: f64,
     rim_sine: f64,
+    /// Largest error of the axis, rad; also of a deviation where there should be none.
+    axis_tolerance: f64,
 }
 
 impl Setting {
@@ -281,7 +284,7 @@ impl Setting {
     }
 
     fn fault(&self, rule: &'static str, case: &Case, more: &str) -> Fault {
-        let Case { values, pose, held, determinant, pole_sine, rim_sine } = case;
+        let Case { values, pose, held, determinant, pole_sine, rim_sine, .. } = case;
         Fault {
             rule,
             details: format!(
@@ -359,13 +362,16 @@ impl Setting {
 
     fn case(&self, values: Vec<f64>, pose: Pose, held: Vec<f64>) -> Case {
         let determinant = self.oracle.determinant(&values).abs();
-        let (mut pole_sine, mut rim_sine) = (1.0, 1.0);
+        let (mut pole_sine, mut rim_sine, mut axis_tolerance) = (1.0, 1.0, AXIS);
         if let Some(rotaries) = self.oracle.rotaries(&values) {
             pole_sine = rotaries.first.cross(&pose.axis).norm();
             let tilted = self.oracle.axis_before_first(&values);
             rim_sine = rotaries.first.dot(&rotaries.second.cross(&tilted)).abs() / rotaries.authority();
+            if !rotaries.ends_at_pole(1.0) && !rotaries.ends_at_pole(-1.0) {
+                axis_tolerance = AXIS.max(AXIS_BY_POLE_SINE / pole_sine);
+            }
         }
-        Case { values, pose, held, determinant, pole_sine, rim_sine }
+        Case { values, pose, held, determinant, pole_sine, rim_sine, axis_tolerance }
     }
 
     fn forward(&self, random: &mut Random) -> Result<(), Fault> {
@@ -384,12 +390,12 @@ impl Setting {
         let pose = self.machine.forward(&case.values);
         let distance = (pose.tip - case.pose.tip).norm();
         let allowed = FORWARD_SHARE * self.oracle.scale(&case.values);
-        if !(distance <= allowed) {
+        if exceeds(distance, allowed) {
             let more = format!("forward kinematics says {:?}: {distance:e} mm off, allowed {allowed:e}", pose.tip);
             return Err(self.fault("forward kinematics puts the tip where the joints do", &case, &more));
         }
         let angle = angle_between(&pose.axis, &case.pose.axis);
-        if !(angle <= FORWARD_AXIS && (pose.axis.norm() - 1.0).abs() <= UNIT) {
+        if exceeds(angle, FORWARD_AXIS) || exceeds((pose.axis.norm() - 1.0).abs(), UNIT) {
             let more = format!("forward kinematics says {:?}: {angle:e} rad off", pose.axis);
             return Err(self.fault("forward kinematics tilts the tool as the joints do", &case, &more));
         }
@@ -436,18 +442,18 @@ impl Setting {
         if determinant < 0.5e-9 {
             return fault("degenerate linear axes have no solution", &format!("determinant {determinant:e}"));
         }
-        if !(0.0..=DEVIATION).contains(&solution.deviation) {
+        if !(0.0..=case.axis_tolerance).contains(&solution.deviation) {
             return fault("an axis that the machine reaches is reached", "");
         }
         let reached = self.oracle.forward(&solution.axes);
         let distance = (reached.tip - case.pose.tip).norm();
         let allowed = position_tolerance(determinant);
-        if !(distance <= allowed) {
+        if exceeds(distance, allowed) {
             let more = format!("{distance:e} mm off, allowed {allowed:e}, determinant {determinant:e}");
             return fault("a solution brings the tip to the pose", &more);
         }
         let angle = angle_between(&reached.axis, &case.pose.axis);
-        if !(angle <= AXIS + solution.deviation) {
+        if exceeds(angle, case.axis_tolerance + solution.deviation) {
             return fault("a solution brings the tool axis to the pose", &format!("{angle:e} rad off"));
         }
         Ok(())
@@ -565,11 +571,13 @@ impl Setting {
                 return fault("`linear_axes` leaves rotary and held values alone");
             }
             let allowed = position_tolerance(determinant);
-            if !((self.oracle.forward(axes).tip - case.pose.tip).norm() <= allowed) {
+            if exceeds((self.oracle.forward(axes).tip - case.pose.tip).norm(), allowed) {
                 return fault("`linear_axes` brings the tip to where it should be");
             }
             if let Some(solution) = solution
-                && linear.iter().any(|&index| !((axes[index] - solution[index]).abs() <= 2.0 * allowed / determinant))
+                && linear
+                    .iter()
+                    .any(|&index| exceeds((axes[index] - solution[index]).abs(), 2.0 * allowed / determinant))
             {
                 return fault("`linear_axes` agrees with the inverse kinematics");
             }
@@ -584,9 +592,8 @@ impl Setting {
         };
         let held = self.held(&values, random);
         values[first] = held[first];
-        let Rotaries { first: n, second: m, tool: t } = rotaries;
         for direction in [1.0, -1.0] {
-            if rotaries.authority() < 0.01 || (m.dot(&n) - direction * m.dot(&t)).abs() > 1e-13 {
+            if rotaries.authority() < 0.01 || !rotaries.ends_at_pole(direction) {
                 continue;
             }
             let edge = if direction > 0.0 { rotaries.edge() } else { rotaries.edge() + PI };
@@ -595,7 +602,7 @@ impl Setting {
                 continue;
             }
             let tip = Point3::from(Vector3::from_fn(|_, _| random.between(-500.0, 500.0)));
-            let pose = Pose { tip, axis: UnitVector3::new_normalize(n * direction) };
+            let pose = Pose { tip, axis: UnitVector3::new_normalize(rotaries.first * direction) };
             self.oracle.bring_tip_to(&tip, &mut values);
             let case = self.case(values.clone(), pose, held.clone());
             let solutions = self.machine.inverse(&case.pose, &case.held);
@@ -691,10 +698,10 @@ impl Setting {
         }
         for solution in &solutions {
             let angle = angle_between(&self.oracle.forward(&solution.axes).axis, &case.pose.axis);
-            if !(angle <= solution.deviation + AXIS) {
+            if exceeds(angle, case.axis_tolerance + solution.deviation) {
                 return fault("a solution reports how far its axis deviates");
             }
-            if !((solution.deviation - outside.max(0.0)).abs() <= 1e-9) {
+            if exceeds((solution.deviation - outside.max(0.0)).abs(), 1e-9) {
                 return fault("a hair outside the cone the nearest axis is used");
             }
         }
@@ -724,6 +731,11 @@ impl Setting {
         }
         Ok(())
     }
+}
+
+/// NaN exceeds everything.
+fn exceeds(error: f64, allowed: f64) -> bool {
+    error > allowed || error.is_nan()
 }
 
 fn position_tolerance(determinant: f64) -> f64 {

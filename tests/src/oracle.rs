@@ -107,6 +107,12 @@ impl Rotaries {
         ((first_to_second - second_to_tool).abs(), sum.min(2.0 * PI - sum))
     }
 
+    /// Whether the tool can be laid along the first rotary, `side` being `1.0`, or against it, `-1.0`.
+    #[must_use]
+    pub fn ends_at_pole(&self, side: f64) -> bool {
+        (self.second.dot(&self.first) - side * self.second.dot(&self.tool)).abs() < 1e-14
+    }
+
     /// The second angle (right-handed, sign not applied) at which the tool leans most towards the first rotary; the
     /// other edge of the cone is half a turn on.
     #[must_use]
