@@ -263,10 +263,10 @@ impl<T: Table> Machine for Reference<T> {
         Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(axis) }
     }
     fn inverse_kinematics(&self, pose: &Pose, held: &T::Axes) -> Solutions<T::Axes> {
-        let mut solutions = Solutions::none();
         if !pose.tip.iter().chain(pose.axis.iter()).all(|value| value.is_finite()) {
-            return solutions;
+            return Solutions::none();
         }
+        let mut found = Vec::new();
         for (angles, branch, singular, deviation) in self.angles(&pose.axis, held) {
             let mut axes = *held;
             for (&index, angle) in self.solved().iter().zip(angles) {
@@ -274,10 +274,11 @@ impl<T: Table> Machine for Reference<T> {
                 axes.as_mut()[index] = if value <= -PI { PI } else { value };
             }
             if let Some(axes) = self.linear_axes(&pose.tip, &axes) {
-                solutions = solutions.with(Solution { axes, branch, singular, deviation });
+                found.push(Solution { axes, branch, singular, deviation });
             }
         }
-        solutions
+        let mut found = found.into_iter();
+        Solutions::from_branches([found.next(), found.next()])
     }
     fn linear_axes(&self, tip: &Point3<f64>, axes: &T::Axes) -> Option<T::Axes> {
         let (start, columns, _) = self.place(axes.as_ref(), false);

@@ -326,10 +326,10 @@ fn turns(model: &Model, solved: impl Fn(AxisId) -> Option<TokenStream>) -> Token
     quote!([#(#pairs),*])
 }
 
-/// Whether the tip, and what is held, are numbers; NaN and infinity stay NaN or infinite in a sum.
+/// Whether the pose, and what is held, are numbers; NaN and infinity stay NaN or infinite in a sum.
 fn finite(model: &Model) -> TokenStream {
     let held = model.axes.iter().enumerate().filter(|(_, axis)| axis.held.is_some()).map(|(place, _)| place);
-    quote!((tip.x + tip.y + tip.z #(+ held[#held])*).is_finite())
+    quote!((tip.x + tip.y + tip.z + axis.x + axis.y + axis.z #(+ held[#held])*).is_finite())
 }
 
 /// `Option<Solution>` of one branch.
