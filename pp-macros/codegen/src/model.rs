@@ -144,26 +144,42 @@ impl Model {
     /// The elementary matrices of one joint, multiplied: `Trans(q·u)`, or `Trans(c)·Rot(n, q)·Trans(-c)`.
     #[must_use]
     pub fn joint(&self, axis: AxisId) -> Matrix {
-        let Axis { kind, direction, word, turn, .. } = &self.axes[axis];
-        match kind {
-            Kind::Linear => {
-                let value = self.signed(axis, *word);
-                translation(&direction.clone().map(|component| self.ring.mul(&component, &value)))
-            }
-            Kind::Rotary => {
-                let centre = self.centre(axis);
-                let turn = rotation(direction, &self.joint_sine(axis), &Poly::from(turn.1), &self.ring);
-                translation(&centre)
-                    .times(&turn, &self.ring)
-                    .times(&translation(&centre.map(|component| -&component)), &self.ring)
-            }
-        }
+        self.joint_or_inverse(axis, false)
+    }
+
+    /// The same with `-q` for `q`.
+    #[must_use]
+    pub fn joint_inverse(&self, axis: AxisId) -> Matrix {
+        self.joint_or_inverse(axis, true)
+    }
+
+    /// The product of some joints, in the given order.
+    #[must_use]
+    pub fn product_of(&self, joints: impl IntoIterator<Item = Matrix>) -> Matrix {
+        joints.into_iter().fold(Matrix::identity(), |product, joint| product.times(&joint, &self.ring))
     }
 
     /// `T(q)`: the product of all joints from workpiece to tool. The tip is its origin, the tool axis its image of `t`.
     #[must_use]
     pub fn product(&self) -> Matrix {
-        (0..self.axes.len()).fold(Matrix::identity(), |product, axis| product.times(&self.joint(axis), &self.ring))
+        self.product_of((0..self.axes.len()).map(|axis| self.joint(axis)))
+    }
+
+    fn joint_or_inverse(&self, axis: AxisId, inverse: bool) -> Matrix {
+        let Axis { kind, direction, word, turn, .. } = &self.axes[axis];
+        let signed = |value: Poly| if inverse { -&value } else { value };
+        match kind {
+            Kind::Linear => {
+                let value = signed(self.signed(axis, *word));
+                translation(&direction.clone().map(|component| self.ring.mul(&component, &value)))
+            }
+            Kind::Rotary => {
+                let centre = self.centre(axis);
+                let turn = rotation(direction, &signed(self.joint_sine(axis)), &Poly::from(turn.1), &self.ring);
+                let back = translation(&centre.clone().map(|component| -&component));
+                self.product_of([translation(&centre), turn, back])
+            }
+        }
     }
 
     /// Values at the defaults of `hold` and `dims`, for the symbols these enter by.

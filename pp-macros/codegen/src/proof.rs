@@ -21,7 +21,7 @@ use crate::symbolic::{Id, Interpreter, Matrix, P3, Poly, Ring, Symbol};
 /// The claim that does not hold. That is a fault of the solver, never of the declaration.
 pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> {
     let product = model.product();
-    let mut claims = vec![forward(model, solved, &product)?, position(model, solved, &product)?];
+    let mut claims = vec![forward(model, solved, &product)?, position(model, solved)?];
     let orientation = solved.orientation.clone();
     match &orientation {
         Orientation::Fixed { deviation } => {
@@ -55,14 +55,30 @@ fn forward(model: &Model, solved: &mut Solved, product: &Matrix) -> Result<Strin
     Ok("forward kinematics = product of the elementary matrices".into())
 }
 
-fn position(model: &Model, solved: &mut Solved, product: &Matrix) -> Result<String, String> {
+/// `T(q)·0 = tip`, shown as `J_c ... J_n·0 = J_(c-1)⁻¹ ... J_1⁻¹·tip` at the cut `c`: the same equation with far fewer
+/// products of sines.
+fn position(model: &Model, solved: &mut Solved) -> Result<String, String> {
     let values = solved.position.values.clone();
+    let cut = solved.position.cut;
+    let claim = "the linear axes bring the tip to (x, y, z)";
+    for axis in 0..cut {
+        if model.product_of([model.joint(axis), model.joint_inverse(axis)]) != Matrix::identity() {
+            return Err(format!("the inverse of joint {} is its joint with -q", model.axes[axis].letter));
+        }
+    }
+    let undone = model.product_of((0..cut).rev().map(|axis| model.joint_inverse(axis)));
+    let tool = model.product_of((cut..model.axes.len()).map(|axis| model.joint(axis)));
+    let wanted = {
+        let tip = model.frame.tip.map(Poly::from);
+        let turned = undone.turn(&tip, &model.ring);
+        let origin = undone.origin();
+        turned.into_iter().zip(origin).map(|(a, b)| &a + &b).collect::<Vec<_>>()
+    };
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
     let words = values.iter().map(|(axis, node)| (model.axes[*axis].word, reader.value(*node))).collect();
-    let claim = "the linear axes bring the tip to (x, y, z)";
-    for (reached, wanted) in product.origin().iter().zip(model.frame.tip) {
-        let reached = reader.ring().substitute(reached, &words);
-        holds(&reader, &reached, &Poly::from(wanted), claim)?;
+    for (reached, wanted) in tool.origin().iter().zip(&wanted) {
+        let gap = reader.ring().substitute(&(reached - wanted), &words);
+        holds(&reader, &gap, &Poly::zero(), claim)?;
     }
     Ok(format!("{claim} for every value of the rotary axes where the determinant is not zero"))
 }
@@ -93,6 +109,11 @@ fn prove_answer(
 ) -> Result<String, String> {
     let letters = model.letters(two.rotaries);
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    let (capacity, height) = (reader.value(two.capacity), reader.value(two.height));
+    let square = &capacity - &reader.ring().mul(&height, &height);
+    if !reader.claim_square(two.root, square) {
+        return Err(format!("the root of {letters} is √(D - w²)"));
+    }
     if let Some((length, claim)) = two.length {
         let claim = reader.value(claim);
         if !reader.claim(length, &claim) {
@@ -135,7 +156,7 @@ fn prove_edge(model: &Model, solved: &mut Solved, product: &Matrix, two: &Two) -
 
     let ring = reader.ring().clone();
     let reached = product.turn(&model.tool_axis, &ring).map(|part| ring.substitute(&part, &words));
-    let before = (0..first).fold(Matrix::identity(), |m, axis| m.times(&model.joint(axis), &ring));
+    let before = model.product_of((0..first).map(|axis| model.joint(axis)));
     let direction = before.turn(&model.axes[first].direction, &ring);
     let wanted = model.frame.axis.map(Poly::from);
     let (n_b, n_a) = (cross(&direction, &reached, &ring), cross(&direction, &wanted, &ring));

@@ -42,8 +42,19 @@ pub struct Errors {
 
 impl Errors {
     /// One mistake with its remedy.
+    ///
+    /// The same mistake at the same place is reported once, however many axes share it.
     pub fn push(&mut self, at: Phrase, text: impl std::fmt::Display, help: impl std::fmt::Display) {
-        self.list.push((at.order, syn::Error::new_spanned(at, format!("{text}\n\nhelp: {help}"))));
+        let message = format!("{text}\n\nhelp: {help}");
+        if !self.list.iter().any(|(order, known)| *order == at.order && known.to_string() == message) {
+            self.list.push((at.order, syn::Error::new_spanned(at, message)));
+        }
+    }
+
+    /// True while nothing is wrong.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
     }
 
     /// A mistake that the parser of Rust tokens found.

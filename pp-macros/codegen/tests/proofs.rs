@@ -1,51 +1,124 @@
-//! Chains of every class are solved and proven.
+//! Chains of every class are solved and proven, and a wrong formula is not.
 
-use std::time::Instant;
+use std::collections::BTreeMap;
 
 use pp_codegen::check::check;
+use pp_codegen::model::Model;
 use pp_codegen::proof::prove;
 use pp_codegen::report::Errors;
-use pp_codegen::solve::solve;
+use pp_codegen::solve::{Angle, Orientation, Solved, solve};
+use pp_codegen::symbolic::{Id, Interpreter};
 use pp_codegen::syntax::parse;
 
-fn prove_text(text: &str) -> Result<Vec<String>, String> {
-    let tokens = text.parse().expect("Rust tokens");
+fn solved(text: &str) -> (Model, Solved) {
+    let tokens = format!("pub struct M; {text}").parse().expect("Rust tokens");
     let mut errors = Errors::default();
-    let declaration = parse(tokens, &mut errors).map_err(|e| e.to_compile_error().to_string())?;
-    let (mut model, _) = check(&declaration, &mut errors).map_err(|e| e.to_compile_error().to_string())?;
-    let start = Instant::now();
-    let mut solved = solve(&mut model).map_err(|refusals| format!("{refusals:?}"))?;
-    let solve_time = start.elapsed();
-    let claims = prove(&model, &mut solved)?;
-    println!("solve {solve_time:?} prove {:?}", start.elapsed() - solve_time);
-    Ok(claims)
+    let declaration = parse(tokens, &mut errors).expect("syntax");
+    let (mut model, _) = check(&declaration, &mut errors).expect("rules");
+    let solved = solve(&mut model).expect("a solvable chain");
+    (model, solved)
 }
 
 macro_rules! proven {
-    ($($name:ident: $text:expr;)*) => {$(
-        #[test]
-        fn $name() {
-            match prove_text(concat!("pub struct M; ", $text)) {
-                Ok(claims) => println!("{claims:#?}"),
-                Err(error) => panic!("{error}"),
+    ($($name:ident: $text:expr;)*) => {
+        /// All declarations of this file.
+        const ALL: &[&str] = &[$($text),*];
+        $(
+            #[test]
+            fn $name() {
+                let (model, mut solved) = solved($text);
+                let claims = prove(&model, &mut solved).unwrap_or_else(|claim| panic!("not proven: {claim}"));
+                assert!(claims.len() >= 3);
             }
-        }
-    )*};
+        )*
+    };
 }
 
 proven! {
-    spinner: "chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 };";
-    dmu: "chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y }; d = (0, 0, d); dims = { d: 150.0 };";
-    lola: "chain: X | Y Z B A;";
-    multiprodesk: "chain: A Y | X Z; signs = { A: -, Y: - };";
-    inclined_by_a_symbol: "chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg };";
-    inclined_by_fifty: "chain: C B | X Y Z; axes = { B: Rx(-50 deg) * Y };";
-    slanted: "chain: C B | X Y Z; axes = { Y: (0, 1, -0.5) };";
-    spread_linears: "chain: X C Y | A Z; d = { C: (1, 2, 3), A: (4, 5, 6) };";
+    table_table: "chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 };";
+    inclined_table: "chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y }; d = (0, 0, d); dims = { d: 150.0 };";
+    head_head: "chain: X | Y Z B A;";
+    head_table: "chain: C | X Y Z B; d = { C: (1, 2, 3), B: (4, 5, 60) };";
+    one_table_rotary_with_signs: "chain: A Y | X Z; signs = { A: -, Y: - };";
+    one_inclined_rotary: "chain: B | X Y Z; axes = { B: (0, 1, 1) };";
+    no_rotary: "chain: X Y | Z;";
+    inclined_by_a_dimension: "chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg };";
+    inclined_by_fifty_degrees: "chain: C B | X Y Z; axes = { B: Rx(-50 deg) * Y };";
+    inclined_head: "chain: X Y Z | C B; axes = { B: Rx(45 deg) * Y }; signs = { B: - };";
+    slanted_linear: "chain: C B | X Y Z; axes = { Y: (0, 1, -0.5) };";
+    linears_between_and_outside: "chain: X C Y | A Z; d = { C: (1, 2, 3), A: (4, 5, 6) };";
     held_quill: "chain: C B | X Y Z W; hold = { W: 0 };";
     held_head: "chain: C B | X Y Z A; hold = { A: 0 };";
-    oblique: "chain: X B Y | Z A; axes = { A: (1, 2, 2), B: (0.1, 0.7, -0.3), X: (1, 0.1, 0.2), Y: (0.05, 1, 0), Z: (0.1, 0.2, 1) }; d = { B: (1, d, 3), A: (4, 5, d) }; dims = { d: 10.0 }; tool_axis = (0.1, 0.2, 0.9);";
-    no_rotary: "chain: X Y | Z;";
-    one_inclined: "chain: B | X Y Z; axes = { B: (0, 1, 1) };";
-    held_between: "chain: C A B | X Y Z; hold = { A: 10 };";
+    held_between_the_rotaries: "chain: C A B | X Y Z; hold = { A: 10 };";
+    held_next_to_the_workpiece: "chain: A C B | X Y Z; hold = { A: 30 };";
+    horizontal_spindle: "chain: B A | X Y Z; tool_axis = (0, 0, -1);";
+    oblique_everywhere: "chain: X B Y | Z A; axes = { A: (1, 2, 2), B: (0.1, 0.7, -0.3), X: (1, 0.1, 0.2),
+        Y: (0.05, 1, 0), Z: (0.1, 0.2, 1) }; d = { B: (1, d, 3), A: (4, 5, d) }; dims = { d: 10.0 };
+        tool_axis = (0.1, 0.2, 0.9);";
+}
+
+/// Replaces one output node at a time by its negative; every such machine must fail its proof.
+#[test]
+fn a_flipped_sign_in_any_output_is_not_proven() {
+    for text in ALL {
+        let (model, reference) = solved(text);
+        for index in 0..outputs(&mut solved(text).1).len() {
+            let mut flawed = Solved { graph: reference.graph.clone(), ..solved(text).1 };
+            let old = *outputs(&mut flawed)[index];
+            let new = flawed.graph.neg(old);
+            let value = Interpreter::new(&mut flawed.graph, BTreeMap::new()).value(old);
+            if value.is_zero() {
+                continue;
+            }
+            *outputs(&mut flawed)[index] = new;
+            assert!(prove(&model, &mut flawed).is_err(), "output {index} of {text}");
+        }
+    }
+}
+
+#[test]
+fn sine_and_cosine_swapped_are_not_proven() {
+    for text in ALL {
+        let (model, mut flawed) = solved(text);
+        match &mut flawed.orientation {
+            Orientation::Fixed { .. } => continue,
+            Orientation::One(one) => one.word = (one.word.1, one.word.0),
+            Orientation::Two(two) => {
+                let word = &mut two.answers[0].words[1];
+                *word = (word.1, word.0);
+            }
+        }
+        assert!(prove(&model, &mut flawed).is_err(), "{text}");
+    }
+}
+
+#[test]
+fn second_branch_of_an_orthogonal_machine_needs_no_atan2_of_its_own() {
+    let angles = |text: &str| match solved(text).1.orientation {
+        Orientation::Two(two) => two.answers[1].angles,
+        _ => unreachable!("two rotaries"),
+    };
+    assert_eq!(angles("chain: C B | X Y Z;"), [Angle::HalfTurn, Angle::Negated]);
+    assert_eq!(angles("chain: X | Y Z B A;"), [Angle::HalfTurn, Angle::Mirrored]);
+    assert_eq!(angles("chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y };"), [Angle::Own, Angle::Negated]);
+}
+
+fn outputs(solved: &mut Solved) -> Vec<&mut Id> {
+    let mut list: Vec<&mut Id> = solved.forward.tip.iter_mut().chain(&mut solved.forward.axis).collect();
+    list.extend(solved.position.values.iter_mut().map(|(_, node)| node));
+    match &mut solved.orientation {
+        Orientation::Fixed { .. } => {}
+        Orientation::One(one) => list.extend([&mut one.word.0, &mut one.word.1]),
+        Orientation::Two(two) => {
+            for answer in &mut two.answers {
+                for (sine, cosine) in &mut answer.words {
+                    list.extend([sine, cosine]);
+                }
+            }
+            let edge = &mut two.edge;
+            list.extend([&mut edge.second.0, &mut edge.second.1, &mut edge.first.0, &mut edge.first.1]);
+            list.extend([&mut edge.reached_squared, &mut edge.along.1]);
+        }
+    }
+    list
 }

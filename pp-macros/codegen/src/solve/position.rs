@@ -16,6 +16,8 @@ pub struct Position {
     pub values: Vec<(AxisId, Id)>,
     /// Determinant of their unit directions.
     pub determinant: Id,
+    /// Place in the chain where it was cut.
+    pub cut: usize,
 }
 
 pub(super) fn solve(chain: &mut Chain<'_>) -> Position {
@@ -83,7 +85,7 @@ fn solve_at(chain: &mut Chain<'_>, cut: usize) -> Position {
     let gap = chain.graph.sub_vectors(wanted.offset, tool.offset);
     let [a, b, c] = columns[..] else { unreachable!("the check lets exactly three solved linear axes pass") };
     let (values, determinant) = solve_three(chain, [a.1, b.1, c.1], gap);
-    Position { values: [a.0, b.0, c.0].into_iter().zip(values).collect(), determinant }
+    Position { values: [a.0, b.0, c.0].into_iter().zip(values).collect(), determinant, cut }
 }
 
 /// `q` with `Σ q_i w_i = gap`, and the determinant of the `w_i`.

@@ -36,6 +36,19 @@ impl<'a> Interpreter<'a> {
         holds
     }
 
+    /// Gives a `√` node the square `square`, if its radicand is exactly that.
+    #[must_use]
+    pub fn claim_square(&mut self, root: Id, square: Poly) -> bool {
+        let Node::Sqrt(radicand) = *self.graph.node(root) else { return false };
+        let radicand = self.value(radicand);
+        let holds = self.graph.ring.is_zero(&(&square - &radicand));
+        if holds {
+            let symbol = self.graph.ring.root("r", square);
+            self.values.insert(root, Poly::from(symbol));
+        }
+        holds
+    }
+
     /// The node as a polynomial in normal form.
     pub fn value(&mut self, id: Id) -> Poly {
         for id in self.graph.reachable(&[id]) {

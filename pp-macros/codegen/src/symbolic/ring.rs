@@ -54,8 +54,14 @@ impl Ring {
     }
 
     /// A root: its square is `radicand`.
+    ///
+    /// A constant has one root: asking again gives the same symbol.
     pub fn root(&mut self, name: impl Into<String>, radicand: Poly) -> Symbol {
         let value = self.value(&radicand).map(f64::sqrt);
+        let same = |known: &Known| known.value.is_some() && known.square.as_ref() == Some(&radicand);
+        if let (Some(_), Some(index)) = (value, self.known.iter().position(same)) {
+            return Symbol(u32::try_from(index).expect("fewer than 2^32 symbols"));
+        }
         self.push(name.into(), value, Some(radicand), None)
     }
 

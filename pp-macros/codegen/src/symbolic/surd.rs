@@ -4,9 +4,9 @@
 //! normalisation and every turn by a multiple of 15°. Rationals are of any size: random directions overflow any fixed
 //! width.
 //!
-//! Radicands are made square-free by trial division up to [`TRIAL_LIMIT`] and a test for perfect squares. A square of a
-//! prime above that limit could stay inside; two equal numbers might then look different, so a true statement might go
-//! unproven, but no false one passes.
+//! Radicands are made square-free by trial division up to [`TRIAL_LIMIT`] and a test for perfect squares. Where that
+//! does not settle the matter (a radicand above the cube of the limit) there is no surd, and the caller takes an
+//! algebraic symbol with the root's square as its relation.
 
 use std::collections::BTreeMap;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -17,7 +17,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 /// Largest prime whose square is taken out of a radicand.
-const TRIAL_LIMIT: u32 = 50_000;
+const TRIAL_LIMIT: u32 = 20_000;
 
 /// Binary digits after the point when a surd is turned into a float.
 const FLOAT_DIGITS: usize = 192;
@@ -50,7 +50,7 @@ impl Surd {
         Self::from(BigRational::new(numerator.into(), denominator.into()))
     }
 
-    /// `√n` of a rational number; `None` for a negative one.
+    /// `√n` of a rational number; `None` for a negative one, or where the square-free part is out of reach.
     #[must_use]
     pub fn sqrt_of_rational(value: &BigRational) -> Option<Self> {
         if value.is_negative() {
@@ -58,7 +58,7 @@ impl Surd {
         }
         // √(p/q) = √(p·q) / q
         let radicand = (value.numer() * value.denom()).magnitude().clone();
-        let (outside, inside) = split_square(radicand);
+        let (outside, inside) = split_square(radicand)?;
         let factor = BigRational::new(outside.into(), value.denom().clone());
         Some(Self::term(inside, factor))
     }
@@ -186,20 +186,20 @@ impl Surd {
     }
 }
 
-/// `n = outside² · inside` with `inside` square-free (see the module's limits).
-fn split_square(mut number: BigUint) -> (BigUint, BigUint) {
+/// `n = outside² · inside` with `inside` square-free; `None` if that takes too long to find out.
+fn split_square(mut number: BigUint) -> Option<(BigUint, BigUint)> {
     let (mut outside, mut inside) = (BigUint::one(), BigUint::one());
     if number.is_zero() {
-        return (outside, number);
+        return Some((outside, number));
     }
     let mut prime = 2_u32;
+    // Beyond the cube root the rest is a prime, a product of two, or a square.
+    let mut settled = false;
     while prime <= TRIAL_LIMIT {
-        // Beyond the cube root the rest is a prime, a product of two, or a square.
-        if let Some(small) = number.to_u64() {
-            let cube = u128::from(prime).pow(3);
-            if cube > u128::from(small) {
-                break;
-            }
+        let cube = u128::from(prime).pow(3);
+        settled = number.to_u64().is_some_and(|small| cube > u128::from(small));
+        if settled {
+            break;
         }
         let mut power = 0;
         while (&number % prime).is_zero() {
@@ -213,10 +213,12 @@ fn split_square(mut number: BigUint) -> (BigUint, BigUint) {
     let root = number.sqrt();
     if &root * &root == number {
         outside *= root;
-    } else {
+    } else if settled {
         inside *= number;
+    } else {
+        return None;
     }
-    (outside, inside)
+    Some((outside, inside))
 }
 
 impl From<i64> for Surd {
@@ -266,16 +268,10 @@ impl Mul for &Surd {
                     product.add_term(n * m, p * q);
                     continue;
                 }
-                // √n·√m = gcd·√(n/gcd · m/gcd); the perfect-square test catches equal roots written differently.
+                // √n·√m = gcd·√(n/gcd · m/gcd), square-free again.
                 let common = n.gcd(m);
                 let rest = (n / &common) * (m / &common);
-                let root = rest.sqrt();
-                let factor = p * q * BigRational::from(BigInt::from(common));
-                if &root * &root == rest {
-                    product.add_term(BigUint::one(), factor * BigRational::from(BigInt::from(root)));
-                } else {
-                    product.add_term(rest, factor);
-                }
+                product.add_term(rest, p * q * BigRational::from(BigInt::from(common)));
             }
         }
         product
@@ -326,6 +322,14 @@ mod tests {
         assert_eq!(root(49), Surd::from(7));
         let large_prime: i64 = 1_000_003;
         assert_eq!(root(large_prime * large_prime), Surd::from(large_prime));
+    }
+
+    #[test]
+    fn a_radicand_beyond_reach_is_no_surd() {
+        // (10^9 + 7)(10^9 + 9)² 2: the square is of a prime far above the limit.
+        let (p, q) = (BigInt::from(1_000_000_007), BigInt::from(1_000_000_009));
+        assert!(Surd::sqrt_of_rational(&BigRational::from(p * &q * &q * 2)).is_none());
+        assert!(Surd::sqrt_of_rational(&BigRational::from(&q * &q)).is_some());
     }
 
     #[test]

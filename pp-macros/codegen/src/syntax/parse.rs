@@ -58,13 +58,21 @@ impl Source {
 /// # Errors
 /// All syntax errors, if the struct or any field cannot be read.
 pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Result<Declaration, Refused> {
-    let read = |input: ParseStream<'_>| Ok(declaration(input, errors));
-    match read.parse2(tokens) {
-        Ok(Ok(declaration)) => Ok(declaration),
-        Ok(Err(error)) | Err(error) => {
+    let mut found = None;
+    let read = |input: ParseStream<'_>| {
+        found = Some(declaration(input, errors));
+        Ok(())
+    };
+    // What a failed field leaves unread in its brackets is reported by that field already.
+    let rest = read.parse2(tokens);
+    match (found, rest) {
+        (Some(Ok(declaration)), Ok(())) => Ok(declaration),
+        (Some(Ok(declaration)), Err(_)) if !errors.is_empty() => Ok(declaration),
+        (Some(Err(error)), _) | (_, Err(error)) => {
             errors.push_syntax(0, error);
             Err(errors.propagate().expect_err("just pushed"))
         }
+        (None, Ok(())) => unreachable!("the parser has run"),
     }
 }
 
