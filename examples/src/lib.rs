@@ -1,1 +1,21 @@
-//! Examples.
+//! CL data that teaches: the parts of the source papers, written as NX, CATIA and Creo write them.
+//!
+//! [`parts`] holds the geometry, [`cl_writer`] the three dialects; [`files`] is what stands in `examples/cl/`.
+//! `cargo run -p examples --bin generate_cl` writes the files again.
+
+pub mod cl_writer;
+pub mod no_std_kinematics;
+pub mod parts;
+
+/// Every file of `examples/cl/`: name and text.
+#[must_use]
+pub fn files() -> Vec<(&'static str, String)> {
+    vec![
+        ("convex.cls", cl_writer::nx(&parts::convex())),
+        ("concave.aptsource", cl_writer::catia(&parts::concave_one_way())),
+        ("concave.ncl", cl_writer::creo(&parts::concave_zig_zag())),
+        ("concave_4axis.cls", cl_writer::nx(&parts::concave_four_axes())),
+        ("spiral_groove.cls", cl_writer::nx(&parts::spiral_groove())),
+        ("two_tools.cls", cl_writer::nx(&parts::two_tools())),
+    ]
+}
