@@ -19,6 +19,12 @@ pub mod kinematics;
 #[cfg(feature = "std")]
 pub mod config;
 #[cfg(feature = "std")]
+pub mod control;
+#[cfg(feature = "std")]
 pub mod diag;
+#[cfg(feature = "std")]
+pub mod motion;
+#[cfg(feature = "std")]
+pub mod nc;
 #[cfg(feature = "std")]
 pub mod program;

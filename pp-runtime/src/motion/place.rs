@@ -1,0 +1,362 @@
+//! A pose into the words of its block.
+//!
+//! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
+//! that rounding an angle never moves the tip. Limits are compared with rounded values.
+
+use nalgebra::{Point3, Vector3};
+
+use crate::config::{Config, Units};
+use crate::kinematics::{Axis, AxisKind, Joint, Limits, Machine, Pose, Side};
+use crate::nc::whole_units;
+
+use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
+use super::fault::Fault;
+use super::step::{MAX_AXES, Words};
+use super::travel::Travel;
+
+/// Word units that floating-point noise of a limit may amount to.
+const LIMIT_NOISE: f64 = 1e-6;
+
+/// Cosine between tool axis and retract axis from which the two count as parallel.
+const PARALLEL: f64 = 1.0 - 1e-12;
+
+/// Where the machine stands: axis values and the words that put it there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place<A> {
+    /// The pose as programmed.
+    pub(crate) pose: Pose,
+    /// Axis values that the words stand for, mm and rad.
+    pub(crate) axes: A,
+    /// Whole units of the words, by position in the chain.
+    pub(crate) words: [i64; MAX_AXES],
+    /// Angle between the programmed axis and the one reached, rad.
+    pub(crate) deviation: f64,
+}
+
+/// Puts poses into words for one machine, one set-up and the current tool.
+#[derive(Debug, Clone)]
+pub(crate) struct Placer<M: Machine> {
+    machine: M,
+    part_origin: Vector3<f64>,
+    rotaries: Vec<Rotary>,
+    linear_mask: u16,
+    rotary_mask: u16,
+    scale: AngleScale,
+    /// Units of linear words in 1 mm.
+    per_mm: f64,
+    limits: Vec<Option<Limits>>,
+    pub(crate) travel: Travel,
+    /// Solved linear axis that retracts.
+    retract_axis: usize,
+    /// Component of the tool axis along that axis' positive word, at the zero position.
+    retract_share: f64,
+    straight: bool,
+    head: bool,
+    square: bool,
+}
+
+impl<M: Machine> Placer<M> {
+    pub(crate) fn new(machine: M, config: &Config, units: Units) -> Self {
+        let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
+        let scale = AngleScale::new(config.formats.rotary);
+        let limits = config.travel::<M>().limits;
+        let solved = |kind: AxisKind| {
+            axes.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
+        };
+        let mask = |kind: AxisKind| solved(kind).fold(0_u16, |mask, index| mask | 1 << index);
+        let rotaries = solved(AxisKind::Rotary)
+            .map(|index| {
+                let word = |angle: f64| angle.to_degrees() * scale.per_degree;
+                Rotary {
+                    index,
+                    lower: limits[index].map(|limits| (word(limits.lower) - LIMIT_NOISE).ceil() as i64),
+                    upper: limits[index].map(|limits| (word(limits.upper) + LIMIT_NOISE).floor() as i64),
+                }
+            })
+            .collect();
+        let tool_axis = machine.tool_axis();
+        let share = |index: usize| {
+            let joint = machine.joint(index);
+            joint.direction.dot(&tool_axis) * joint.sign
+        };
+        // `max_by` keeps the last of equals; nearer the tool is later on the tool side, and the tool side is later.
+        let retract_axis = solved(AxisKind::Linear)
+            .max_by(|&a, &b| {
+                let (a, b) = (share(a).abs(), share(b).abs());
+                if (a - b).abs() < 1e-9 { std::cmp::Ordering::Equal } else { a.total_cmp(&b) }
+            })
+            .unwrap_or_default();
+        let head = axes.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool);
+        let per_unit = match units {
+            Units::Millimetres => 10_f64.powi(config.formats.linear_mm as i32),
+            Units::Inches => 10_f64.powi(config.formats.linear_inch as i32),
+        };
+        Self {
+            part_origin: config.part_origin.into(),
+            rotaries,
+            linear_mask: mask(AxisKind::Linear),
+            rotary_mask: mask(AxisKind::Rotary),
+            scale,
+            per_mm: per_unit / units.in_mm(),
+            limits,
+            travel: Travel::new(&machine, config),
+            retract_axis,
+            retract_share: share(retract_axis),
+            straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
+            head,
+            square: square(&machine, axes),
+            machine,
+        }
+    }
+
+    /// Solved rotary axes stand on the tool side: the tool's length moves the linear axes.
+    pub(crate) fn head(&self) -> bool {
+        self.head
+    }
+
+    /// Going out along the retract axis is going out along the tool axis, whatever the rotaries do.
+    pub(crate) fn straight(&self) -> bool {
+        self.straight
+    }
+
+    /// The path length of the linear words is that of the tip while no rotary moves.
+    pub(crate) fn square(&self) -> bool {
+        self.square
+    }
+
+    pub(crate) fn retract_axis(&self) -> usize {
+        self.retract_axis
+    }
+
+    pub(crate) fn linear_mask(&self) -> u16 {
+        self.linear_mask
+    }
+
+    pub(crate) fn rotary_mask(&self) -> u16 {
+        self.rotary_mask
+    }
+
+    /// A length in mm and words of one unit.
+    pub(crate) fn unit_mm(&self) -> f64 {
+        1.0 / self.per_mm
+    }
+
+    pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
+        self.machine.set_up(self.part_origin, length.unwrap_or(0.0));
+        self.travel.set_gauge_length(length);
+    }
+
+    /// Largest turn of a rotary word, rad.
+    #[inline]
+    pub(crate) fn rotary_travel(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> f64 {
+        let largest = self.rotaries.iter().map(|rotary| (to[rotary.index] - from[rotary.index]).abs()).max();
+        self.scale.angle(largest.unwrap_or(0))
+    }
+
+    /// The first rotary that would turn by more than half a turn.
+    #[inline]
+    pub(crate) fn rewinds(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<Fault> {
+        let index =
+            self.rotaries.iter().map(|rotary| rotary.index).find(|&i| 2 * (to[i] - from[i]).abs() > self.scale.turn)?;
+        Some(
+            Fault::new(format_args!(
+                "{} would have to turn back from {}° to {}° in a feed motion, to stay inside its limits {}",
+                M::AXES[index].letter,
+                self.scale.degrees(from[index]),
+                self.scale.degrees(to[index]),
+                self.limits_text(index)
+            ))
+            .help("end the operation before this point and start it again with a rapid, or declare the axis `free`"),
+        )
+    }
+
+    /// Words of the axes in a mask.
+    #[inline]
+    pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
+        Words { units: place.words, mask }
+    }
+
+    /// The place of a pose; `from` says where the rotaries come from and how the held axes stand.
+    #[inline]
+    pub(crate) fn place(&mut self, pose: &Pose, from: &Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        let solutions = self.machine.inverse_kinematics(pose, &from.axes);
+        if solutions.is_empty() {
+            return Err(self.unreachable(pose, &from.axes));
+        }
+        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
+            .map_err(|outside| self.outside_limits(&outside))?;
+        let solution = &solutions[choice.solution];
+        let mut place = Place { pose: *pose, axes: solution.axes, words: choice.words, deviation: solution.deviation };
+        for rotary in &self.rotaries {
+            place.axes.as_mut()[rotary.index] = self.scale.angle(choice.words[rotary.index]);
+        }
+        self.finish(place)
+    }
+
+    /// The place of another tip with the rotaries of `at`.
+    pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        let mut place = *at;
+        place.pose.tip = tip;
+        self.finish(place)
+    }
+
+    #[inline]
+    fn finish(&mut self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
+            return Err(self.unreachable(&place.pose, &place.axes));
+        };
+        place.axes = axes;
+        for (index, value) in place.axes.as_mut().iter_mut().enumerate().take(MAX_AXES) {
+            if self.linear_mask & (1 << index) != 0 {
+                let Ok(units) = whole_units(*value, self.per_mm) else {
+                    return Err(Fault::new(format_args!("{} is too large for a word", M::AXES[index].letter)));
+                };
+                place.words[index] = units;
+                *value = units as f64 / self.per_mm;
+            }
+        }
+        self.travel.check(place.axes.as_ref())?;
+        Ok(place)
+    }
+
+    /// The rotaries of a pose that only says where motion counts from; `None` if it cannot be reached.
+    pub(crate) fn reference(&self, pose: &Pose, from: &Place<M::Axes>) -> Option<Place<M::Axes>> {
+        let solutions = self.machine.inverse_kinematics(pose, &from.axes);
+        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale).ok()?;
+        let mut place = *from;
+        for rotary in &self.rotaries {
+            place.words[rotary.index] = choice.words[rotary.index];
+            place.axes.as_mut()[rotary.index] = self.scale.angle(choice.words[rotary.index]);
+        }
+        Some(place)
+    }
+
+    /// Every rotary at zero and held axes at their values.
+    pub(crate) fn zero(&self) -> Place<M::Axes> {
+        let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
+        Place { pose, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0 }
+    }
+
+    /// Words of the retract axis at a machine coordinate.
+    pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<Words, Fault> {
+        self.travel.check_machine(index, coordinate)?;
+        let units = whole_units(coordinate, self.per_mm)
+            .map_err(|_| Fault::new(format_args!("{} is too large for a word", M::AXES[index].letter)))?;
+        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
+        words.units[index] = units;
+        Ok(words)
+    }
+
+    /// Words of a rotary at an angle, inside its limits.
+    pub(crate) fn rotary_words(&self, index: usize, angle: f64) -> Result<Words, Fault> {
+        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
+        words.units[index] = self.scale.word(angle);
+        let rotary = self.rotaries.iter().find(|rotary| rotary.index == index);
+        match rotary {
+            Some(rotary)
+                if rotary.lower.is_some_and(|lower| words.units[index] < lower)
+                    || rotary.upper.is_some_and(|upper| words.units[index] > upper) =>
+            {
+                Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word: words.units[index] }), None]))
+            }
+            _ => Ok(words),
+        }
+    }
+
+    /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
+    /// cannot be known.
+    pub(crate) fn below_retract(&self, place: &Place<M::Axes>, retract: f64) -> Option<f64> {
+        let there = self.travel.value_at(self.retract_axis, retract)?;
+        Some((there - place.axes.as_ref()[self.retract_axis]) * self.retract_share.signum())
+    }
+
+    fn limits_text(&self, index: usize) -> String {
+        self.limits[index].map_or_else(
+            || "none".to_owned(),
+            |limits| format!("{:.4}° to {:.4}°", limits.lower.to_degrees(), limits.upper.to_degrees()),
+        )
+    }
+
+    #[cold]
+    fn outside_limits(&self, outside: &[Option<OutOfLimits>; 2]) -> Fault {
+        let mut text = String::new();
+        for out in outside.iter().flatten() {
+            let letter = M::AXES[out.rotary.index].letter;
+            let value = self.scale.degrees(out.word);
+            if text.is_empty() {
+                text = format!("{letter} would have to turn to {value}°");
+            } else {
+                text += &format!(", or {letter} to {value}°");
+            }
+            text += &format!(" (limits {})", self.limits_text(out.rotary.index));
+        }
+        Fault::new(text).help("turn the part on the table, or correct the limits in the configuration")
+    }
+
+    #[cold]
+    fn unreachable(&self, pose: &Pose, held: &M::Axes) -> Fault {
+        match self.machine.reach(&pose.axis, held) {
+            Err(reason) => Fault::new(reason),
+            Ok(()) => Fault::new(format_args!(
+                "{} has no position for the tool axis ({:.7}, {:.7}, {:.7})",
+                M::NAME,
+                pose.axis.x,
+                pose.axis.y,
+                pose.axis.z
+            )),
+        }
+    }
+}
+
+/// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.
+fn held_tool_axis<M: Machine>(machine: &M) -> Vector3<f64> {
+    let mut axis = machine.tool_axis().into_inner();
+    for (index, described) in M::AXES.iter().enumerate().rev() {
+        if described.kind == AxisKind::Rotary && described.held && described.side == Side::Tool {
+            axis = turned(&machine.joint(index), M::HELD.as_ref()[index], &axis);
+        }
+    }
+    axis
+}
+
+fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
+    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle) * vector
+}
+
+/// Linear directions that are square to each other and stay so: no rotary stands between two of them.
+fn square<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
+    let linear = |index: &usize| axes[*index].kind == AxisKind::Linear && !axes[*index].held;
+    let solved: Vec<usize> = (0..axes.len()).filter(linear).collect();
+    let square = solved.iter().enumerate().all(|(position, &a)| {
+        solved[position + 1..]
+            .iter()
+            .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
+    });
+    let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
+    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::machines::{Ay, Cb, Head, Xyz};
+    use super::*;
+
+    fn placer<M: Machine>() -> Placer<M> {
+        let config = Config::default();
+        Placer::new(config.machine::<M>().expect("valid"), &config, Units::Millimetres)
+    }
+
+    #[test]
+    fn the_retract_axis_is_the_one_along_the_tool() {
+        assert_eq!(placer::<Cb>().retract_axis(), 4);
+        assert_eq!(placer::<Head>().retract_axis(), 2);
+        assert_eq!(placer::<Ay>().retract_axis(), 3);
+        assert_eq!(placer::<Xyz>().retract_axis(), 2);
+    }
+
+    #[test]
+    fn only_a_machine_without_a_rotary_in_the_head_retracts_straight() {
+        assert!(placer::<Cb>().straight() && placer::<Ay>().straight() && placer::<Xyz>().straight());
+        assert!(!placer::<Head>().straight() && placer::<Head>().head());
+    }
+}
