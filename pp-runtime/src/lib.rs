@@ -17,6 +17,8 @@ pub use serde;
 pub mod kinematics;
 
 #[cfg(feature = "std")]
+pub mod cl;
+#[cfg(feature = "std")]
 pub mod config;
 #[cfg(feature = "std")]
 pub mod control;

@@ -14,6 +14,25 @@ pub struct Location {
     pub column: u32,
 }
 
+/// Unit of length of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Units {
+    /// Lengths in mm, feeds in mm.
+    Millimetre,
+    /// Lengths in inch, feeds in inch.
+    Inch,
+}
+
+impl Units {
+    /// Millimetres in one of these.
+    pub fn millimetres(self) -> f64 {
+        match self {
+            Units::Millimetre => 1.0,
+            Units::Inch => 25.4,
+        }
+    }
+}
+
 /// Sense of rotation of the spindle, seen from the spindle towards the tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rotation {
