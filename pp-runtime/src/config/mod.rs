@@ -1,9 +1,17 @@
 //! The set-up of a job: everything that is true of today's part and shop rather than of the machine.
 //!
-//! [`Config::default`] is the one place where defaults stand. Millimetres, radians and mm/min in here; a file states its
-//! own unit of length and writes angles in degrees. Nothing here plans or writes a motion.
+//! [`Config::default`] is the one place where defaults stand; [`print()`] shows them as a file to edit and
+//! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
+//! writes angles in degrees. Nothing here plans or writes a motion.
 
 mod machine;
+mod print;
+mod read;
+#[cfg(test)]
+pub(crate) mod sample;
+#[cfg(test)]
+mod tests;
+mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,6 +19,7 @@ use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
 pub use machine::Travel;
+pub use print::print;
 
 /// Unit of length of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -90,6 +99,8 @@ pub struct Config {
     pub formats: Formats,
     /// Blocks around the program.
     pub program: Program,
+    /// Lengths came from a file that does not state its unit: mm assumed.
+    pub file_units_assumed: bool,
     /// What was given rather than assumed: keys as they stand in a file, `part_origin`, `retract.position`.
     ///
     /// The keys of a machine's axes, dimensions and tools are not in here: their maps hold only what was given.
@@ -207,12 +218,16 @@ impl Default for Config {
             speeds: BTreeMap::new(),
             formats: Formats { linear_mm: 3, linear_inch: 4, rotary: 4, feed: 3, inverse_time: 6, speed: 0 },
             program: Program::default(),
+            file_units_assumed: false,
             given: BTreeSet::new(),
         }
     }
 }
 
 impl Config {
+    /// Step of the block numbers where they are asked for without one.
+    pub const LINE_NUMBER_STEP: u32 = 10;
+
     /// Whether `key` (`retract.position`) was given rather than assumed.
     #[must_use]
     pub fn is_given(&self, key: &str) -> bool {
