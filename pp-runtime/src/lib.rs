@@ -29,4 +29,6 @@ pub mod motion;
 #[cfg(feature = "std")]
 pub mod nc;
 #[cfg(feature = "std")]
+pub mod post;
+#[cfg(feature = "std")]
 pub mod program;
