@@ -189,7 +189,8 @@ impl<W: Write> Sink for Encoder<'_, W> {
             Step::Machine { ref words } => {
                 self.writer.code(codes.machine);
                 self.writer.code(codes.rapid);
-                self.motion = codes.rapid;
+                // Not every control keeps the motion code of such a block in force.
+                self.motion = "";
                 for (i, axis) in self.axes.iter().enumerate() {
                     if words.has(i) {
                         self.writer.word(axis.letter, Decimal { units: words.units[i], decimals: axis.decimals });

@@ -6,7 +6,7 @@
 use nalgebra::{Point3, Vector3};
 
 use crate::config::{Config, Units};
-use crate::kinematics::{Axis, AxisKind, Joint, Limits, Machine, Pose, Side};
+use crate::kinematics::{Axis, AxisKind, Joint, Limits, Machine, Pose, REACH_TOLERANCE, Side};
 use crate::nc::whole_units;
 
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
@@ -20,6 +20,9 @@ const LIMIT_NOISE: f64 = 1e-6;
 /// Cosine between tool axis and retract axis from which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
 
+/// A turn of the first rotary below this does no harm near the pole, rad.
+const NOTICEABLE_TURN: f64 = 0.01;
+
 /// Where the machine stands: axis values and the words that put it there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place<A> {
@@ -31,6 +34,8 @@ pub(crate) struct Place<A> {
     pub(crate) words: [i64; MAX_AXES],
     /// Angle between the programmed axis and the one reached, rad.
     pub(crate) deviation: f64,
+    /// So near the pole that the first rotary kept its value.
+    pub(crate) near_pole: bool,
 }
 
 /// Puts poses into words for one machine, one set-up and the current tool.
@@ -186,11 +191,49 @@ impl<M: Machine> Placer<M> {
         let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
             .map_err(|outside| self.outside_limits(&outside))?;
         let solution = &solutions[choice.solution];
-        let mut place = Place { pose: *pose, axes: solution.axes, words: choice.words, deviation: solution.deviation };
+        let mut place = Place {
+            pose: *pose,
+            axes: solution.axes,
+            words: choice.words,
+            deviation: solution.deviation,
+            near_pole: false,
+        };
         for rotary in &self.rotaries {
             place.axes.as_mut()[rotary.index] = self.scale.angle(choice.words[rotary.index]);
         }
+        self.steady(&mut place, from);
         self.finish(place)
+    }
+
+    /// Near the pole the axis of CL data carries no angle, only rounding: there the first rotary keeps its value.
+    #[inline]
+    fn steady(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>) {
+        let [first, _] = self.rotaries[..] else { return };
+        let turn = (place.words[first.index] - from.words[first.index]).abs();
+        if self.scale.angle(turn) < NOTICEABLE_TURN {
+            return;
+        }
+        let mut kept = place.axes;
+        kept.as_mut()[first.index] = from.axes.as_ref()[first.index];
+        let axis = self.machine.forward_kinematics(&kept).axis;
+        if (axis.into_inner() - place.pose.axis.into_inner()).norm() <= REACH_TOLERANCE {
+            place.axes = kept;
+            place.words[first.index] = from.words[first.index];
+            place.near_pole = true;
+        }
+    }
+
+    /// How far the tip is from the programmed line in the middle of a block, mm.
+    pub(crate) fn middle_deviation(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> f64 {
+        let mut middle = from.axes;
+        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            *value = 0.5 * (*value + end);
+        }
+        let tip = self.machine.forward_kinematics(&middle).tip;
+        let (start, line) = (from.pose.tip, to.pose.tip - from.pose.tip);
+        let length = line.norm_squared();
+        let along = if length > 0.0 { ((tip - start).dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
+        (tip - (start + line * along)).norm()
     }
 
     /// The place of another tip with the rotaries of `at`.
@@ -234,7 +277,7 @@ impl<M: Machine> Placer<M> {
     /// Every rotary at zero and held axes at their values.
     pub(crate) fn zero(&self) -> Place<M::Axes> {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
-        Place { pose, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0 }
+        Place { pose, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, near_pole: false }
     }
 
     /// Words of the retract axis at a machine coordinate.

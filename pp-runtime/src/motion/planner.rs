@@ -4,12 +4,13 @@
 //! and the one after it are known, because the approach point depends on both; the events between these two wait in a
 //! short queue. Everything else is decided motion by motion.
 
+use std::collections::BTreeMap;
 use std::io;
 
 use crate::config::{Config, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
-use crate::program::{self, Coolant, Event, Location, Move, Rotation, Spindle};
+use crate::program::{self, Coolant, Event, Location, Move, Rotation, Spindle, ToolCall};
 
 use super::fault::Fault;
 use super::feed::{Feeds, Stroke};
@@ -23,6 +24,15 @@ pub(super) const SAME_AXIS: f64 = 1e-6;
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
+
+/// From this turn on, the middle of a feed block is looked at, rad.
+const LARGE_TURN: f64 = 0.017;
+
+/// From this distance on, a tip that leaves its line is remarked on, mm.
+const LARGE_SWING: f64 = 0.1;
+
+/// A rapid this much below the lowest cut is remarked on, mm.
+const PLUNGE: f64 = 0.001;
 
 /// Why planning stopped.
 #[derive(Debug)]
@@ -65,6 +75,11 @@ pub struct Statistics {
     pub sequences: u64,
     /// Blocks in inverse time.
     pub inverse_time: u64,
+    /// Motions so near the pole that the rotary which is nearly free kept its value.
+    pub near_pole: u64,
+    /// Largest distance of the tip from the programmed line, mm, seen in the middle of feed blocks that turn an axis
+    /// far.
+    pub largest_swing: f64,
 }
 
 /// An event that may stand between the first motion of an operation and the next.
@@ -119,6 +134,8 @@ pub struct Planner<'a, M: Machine> {
     pub(super) restarts: u32,
 
     pub(super) tool: Option<Tool>,
+    /// Tools called so far, with the length the CL data gave.
+    lengths: BTreeMap<u32, Option<f64>>,
     /// The tool that the next operation begins with.
     pub(super) next_tool: Option<Tool>,
     pub(super) request: SpindleRequest,
@@ -130,6 +147,11 @@ pub struct Planner<'a, M: Machine> {
     /// The coolant as written; `None` if nobody knows.
     pub(super) coolant: Option<Coolant>,
     pub(super) inverse_time: bool,
+    /// Where the largest swing is.
+    swing_at: Location,
+    /// Lowest pose of this tool axis that was cut in this operation.
+    lowest: Option<Pose>,
+    plunge_told: bool,
     statistics: Statistics,
 }
 
@@ -155,6 +177,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             retreat: Retreat::default(),
             restarts: 0,
             tool: None,
+            lengths: BTreeMap::new(),
             next_tool: None,
             request: SpindleRequest::default(),
             spindle_in_start: false,
@@ -162,6 +185,9 @@ impl<'a, M: Machine> Planner<'a, M> {
             coolant_request: Coolant::Off,
             coolant: None,
             inverse_time: false,
+            swing_at: Location::default(),
+            lowest: None,
+            plunge_told: false,
             statistics: Statistics::default(),
         }
     }
@@ -219,6 +245,14 @@ impl<'a, M: Machine> Planner<'a, M> {
     /// [`Stop`] if there is no way to retract, or the output fails.
     pub fn finish(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         self.settle(None, sink)?;
+        let swing = self.statistics.largest_swing;
+        if swing > LARGE_SWING {
+            let text = format!("on the way to this point the tip leaves the programmed line by {swing:.3} mm or more");
+            let fault = Fault::new(text).help(
+                "a rotary axis turns far in one block here: give the CL data more points, or keep clear of the pole",
+            );
+            self.warnings.push(fault.at(self.swing_at, Severity::Warning));
+        }
         self.end(at, sink)
     }
 
@@ -254,6 +288,8 @@ impl<'a, M: Machine> Planner<'a, M> {
         self.phase = Phase::Running;
         if operation {
             self.spindle_in_start = false;
+            self.lowest = None;
+            self.plunge_told = false;
             self.start(at, &motion, next, sink)?;
         } else {
             self.index(at, &motion, next, sink)?;
@@ -296,18 +332,8 @@ impl<'a, M: Machine> Planner<'a, M> {
                 sink.step(&Step::Operation { name })?;
             }
             Event::Tool(call) => {
-                let warnings = &mut self.warnings;
-                let tool = Tool::resolve(&call, self.config, self.placer.head(), |fault| {
-                    warnings.push(fault.at(at, Severity::Warning));
-                })
-                .map_err(|fault| stop(at, fault))?;
+                let tool = self.resolve(at, &call)?;
                 let known = self.next_tool.or(self.tool);
-                if let Some(known) = known
-                    && known.number == tool.number
-                    && known.length.zip(tool.length).is_some_and(|(a, b)| (a - b).abs() > 0.01)
-                {
-                    return Err(stop(at, Fault::new(format_args!("T{} is called with two lengths", tool.number))));
-                }
                 self.begin(at, true, sink)?;
                 if known.is_none_or(|known| known.number != tool.number) && !self.spindle_in_start {
                     // The speed of one tool is not the speed of another.
@@ -320,6 +346,22 @@ impl<'a, M: Machine> Planner<'a, M> {
             Event::Move(_) => {}
         }
         Ok(())
+    }
+
+    /// The tool of a record; what is odd about a tool is said once.
+    fn resolve(&mut self, at: Location, call: &ToolCall) -> Result<Tool, Stop> {
+        let before = self.lengths.get(&call.number).copied();
+        let known = before.is_some();
+        let warnings = &mut self.warnings;
+        let remark = |fault: Fault| {
+            if !known {
+                warnings.push(fault.at(at, Severity::Warning));
+            }
+        };
+        let tool = Tool::resolve(call, before.flatten(), self.config, self.placer.head(), remark)
+            .map_err(|fault| stop(at, fault))?;
+        self.lengths.insert(call.number, call.length.or(before.flatten()));
+        Ok(tool)
     }
 
     /// A start begins, or goes on: what was held back is written, and the tool leaves the part.
@@ -502,17 +544,71 @@ impl<'a, M: Machine> Planner<'a, M> {
                 return Ok(());
             }
             self.cancel_inverse_time(sink)?;
+            self.watch_plunge(at, &motion.pose);
             sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
         } else {
-            if let Some(rewind) = self.placer.rewinds(&self.place.words, &place.words) {
-                return Err(fault(rewind));
-            }
-            let feed = self.feed(motion.feed, &place).map_err(fault)?;
-            self.write_feed(&place, feed, sink)?;
+            self.feed_to(at, motion, &place, sink)?;
         }
         self.retreat.follow(&self.place.pose, &motion.pose);
         self.arrive(place);
         Ok(())
+    }
+
+    /// A feed motion from where the tool stands.
+    #[inline]
+    pub(super) fn feed_to(
+        &mut self,
+        at: Location,
+        motion: &Move,
+        place: &Place<M::Axes>,
+        sink: &mut impl Sink,
+    ) -> Planned {
+        if let Some(rewind) = self.placer.rewinds(&self.place.words, &place.words) {
+            return Err(stop(at, rewind));
+        }
+        let feed = self.feed(motion.feed, place).map_err(|fault| stop(at, fault))?;
+        if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
+            let off = self.placer.middle_deviation(&self.place, place);
+            if off > self.statistics.largest_swing {
+                self.statistics.largest_swing = off;
+                self.swing_at = at;
+            }
+        }
+        self.write_feed(place, feed, sink)?;
+        self.cut(&motion.pose);
+        Ok(())
+    }
+
+    /// Remembers the lowest level that was cut with this tool axis in this operation.
+    #[inline]
+    pub(super) fn cut(&mut self, pose: &Pose) {
+        match &mut self.lowest {
+            Some(lowest)
+                if (lowest.axis.into_inner() - pose.axis.into_inner()).norm_squared() < SAME_AXIS * SAME_AXIS =>
+            {
+                if (pose.tip - lowest.tip).dot(&lowest.axis) < 0.0 {
+                    lowest.tip = pose.tip;
+                }
+            }
+            lowest => *lowest = Some(*pose),
+        }
+    }
+
+    /// Says once in an operation that a rapid goes deeper than anything was cut.
+    fn watch_plunge(&mut self, at: Location, to: &Pose) {
+        let Some(lowest) = self.lowest else { return };
+        let step = to.tip - self.place.pose.tip;
+        let down = -step.dot(&to.axis);
+        let across = (step + to.axis.into_inner() * down).norm();
+        let same = (lowest.axis.into_inner() - to.axis.into_inner()).norm() < SAME_AXIS;
+        let depth = -(to.tip - lowest.tip).dot(&to.axis);
+        if same && down > 0.0 && across <= 1e-3 * down && depth > PLUNGE && !self.plunge_told {
+            self.plunge_told = true;
+            let text =
+                format!("a rapid goes down along the tool to {depth:.3} mm below anything cut in this operation");
+            let fault = Fault::new(text).help("check whether the material is gone there");
+            self.warnings.push(fault.at(at, Severity::Warning));
+        }
     }
 
     #[inline]
@@ -544,6 +640,7 @@ impl<'a, M: Machine> Planner<'a, M> {
     #[inline]
     pub(super) fn arrive(&mut self, place: Place<M::Axes>) {
         self.statistics.motions += 1;
+        self.statistics.near_pole += u64::from(place.near_pole);
         if place.deviation > NO_DEVIATION {
             self.statistics.deviations += 1;
             self.statistics.largest_deviation = self.statistics.largest_deviation.max(place.deviation);

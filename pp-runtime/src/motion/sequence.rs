@@ -113,10 +113,7 @@ impl<M: Machine> Planner<'_, M> {
             self.coolant_off(sink)?;
         }
         self.machine_retract(at, sink)?;
-        if let Some(mut tool) = wanted.or(self.tool) {
-            if !change && tool.length.is_none() {
-                tool.length = self.tool.and_then(|tool| tool.length);
-            }
+        if let Some(tool) = wanted.or(self.tool) {
             self.tool = Some(tool);
             self.placer.set_gauge_length(tool.length);
             sink.step(&Step::Tool { number: tool.number, change })?;
@@ -143,8 +140,7 @@ impl<M: Machine> Planner<'_, M> {
             self.cancel_inverse_time(sink)?;
             sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
         } else {
-            let feed = self.feed(first.feed, &place).map_err(|fault| stop(at, fault))?;
-            self.write_feed(&place, feed, sink)?;
+            self.feed_to(at, first, &place, sink)?;
         }
         self.retreat.follow(&self.place.pose, &first.pose);
         self.arrive(place);
@@ -199,6 +195,9 @@ impl<M: Machine> Planner<'_, M> {
                 let feed = self.feed(first.feed, &place).map_err(fault)?;
                 self.write_feed(&place, feed, sink)?;
             }
+        }
+        if !first.rapid {
+            self.cut(&first.pose);
         }
         self.retreat.reset();
         self.arrive(place);

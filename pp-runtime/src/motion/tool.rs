@@ -31,15 +31,23 @@ pub(crate) struct SpindleRequest {
 
 impl Tool {
     /// The tool of a record; remarks go to `warn`.
+    ///
+    /// `before`: the length that an earlier record of the same tool gave.
     pub(crate) fn resolve(
         call: &ToolCall,
+        before: Option<f64>,
         config: &Config,
         head: bool,
         mut warn: impl FnMut(Fault),
     ) -> Result<Self, Fault> {
         let number = call.number;
         let given = config.tools.get(&number);
-        let length = match (given.and_then(|tool| tool.length), call.length) {
+        if let (Some(before), Some(now)) = (before, call.length)
+            && (before - now).abs() > SAME
+        {
+            return Err(Fault::new(format_args!("T{number} is called with two lengths, {before} mm and {now} mm")));
+        }
+        let length = match (given.and_then(|tool| tool.length), call.length.or(before)) {
             (Some(ours), Some(theirs)) if (ours - theirs).abs() > SAME => {
                 let fault = Fault::new(format_args!(
                     "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"

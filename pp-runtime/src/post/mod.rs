@@ -16,7 +16,7 @@ use crate::cl::{self, Reader};
 use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::{AxisKind, Machine};
+use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
 use crate::motion::{Abilities, Planner, Sink, Statistics, Step, Stop};
 use crate::program::{self, Coolant, Location};
 
@@ -87,7 +87,19 @@ impl Report {
                 self.statistics.deviations, self.statistics.largest_deviation
             ));
         }
+        if self.statistics.near_pole > 0 {
+            lines.push(format!(
+                "{} tool axes lie within {REACH_TOLERANCE} rad of the pole, where the rotary that is nearly free kept its value",
+                self.statistics.near_pole
+            ));
+        }
         lines.push(header::NOT_LINEARISED.to_owned());
+        if self.statistics.largest_swing > 0.0 {
+            lines.push(format!(
+                "in the middle of blocks that turn an axis by more than a degree the tip is up to {:.3} mm off its line",
+                self.statistics.largest_swing
+            ));
+        }
         lines
     }
 
