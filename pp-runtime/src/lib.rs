@@ -19,6 +19,8 @@ pub mod kinematics;
 #[cfg(feature = "std")]
 pub mod cl;
 #[cfg(feature = "std")]
+pub mod cli;
+#[cfg(feature = "std")]
 pub mod config;
 #[cfg(feature = "std")]
 pub mod control;
