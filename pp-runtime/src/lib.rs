@@ -10,6 +10,7 @@
 extern crate self as pp_runtime;
 
 pub use nalgebra;
+pub use pp_macros::machine;
 #[cfg(feature = "serde")]
 #[doc(hidden)]
 pub use serde;
