@@ -8,7 +8,7 @@ use crate::kinematics::{Explanation, Machine};
 pub(super) fn explain<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
     let Explanation { chain, formulas, branches, singular_set, reachable, degenerate, operations, proofs } =
         M::EXPLANATION;
-    writeln!(out, "{}: millimetres and degrees, angles right-handed", M::NAME)?;
+    writeln!(out, "{}: derivation of the kinematics; formulas in millimetres and radians", M::NAME)?;
     for (title, lines) in [
         ("Chain", chain),
         ("Formulas, in the order of evaluation", formulas),

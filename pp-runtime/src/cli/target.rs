@@ -37,7 +37,8 @@ impl Target {
     /// Makes sure that `path` can be written, and starts the temporary file.
     pub(super) fn create(path: &Path) -> io::Result<Self> {
         // A link is followed, so that the link survives and its target is replaced.
-        let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
+        let path = if is_link { fs::canonicalize(path)? } else { path.to_owned() };
         match fs::metadata(&path) {
             Ok(metadata) if metadata.is_dir() => {
                 return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a directory"));
