@@ -169,6 +169,10 @@ const TOOL_DESCRIPTION: &[u8] = b"CSI_";
 
 /// Looks a major word up, whatever its case. The name comes back as the table spells it.
 pub(super) fn look_up(word: &[u8]) -> Option<(&'static str, Use)> {
+    // Nearly every record.
+    if word.eq_ignore_ascii_case(b"GOTO") {
+        return Some(("GOTO", Modelled(Word::Goto)));
+    }
     let found = TABLE.binary_search_by(|(name, _)| compare(name.as_bytes(), word));
     match found {
         Ok(index) => Some(TABLE[index]),
