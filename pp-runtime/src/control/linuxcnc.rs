@@ -45,9 +45,7 @@ impl Control for LinuxCnc {
 
     fn comment(&self, text: &[u8], line: &mut Vec<u8>) {
         line.push(b'(');
-        // `(MSG,`, `(PRINT,`, `(LOGOPEN,`, `(AXIS,` are orders: a word and a comma at the beginning.
-        let first = text.iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_' && *byte != b' ');
-        if first.is_some_and(|index| text[index] == b',') || starts_with_order(text) {
+        if is_order(text) {
             line.extend_from_slice(b"- ");
         }
         for &byte in text {
@@ -69,12 +67,14 @@ impl Control for LinuxCnc {
     }
 }
 
-/// The orders in comments that need no comma.
-fn starts_with_order(text: &[u8]) -> bool {
+/// `(MSG,`, `(PRINT,`, `(LOGOPEN,`, `(AXIS,` are orders: a word and a comma at the beginning. Two orders need no comma.
+fn is_order(text: &[u8]) -> bool {
     let text = text.trim_ascii_start();
-    [&b"probeclose"[..], b"logclose"]
-        .iter()
-        .any(|order| text.len() >= order.len() && text[..order.len()].eq_ignore_ascii_case(order))
+    let end = text.iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_').unwrap_or(text.len());
+    let (word, rest) = text.split_at(end);
+    rest.trim_ascii_start().starts_with(b",")
+        || word.eq_ignore_ascii_case(b"probeclose")
+        || word.eq_ignore_ascii_case(b"logclose")
 }
 
 #[cfg(test)]
@@ -100,7 +100,8 @@ mod tests {
         assert_eq!(comment("MSG, hello"), "(- MSG, hello)");
         assert_eq!(comment("  logopen,/tmp/x"), "(-   logopen,/tmp/x)");
         assert_eq!(comment("Probeclose"), "(- Probeclose)");
-        assert_eq!(comment("D 10, R 2"), "(- D 10, R 2)");
+        assert_eq!(comment("py ,x"), "(- py ,x)");
+        assert_eq!(comment("D 10, R 2"), "(D 10, R 2)");
         assert_eq!(comment("FACE: D10, R2"), "(FACE: D10, R2)");
     }
 }

@@ -16,7 +16,7 @@ mod tool;
 mod travel;
 
 #[cfg(test)]
-mod machines;
+pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 

@@ -216,10 +216,10 @@ impl<'a, M: Machine> Planner<'a, M> {
         let why = |axis: &super::travel::LinearTravel| {
             if !axis.limited() {
                 Some("no travel declared")
-            } else if axis.unknown_length {
-                Some("gauge length unknown")
             } else if !axis.placed() {
                 Some("no machine_zero")
+            } else if axis.unknown_length {
+                Some("gauge length unknown")
             } else {
                 None
             }
