@@ -94,8 +94,8 @@ trait Shape: Machine {
 
 fn inverse<M: Shape>(machine: &M, pose: &Pose, held: &M::Axes) -> Solutions<M::Axes> {
     let rotaries: Vec<usize> = (0..M::AXES.len()).filter(|&i| M::AXES[i].kind == AxisKind::Rotary).collect();
-    let mut solutions = Solutions::none();
-    let Some((branches, singular)) = M::angles(&pose.axis, held) else { return solutions };
+    let Some((branches, singular)) = M::angles(&pose.axis, held) else { return Solutions::none() };
+    let mut solutions = [None, None];
     for (number, angles) in branches.iter().enumerate() {
         let mut axes = *held;
         for (&i, &angle) in rotaries.iter().zip(angles) {
@@ -103,9 +103,9 @@ fn inverse<M: Shape>(machine: &M, pose: &Pose, held: &M::Axes) -> Solutions<M::A
         }
         let Some(axes) = linear(machine, &pose.tip, &axes) else { continue };
         let branch = if number == 0 { Branch::First } else { Branch::Second };
-        solutions = solutions.with(Solution { axes, branch, singular, deviation: 0.0 });
+        solutions[number] = Some(Solution { axes, branch, singular, deviation: 0.0 });
     }
-    solutions
+    Solutions::from_branches(solutions)
 }
 
 macro_rules! by_hand {
