@@ -129,7 +129,7 @@ impl Interpreter {
             }
             Record::Units(units) => self.take_units(units, here)?,
             Record::Frame(frame) => {
-                let unit = self.units().map_or(1.0, Units::millimetres);
+                let unit = self.units().map_or(1.0, Units::in_mm);
                 self.workpiece.take(Frame::new(&frame, unit, here)?, frame.at)?;
             }
             Record::ToolPath(name) => {
@@ -203,7 +203,7 @@ impl Interpreter {
     /// Millimetres in one unit of the file, for the number at `at`. Missing units are reported once.
     fn millimetres(&mut self, at: Span) -> Result<f64, Fault> {
         match self.units() {
-            Some(units) => Ok(units.millimetres()),
+            Some(units) => Ok(units.in_mm()),
             None if self.units_missed => Ok(1.0),
             None => {
                 self.units_missed = true;
@@ -244,7 +244,7 @@ impl Interpreter {
     fn feed_of(&mut self, value: f64, unit: FeedUnit, at: Span, unit_at: Span) -> Result<Feed, Fault> {
         let of_file = self.millimetres(at)?;
         let in_millimetres = matches!(unit, FeedUnit::MillimetresPerMinute | FeedUnit::MillimetresPerRevolution);
-        if in_millimetres && self.units() == Some(Units::Inch) {
+        if in_millimetres && self.units() == Some(Units::Inches) {
             return Err(Fault::new(
                 "feed unit",
                 unit_at,
@@ -252,7 +252,7 @@ impl Interpreter {
                 "have the CAM system write IPM or IPR, or leave the unit of the feed out",
             ));
         }
-        let inch = Units::Inch.millimetres();
+        let inch = Units::Inches.in_mm();
         let feed = match unit {
             FeedUnit::PerMinute => Feed::PerMinute(value * of_file),
             FeedUnit::PerRevolution => Feed::PerRevolution(value * of_file),

@@ -251,7 +251,7 @@ impl<R: Read> Reader<R> {
         }
         if let Some(cutters) = reading.cutters
             && reading.units_are_only_given()
-            && reading.units() == Some(Units::Millimetre)
+            && reading.units() == Some(Units::Millimetres)
             && cutters.largest_mm < SMALLEST_LARGEST_CUTTER_MM
         {
             let text = format!("no cutter is larger than {} mm: is this file in inch?", cutters.largest_mm);

@@ -189,9 +189,9 @@ fn frame_from_two_axes(n: &[f64; 9], at: Span) -> FrameRecord {
 fn units(name: &'static str, args: &mut Args<'_>) -> Result<Units, Fault> {
     let arg = needed(name, args)?;
     if arg.is("MM") {
-        Ok(Units::Millimetre)
+        Ok(Units::Millimetres)
     } else if arg.is("INCH") || arg.is("INCHES") || arg.is("IN") {
-        Ok(Units::Inch)
+        Ok(Units::Inches)
     } else {
         Err(Fault::new("unit", arg.at, format!("{} is not a unit known here", quoted(arg.text)), "write MM or INCH"))
     }

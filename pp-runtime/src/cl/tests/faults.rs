@@ -194,7 +194,7 @@ fn only_tiny_cutters_in_claimed_millimetres_are_inches() {
     refused(text, "1:1+1 no cutter is larger than 0.3937 mm: is this file in inch?");
     events_with(&format!("UNITS/MM\n{text}"), UNSTATED);
     events(&text.replace(".3937", "1.5"));
-    events_with(text, Options { units: Some(Units::Inch) });
+    events_with(text, Options { units: Some(Units::Inches) });
 }
 
 #[test]
