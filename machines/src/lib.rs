@@ -1,1 +1,14 @@
-//! Machines.
+//! The machines of the source papers, one file each.
+//!
+//! A file holds what is true of the machine: its chain, the travel of its rotary axes and `d`. What depends on the
+//! set-up is configuration.
+
+mod dmu_70e;
+mod lola_xoyzba;
+mod multiprodesk;
+mod spinner_u5_620;
+
+pub use dmu_70e::Dmu70e;
+pub use lola_xoyzba::LolaXoyzba;
+pub use multiprodesk::MultiProDesk;
+pub use spinner_u5_620::SpinnerU5620;

@@ -10,6 +10,7 @@
 extern crate self as pp_runtime;
 
 pub use nalgebra;
+pub use pp_macros::machine;
 #[cfg(feature = "serde")]
 #[doc(hidden)]
 pub use serde;
@@ -18,6 +19,8 @@ pub mod kinematics;
 
 #[cfg(feature = "std")]
 pub mod cl;
+#[cfg(feature = "std")]
+pub mod cli;
 #[cfg(feature = "std")]
 pub mod config;
 #[cfg(feature = "std")]

@@ -1,1 +1,16 @@
-//! Conformance suite.
+//! The conformance suite: what every machine must do, checked against matrices that share no code with the engine.
+//!
+//! - [`oracle`]: the chain as a product of 4×4 matrices, and the machines of the source papers written out by hand.
+//! - [`conformance`]: the checks, for any type that implements
+//!   [`Machine`](pp_runtime::kinematics::Machine); [`conformance!`] makes a test module of them.
+//! - [`random`]: the same random numbers on every platform, forever.
+//!
+//! Nothing here knows how a machine solves its equations. NaN fails a check, it never passes one.
+
+pub mod conformance;
+pub mod oracle;
+pub mod random;
+mod subject;
+
+#[cfg(test)]
+mod reference;

@@ -227,11 +227,11 @@ impl<R: Read> Reader<R> {
                 "check whether the CAM system wrote the file completely",
             )),
         };
-        let taken = record.and_then(|record| {
-            let (here, _) = self.lexer.locate(statement, 0);
-            self.interpreter.take(&record, here)
-        });
-        if let Err(fault) = taken {
+        let taken = match &record {
+            Ok(record) => self.interpreter.take(record, self.lexer.locate(statement, 0).0),
+            Err(_) => Ok(()),
+        };
+        if let Some(fault) = record.err().or(taken.err()) {
             self.faults.add(fault, statement, &self.lexer);
         }
     }

@@ -16,7 +16,7 @@ const POWERS_OF_TEN: [f64; 23] = [
 const LARGEST_EXACT_MANTISSA: u64 = 1 << 53;
 
 /// Digits that always fit a `u64`.
-const DIGITS_OF_U64: u32 = 19;
+const DIGITS_OF_U64: usize = 19;
 
 /// The number at the start of `text` and how many bytes it takes; `None` if no number starts there.
 ///
@@ -27,27 +27,16 @@ pub(super) fn prefix(text: &[u8]) -> Option<(f64, usize)> {
     if negative || text.first() == Some(&b'+') {
         at = 1;
     }
-    let mut mantissa = 0_u64;
-    let mut significant = 0_u32;
-    let mut digit = |byte: u8| {
-        mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
-        // Leading zeros do not use up the mantissa.
-        significant = significant.saturating_add(u32::from(mantissa != 0 || significant != 0));
-    };
     let whole = at;
-    while at < text.len() && text[at].is_ascii_digit() {
-        digit(text[at]);
-        at += 1;
-    }
+    // Wraps beyond 19 digits; such a number is not computed from it.
+    let mut mantissa = 0_u64;
+    at += digits_of(&text[at..], &mut mantissa);
     let mut digits = at - whole;
     let mut exponent = 0_i64;
     if text.get(at) == Some(&b'.') {
         at += 1;
         let fraction = at;
-        while at < text.len() && text[at].is_ascii_digit() {
-            digit(text[at]);
-            at += 1;
-        }
+        at += digits_of(&text[at..], &mut mantissa);
         digits += at - fraction;
         exponent = -i64::try_from(at - fraction).ok()?;
     }
@@ -61,9 +50,7 @@ pub(super) fn prefix(text: &[u8]) -> Option<(f64, usize)> {
         at += 1 + used;
     }
     let magnitude = match usize::try_from(exponent.unsigned_abs()) {
-        Ok(power)
-            if significant <= DIGITS_OF_U64 && mantissa < LARGEST_EXACT_MANTISSA && power < POWERS_OF_TEN.len() =>
-        {
+        Ok(power) if digits <= DIGITS_OF_U64 && mantissa < LARGEST_EXACT_MANTISSA && power < POWERS_OF_TEN.len() => {
             #[allow(clippy::cast_precision_loss)] // Below 2^53, so exact.
             let mantissa = mantissa as f64;
             if exponent < 0 { mantissa / POWERS_OF_TEN[power] } else { mantissa * POWERS_OF_TEN[power] }
@@ -71,6 +58,16 @@ pub(super) fn prefix(text: &[u8]) -> Option<(f64, usize)> {
         _ => rounded_by_library(&text[whole..at], mantissa_end - whole)?,
     };
     Some((if negative { -magnitude } else { magnitude }, at))
+}
+
+/// Appends the digits at the start of `text` to `mantissa`; answers how many there are.
+fn digits_of(text: &[u8], mantissa: &mut u64) -> usize {
+    let mut count = 0;
+    for digit in text.iter().map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10) {
+        *mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
+        count += 1;
+    }
+    count
 }
 
 /// The number that `text` is from its first byte to its last.

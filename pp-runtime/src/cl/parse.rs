@@ -407,7 +407,7 @@ fn not_yet(name: &'static str, at: Span) -> Fault {
         name,
         at,
         format!("{name} is not understood yet"),
-        "have the CAM system write plain GOTO motion instead; the record is not ignored because it may matter",
+        "have the CAM system write plain GOTO motion without this record; it is not ignored because it may matter",
     )
 }
 

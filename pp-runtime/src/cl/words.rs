@@ -169,6 +169,10 @@ const TOOL_DESCRIPTION: &[u8] = b"CSI_";
 
 /// Looks a major word up, whatever its case. The name comes back as the table spells it.
 pub(super) fn look_up(word: &[u8]) -> Option<(&'static str, Use)> {
+    // Nearly every record.
+    if word.eq_ignore_ascii_case(b"GOTO") {
+        return Some(("GOTO", Modelled(Word::Goto)));
+    }
     let found = TABLE.binary_search_by(|(name, _)| compare(name.as_bytes(), word));
     match found {
         Ok(index) => Some(TABLE[index]),
@@ -192,8 +196,10 @@ pub(super) fn nearest(word: &str) -> Option<&'static str> {
     }
     let word = word.to_ascii_uppercase();
     let allowed = SLIPS.min(word.len() / 3);
+    // Words of another length cannot be near, and the search is the costliest thing done for a fault.
+    let similar = TABLE.iter().map(|(name, _)| *name).filter(|name| name.len().abs_diff(word.len()) <= allowed);
     let (distance, name) =
-        TABLE.iter().map(|(name, _)| (strsim::damerau_levenshtein(&word, name), *name)).min_by_key(|(d, _)| *d)?;
+        similar.map(|name| (strsim::damerau_levenshtein(&word, name), name)).min_by_key(|(distance, _)| *distance)?;
     (distance <= allowed).then_some(name)
 }
 

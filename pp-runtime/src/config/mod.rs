@@ -53,7 +53,7 @@ impl Units {
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Config {
-    /// Unit of the CL data where it does not say so itself; `None` (default): it must say so or mm is assumed.
+    /// Unit of the CL data where it does not say so itself; `None` (default): it must say so.
     pub cl_units: Option<Units>,
     /// Unit of the posted program; `None` (default): that of the CL data.
     pub output_units: Option<Units>,

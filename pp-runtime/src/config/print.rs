@@ -38,7 +38,7 @@ fn write_top<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Result 
 # Unit of length of this file: "mm" or "in".
 units = "mm"
 
-# Unit of CL data that does not state its own. Without it such data is taken as mm.
+# Unit of CL data that does not state its own. Without it such data is refused.
 # e.g. cl_units = "mm"
 # Unit of the program. Without it that of the CL data.
 # e.g. output_units = "mm"

@@ -30,6 +30,20 @@ pub fn sin_cos(x: f64) -> (f64, f64) {
     return libm::sincos(x);
 }
 
+/// Magnitude.
+#[must_use]
+#[inline]
+pub fn abs(x: f64) -> f64 {
+    x.abs()
+}
+
+/// Length of the plane vector `(x, y)`; no care is taken of overflow.
+#[must_use]
+#[inline]
+pub fn hypot(x: f64, y: f64) -> f64 {
+    sqrt(x * x + y * y)
+}
+
 /// The angle with the given sine and cosine (any common factor above zero), in (-π, π].
 ///
 /// `atan2` answers -π for a sine of minus zero; a half turn has one name here.

@@ -11,7 +11,7 @@ mod solutions;
 
 pub use explanation::Explanation;
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
-pub use refusal::{Invalid, Unreachable};
+pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, Solution, Solutions};
 
 /// How far outside the reachable set a tool axis may lie and still be posted, in radians.

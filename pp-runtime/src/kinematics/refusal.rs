@@ -30,6 +30,35 @@ impl fmt::Display for Invalid {
 
 impl core::error::Error for Invalid {}
 
+/// Angles between the tool axis and the first rotary axis, rad.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cone {
+    /// The wanted one.
+    pub angle: f64,
+    /// The smallest that can be reached.
+    pub smallest: f64,
+    /// The largest that can be reached.
+    pub largest: f64,
+}
+
+impl Cone {
+    /// From the wanted angle, the one between the rotaries, and the one between the last rotary and the tool.
+    #[must_use]
+    pub fn new(angle: f64, between: f64, tool: f64) -> Self {
+        use core::f64::consts::PI;
+        Self { angle, smallest: (between - tool).abs(), largest: PI - (PI - between - tool).abs() }
+    }
+
+    /// The same, if the wanted angle is outside by about the tolerance or more.
+    #[must_use]
+    pub fn outside(self) -> Option<Self> {
+        // Half the tolerance: the angles here carry more rounding than the solver's own test.
+        let slack = 0.5 * super::REACH_TOLERANCE;
+        let inside = self.angle >= self.smallest - slack && self.angle <= self.largest + slack;
+        if inside { None } else { Some(self) }
+    }
+}
+
 /// Why no axis values give a wanted tool axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unreachable {
@@ -54,12 +83,8 @@ pub enum Unreachable {
         direction: [f64; 3],
         /// The wanted axis.
         wanted: [f64; 3],
-        /// Angle between the two, rad.
-        angle: f64,
-        /// Smallest angle the machine reaches, rad.
-        smallest: f64,
-        /// Largest angle the machine reaches, rad.
-        largest: f64,
+        /// The angle between the two, and the angles the machine reaches.
+        cone: Cone,
     },
     /// At the held values the second rotary is parallel to the tool or to the first rotary.
     Held {
@@ -88,7 +113,7 @@ impl fmt::Display for Unreachable {
                 "{machine} has no rotary axis to tilt the tool: its axis is ({a:.4}, {b:.4}, {c:.4}), \
                  wanted ({i:.7}, {j:.7}, {k:.7})"
             ),
-            Self::Cone { machine, rotary, direction, wanted, angle, smallest, largest } => {
+            Self::Cone { machine, rotary, direction, wanted, cone: Cone { angle, smallest, largest } } => {
                 // A rotary that keeps the tool square to a coordinate direction: name that direction.
                 let square =
                     (largest - smallest).abs() < 1e-9 && (smallest - core::f64::consts::FRAC_PI_2).abs() < 1e-9;

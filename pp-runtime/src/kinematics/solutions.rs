@@ -42,16 +42,15 @@ impl<A: Copy + Default> Solutions<A> {
         Self::default()
     }
 
-    /// The same list with one solution more.
-    ///
-    /// # Panics
-    /// If there are two already.
+    /// What the branches give, in their order.
     #[must_use]
     #[inline]
-    pub fn with(mut self, solution: Solution<A>) -> Self {
-        self.list[self.len] = solution;
-        self.len += 1;
-        self
+    pub fn from_branches(branches: [Option<Solution<A>>; 2]) -> Self {
+        match branches {
+            [Some(first), Some(second)] => Self { list: [first, second], len: 2 },
+            [Some(only), None] | [None, Some(only)] => Self { list: [only, Solution::default()], len: 1 },
+            [None, None] => Self::none(),
+        }
     }
 }
 

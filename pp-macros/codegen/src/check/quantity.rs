@@ -1,0 +1,206 @@
+//! Expressions to exact quantities: numbers, lengths, angles.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::ToPrimitive;
+
+use crate::model::{Dimension, Quantity, turn_by};
+use crate::report::{Errors, Phrase};
+use crate::symbolic::{Poly, Ring, Surd};
+use crate::syntax::{Expr, ExprKind, Unit};
+
+/// One mistake inside an expression.
+#[derive(Debug)]
+pub(super) struct Fault {
+    phrase: Phrase,
+    text: String,
+    help: String,
+}
+
+impl Fault {
+    pub(super) fn new(phrase: Phrase, text: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { phrase, text: text.into(), help: help.into() }
+    }
+
+    pub(super) fn report(self, errors: &mut Errors) {
+        errors.push(self.phrase, self.text, self.help);
+    }
+}
+
+/// Dimensions that expressions may name.
+pub(super) struct Names<'a> {
+    pub(super) dimensions: &'a [Dimension],
+}
+
+impl Names<'_> {
+    fn find(&self, name: &str, phrase: Phrase) -> Result<Quantity, Fault> {
+        if let Some(known) = self.dimensions.iter().find(|known| known.name == name) {
+            return Ok(known.quantity);
+        }
+        let known: Vec<&str> = self.dimensions.iter().map(|known| known.name.as_str()).collect();
+        let help = if known.is_empty() {
+            format!("declare it: `dims = {{ {name}: 100.0 }};`")
+        } else {
+            format!("the dimensions are {}", known.join(", "))
+        };
+        Err(Fault::new(phrase, format!("`{name}` is not a dimension"), help))
+    }
+}
+
+/// A constant with at most one kind of unit: `-5`, `45 deg`, `3/2`.
+pub(super) fn number(expr: &Expr) -> Result<(BigRational, Option<Unit>), Fault> {
+    let (value, unit) = constant(expr)?;
+    match value.as_rational() {
+        Some(value) => Ok((value, unit)),
+        None => Err(Fault::new(expr.phrase, "this needs a plain number", "write it in decimal digits")),
+    }
+}
+
+/// A constant without a unit.
+pub(super) fn ratio(expr: &Expr) -> Result<Surd, Fault> {
+    match constant(expr)? {
+        (value, None) => Ok(value),
+        (_, Some(_)) => Err(Fault::new(
+            expr.phrase,
+            "a component of a direction has no unit",
+            "write plain numbers: `(0, 1, -0.5)`",
+        )),
+    }
+}
+
+fn constant(expr: &Expr) -> Result<(Surd, Option<Unit>), Fault> {
+    let mixed = || Fault::new(expr.phrase, "these units do not go together", "use the same unit on both sides");
+    match &expr.kind {
+        ExprKind::Number(value, unit) => Ok((Surd::from(value.clone()), *unit)),
+        ExprKind::Name(name) => Err(Fault::new(
+            expr.phrase,
+            format!("`{name}` is not a number"),
+            "only numbers can stand here, such as `150.0` or `45 deg`",
+        )),
+        ExprKind::Neg(inner) => constant(inner).map(|(value, unit)| (-&value, unit)),
+        ExprKind::Binary(left, operator, right) => {
+            let ((a, a_unit), (b, b_unit)) = (constant(left)?, constant(right)?);
+            match operator {
+                '+' | '-' if a_unit != b_unit => Err(mixed()),
+                '+' => Ok((&a + &b, a_unit)),
+                '-' => Ok((&a - &b, a_unit)),
+                '*' if a_unit.is_some() && b_unit.is_some() => Err(mixed()),
+                '*' => Ok((&a * &b, a_unit.or(b_unit))),
+                _ if b_unit.is_some() => Err(mixed()),
+                _ => match b.inverse() {
+                    Some(inverse) => Ok((&a * &inverse, a_unit)),
+                    None => Err(Fault::new(right.phrase, "division by zero", "give a divisor that is not zero")),
+                },
+            }
+        }
+        ExprKind::Power(base, exponent) => match constant(base)? {
+            (value, None) => Ok(((0..*exponent).fold(Surd::one(), |power, _| &power * &value), None)),
+            _ => Err(mixed()),
+        },
+        ExprKind::Call(name, arguments) => {
+            let fault = |text: &str| Fault::new(expr.phrase, text, "for example `sqrt(2)/2`");
+            match (name.as_str(), &arguments[..]) {
+                ("sqrt", [argument]) => match constant(argument)? {
+                    (value, None) => value
+                        .sqrt()
+                        .map(|root| (root, None))
+                        .ok_or_else(|| fault("`sqrt` takes a rational number that is not negative")),
+                    _ => Err(mixed()),
+                },
+                _ => Err(fault("only `sqrt` of a number is known here")),
+            }
+        }
+    }
+}
+
+/// A length in mm: numbers, lengths of `dims`, `+ - *` of them.
+pub(super) fn length(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<Poly, Fault> {
+    let (value, power) = measured(expr, names, ring)?;
+    if power <= 1 || value.is_zero() {
+        return Ok(value);
+    }
+    Err(Fault::new(expr.phrase, "this product is an area, not a length", "multiply a length by a plain number"))
+}
+
+/// A polynomial and its power of millimetres; a bare number may stand for a length.
+fn measured(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<(Poly, u32), Fault> {
+    let angle = || Fault::new(expr.phrase, "an angle where a length is needed", "components of `d` are lengths in mm");
+    match &expr.kind {
+        ExprKind::Number(_, Some(Unit::Degree)) => Err(angle()),
+        ExprKind::Number(value, unit) => Ok((Poly::from(Surd::from(value.clone())), u32::from(unit.is_some()))),
+        ExprKind::Name(name) => match names.find(name, expr.phrase)? {
+            Quantity::Length(symbol) => Ok((Poly::from(symbol), 1)),
+            Quantity::Angle(..) => Err(angle()),
+        },
+        ExprKind::Neg(inner) => measured(inner, names, ring).map(|(value, power)| (-&value, power)),
+        ExprKind::Binary(left, operator @ ('+' | '-'), right) => {
+            let ((a, a_power), (b, b_power)) = (measured(left, names, ring)?, measured(right, names, ring)?);
+            Ok((if *operator == '+' { &a + &b } else { &a - &b }, a_power.max(b_power)))
+        }
+        ExprKind::Binary(left, '*', right) => {
+            let ((a, a_power), (b, b_power)) = (measured(left, names, ring)?, measured(right, names, ring)?);
+            Ok((ring.mul(&a, &b), a_power + b_power))
+        }
+        ExprKind::Binary(left, _, right) => {
+            let ((a, power), b) = (measured(left, names, ring)?, ratio(right)?);
+            match b.inverse() {
+                Some(inverse) => Ok((a.scaled(&inverse), power)),
+                None => Err(Fault::new(right.phrase, "division by zero", "give a divisor that is not zero")),
+            }
+        }
+        ExprKind::Power(..) | ExprKind::Call(..) => Ok((Poly::from(ratio(expr)?), 0)),
+    }
+}
+
+/// Sine and cosine of an angle: degrees, angles of `dims`, sums and whole multiples of them.
+pub(super) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(Poly, Poly), Fault> {
+    match &expr.kind {
+        ExprKind::Number(degrees, Some(Unit::Degree)) => Ok(turn_by(degrees, ring)),
+        ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => Ok(turn_by(value, ring)),
+        ExprKind::Number(_, None) => Err(Fault::new(expr.phrase, "an angle needs its unit", "write `45 deg`")),
+        ExprKind::Number(_, Some(Unit::Millimetre)) => {
+            Err(Fault::new(expr.phrase, "a length where an angle is needed", "write `45 deg`"))
+        }
+        ExprKind::Name(name) => match names.find(name, expr.phrase)? {
+            Quantity::Angle(sine, cosine) => Ok((Poly::from(sine), Poly::from(cosine))),
+            Quantity::Length(_) => Err(Fault::new(
+                expr.phrase,
+                format!("`{name}` is a length where an angle is needed"),
+                format!("a dimension whose default has `deg` is an angle: `dims = {{ {name}: -45 deg }};`"),
+            )),
+        },
+        ExprKind::Neg(inner) => angle(inner, names, ring).map(|(sine, cosine)| (-&sine, cosine)),
+        ExprKind::Binary(left, operator @ ('+' | '-'), right) => {
+            let (a, (s, c)) = (angle(left, names, ring)?, angle(right, names, ring)?);
+            let s = if *operator == '+' { s } else { -&s };
+            Ok(sum_of_angles(&a, &(s, c), ring))
+        }
+        ExprKind::Binary(left, '*', right) => {
+            let (factor, turned) = if ratio(left).is_ok() { (left, right) } else { (right, left) };
+            let turn = angle(turned, names, ring)?;
+            let times = ratio(factor).ok().and_then(|f| f.as_rational()).filter(BigRational::is_integer);
+            let Some(times) = times.and_then(|times| times.to_integer().to_i32()).filter(|n| n.abs() <= 24) else {
+                return Err(Fault::new(
+                    factor.phrase,
+                    "an angle is multiplied by a whole number only",
+                    "write `2 * alpha`",
+                ));
+            };
+            let step = if times < 0 { (-&turn.0, turn.1) } else { turn };
+            let start = (Poly::zero(), Poly::one());
+            Ok((0..times.abs()).fold(start, |sum, _| sum_of_angles(&sum, &step, ring)))
+        }
+        _ => Err(Fault::new(
+            expr.phrase,
+            "this is not an angle",
+            "write degrees or an angle of `dims`: `Rx(-45 deg)`, `Rx(alpha)`",
+        )),
+    }
+}
+
+/// Rule `angle-sum`.
+fn sum_of_angles(a: &(Poly, Poly), b: &(Poly, Poly), ring: &Ring) -> (Poly, Poly) {
+    let sine = &ring.mul(&a.0, &b.1) + &ring.mul(&a.1, &b.0);
+    let cosine = &ring.mul(&a.1, &b.1) - &ring.mul(&a.0, &b.0);
+    (sine, cosine)
+}

@@ -1,0 +1,168 @@
+//! Nodes to statements: one `let` for what is named or used more than once, the rest written in place.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::TokenStream;
+
+use crate::symbolic::{Graph, Id, Node, Symbol};
+
+/// Statements of one generated function, in the order of evaluation.
+pub(crate) struct Body<'a> {
+    graph: &'a Graph,
+    uses: BTreeMap<Id, usize>,
+    written: BTreeMap<Id, String>,
+    taken: BTreeSet<String>,
+}
+
+/// One statement `let name = expression;`.
+pub(crate) type Statement = (String, String);
+
+impl<'a> Body<'a> {
+    /// A function that computes `outputs`, all of them, perhaps in several steps.
+    pub(crate) fn new(graph: &'a Graph, outputs: &[Id]) -> Self {
+        let mut uses = BTreeMap::new();
+        for output in outputs {
+            *uses.entry(*output).or_default() += 1;
+        }
+        for id in graph.reachable(outputs) {
+            for operand in graph.operands(id) {
+                *uses.entry(operand).or_default() += 1;
+            }
+        }
+        let mut body = Self { graph, uses, written: BTreeMap::new(), taken: BTreeSet::new() };
+        let inputs = body.inputs(outputs);
+        body.taken.extend(inputs.into_iter().map(|symbol| graph.ring.name(symbol).to_string()));
+        body.taken.extend(super::LOCALS.iter().map(ToString::to_string));
+        body
+    }
+
+    /// Inputs that `outputs` need.
+    pub(crate) fn inputs(&self, outputs: &[Id]) -> BTreeSet<Symbol> {
+        let input = |id| match self.graph.node(id) {
+            Node::Input(symbol) => Some(*symbol),
+            _ => None,
+        };
+        self.graph.reachable(outputs).into_iter().filter_map(input).collect()
+    }
+
+    /// Statements for everything that `outputs` need and that is not written yet.
+    pub(crate) fn statements(&mut self, outputs: &[Id]) -> Vec<Statement> {
+        let mut statements = Vec::new();
+        for id in self.graph.reachable(outputs) {
+            if self.written.contains_key(&id) || !self.deserves_name(id) {
+                continue;
+            }
+            let expression = self.compound(id).0;
+            let name = self.free_name(id);
+            self.written.insert(id, name.clone());
+            statements.push((name, expression));
+        }
+        statements
+    }
+
+    /// The expression for a node; its statements must have been written.
+    pub(crate) fn expression(&self, id: Id) -> String {
+        self.term(id).0
+    }
+
+    /// The expression as tokens.
+    pub(crate) fn tokens(&self, id: Id) -> TokenStream {
+        parse(&self.expression(id))
+    }
+
+    fn deserves_name(&self, id: Id) -> bool {
+        match self.graph.node(id) {
+            Node::Constant(_) | Node::Input(_) => false,
+            Node::Neg(_) => self.graph.name_of(id).is_some(),
+            _ => self.graph.name_of(id).is_some() || self.uses.get(&id).is_some_and(|count| *count > 1),
+        }
+    }
+
+    fn free_name(&mut self, id: Id) -> String {
+        let wanted = self.graph.name_of(id).unwrap_or("t");
+        let mut name = wanted.to_string();
+        let mut number = 1;
+        while !self.taken.insert(name.clone()) {
+            number += 1;
+            name = format!("{wanted}_{number}");
+        }
+        name
+    }
+
+    /// Expression and binding strength: 3 atoms, 2 unary minus, 1 products, 0 sums.
+    fn term(&self, id: Id) -> (String, u8) {
+        match self.written.get(&id) {
+            Some(name) => (name.clone(), 3),
+            None => self.compound(id),
+        }
+    }
+
+    fn compound(&self, id: Id) -> (String, u8) {
+        match *self.graph.node(id) {
+            Node::Constant(ref value) => number(self.graph.ring.value(value).expect("constants have values")),
+            Node::Input(symbol) => (self.graph.ring.name(symbol).to_string(), 3),
+            Node::Neg(a) => (format!("-{}", self.within(a, 2)), 2),
+            Node::Add(a, b) => (format!("{} + {}", self.within(a, 0), self.within(b, 1)), 0),
+            Node::Sub(a, b) => (format!("{} - {}", self.within(a, 0), self.within(b, 1)), 0),
+            Node::Mul(a, b) => (format!("{} * {}", self.within(a, 1), self.within(b, 2)), 1),
+            Node::Div(a, b) => (format!("{} / {}", self.within(a, 1), self.within(b, 2)), 1),
+            Node::Sqrt(a) => (format!("math::sqrt({})", self.term(a).0), 3),
+        }
+    }
+
+    fn within(&self, id: Id, least: u8) -> String {
+        let (text, strength) = self.term(id);
+        if strength < least { format!("({text})") } else { text }
+    }
+}
+
+/// `let` statements as tokens.
+pub(crate) fn lets(statements: &[Statement]) -> TokenStream {
+    let text: String = statements.iter().map(|(name, value)| format!("let {name} = {value};\n")).collect();
+    parse(&text)
+}
+
+fn number(value: f64) -> (String, u8) {
+    let text = format!("{:?}", value.abs());
+    if value < 0.0 { (format!("-{text}"), 2) } else { (text, 3) }
+}
+
+fn parse(text: &str) -> TokenStream {
+    text.parse().expect("statements are Rust")
+}
+
+/// Operations of a set of outputs.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Count {
+    pub(crate) additions: usize,
+    pub(crate) products: usize,
+    pub(crate) divisions: usize,
+    pub(crate) roots: usize,
+}
+
+impl Count {
+    /// Counts every node once.
+    pub(crate) fn of(graph: &Graph, outputs: &[Id]) -> Self {
+        let mut count = Self::default();
+        for id in graph.reachable(outputs) {
+            match graph.node(id) {
+                Node::Add(..) | Node::Sub(..) => count.additions += 1,
+                Node::Mul(..) => count.products += 1,
+                Node::Div(..) => count.divisions += 1,
+                Node::Sqrt(_) => count.roots += 1,
+                Node::Constant(_) | Node::Input(_) | Node::Neg(_) => {}
+            }
+        }
+        count
+    }
+
+    /// The sum of two counts.
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self {
+            additions: self.additions + other.additions,
+            products: self.products + other.products,
+            divisions: self.divisions + other.divisions,
+            roots: self.roots + other.roots,
+        }
+    }
+}

@@ -1,0 +1,260 @@
+//! The struct and everything about it that is data.
+
+use num_rational::BigRational;
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::quote;
+
+use super::Options;
+use super::body::Body;
+use super::names::{Places, prelude};
+use crate::explain::Explanation;
+use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
+use crate::solve::{Orientation, PARALLEL, Solved};
+use crate::symbolic::Id;
+use crate::syntax::Declaration;
+
+/// The struct with its documentation and its defaults.
+pub(super) fn item(
+    declaration: &Declaration,
+    model: &Model,
+    explanation: &Explanation,
+    options: Options,
+) -> TokenStream {
+    let Declaration { attributes, visibility, name, .. } = declaration;
+    let doc = explanation.doc();
+    let fields: Vec<Ident> = model.dimensions.iter().map(|d| Ident::new(&d.name, Span::call_site())).collect();
+    let field_docs = model.dimensions.iter().map(|dimension| match dimension.quantity {
+        Quantity::Length(_) => format!("Length `{}`, mm.", dimension.name),
+        Quantity::Angle(..) => format!("Angle `{}`, radians.", dimension.name),
+    });
+    let defaults: Vec<Literal> = model.dimensions.iter().map(|d| float(default(d.quantity, &d.default))).collect();
+    let defaults = defaults.iter().zip(&model.dimensions).map(|(value, d)| signed(value, &d.default));
+    let serde = options.serde.then(|| {
+        quote! {
+            #[derive(::pp_runtime::serde::Serialize, ::pp_runtime::serde::Deserialize)]
+            #[serde(crate = "::pp_runtime::serde")]
+        }
+    });
+    quote! {
+        #(#attributes)*
+        #(#[doc = #doc])*
+        #[derive(::core::clone::Clone, ::core::fmt::Debug)]
+        #serde
+        #visibility struct #name {
+            #(#[doc = #field_docs] pub #fields: f64,)*
+            /// Part zero from the table's reference point, along the table's directions, mm.
+            pub part_origin: ::pp_runtime::nalgebra::Vector3<f64>,
+            /// Gauge line to tool tip, mm.
+            pub gauge_length: f64,
+        }
+
+        impl ::core::default::Default for #name {
+            fn default() -> Self {
+                Self {
+                    #(#fields: #defaults,)*
+                    part_origin: ::pp_runtime::nalgebra::Vector3::new(0.0, 0.0, 0.0),
+                    gauge_length: 0.0,
+                }
+            }
+        }
+    }
+}
+
+/// The associated constants.
+pub(super) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
+    let name = &model.name;
+    let axes = model.axes.iter().map(axis);
+    let dimensions = model.dimensions.iter().map(|dimension| {
+        let name = &dimension.name;
+        let value = signed(&float(default(dimension.quantity, &dimension.default)), &dimension.default);
+        let kind = match dimension.quantity {
+            Quantity::Length(_) => quote!(Length),
+            Quantity::Angle(..) => quote!(Angle),
+        };
+        quote! {
+            ::pp_runtime::kinematics::Dimension {
+                name: #name,
+                kind: ::pp_runtime::kinematics::DimensionKind::#kind,
+                default: #value,
+            }
+        }
+    });
+    let held = model.axes.iter().map(|axis| match &axis.held {
+        Some(value) => in_radians(axis.kind, value),
+        None => quote!(0.0),
+    });
+    let explanation = explanation.tokens();
+    quote! {
+        const NAME: &'static str = #name;
+        const AXES: &'static [::pp_runtime::kinematics::Axis] = &[#(#axes),*];
+        const DIMENSIONS: &'static [::pp_runtime::kinematics::Dimension] = &[#(#dimensions),*];
+        const HELD: Self::Axes = [#(#held),*];
+        const EXPLANATION: &'static ::pp_runtime::kinematics::Explanation = &#explanation;
+    }
+}
+
+/// Access to dimensions and set-up, and `validate`.
+pub(super) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
+    let fields: Vec<Ident> = model.dimensions.iter().map(|d| Ident::new(&d.name, Span::call_site())).collect();
+    let names: Vec<&str> = model.dimensions.iter().map(|d| d.name.as_str()).collect();
+    let places: Vec<usize> = (0..fields.len()).collect();
+    let machine = &model.name;
+    let conditions = conditions(model, solved);
+    quote! {
+        fn dimension(&self, index: usize) -> f64 {
+            match index {
+                #(#places => self.#fields,)*
+                _ => ::core::panic!("{} has no dimension {index}", #machine),
+            }
+        }
+
+        fn set_dimension(&mut self, index: usize, value: f64) {
+            let _ = value;
+            match index {
+                #(#places => self.#fields = value,)*
+                _ => ::core::panic!("{} has no dimension {index}", #machine),
+            }
+        }
+
+        fn set_up(&mut self, part_origin: ::pp_runtime::nalgebra::Vector3<f64>, gauge_length: f64) {
+            self.part_origin = part_origin;
+            self.gauge_length = gauge_length;
+        }
+
+        fn validate(&self) -> ::core::result::Result<(), ::pp_runtime::kinematics::Invalid> {
+            #(if !self.#fields.is_finite() {
+                return ::core::result::Result::Err(::pp_runtime::kinematics::Invalid::NotFinite { name: #names });
+            })*
+            if !(self.part_origin.x + self.part_origin.y + self.part_origin.z).is_finite() {
+                return ::core::result::Result::Err(::pp_runtime::kinematics::Invalid::NotFinite { name: "part_origin" });
+            }
+            if !self.gauge_length.is_finite() {
+                return ::core::result::Result::Err(::pp_runtime::kinematics::Invalid::NotFinite { name: "gauge_length" });
+            }
+            #conditions
+            ::core::result::Result::Ok(())
+        }
+    }
+}
+
+/// Divisors of the proofs that depend on dimensions alone.
+fn conditions(model: &Model, solved: &Solved) -> TokenStream {
+    let mut divisors: Vec<(Id, f64, &str)> =
+        vec![(solved.position.determinant, 1e-9, "the linear axes cannot move the tip in every direction")];
+    match &solved.orientation {
+        Orientation::Two(two) => divisors.push((
+            two.capacity,
+            PARALLEL,
+            "the rotary axes are parallel to each other or to the tool, so the tool cannot tilt",
+        )),
+        Orientation::One(one) => {
+            divisors.push((
+                one.length_claim,
+                PARALLEL,
+                "the rotary axis is parallel to the tool, so it cannot tilt it",
+            ));
+        }
+        Orientation::Fixed { .. } => {}
+    }
+    let dimensions: Vec<_> = model
+        .dimensions
+        .iter()
+        .flat_map(|dimension| match dimension.quantity {
+            Quantity::Length(symbol) => vec![symbol],
+            Quantity::Angle(sine, cosine) => vec![sine, cosine],
+        })
+        .collect();
+    let mut tests = TokenStream::new();
+    for (node, least, meaning) in divisors {
+        if solved.graph.constant_of(node).is_some() {
+            continue;
+        }
+        let mut body = Body::new(&solved.graph, &[node]);
+        let inputs = body.inputs(&[node]);
+        if !inputs.iter().all(|symbol| dimensions.contains(symbol)) {
+            continue;
+        }
+        let statements = body.statements(&[node]);
+        let (lets, value) = (super::body::lets(&statements), body.tokens(node));
+        let prelude = prelude(model, &inputs, Places::default());
+        let expression = body.expression(node);
+        let written =
+            statements.iter().find(|(name, _)| *name == expression).map_or(expression, |(_, text)| text.clone());
+        let least = float(least);
+        tests.extend(quote! {
+            {
+                #prelude
+                #lets
+                if !(math::abs(#value) > #least) {
+                    return ::core::result::Result::Err(::pp_runtime::kinematics::Invalid::Zero {
+                        expression: #written,
+                        meaning: #meaning,
+                    });
+                }
+            }
+        });
+    }
+    tests
+}
+
+fn axis(axis: &Axis) -> TokenStream {
+    let letter = axis.letter;
+    let kind = match axis.kind {
+        Kind::Linear => quote!(Linear),
+        Kind::Rotary => quote!(Rotary),
+    };
+    let side = match axis.side {
+        Side::Workpiece => quote!(Workpiece),
+        Side::Tool => quote!(Tool),
+    };
+    let sign = if axis.reversed { quote!(Minus) } else { quote!(Plus) };
+    let limits = match &axis.limits {
+        None => quote!(::core::option::Option::None),
+        Some((lower, upper)) => {
+            let (lower, upper) = (in_radians(axis.kind, lower), in_radians(axis.kind, upper));
+            quote!(::core::option::Option::Some(::pp_runtime::kinematics::Limits { lower: #lower, upper: #upper }))
+        }
+    };
+    let speed = match &axis.speed {
+        None => quote!(::core::option::Option::None),
+        Some(speed) => {
+            let speed = in_radians(axis.kind, speed);
+            quote!(::core::option::Option::Some(#speed))
+        }
+    };
+    let held = axis.held.is_some();
+    quote! {
+        ::pp_runtime::kinematics::Axis {
+            letter: #letter,
+            kind: ::pp_runtime::kinematics::AxisKind::#kind,
+            side: ::pp_runtime::kinematics::Side::#side,
+            sign: ::pp_runtime::kinematics::Sign::#sign,
+            limits: #limits,
+            speed: #speed,
+            held: #held,
+        }
+    }
+}
+
+fn in_radians(kind: Kind, value: &BigRational) -> TokenStream {
+    let float_value = to_f64(value);
+    let converted = if kind == Kind::Rotary { float_value.to_radians() } else { float_value };
+    signed(&float(converted), value)
+}
+
+fn default(quantity: Quantity, value: &BigRational) -> f64 {
+    match quantity {
+        Quantity::Length(_) => to_f64(value),
+        Quantity::Angle(..) => to_f64(value).to_radians(),
+    }
+}
+
+/// A literal is never negative: the sign stands in front.
+fn float(value: f64) -> Literal {
+    Literal::f64_unsuffixed(value.abs())
+}
+
+fn signed(literal: &Literal, value: &BigRational) -> TokenStream {
+    use num_traits::Signed;
+    if value.is_negative() { quote!(-#literal) } else { quote!(#literal) }
+}

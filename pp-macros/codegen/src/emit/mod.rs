@@ -1,0 +1,93 @@
+//! A solved and proven machine as Rust. Nothing here can fail.
+//!
+//! Generated code names only `::core` and `::pp_runtime`, allocates nothing and contains no loop.
+
+mod body;
+mod inverse;
+mod kinematics;
+mod machine;
+mod names;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::explain::Explanation;
+use crate::model::Model;
+use crate::solve::Solved;
+use crate::syntax::Declaration;
+
+pub(crate) use body::{Body, Count, Statement};
+
+/// Variables of the generated functions; nothing else may have these names there.
+pub(crate) const LOCALS: &[&str] = &[
+    "axes",
+    "axis",
+    "deviation",
+    "edge_height",
+    "edge_root",
+    "held",
+    "index",
+    "inside",
+    "math",
+    "point",
+    "pose",
+    "singular",
+    "solved",
+    "tip",
+    "turns",
+    "value",
+    "first",
+    "second",
+];
+
+/// Choices of the caller.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Options {
+    /// Derive `serde::Serialize` and `serde::Deserialize`.
+    pub serde: bool,
+}
+
+/// The struct, its private position function, and its `Machine` implementation.
+pub(crate) fn emit(
+    declaration: &Declaration,
+    model: &Model,
+    solved: &Solved,
+    explanation: &Explanation,
+    options: Options,
+) -> TokenStream {
+    let item = machine::item(declaration, model, explanation, options);
+    let data = machine::data(model, explanation);
+    let set_up = machine::set_up(model, solved);
+    let forward = kinematics::forward(model, solved);
+    let linear_axes = kinematics::linear_axes(model, solved);
+    let joints = kinematics::joints(model, solved);
+    let inverse = inverse::inverse(model, solved);
+    let reach = inverse::reach(model, solved);
+    let private = [kinematics::position(model, solved), inverse::edge(model, solved)];
+    let name = &declaration.name;
+    let count = model.axes.len();
+    quote! {
+        #item
+        const _: () = {
+            use ::pp_runtime::kinematics::math;
+
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+            impl #name {
+                #(#private)*
+            }
+
+            #[automatically_derived]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+            impl ::pp_runtime::kinematics::Machine for #name {
+                type Axes = [f64; #count];
+                #data
+                #set_up
+                #joints
+                #forward
+                #inverse
+                #linear_axes
+                #reach
+            }
+        };
+    }
+}

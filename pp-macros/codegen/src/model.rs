@@ -1,0 +1,223 @@
+//! A checked machine: exact, without syntax and without spans.
+//!
+//! Axes are known by their place in the chain. Whoever has the spans maps a place back to the words of the declaration.
+
+use std::collections::BTreeMap;
+
+use num_rational::BigRational;
+
+use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, exact_sin_cos, rotation, translation};
+
+/// Place of an axis in the chain, from the workpiece.
+pub type AxisId = usize;
+
+/// Linear or rotary.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// X Y Z U V W.
+    Linear,
+    /// A B C.
+    Rotary,
+}
+
+/// Side of the machine frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// Left of `|`.
+    Workpiece,
+    /// Right of `|`.
+    Tool,
+}
+
+/// One axis of the chain.
+#[derive(Debug, Clone)]
+pub struct Axis {
+    /// Its address.
+    pub letter: char,
+    /// Linear or rotary.
+    pub kind: Kind,
+    /// Workpiece side or tool side.
+    pub side: Side,
+    /// True if the word runs against ISO 841.
+    pub reversed: bool,
+    /// Unit direction with all axes at zero.
+    pub direction: P3,
+    /// `d`: a point of the centre line from the side's reference point, mm; zero for linear axes.
+    pub point: P3,
+    /// Default value of a held axis, mm or degrees.
+    pub held: Option<BigRational>,
+    /// Travel in mm or degrees; `None` is endless.
+    pub limits: Option<(BigRational, BigRational)>,
+    /// Largest speed in mm/min or deg/min.
+    pub speed: Option<BigRational>,
+    /// Value of a linear axis, or of a held one.
+    pub word: Symbol,
+    /// Sine and cosine of a rotary word.
+    pub turn: (Symbol, Symbol),
+}
+
+/// A named dimension.
+#[derive(Debug, Clone)]
+pub struct Dimension {
+    /// Field name.
+    pub name: String,
+    /// Default in mm or degrees.
+    pub default: BigRational,
+    /// How it enters the formulas.
+    pub quantity: Quantity,
+}
+
+/// How a dimension enters the formulas.
+#[derive(Debug, Clone, Copy)]
+pub enum Quantity {
+    /// As itself.
+    Length(Symbol),
+    /// As its sine and cosine.
+    Angle(Symbol, Symbol),
+}
+
+/// Symbols of the set-up and of the pose.
+#[derive(Debug, Clone, Copy)]
+pub struct Frame {
+    /// Tool tip x y z.
+    pub tip: [Symbol; 3],
+    /// Tool axis i j k.
+    pub axis: [Symbol; 3],
+    /// Part origin from the table's reference point.
+    pub part: [Symbol; 3],
+    /// Gauge length.
+    pub gauge: Symbol,
+}
+
+/// A machine ready to be solved.
+#[derive(Debug, Clone)]
+pub struct Model {
+    /// Identifier of the struct.
+    pub name: String,
+    /// From workpiece to tool.
+    pub axes: Vec<Axis>,
+    /// Named dimensions in the order of the declaration.
+    pub dimensions: Vec<Dimension>,
+    /// Unit vector from tip to spindle with all axes at zero.
+    pub tool_axis: P3,
+    /// Symbols of pose and set-up.
+    pub frame: Frame,
+    /// Owner of all symbols.
+    pub ring: Ring,
+}
+
+impl Model {
+    /// Solved rotary axes, in chain order.
+    pub fn solved_rotaries(&self) -> impl Iterator<Item = AxisId> + '_ {
+        self.solved(Kind::Rotary)
+    }
+
+    /// Solved linear axes, in chain order.
+    pub fn solved_linears(&self) -> impl Iterator<Item = AxisId> + '_ {
+        self.solved(Kind::Linear)
+    }
+
+    /// Letters of axes, separated by blanks.
+    #[must_use]
+    pub fn letters(&self, axes: impl IntoIterator<Item = AxisId>) -> String {
+        let letters: Vec<String> = axes.into_iter().map(|axis| self.axes[axis].letter.to_string()).collect();
+        letters.join(" ")
+    }
+
+    /// Sine of a joint's angle: of the word, with the axis' sign.
+    #[must_use]
+    pub fn joint_sine(&self, axis: AxisId) -> Poly {
+        self.signed(axis, self.axes[axis].turn.0)
+    }
+
+    /// Centre of a rotary axis in the workpiece frame of the zero position: `d - part_origin` on the workpiece side,
+    /// `d + gauge_length · t` on the tool side.
+    #[must_use]
+    pub fn centre(&self, axis: AxisId) -> P3 {
+        let Axis { side, point, .. } = &self.axes[axis];
+        std::array::from_fn(|index| match side {
+            Side::Workpiece => &point[index] - &Poly::from(self.frame.part[index]),
+            Side::Tool => &point[index] + &self.ring.mul(&Poly::from(self.frame.gauge), &self.tool_axis[index]),
+        })
+    }
+
+    /// The elementary matrices of one joint, multiplied: `Trans(q·u)`, or `Trans(c)·Rot(n, q)·Trans(-c)`.
+    #[must_use]
+    pub fn joint(&self, axis: AxisId) -> Matrix {
+        let Axis { kind, direction, word, turn, .. } = &self.axes[axis];
+        match kind {
+            Kind::Linear => {
+                let value = self.signed(axis, *word);
+                translation(&direction.clone().map(|component| self.ring.mul(&component, &value)))
+            }
+            Kind::Rotary => {
+                let centre = self.centre(axis);
+                let turn = rotation(direction, &self.joint_sine(axis), &Poly::from(turn.1), &self.ring);
+                translation(&centre)
+                    .times(&turn, &self.ring)
+                    .times(&translation(&centre.map(|component| -&component)), &self.ring)
+            }
+        }
+    }
+
+    /// `T(q)`: the product of all joints from workpiece to tool. The tip is its origin, the tool axis its image of `t`.
+    #[must_use]
+    pub fn product(&self) -> Matrix {
+        (0..self.axes.len()).fold(Matrix::identity(), |product, axis| product.times(&self.joint(axis), &self.ring))
+    }
+
+    /// Values at the defaults of `hold` and `dims`, for the symbols these enter by.
+    #[must_use]
+    pub fn defaults(&mut self) -> BTreeMap<Symbol, Poly> {
+        let mut values = BTreeMap::new();
+        let mut angles = Vec::new();
+        for axis in &self.axes {
+            if let Some(value) = &axis.held {
+                match axis.kind {
+                    Kind::Linear => drop(values.insert(axis.word, Poly::from(Surd::from(value.clone())))),
+                    Kind::Rotary => angles.push((axis.turn, value.clone())),
+                }
+            }
+        }
+        for dimension in &self.dimensions {
+            match dimension.quantity {
+                Quantity::Length(symbol) => {
+                    values.insert(symbol, Poly::from(Surd::from(dimension.default.clone())));
+                }
+                Quantity::Angle(sine, cosine) => angles.push(((sine, cosine), dimension.default.clone())),
+            }
+        }
+        for ((sine, cosine), degrees) in angles {
+            let (s, c) = turn_by(&degrees, &mut self.ring);
+            values.insert(sine, s);
+            values.insert(cosine, c);
+        }
+        values
+    }
+
+    fn signed(&self, axis: AxisId, symbol: Symbol) -> Poly {
+        let value = Poly::from(symbol);
+        if self.axes[axis].reversed { -&value } else { value }
+    }
+
+    fn solved(&self, kind: Kind) -> impl Iterator<Item = AxisId> + '_ {
+        let wanted = move |axis: &Axis| axis.kind == kind && axis.held.is_none();
+        self.axes.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(id, _)| id)
+    }
+}
+
+/// Sine and cosine of a fixed angle: exact for multiples of 15°, constants with a float value otherwise.
+pub fn turn_by(degrees: &BigRational, ring: &mut Ring) -> (Poly, Poly) {
+    if let Some((sine, cosine)) = exact_sin_cos(degrees) {
+        return (Poly::from(sine), Poly::from(cosine));
+    }
+    let float = to_f64(degrees);
+    let (sine, cosine) = ring.fixed_sin_cos(format!("sin {float}°"), format!("cos {float}°"), float.to_radians());
+    (Poly::from(sine), Poly::from(cosine))
+}
+
+/// Nearest float of a rational.
+#[must_use]
+pub fn to_f64(value: &BigRational) -> f64 {
+    Surd::from(value.clone()).to_f64()
+}

@@ -1,0 +1,197 @@
+//! forward∘inverse = identity, for every branch, over the very graph that is printed.
+//!
+//! The forward side is the product of the elementary matrices; the inverse side is read from the emitted nodes. A `√`
+//! node becomes a generator whose square is its radicand, `1/x` one whose product with `x` is 1; with `sin² + cos² = 1`
+//! and `i² + j² + k² = 1` that is all there is, and everything is decided by remainders.
+//!
+//! A root that is claimed to equal a sum of squares is replaced by it: both are not negative and their squares are
+//! compared exactly.
+
+use std::collections::BTreeMap;
+
+use crate::model::{AxisId, Model};
+use crate::solve::{Answer, One, Orientation, Solved, Two};
+use crate::symbolic::{Id, Interpreter, Matrix, P3, Poly, Ring, Symbol};
+
+/// Proves a solved machine.
+///
+/// Returns the claims in words.
+///
+/// # Errors
+/// The claim that does not hold. That is a fault of the solver, never of the declaration.
+pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> {
+    let product = model.product();
+    let mut claims = vec![forward(model, solved, &product)?, position(model, solved, &product)?];
+    let orientation = solved.orientation.clone();
+    match &orientation {
+        Orientation::Fixed { deviation } => {
+            let tool = product.turn(&model.tool_axis, &model.ring);
+            let mut reader = Interpreter::new(&mut solved.graph, assign(model.frame.axis, tool));
+            if !reader.claim(*deviation, &Poly::zero()) {
+                return Err("the fixed tool axis is reached without deviation".into());
+            }
+            claims.push("the only reachable tool axis is the product's".into());
+        }
+        Orientation::One(one) => claims.push(prove_one(model, solved, &product, one)?),
+        Orientation::Two(two) => {
+            for answer in &two.answers {
+                claims.push(prove_answer(model, solved, &product, two, answer)?);
+            }
+            claims.push(prove_edge(model, solved, &product, two)?);
+        }
+    }
+    Ok(claims)
+}
+
+fn forward(model: &Model, solved: &mut Solved, product: &Matrix) -> Result<String, String> {
+    let nodes = solved.forward;
+    let axis = product.turn(&model.tool_axis, &model.ring);
+    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    let expected = product.origin().into_iter().chain(axis);
+    for (node, expected) in nodes.tip.into_iter().chain(nodes.axis).zip(expected) {
+        let value = reader.value(node);
+        holds(&reader, &value, &expected, "forward kinematics = product of the elementary matrices")?;
+    }
+    Ok("forward kinematics = product of the elementary matrices".into())
+}
+
+fn position(model: &Model, solved: &mut Solved, product: &Matrix) -> Result<String, String> {
+    let values = solved.position.values.clone();
+    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    let words = values.iter().map(|(axis, node)| (model.axes[*axis].word, reader.value(*node))).collect();
+    let claim = "the linear axes bring the tip to (x, y, z)";
+    for (reached, wanted) in product.origin().iter().zip(model.frame.tip) {
+        let reached = reader.ring().substitute(reached, &words);
+        holds(&reader, &reached, &Poly::from(wanted), claim)?;
+    }
+    Ok(format!("{claim} for every value of the rotary axes where the determinant is not zero"))
+}
+
+fn prove_one(model: &Model, solved: &mut Solved, product: &Matrix, one: &One) -> Result<String, String> {
+    let letter = model.axes[one.rotary].letter;
+    let axis = product.turn(&model.tool_axis, &model.ring);
+    let mut reader = Interpreter::new(&mut solved.graph, assign(model.frame.axis, axis));
+    let length = reader.value(one.length_claim);
+    if !reader.claim(one.length, &length) || !reader.claim(one.deviation, &Poly::zero()) {
+        return Err(format!("every tool axis made by {letter} is found to be reachable"));
+    }
+    let (sine, cosine) = model.axes[one.rotary].turn;
+    let claim = format!("{letter} is found again from the tool axis it makes");
+    for (node, symbol) in [(one.word.0, sine), (one.word.1, cosine)] {
+        let value = reader.value(node);
+        holds(&reader, &value, &Poly::from(symbol), &claim)?;
+    }
+    Ok(claim)
+}
+
+fn prove_answer(
+    model: &Model,
+    solved: &mut Solved,
+    product: &Matrix,
+    two: &Two,
+    answer: &Answer,
+) -> Result<String, String> {
+    let letters = model.letters(two.rotaries);
+    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    if let Some((length, claim)) = two.length {
+        let claim = reader.value(claim);
+        if !reader.claim(length, &claim) {
+            return Err(format!("the direction of {letters} has the length |n×a|²"));
+        }
+    }
+    let words = turns(model, &mut reader, &two.rotaries, &answer.words);
+    for axis in two.rotaries {
+        on_circle(model, &reader, axis, &words)?;
+    }
+    let claim = format!("{letters} turn the tool to (i, j, k), branch {}", if answer.plus { "+" } else { "-" });
+    let reached = product.turn(&model.tool_axis, reader.ring()).map(|part| reader.ring().substitute(&part, &words));
+    for (reached, wanted) in reached.iter().zip(model.frame.axis) {
+        holds(&reader, reached, &Poly::from(wanted), &claim)?;
+    }
+    // The branch: α1 s2 - α2 c2 = σ r, and a root is never negative.
+    let (_, cosine) = model.axes[two.rotaries[1]].turn;
+    let sine = reader.ring().substitute(&model.joint_sine(two.rotaries[1]), &words);
+    let [first, second] = two.alpha.map(|node| reader.value(node));
+    let side = &reader.ring().mul(&first, &sine) - &reader.ring().mul(&second, &words[&cosine]);
+    let root = reader.value(two.root);
+    let root = if answer.plus { root } else { -&root };
+    holds(&reader, &side, &root, &format!("{letters} stay on their branch"))?;
+    Ok(claim)
+}
+
+fn prove_edge(model: &Model, solved: &mut Solved, product: &Matrix, two: &Two) -> Result<String, String> {
+    let [first, second] = two.rotaries;
+    let edge = &two.edge;
+    let height = Poly::from(edge.height);
+    let capacity = Interpreter::new(&mut solved.graph, BTreeMap::new()).value(two.capacity);
+    let radicand = &capacity - &solved.graph.ring.mul(&height, &height);
+    let root = Poly::from(solved.graph.ring.root("edge", radicand));
+    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::from([(edge.root, root)]));
+    let mut words = turns(model, &mut reader, &[second], &[edge.second]);
+    on_circle(model, &reader, second, &words)?;
+    let (sine, cosine) = model.axes[first].turn;
+    words.insert(sine, Poly::zero());
+    words.insert(cosine, Poly::one());
+
+    let ring = reader.ring().clone();
+    let reached = product.turn(&model.tool_axis, &ring).map(|part| ring.substitute(&part, &words));
+    let before = (0..first).fold(Matrix::identity(), |m, axis| m.times(&model.joint(axis), &ring));
+    let direction = before.turn(&model.axes[first].direction, &ring);
+    let wanted = model.frame.axis.map(Poly::from);
+    let (n_b, n_a) = (cross(&direction, &reached, &ring), cross(&direction, &wanted, &ring));
+    let room = {
+        let (p, one) = (reader.value(two.tilt.between.1), Poly::one());
+        &one - &ring.mul(&p, &p)
+    };
+    let signed_sine = ring.mul(&room, &ring.dot(&n_b, &wanted));
+    let signed_sine = if model.axes[first].reversed { -&signed_sine } else { signed_sine };
+    let claim = "at the rim the nearest reachable tool axis is taken";
+    let pairs = [
+        (edge.along.1, ring.dot(&direction, &reached)),
+        (edge.reached_squared, ring.dot(&n_b, &n_b)),
+        (edge.first.0, signed_sine),
+        (edge.first.1, ring.mul(&room, &ring.dot(&n_b, &n_a))),
+    ];
+    for (node, expected) in pairs {
+        let value = reader.value(node);
+        holds(&reader, &value, &expected, claim)?;
+    }
+    Ok(claim.into())
+}
+
+fn assign(symbols: [Symbol; 3], values: P3) -> BTreeMap<Symbol, Poly> {
+    symbols.into_iter().zip(values).collect()
+}
+
+fn turns(model: &Model, reader: &mut Interpreter<'_>, axes: &[AxisId], words: &[(Id, Id)]) -> BTreeMap<Symbol, Poly> {
+    let mut values = BTreeMap::new();
+    for (axis, (sine, cosine)) in axes.iter().zip(words) {
+        let turn = model.axes[*axis].turn;
+        values.insert(turn.0, reader.value(*sine));
+        values.insert(turn.1, reader.value(*cosine));
+    }
+    values
+}
+
+fn on_circle(
+    model: &Model,
+    reader: &Interpreter<'_>,
+    axis: AxisId,
+    words: &BTreeMap<Symbol, Poly>,
+) -> Result<(), String> {
+    let (sine, cosine) = model.axes[axis].turn;
+    let squares = [&words[&sine], &words[&cosine]].map(|part| reader.ring().mul(part, part));
+    let letter = model.axes[axis].letter;
+    holds(reader, &(&squares[0] + &squares[1]), &Poly::one(), &format!("sin² {letter} + cos² {letter} = 1"))
+}
+
+fn holds(reader: &Interpreter<'_>, left: &Poly, right: &Poly, claim: &str) -> Result<(), String> {
+    if reader.equal(left, right) { Ok(()) } else { Err(claim.to_string()) }
+}
+
+fn cross(a: &P3, b: &P3, ring: &Ring) -> P3 {
+    std::array::from_fn(|index| {
+        let (next, last) = ((index + 1) % 3, (index + 2) % 3);
+        &ring.mul(&a[next], &b[last]) - &ring.mul(&a[last], &b[next])
+    })
+}

@@ -1,0 +1,79 @@
+//! Messages: one rule, the words that break it underlined, one line of help.
+
+use proc_macro2::{Span, TokenStream};
+use quote::{ToTokens, quote, quote_spanned};
+
+/// Words of the declaration, from the first token to the last.
+#[derive(Debug, Clone, Copy)]
+pub struct Phrase {
+    first: Span,
+    last: Span,
+    /// Place in the source: messages come out in this order.
+    order: usize,
+}
+
+impl Phrase {
+    /// From the first token to the last; `order` grows with the place in the source.
+    #[must_use]
+    pub fn new(first: Span, last: Span, order: usize) -> Self {
+        Self { first, last, order }
+    }
+
+    /// From here to the end of another phrase.
+    #[must_use]
+    pub fn to(self, other: Self) -> Self {
+        Self { last: other.last, ..self }
+    }
+}
+
+impl ToTokens for Phrase {
+    /// Two tokens: `compile_error!` underlines from the first to the last.
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        tokens.extend(quote_spanned!(self.first=> x));
+        tokens.extend(quote_spanned!(self.last=> x));
+    }
+}
+
+/// Collects everything that is wrong before giving up.
+#[derive(Debug, Default)]
+pub struct Errors {
+    list: Vec<(usize, syn::Error)>,
+}
+
+impl Errors {
+    /// One mistake with its remedy.
+    pub fn push(&mut self, at: Phrase, text: impl std::fmt::Display, help: impl std::fmt::Display) {
+        self.list.push((at.order, syn::Error::new_spanned(at, format!("{text}\n\nhelp: {help}"))));
+    }
+
+    /// A mistake that the parser of Rust tokens found.
+    pub fn push_syntax(&mut self, order: usize, error: syn::Error) {
+        self.list.push((order, error));
+    }
+
+    /// Stops if anything is wrong.
+    ///
+    /// # Errors
+    /// All mistakes so far, in source order.
+    pub fn propagate(&mut self) -> Result<(), Refused> {
+        if self.list.is_empty() {
+            return Ok(());
+        }
+        let mut list = std::mem::take(&mut self.list);
+        list.sort_by_key(|(order, _)| *order);
+        Err(Refused(list.into_iter().map(|(_, error)| error).collect()))
+    }
+}
+
+/// A declaration that does not compile, with all its mistakes.
+#[derive(Debug)]
+pub struct Refused(pub Vec<syn::Error>);
+
+impl Refused {
+    /// One `compile_error!` for each mistake.
+    #[must_use]
+    pub fn to_compile_error(&self) -> TokenStream {
+        let errors = self.0.iter().map(syn::Error::to_compile_error);
+        quote!(#(#errors)*)
+    }
+}

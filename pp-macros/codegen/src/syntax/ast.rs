@@ -1,0 +1,113 @@
+//! A declaration as written.
+
+use super::expr::Expr;
+use crate::report::Phrase;
+
+/// Everything between the braces of `machine!`.
+pub struct Declaration {
+    /// Attributes and doc comments of the struct.
+    pub attributes: Vec<syn::Attribute>,
+    /// Its visibility.
+    pub visibility: syn::Visibility,
+    /// Its name.
+    pub name: syn::Ident,
+    /// `chain: C B | X Y Z;`
+    pub chain: Option<Chain>,
+    /// `d = ...;`
+    pub offsets: Option<Offsets>,
+    /// `signs = { C: - };` with true for minus.
+    pub signs: Vec<Assign<bool>>,
+    /// `axes = { B: Rx(-45 deg) * Y };`
+    pub directions: Vec<Assign<Direction>>,
+    /// `dims = { d: 150.0 };`
+    pub dimensions: Vec<Assign<Expr>>,
+    /// `tool_axis = (0, 0, 1);`
+    pub tool_axis: Option<Direction>,
+    /// `hold = { W: 0 };`
+    pub hold: Vec<Assign<Expr>>,
+    /// `limits = { B: -5..110, C: free };`
+    pub limits: Vec<Assign<Limits>>,
+    /// `speeds = { B: 3600 };`
+    pub speeds: Vec<Assign<Expr>>,
+}
+
+/// A name and where it stands.
+#[derive(Debug, Clone)]
+pub struct Spot {
+    /// As written.
+    pub name: String,
+    /// Where.
+    pub phrase: Phrase,
+}
+
+/// `name: value` inside braces.
+#[derive(Debug, Clone)]
+pub struct Assign<T> {
+    /// An axis letter or a dimension.
+    pub key: Spot,
+    /// What stands behind the colon.
+    pub value: T,
+}
+
+/// The axes of the chain and the machine frame among them.
+#[derive(Debug, Clone)]
+pub struct Chain {
+    /// All that stands behind `chain:`.
+    pub phrase: Phrase,
+    /// Letters in order.
+    pub axes: Vec<Axis>,
+    /// For each `|`, the number of letters in front of it.
+    pub bars: Vec<(usize, Phrase)>,
+}
+
+/// One letter of the chain.
+pub type Axis = Spot;
+
+/// `d`.
+#[derive(Debug, Clone)]
+pub enum Offsets {
+    /// One point for all rotaries.
+    Common(Vector),
+    /// A point for each.
+    Each(Vec<Assign<Vector>>),
+}
+
+/// Three components in parentheses.
+#[derive(Debug, Clone)]
+pub struct Vector {
+    /// With the parentheses.
+    pub phrase: Phrase,
+    /// The components.
+    pub parts: Vec<Expr>,
+}
+
+/// `Rx(a) * Ry(b) * Z` or a vector.
+#[derive(Debug, Clone)]
+pub struct Direction {
+    /// The whole product.
+    pub phrase: Phrase,
+    /// Turns from left to right: 0, 1, 2 for Rx, Ry, Rz, and the angle.
+    pub turns: Vec<(usize, Expr)>,
+    /// True for `-Z`.
+    pub negated: bool,
+    /// What is turned.
+    pub base: Base,
+}
+
+/// The last factor of a direction.
+#[derive(Debug, Clone)]
+pub enum Base {
+    /// A coordinate direction: 0, 1, 2 for X, Y, Z.
+    Coordinate(usize),
+    /// Any vector.
+    Vector(Vector),
+}
+
+/// Travel of an axis.
+#[derive(Debug, Clone)]
+pub enum Limits {
+    /// Endless.
+    Free,
+    /// Inclusive.
+    Range(Expr, Expr),
+}

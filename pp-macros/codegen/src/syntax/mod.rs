@@ -1,0 +1,9 @@
+//! Tokens to [`Declaration`]: the only place that knows how `machine!` is written, and where.
+
+mod ast;
+mod expr;
+mod parse;
+
+pub use ast::{Assign, Axis, Base, Chain, Declaration, Direction, Limits, Offsets, Spot, Vector};
+pub use expr::{Expr, ExprKind, Unit};
+pub use parse::parse;

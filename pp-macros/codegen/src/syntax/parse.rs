@@ -1,0 +1,330 @@
+//! Token streams to declarations. A field that cannot be read is reported and skipped; reading goes on behind it.
+
+use std::cell::Cell;
+
+use proc_macro2::{Span, TokenStream, TokenTree};
+use syn::parse::{ParseBuffer, ParseStream, Parser};
+use syn::{Token, token};
+
+use super::ast::{Assign, Base, Chain, Declaration, Direction, Limits, Offsets, Spot, Vector};
+use super::expr::Expr;
+use crate::report::{Errors, Phrase, Refused};
+
+/// Fields of the language, in the order of the documentation.
+const FIELDS: [&str; 10] = ["chain", "d", "signs", "axes", "dims", "tool_axis", "hold", "limits", "speeds", "verify"];
+
+/// Numbers the phrases in the order of reading.
+#[derive(Debug, Default)]
+pub(super) struct Source {
+    read: Cell<usize>,
+}
+
+impl Source {
+    fn next(&self) -> usize {
+        self.read.set(self.read.get() + 1);
+        self.read.get()
+    }
+
+    fn phrase(&self, first: Span, last: Span) -> Phrase {
+        Phrase::new(first, last, self.next())
+    }
+
+    /// The next token, whatever it is.
+    pub(super) fn take(&self, input: ParseStream<'_>) -> syn::Result<(Phrase, TokenTree)> {
+        let token: TokenTree = input.parse()?;
+        Ok((self.phrase(token.span(), token.span()), token))
+    }
+
+    /// What stands in parentheses.
+    pub(super) fn parenthesized<'a>(&self, input: ParseStream<'a>) -> syn::Result<(Phrase, ParseBuffer<'a>)> {
+        let content;
+        let paren = syn::parenthesized!(content in input);
+        Ok((self.phrase(paren.span.open(), paren.span.close()), content))
+    }
+
+    fn spot(&self, input: ParseStream<'_>, what: &str) -> syn::Result<Spot> {
+        match input.fork().parse::<TokenTree>() {
+            Ok(TokenTree::Ident(_)) => {
+                let (phrase, token) = self.take(input)?;
+                Ok(Spot { name: token.to_string(), phrase })
+            }
+            _ => Err(input.error(format!("expected {what}"))),
+        }
+    }
+}
+
+/// Reads a declaration.
+///
+/// # Errors
+/// All syntax errors, if the struct or any field cannot be read.
+pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Result<Declaration, Refused> {
+    let read = |input: ParseStream<'_>| Ok(declaration(input, errors));
+    match read.parse2(tokens) {
+        Ok(Ok(declaration)) => Ok(declaration),
+        Ok(Err(error)) | Err(error) => {
+            errors.push_syntax(0, error);
+            Err(errors.propagate().expect_err("just pushed"))
+        }
+    }
+}
+
+fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Declaration> {
+    let source = Source::default();
+    let attributes = input.call(syn::Attribute::parse_outer)?;
+    let visibility = input.parse()?;
+    if !input.peek(Token![struct]) {
+        // The rest is swallowed: its meaning hangs on the name.
+        let error = input.error("expected `struct`\n\nhelp: begin with `pub struct MyMachine;`");
+        input.parse::<TokenStream>()?;
+        return Err(error);
+    }
+    input.parse::<Token![struct]>()?;
+    let name = input.parse()?;
+    input.parse::<Token![;]>()?;
+    let mut declaration = Declaration {
+        attributes,
+        visibility,
+        name,
+        chain: None,
+        offsets: None,
+        signs: Vec::new(),
+        directions: Vec::new(),
+        dimensions: Vec::new(),
+        tool_axis: None,
+        hold: Vec::new(),
+        limits: Vec::new(),
+        speeds: Vec::new(),
+    };
+    let mut seen: Vec<Spot> = Vec::new();
+    while !input.is_empty() {
+        if let Err(error) = field(input, &source, &mut declaration, &mut seen, errors) {
+            errors.push_syntax(source.next(), error);
+            skip_field(input)?;
+        }
+    }
+    Ok(declaration)
+}
+
+fn field(
+    input: ParseStream<'_>,
+    source: &Source,
+    declaration: &mut Declaration,
+    seen: &mut Vec<Spot>,
+    errors: &mut Errors,
+) -> syn::Result<()> {
+    let key = source.spot(input, &format!("a field\n\nhelp: the fields are {}", list_of(&FIELDS)))?;
+    if !FIELDS.contains(&key.name.as_str()) {
+        let text = format!("unknown field `{}`\n\nhelp: the fields are {}", key.name, list_of(&FIELDS));
+        return Err(syn::Error::new_spanned(key.phrase, text));
+    }
+    if seen.iter().any(|known| known.name == key.name) {
+        errors.push(key.phrase, format!("`{}` is given twice", key.name), "join the two into one field");
+    }
+    seen.push(key.clone());
+    match key.name.as_str() {
+        "chain" => {
+            separator(input, ':', "`chain` is followed by a colon: `chain: C B | X Y Z;`")?;
+            declaration.chain = Some(chain(input, source, key.phrase)?);
+        }
+        "verify" => {
+            return Err(syn::Error::new_spanned(
+                key.phrase,
+                "`verify` is not understood yet\n\nhelp: the identity of forward and inverse is proven without it",
+            ));
+        }
+        name => {
+            separator(input, '=', &format!("`{name}` is followed by `=`: `{name} = ...;`"))?;
+            match name {
+                "d" => declaration.offsets = Some(offsets(input, source)?),
+                "signs" => declaration.signs.extend(assigns(input, source, sign)?),
+                "axes" => declaration.directions.extend(assigns(input, source, direction)?),
+                "dims" => declaration.dimensions.extend(assigns(input, source, Expr::parse)?),
+                "tool_axis" => declaration.tool_axis = Some(direction(input, source)?),
+                "hold" => declaration.hold.extend(assigns(input, source, Expr::parse)?),
+                "limits" => declaration.limits.extend(assigns(input, source, limits)?),
+                _ => declaration.speeds.extend(assigns(input, source, Expr::parse)?),
+            }
+        }
+    }
+    if !input.peek(Token![;]) {
+        return Err(input.error(format!("expected `;`\n\nhelp: end the field `{}` with a semicolon", key.name)));
+    }
+    input.parse::<Token![;]>()?;
+    Ok(())
+}
+
+fn separator(input: ParseStream<'_>, wanted: char, help: &str) -> syn::Result<()> {
+    let found = if wanted == ':' {
+        input.parse::<Option<Token![:]>>()?.is_some()
+    } else {
+        input.parse::<Option<Token![=]>>()?.is_some()
+    };
+    if found { Ok(()) } else { Err(input.error(format!("expected `{wanted}`\n\nhelp: {help}"))) }
+}
+
+/// To behind the next semicolon, or to the next thing that looks like a field.
+fn skip_field(input: ParseStream<'_>) -> syn::Result<()> {
+    while !input.is_empty() {
+        if input.parse::<Option<Token![;]>>()?.is_some() {
+            return Ok(());
+        }
+        input.parse::<TokenTree>()?;
+        let ahead = input.fork();
+        let starts_field = ahead.parse::<syn::Ident>().is_ok_and(|word| FIELDS.iter().any(|field| word == field))
+            && (ahead.peek(Token![=]) || ahead.peek(Token![:]));
+        if starts_field {
+            return Ok(());
+        }
+    }
+    Ok(())
+}
+
+fn chain(input: ParseStream<'_>, source: &Source, key: Phrase) -> syn::Result<Chain> {
+    let mut chain = Chain { phrase: key, axes: Vec::new(), bars: Vec::new() };
+    let mut first = None;
+    while !input.is_empty() && !input.peek(Token![;]) {
+        let (phrase, token) = source.take(input)?;
+        chain.phrase = first.get_or_insert(phrase).to(phrase);
+        match token {
+            TokenTree::Ident(ident) => chain.axes.push(Spot { name: ident.to_string(), phrase }),
+            TokenTree::Punct(punct) if punct.as_char() == '|' => chain.bars.push((chain.axes.len(), phrase)),
+            other => {
+                let text = format!(
+                    "`{other}` does not belong in the chain\n\nhelp: list axis letters from workpiece to tool with one `|` for the machine frame: `chain: C B | X Y Z;`"
+                );
+                return Err(syn::Error::new_spanned(phrase, text));
+            }
+        }
+    }
+    Ok(chain)
+}
+
+fn offsets(input: ParseStream<'_>, source: &Source) -> syn::Result<Offsets> {
+    if input.peek(token::Brace) {
+        Ok(Offsets::Each(assigns(input, source, vector)?))
+    } else {
+        Ok(Offsets::Common(vector(input, source)?))
+    }
+}
+
+/// `{ A: value, B: value }`
+fn assigns<T>(
+    input: ParseStream<'_>,
+    source: &Source,
+    value: impl Fn(ParseStream<'_>, &Source) -> syn::Result<T>,
+) -> syn::Result<Vec<Assign<T>>> {
+    if !input.peek(token::Brace) {
+        return Err(input.error("expected `{`\n\nhelp: write `{ NAME: value, NAME: value }`"));
+    }
+    let content;
+    syn::braced!(content in input);
+    let mut list = Vec::new();
+    while !content.is_empty() {
+        let key = source.spot(&content, "a name\n\nhelp: write `NAME: value`")?;
+        separator(&content, ':', "write `NAME: value`")?;
+        list.push(Assign { key, value: value(&content, source)? });
+        if !content.is_empty() {
+            if !content.peek(Token![,]) {
+                return Err(content.error("expected `,`\n\nhelp: separate the entries with commas"));
+            }
+            content.parse::<Token![,]>()?;
+        }
+    }
+    Ok(list)
+}
+
+fn sign(input: ParseStream<'_>, _: &Source) -> syn::Result<bool> {
+    if input.parse::<Option<Token![+]>>()?.is_some() {
+        Ok(false)
+    } else if input.parse::<Option<Token![-]>>()?.is_some() {
+        Ok(true)
+    } else {
+        Err(input.error("expected `+` or `-`\n\nhelp: `-` only where the word itself runs against ISO 841"))
+    }
+}
+
+fn vector(input: ParseStream<'_>, source: &Source) -> syn::Result<Vector> {
+    if !input.peek(token::Paren) {
+        return Err(input.error("expected `(`\n\nhelp: write three components: `(0, 0, 150.0)`"));
+    }
+    let (phrase, content) = source.parenthesized(input)?;
+    let mut parts = Vec::new();
+    while !content.is_empty() {
+        parts.push(Expr::parse(&content, source)?);
+        if !content.is_empty() {
+            if !content.peek(Token![,]) {
+                return Err(content.error("expected `,`\n\nhelp: separate the components with commas"));
+            }
+            content.parse::<Token![,]>()?;
+        }
+    }
+    if parts.len() != 3 {
+        let text = format!("a vector has three components, found {}\n\nhelp: write `(x, y, z)`", parts.len());
+        return Err(syn::Error::new_spanned(phrase, text));
+    }
+    Ok(Vector { phrase, parts })
+}
+
+fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> {
+    let mut turns = Vec::new();
+    let mut start: Option<Phrase> = None;
+    loop {
+        let mut negated = false;
+        if input.peek(Token![-]) {
+            let (phrase, _) = source.take(input)?;
+            start.get_or_insert(phrase);
+            negated = true;
+        }
+        if input.peek(token::Paren) {
+            let base = vector(input, source)?;
+            let phrase = start.map_or(base.phrase, |start| start.to(base.phrase));
+            return Ok(Direction { phrase, turns, negated, base: Base::Vector(base) });
+        }
+        let word = source.spot(
+            input,
+            "a direction\n\nhelp: write a turned coordinate such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`",
+        )?;
+        let start = *start.get_or_insert(word.phrase);
+        if let Some(coordinate) = ["X", "Y", "Z"].iter().position(|name| word.name == *name) {
+            return Ok(Direction { phrase: start.to(word.phrase), turns, negated, base: Base::Coordinate(coordinate) });
+        }
+        let turn = ["Rx", "Ry", "Rz"].iter().position(|name| word.name == *name);
+        let (Some(turn), false) = (turn, negated) else {
+            let text = format!(
+                "`{}` is not a direction\n\nhelp: use X, Y, Z, a vector, and turns Rx(...), Ry(...), Rz(...) in front of them",
+                word.name
+            );
+            return Err(syn::Error::new_spanned(word.phrase, text));
+        };
+        if !input.peek(token::Paren) {
+            return Err(input.error(format!("expected `(`\n\nhelp: write `{}(45 deg) * Y`", word.name)));
+        }
+        let (_, content) = source.parenthesized(input)?;
+        turns.push((turn, Expr::parse(&content, source)?));
+        if !content.is_empty() {
+            return Err(content.error("expected `)`\n\nhelp: a turn has one angle"));
+        }
+        if !input.peek(Token![*]) {
+            return Err(input.error(format!("expected `*`\n\nhelp: say what is turned: `{}(...) * Y`", word.name)));
+        }
+        input.parse::<Token![*]>()?;
+    }
+}
+
+fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
+    let ahead = input.fork();
+    if ahead.parse::<syn::Ident>().is_ok_and(|word| word == "free") {
+        source.take(input)?;
+        return Ok(Limits::Free);
+    }
+    let lower = Expr::parse(input, source)?;
+    if !input.peek(Token![..]) {
+        return Err(input.error("expected `..`\n\nhelp: write the travel as `-5..110`, or `free`"));
+    }
+    input.parse::<Token![..]>()?;
+    Ok(Limits::Range(lower, Expr::parse(input, source)?))
+}
+
+fn list_of(names: &[&str]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}

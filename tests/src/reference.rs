@@ -1,0 +1,508 @@
+//! A machine that solves its equations with numbers, to try the suite on: once right, once with each of several flaws.
+
+use core::f64::consts::PI;
+use core::fmt::Debug;
+use core::marker::PhantomData;
+
+use crate::conformance::{check, find_fault};
+use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
+use pp_runtime::kinematics::{
+    Axis, AxisKind, Branch, Dimension, Explanation, Invalid, Joint, Machine, Pose, REACH_TOLERANCE, SINGULAR_SINE,
+    SMALLEST_DETERMINANT, Side, Sign, Solution, Solutions, Unreachable,
+};
+
+/// A mistake.
+#[derive(Clone, Copy, PartialEq)]
+enum Flaw {
+    None,
+    /// The first angle runs backwards.
+    FlippedSign,
+    /// Second branch first.
+    SwappedBranches,
+    /// The tilt comes from the arc cosine alone.
+    LosesDigitsAtThePole,
+    /// The free rotary goes to zero.
+    ForgetsHeldValue,
+    /// Forward kinematics forgets the gauge length.
+    ForgetsGaugeLength,
+    /// The linear axes are a hundredth of a micrometre off.
+    SlightlyOff,
+    /// Every axis is reached.
+    ReachesEverything,
+}
+
+/// What one machine is.
+trait Table: Copy + Send + Sync + 'static {
+    type Axes: Copy + Default + PartialEq + Debug + Send + Sync + 'static + AsRef<[f64]> + AsMut<[f64]>;
+    const AXES: &'static [Axis];
+    const HELD: Self::Axes;
+    /// Direction and, for rotaries, a point of the centre line.
+    const ROWS: &'static [([f64; 3], [f64; 3])];
+    const TOOL: [f64; 3];
+    const FLAW: Flaw;
+}
+
+/// A machine made of a table.
+#[derive(Clone)]
+struct Reference<T> {
+    part_origin: Vector3<f64>,
+    gauge_length: f64,
+    table: PhantomData<T>,
+}
+
+impl<T> Default for Reference<T> {
+    fn default() -> Self {
+        Self { part_origin: Vector3::zeros(), gauge_length: 0.0, table: PhantomData }
+    }
+}
+
+/// Turns the vector `v` about the unit vector `n`.
+fn turned(n: &Vector3<f64>, sin: f64, cos: f64, v: &Vector3<f64>) -> Vector3<f64> {
+    let along = n * n.dot(v);
+    along + (v - along) * cos + n.cross(v) * sin
+}
+
+impl<T: Table> Reference<T> {
+    /// Tip and directions of the solved linear axes; `linear` are the values of those axes.
+    fn place(&self, values: &[f64], linear: bool) -> (Vector3<f64>, Vec<Vector3<f64>>, Vector3<f64>) {
+        let mut tip = Vector3::zeros();
+        let mut columns = Vec::new();
+        let mut axis = Vector3::from(T::TOOL).normalize();
+        for (index, description) in T::AXES.iter().enumerate().rev() {
+            let joint = self.joint(index);
+            let value = joint.sign * values[index];
+            match description.kind {
+                AxisKind::Linear => {
+                    if linear || description.held {
+                        tip += joint.direction.into_inner() * value;
+                    }
+                    if !description.held {
+                        columns.push(joint.direction.into_inner() * joint.sign);
+                    }
+                }
+                AxisKind::Rotary => {
+                    let (sin, cos) = value.sin_cos();
+                    tip = turned(&joint.direction, sin, cos, &(tip - joint.point.coords)) + joint.point.coords;
+                    axis = turned(&joint.direction, sin, cos, &axis);
+                    for column in &mut columns {
+                        *column = turned(&joint.direction, sin, cos, column);
+                    }
+                }
+            }
+        }
+        columns.reverse();
+        (tip, columns, axis)
+    }
+
+    fn solved(&self) -> Vec<usize> {
+        (0..T::AXES.len()).filter(|&i| T::AXES[i].kind == AxisKind::Rotary && !T::AXES[i].held).collect()
+    }
+
+    /// Directions of the solved rotaries and of the tool, held turns folded in.
+    fn folded(&self, held: &T::Axes) -> (Vec<Vector3<f64>>, Vector3<f64>) {
+        let mut tool = Vector3::from(T::TOOL).normalize();
+        let mut directions: Vec<Vector3<f64>> = Vec::new();
+        for (index, description) in T::AXES.iter().enumerate().rev() {
+            let joint = self.joint(index);
+            if description.kind == AxisKind::Rotary && description.held {
+                let (sin, cos) = (joint.sign * held.as_ref()[index]).sin_cos();
+                tool = turned(&joint.direction, sin, cos, &tool);
+                for direction in &mut directions {
+                    *direction = turned(&joint.direction, sin, cos, direction);
+                }
+            } else if description.kind == AxisKind::Rotary {
+                directions.push(joint.direction.into_inner());
+            }
+        }
+        directions.reverse();
+        (directions, tool)
+    }
+
+    /// The rotary angles (signed, right-handed) with branch, singular and deviation.
+    fn angles(&self, a: &Vector3<f64>, held: &T::Axes) -> Vec<(Vec<f64>, Branch, bool, f64)> {
+        let (directions, t) = self.folded(held);
+        let solved = self.solved();
+        let near = |reached: &Vector3<f64>| {
+            let angle = reached.cross(a).norm().atan2(reached.dot(a));
+            if T::FLAW == Flaw::ReachesEverything { 0.0 } else { angle }
+        };
+        let between = |n: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>| {
+            let sin = n.dot(&from.cross(to));
+            sin.atan2(n.cross(from).dot(&n.cross(to)))
+        };
+        match directions[..] {
+            [] => {
+                let deviation = near(&t);
+                if deviation > REACH_TOLERANCE { vec![] } else { vec![(vec![], Branch::First, false, deviation)] }
+            }
+            [n] => {
+                let angle = between(&n, &t, a);
+                let deviation = near(&turned(&n, angle.sin(), angle.cos(), &t));
+                if deviation > REACH_TOLERANCE { vec![] } else { vec![(vec![angle], Branch::First, false, deviation)] }
+            }
+            [n, m] => {
+                let alpha1 = m.cross(&n).dot(&m.cross(&t));
+                let alpha2 = n.dot(&m.cross(&t));
+                let d = alpha1 * alpha1 + alpha2 * alpha2;
+                let sign = T::AXES[solved[1]].sign.factor();
+                // Which branch is first is decided at the declared held values.
+                let (at_default, tool) = self.folded(&T::HELD);
+                let leaning = at_default[1].cross(&at_default[0]).dot(&at_default[1].cross(&tool));
+                let across = at_default[0].dot(&at_default[1].cross(&tool));
+                let sigma = if leaning.abs() > 1e-12 { leaning.signum() * sign } else { -across.signum() };
+                let pole = |side: f64| (m.dot(&n) - side * m.dot(&t)).abs() < 1e-15;
+                let rho = if pole(1.0) || pole(-1.0) { 1.0 - n.dot(&m).powi(2) } else { d.sqrt() };
+                let offset = n.dot(&m) * m.dot(&t);
+                let mut w = n.dot(a) - offset;
+                // The factor that vanishes at a pole, without cancellation.
+                let minus = if pole(1.0) { (a - n).norm_squared() / 2.0 } else { rho - w };
+                let plus = if pole(-1.0) { (a + n).norm_squared() / 2.0 } else { rho + w };
+                let mut square = minus * plus;
+                if T::FLAW == Flaw::LosesDigitsAtThePole {
+                    square = rho * rho - w * w;
+                }
+                if square < 0.0 {
+                    w = w.signum() * rho;
+                    square = 0.0;
+                }
+                let r = square.sqrt();
+                let h = n.cross(a).norm();
+                let singular = h < SINGULAR_SINE;
+                let mut list = Vec::new();
+                for (branch, side) in [(Branch::First, sigma), (Branch::Second, -sigma)] {
+                    let side = if T::FLAW == Flaw::SwappedBranches { -side } else { side };
+                    let (mut c, mut s) = ((alpha1 * w - side * alpha2 * r) / d, (alpha2 * w + side * alpha1 * r) / d);
+                    let length = c.hypot(s);
+                    (c, s) = (c / length, s / length);
+                    let b = turned(&m, s, c, &t);
+                    let second = s.atan2(c);
+                    let mut first = between(&n, &b, a);
+                    if singular {
+                        first = T::AXES[solved[0]].sign.factor() * held.as_ref()[solved[0]];
+                        if T::FLAW == Flaw::ForgetsHeldValue {
+                            first = 0.0;
+                        }
+                    }
+                    let reached = turned(&n, first.sin(), first.cos(), &b);
+                    let deviation = near(&reached);
+                    if deviation > REACH_TOLERANCE {
+                        continue;
+                    }
+                    if T::FLAW == Flaw::FlippedSign {
+                        first = -first;
+                    }
+                    let deviation = if deviation < 1e-13 { 0.0 } else { deviation };
+                    list.push((vec![first, second], branch, singular, deviation));
+                    if r < 1e-15 || singular {
+                        break;
+                    }
+                }
+                list
+            }
+            _ => unreachable!("at most two rotaries"),
+        }
+    }
+}
+
+impl<T: Table> Machine for Reference<T> {
+    type Axes = T::Axes;
+    const NAME: &'static str = "Reference";
+    const AXES: &'static [Axis] = T::AXES;
+    const DIMENSIONS: &'static [Dimension] = &[];
+    const HELD: T::Axes = T::HELD;
+    const EXPLANATION: &'static Explanation = &Explanation {
+        chain: &[],
+        formulas: &[],
+        branches: &[],
+        singular_set: &[],
+        reachable: &[],
+        degenerate: &[],
+        operations: "",
+        proofs: &[],
+    };
+
+    fn dimension(&self, index: usize) -> f64 {
+        panic!("there is no dimension {index}")
+    }
+    fn set_dimension(&mut self, index: usize, _value: f64) {
+        panic!("there is no dimension {index}")
+    }
+    fn set_up(&mut self, part_origin: Vector3<f64>, gauge_length: f64) {
+        self.part_origin = part_origin;
+        self.gauge_length = gauge_length;
+    }
+    fn validate(&self) -> Result<(), Invalid> {
+        if self.part_origin.iter().chain([&self.gauge_length]).all(|value| value.is_finite()) {
+            Ok(())
+        } else {
+            Err(Invalid::NotFinite { name: "set-up" })
+        }
+    }
+    fn joint(&self, index: usize) -> Joint {
+        let (direction, point) = T::ROWS[index];
+        let point = match (T::AXES[index].kind, T::AXES[index].side) {
+            (AxisKind::Linear, _) => Vector3::zeros(),
+            (AxisKind::Rotary, Side::Workpiece) => Vector3::from(point) - self.part_origin,
+            (AxisKind::Rotary, Side::Tool) => Vector3::from(point) + self.tool_axis().into_inner() * self.gauge_length,
+        };
+        Joint {
+            direction: UnitVector3::new_normalize(Vector3::from(direction)),
+            point: Point3::from(point),
+            sign: T::AXES[index].sign.factor(),
+        }
+    }
+    fn tool_axis(&self) -> UnitVector3<f64> {
+        UnitVector3::new_normalize(Vector3::from(T::TOOL))
+    }
+    fn forward_kinematics(&self, axes: &T::Axes) -> Pose {
+        let mut machine = self.clone();
+        if T::FLAW == Flaw::ForgetsGaugeLength {
+            machine.gauge_length = 0.0;
+        }
+        let (tip, _, axis) = machine.place(axes.as_ref(), true);
+        Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(axis) }
+    }
+    fn inverse_kinematics(&self, pose: &Pose, held: &T::Axes) -> Solutions<T::Axes> {
+        if !pose.tip.iter().chain(pose.axis.iter()).all(|value| value.is_finite()) {
+            return Solutions::none();
+        }
+        let mut found = Vec::new();
+        for (angles, branch, singular, deviation) in self.angles(&pose.axis, held) {
+            let mut axes = *held;
+            for (&index, angle) in self.solved().iter().zip(angles) {
+                let value = T::AXES[index].sign.factor() * angle;
+                axes.as_mut()[index] = if value <= -PI { PI } else { value };
+            }
+            if let Some(axes) = self.linear_axes(&pose.tip, &axes) {
+                found.push(Solution { axes, branch, singular, deviation });
+            }
+        }
+        let mut found = found.into_iter();
+        Solutions::from_branches([found.next(), found.next()])
+    }
+    fn linear_axes(&self, tip: &Point3<f64>, axes: &T::Axes) -> Option<T::Axes> {
+        let (start, columns, _) = self.place(axes.as_ref(), false);
+        let matrix = Matrix3::from_columns(&columns);
+        if matrix.determinant().abs() < SMALLEST_DETERMINANT {
+            return None;
+        }
+        let moved = matrix.try_inverse()? * (tip.coords - start);
+        let mut answer = *axes;
+        let mut next = moved.iter();
+        for (index, axis) in T::AXES.iter().enumerate() {
+            if axis.kind == AxisKind::Linear && !axis.held {
+                answer.as_mut()[index] = *next.next()?;
+                if T::FLAW == Flaw::SlightlyOff {
+                    answer.as_mut()[index] += 1e-8;
+                }
+            }
+        }
+        Some(answer)
+    }
+    fn reach(&self, axis: &UnitVector3<f64>, held: &T::Axes) -> Result<(), Unreachable> {
+        if !axis.iter().all(|value| value.is_finite()) {
+            return Err(Unreachable::NotFinite);
+        }
+        if self.angles(axis, held).is_empty() {
+            return Err(Unreachable::Fixed { machine: "", wanted: [0.0; 3], tool_axis: [0.0; 3] });
+        }
+        let pose = Pose { tip: Point3::origin(), axis: *axis };
+        if self.inverse_kinematics(&pose, held).is_empty() {
+            return Err(Unreachable::LinearAxes { machine: "", axes: "" });
+        }
+        Ok(())
+    }
+}
+
+const fn axis(letter: char, side: Side, sign: Sign, held: bool) -> Axis {
+    let kind = if matches!(letter, 'A'..='C') { AxisKind::Rotary } else { AxisKind::Linear };
+    Axis { letter, kind, side, sign, limits: None, speed: None, held }
+}
+
+macro_rules! reference {
+    ($name:ident, $count:literal, $flaw:ident, tool $tool:expr,
+     $($letter:literal $side:ident $sign:ident $($held:literal)? = $direction:expr, $point:expr;)*) => {
+        #[derive(Clone, Copy)]
+        struct $name;
+        impl Table for $name {
+            type Axes = [f64; $count];
+            const AXES: &'static [Axis] =
+                &[$(axis($letter, Side::$side, Sign::$sign, reference!(@held $($held)?))),*];
+            const HELD: Self::Axes = [$(reference!(@value $($held)?)),*];
+            const ROWS: &'static [([f64; 3], [f64; 3])] = &[$(($direction, $point)),*];
+            const TOOL: [f64; 3] = $tool;
+            const FLAW: Flaw = Flaw::$flaw;
+        }
+    };
+    (@held) => { false };
+    (@held $held:literal) => { true };
+    (@value) => { 0.0 };
+    (@value $held:literal) => { $held };
+}
+
+const X: [f64; 3] = [1.0, 0.0, 0.0];
+const Y: [f64; 3] = [0.0, 1.0, 0.0];
+const Z: [f64; 3] = [0.0, 0.0, 1.0];
+const O: [f64; 3] = [0.0, 0.0, 0.0];
+
+macro_rules! table_table {
+    ($name:ident, $flaw:ident) => {
+        reference! { $name, 5, $flaw, tool Z,
+            'C' Workpiece Plus = Z, [0.0, 0.0, 150.0];
+            'B' Workpiece Plus = Y, [0.0, 0.0, 150.0];
+            'X' Tool Plus = X, O;
+            'Y' Tool Plus = Y, O;
+            'Z' Tool Plus = Z, O;
+        }
+    };
+}
+
+macro_rules! inclined {
+    ($name:ident, $flaw:ident) => {
+        reference! { $name, 5, $flaw, tool Z,
+            'C' Workpiece Minus = Z, [3.0, -4.0, 0.0];
+            'B' Workpiece Plus = [0.0, 1.0, -1.0], [0.0, 2.0, 150.0];
+            'X' Tool Plus = X, O;
+            'Y' Tool Minus = [0.0, 1.0, -0.5], O;
+            'Z' Tool Plus = Z, O;
+        }
+    };
+}
+
+table_table!(Table0, None);
+table_table!(TableFlipped, FlippedSign);
+table_table!(TableSwapped, SwappedBranches);
+table_table!(TableForgets, ForgetsHeldValue);
+table_table!(TableOff, SlightlyOff);
+inclined!(Inclined, None);
+inclined!(InclinedLosesDigits, LosesDigitsAtThePole);
+
+reference! { Head, 5, None, tool Z,
+    'X' Workpiece Plus = X, O;
+    'Y' Tool Plus = Y, O;
+    'Z' Tool Plus = Z, O;
+    'B' Tool Minus = Y, [0.0, 0.0, 51.2];
+    'A' Tool Plus = X, [0.0, 10.0, 30.0];
+}
+reference! { HeadForgetsGauge, 5, ForgetsGaugeLength, tool Z,
+    'X' Workpiece Plus = X, O;
+    'Y' Tool Plus = Y, O;
+    'Z' Tool Plus = Z, O;
+    'B' Tool Plus = Y, O;
+    'A' Tool Plus = X, O;
+}
+// Rotaries between the linear axes: the determinant runs through zero.
+reference! { Between, 5, None, tool Z,
+    'X' Workpiece Plus = X, O;
+    'A' Workpiece Plus = X, [0.0, 10.0, 30.0];
+    'Y' Tool Plus = Y, O;
+    'B' Tool Minus = Y, [5.0, 0.0, 51.2];
+    'Z' Tool Plus = Z, O;
+}
+reference! { BetweenToo, 5, None, tool Z,
+    'Y' Workpiece Plus = Y, O;
+    'C' Workpiece Plus = Z, [0.0, 10.0, 30.0];
+    'Z' Workpiece Plus = Z, O;
+    'A' Tool Plus = X, [5.0, 0.0, 51.2];
+    'X' Tool Plus = X, O;
+}
+reference! { Oblique, 5, None, tool [0.2, -0.1, 1.0],
+    'C' Workpiece Plus = [0.3, -0.5, 0.8], [10.0, 20.0, 30.0];
+    'X' Workpiece Plus = X, O;
+    'Y' Tool Plus = Y, O;
+    'Z' Tool Plus = Z, O;
+    'A' Tool Minus = [0.9, 0.4, -0.2], [0.0, 10.0, 30.0];
+}
+reference! { ObliqueReachesAll, 5, ReachesEverything, tool [0.2, -0.1, 1.0],
+    'C' Workpiece Plus = [0.3, -0.5, 0.8], [10.0, 20.0, 30.0];
+    'X' Workpiece Plus = X, O;
+    'Y' Tool Plus = Y, O;
+    'Z' Tool Plus = Z, O;
+    'A' Tool Minus = [0.9, 0.4, -0.2], [0.0, 10.0, 30.0];
+}
+reference! { FourAxes, 4, None, tool Z,
+    'A' Workpiece Minus = X, [0.0, 7.0, 30.0];
+    'Y' Workpiece Minus = Y, O;
+    'X' Tool Plus = X, O;
+    'Z' Tool Plus = Z, O;
+}
+reference! { ThreeAxes, 3, None, tool Z,
+    'X' Workpiece Plus = X, O;
+    'Y' Workpiece Plus = Y, O;
+    'Z' Tool Plus = Z, O;
+}
+reference! { Quill, 6, None, tool Z,
+    'C' Workpiece Plus = Z, [0.0, 7.0, 30.0];
+    'B' Workpiece Plus = Y, [0.0, 7.0, 30.0];
+    'X' Tool Plus = X, O;
+    'Y' Tool Plus = Y, O;
+    'Z' Tool Plus = Z, O;
+    'W' Tool Plus 25.0 = Z, O;
+}
+reference! { ManualHead, 6, None, tool Z,
+    'C' Workpiece Plus = Z, [0.0, 7.0, 30.0];
+    'B' Workpiece Plus = Y, [0.0, 7.0, 30.0];
+    'X' Tool Plus = X, O;
+    'Y' Tool Plus = Y, O;
+    'Z' Tool Plus = Z, O;
+    'A' Tool Minus 0.25 = X, [0.0, 0.0, 90.0];
+}
+
+const POSES: usize = 4_000;
+
+macro_rules! conforms {
+    ($($test:ident: $table:ident;)*) => { $(#[test] fn $test() { check::<Reference<$table>>(POSES); })* };
+}
+
+conforms! {
+    a_table_with_two_rotaries_conforms: Table0;
+    an_inclined_table_with_a_slanted_linear_axis_conforms: Inclined;
+    a_head_with_two_rotaries_conforms: Head;
+    rotaries_between_linear_axes_conform: Between;
+    rotaries_between_other_linear_axes_conform: BetweenToo;
+    an_oblique_pair_conforms: Oblique;
+    one_rotary_conforms: FourAxes;
+    no_rotary_conforms: ThreeAxes;
+    a_held_quill_conforms: Quill;
+    a_held_rotary_conforms: ManualHead;
+}
+
+fn assert_found<T: Table>(rule: &str) {
+    let fault = find_fault::<Reference<T>>(2000).expect("a flawed machine is found out");
+    assert_eq!(fault.rule, rule, "{fault}");
+}
+
+#[test]
+fn a_flipped_sign_is_found() {
+    assert_found::<TableFlipped>("a solution brings the tool axis to the pose");
+}
+
+#[test]
+fn swapped_branches_are_found() {
+    assert_found::<TableSwapped>("branches are what they are documented to be");
+}
+
+#[test]
+fn a_formula_that_loses_digits_at_the_pole_is_found() {
+    assert_found::<InclinedLosesDigits>("an axis that the machine reaches is reached");
+}
+
+#[test]
+fn a_forgotten_held_value_is_found() {
+    assert_found::<TableForgets>("a free rotary keeps its held value");
+}
+
+#[test]
+fn a_hundredth_of_a_micrometre_is_found() {
+    assert_found::<TableOff>("a solution brings the tip to the pose");
+}
+
+#[test]
+fn a_forgotten_gauge_length_is_found() {
+    assert_found::<HeadForgetsGauge>("forward kinematics puts the tip where the joints do");
+}
+
+#[test]
+fn a_machine_that_claims_to_reach_everything_is_found() {
+    assert_found::<ObliqueReachesAll>("an axis outside the cone is refused");
+}

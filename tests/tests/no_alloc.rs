@@ -1,0 +1,92 @@
+//! Posting a point allocates nothing.
+#![allow(unsafe_code)] // a global allocator cannot be written without
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::hint::black_box;
+
+use pp_runtime::kinematics::Machine;
+use pp_runtime::nalgebra::Vector3;
+use tests::oracle::Oracle;
+use tests::random::Random;
+
+thread_local! {
+    /// Allocations of this thread; other tests run beside it.
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+// SAFETY: every call is passed on to the system's allocator unchanged; counting touches a thread-local without
+// destructor, which itself allocates nothing.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+        // SAFETY: as our caller promised.
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as our caller promised.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = ALLOCATIONS.get();
+    work();
+    ALLOCATIONS.get() - before
+}
+
+/// Forward, inverse, `linear_axes` and `reach`, also where there is no solution.
+fn check<M: Machine>() {
+    let mut machine = M::default();
+    machine.set_up(Vector3::new(12.5, -40.0, 80.0), 120.0);
+    let oracle = Oracle::of(&machine);
+    let mut random = Random::new(99);
+    for _ in 0..200 {
+        let mut axes = M::HELD;
+        for (value, axis) in axes.as_mut().iter_mut().zip(M::AXES) {
+            if !axis.held {
+                *value = random.between(-3.0, 3.0);
+            }
+        }
+        let pose = oracle.forward(axes.as_ref());
+        let anywhere = pp_runtime::nalgebra::UnitVector3::new_normalize(Vector3::from(random.direction()));
+        let count = allocations(|| {
+            black_box(machine.forward_kinematics(black_box(&axes)));
+            black_box(machine.inverse_kinematics(black_box(&pose), &axes));
+            black_box(machine.linear_axes(black_box(&pose.tip), &axes));
+            black_box(machine.reach(black_box(&pose.axis), &axes).is_ok());
+            black_box(machine.reach(black_box(&anywhere), &axes).is_ok());
+        });
+        assert_eq!(count, 0, "{} allocates", M::NAME);
+    }
+}
+
+#[test]
+fn the_counter_counts() {
+    assert_eq!(allocations(|| drop(black_box(Box::new(1)))), 1);
+}
+
+#[test]
+fn kinematics_of_a_table_allocates_nothing() {
+    check::<machines::SpinnerU5620>();
+}
+
+#[test]
+fn kinematics_of_an_inclined_table_allocates_nothing() {
+    check::<machines::Dmu70e>();
+}
+
+#[test]
+fn kinematics_of_a_head_allocates_nothing() {
+    check::<machines::LolaXoyzba>();
+}
+
+#[test]
+fn kinematics_of_four_axes_allocates_nothing() {
+    check::<machines::MultiProDesk>();
+}
