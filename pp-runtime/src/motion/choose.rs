@@ -68,6 +68,17 @@ impl AngleScale {
 }
 
 impl Rotary {
+    /// Every word inside the limits that is `word` modulo a turn; of an endless axis the one nearest to `previous`.
+    pub(crate) fn turns(self, word: i64, previous: i64, turn: i64) -> Vec<i64> {
+        match (self.lower, self.upper) {
+            (Some(lower), Some(upper)) => {
+                let first = lower + (word - lower).rem_euclid(turn);
+                (0..).map(|count| first + count * turn).take_while(|&word| word <= upper).take(8).collect()
+            }
+            _ => self.nearest(word, previous, turn).into_iter().collect(),
+        }
+    }
+
     /// The word that is `word` modulo a turn, inside the limits and nearest to `previous`; at equal distance the one of
     /// smaller absolute value, then the positive one.
     fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {

@@ -95,17 +95,16 @@ trait Shape: Machine {
 fn inverse<M: Shape>(machine: &M, pose: &Pose, held: &M::Axes) -> Solutions<M::Axes> {
     let rotaries: Vec<usize> = (0..M::AXES.len()).filter(|&i| M::AXES[i].kind == AxisKind::Rotary).collect();
     let Some((branches, singular)) = M::angles(&pose.axis, held) else { return Solutions::none() };
-    let mut solutions = [None, None];
-    for (number, angles) in branches.iter().enumerate() {
+    let solution = |number: usize| {
         let mut axes = *held;
-        for (&i, &angle) in rotaries.iter().zip(angles) {
+        for (&i, &angle) in rotaries.iter().zip(branches.get(number)?) {
             axes.as_mut()[i] = angle;
         }
-        let Some(axes) = linear(machine, &pose.tip, &axes) else { continue };
+        let axes = linear(machine, &pose.tip, &axes)?;
         let branch = if number == 0 { Branch::First } else { Branch::Second };
-        solutions[number] = Some(Solution { axes, branch, singular, deviation: 0.0 });
-    }
-    Solutions::from_branches(solutions)
+        Some(Solution { axes, branch, singular, deviation: 0.0 })
+    };
+    Solutions::from_branches([solution(0), solution(1)])
 }
 
 macro_rules! by_hand {

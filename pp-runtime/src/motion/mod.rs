@@ -10,6 +10,7 @@ mod feed;
 mod place;
 mod planner;
 mod retreat;
+mod scout;
 mod sequence;
 mod step;
 mod tool;
@@ -21,5 +22,6 @@ pub(crate) mod machines;
 mod tests;
 
 pub use planner::{Abilities, Planner, Statistics, Stop};
+pub use scout::{Scout, Start};
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
 pub use tool::Tool;

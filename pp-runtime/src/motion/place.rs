@@ -44,6 +44,11 @@ pub(crate) struct Placer<M: Machine> {
     machine: M,
     part_origin: Vector3<f64>,
     rotaries: Vec<Rotary>,
+    /// The same axes without their limits.
+    endless: Vec<Rotary>,
+    limited: bool,
+    /// rad
+    index_angle: f64,
     linear_mask: u16,
     rotary_mask: u16,
     scale: AngleScale,
@@ -69,7 +74,7 @@ impl<M: Machine> Placer<M> {
             axes.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
         };
         let mask = |kind: AxisKind| solved(kind).fold(0_u16, |mask, index| mask | 1 << index);
-        let rotaries = solved(AxisKind::Rotary)
+        let rotaries: Vec<Rotary> = solved(AxisKind::Rotary)
             .map(|index| {
                 let word = |angle: f64| angle.to_degrees() * scale.per_degree;
                 Rotary {
@@ -98,6 +103,9 @@ impl<M: Machine> Placer<M> {
         };
         Self {
             part_origin: config.part_origin.into(),
+            endless: rotaries.iter().map(|rotary| Rotary { lower: None, upper: None, ..*rotary }).collect(),
+            limited: rotaries.iter().any(|rotary| rotary.lower.is_some() || rotary.upper.is_some()),
+            index_angle: config.index_angle,
             rotaries,
             linear_mask: mask(AxisKind::Linear),
             rotary_mask: mask(AxisKind::Rotary),
@@ -158,23 +166,6 @@ impl<M: Machine> Placer<M> {
         self.scale.angle(largest.unwrap_or(0))
     }
 
-    /// The first rotary that would turn by more than half a turn.
-    #[inline]
-    pub(crate) fn rewinds(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<Fault> {
-        let index =
-            self.rotaries.iter().map(|rotary| rotary.index).find(|&i| 2 * (to[i] - from[i]).abs() > self.scale.turn)?;
-        Some(
-            Fault::new(format_args!(
-                "{} would have to turn back from {}° to {}° in a feed motion, to stay inside its limits {}",
-                M::AXES[index].letter,
-                self.scale.degrees(from[index]),
-                self.scale.degrees(to[index]),
-                self.limits_text(index)
-            ))
-            .help("end the operation before this point and start it again with a rapid, or declare the axis `free`"),
-        )
-    }
-
     /// Words of the axes in a mask.
     #[inline]
     pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
@@ -183,7 +174,15 @@ impl<M: Machine> Placer<M> {
 
     /// The place of a pose; `from` says where the rotaries come from and how the held axes stand.
     #[inline]
-    pub(crate) fn place(&mut self, pose: &Pose, from: &Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn place(&mut self, pose: &Pose, from: &Place<M::Axes>, feed: bool) -> Result<Place<M::Axes>, Fault> {
+        let place = self.turn(pose, from, feed)?;
+        self.finish(place)
+    }
+
+    /// The rotaries of a pose, chosen from where they stand. A feed motion is refused if only the limits make it take
+    /// another branch or turn than the nearest: the tool is in the cut.
+    #[inline]
+    pub(crate) fn turn(&self, pose: &Pose, from: &Place<M::Axes>, feed: bool) -> Result<Place<M::Axes>, Fault> {
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
         if solutions.is_empty() {
             return Err(self.unreachable(pose, &from.axes));
@@ -191,18 +190,117 @@ impl<M: Machine> Placer<M> {
         let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
             .map_err(|outside| self.outside_limits(&outside))?;
         let solution = &solutions[choice.solution];
-        let mut place = Place {
-            pose: *pose,
-            axes: solution.axes,
-            words: choice.words,
-            deviation: solution.deviation,
-            near_pole: false,
-        };
-        for rotary in &self.rotaries {
-            place.axes.as_mut()[rotary.index] = self.scale.angle(choice.words[rotary.index]);
-        }
+        let mut place = self.at(pose, from, &choice.words);
+        place.axes = merged(solution.axes, &place.axes, self.rotary_mask);
+        place.deviation = solution.deviation;
         self.steady(&mut place, from);
-        self.finish(place)
+        if feed && self.limited && self.rotary_travel(&from.words, &place.words) > self.index_angle {
+            let nearest = choose(&solutions, &self.endless, &from.words, self.scale);
+            if let Ok(nearest) = nearest
+                && nearest.words != choice.words
+                && !place.near_pole
+            {
+                return Err(self.jump(&from.words, &choice.words, &nearest.words));
+            }
+        }
+        Ok(place)
+    }
+
+    /// A pose with these rotary words; the linear axes are not computed.
+    #[inline]
+    fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
+        let mut place = Place { pose: *pose, axes: from.axes, words: *words, deviation: 0.0, near_pole: false };
+        for rotary in &self.rotaries {
+            place.axes.as_mut()[rotary.index] = self.scale.angle(words[rotary.index]);
+        }
+        place
+    }
+
+    /// The place of a pose with rotary words that were chosen beforehand; `None` if they do not belong to this pose.
+    pub(crate) fn place_at(
+        &mut self,
+        pose: &Pose,
+        from: &Place<M::Axes>,
+        words: &[i64; MAX_AXES],
+    ) -> Option<Result<Place<M::Axes>, Fault>> {
+        let mut place = self.at(pose, from, words);
+        let reached = self.machine.forward_kinematics(&place.axes).axis;
+        if (reached.into_inner() - pose.axis.into_inner()).norm() > 2.0 * self.scale.angle(1) + REACH_TOLERANCE {
+            return None;
+        }
+        let solutions = self.machine.inverse_kinematics(pose, &place.axes);
+        place.deviation = solutions.first().map_or(0.0, |solution| solution.deviation);
+        Some(self.finish(place))
+    }
+
+    /// Whether a limited rotary leaves anything to choose.
+    pub(crate) fn limited(&self) -> bool {
+        self.limited
+    }
+
+    /// Whether the tool axis leaves the first rotary free.
+    pub(crate) fn singular(&self, pose: &Pose, from: &Place<M::Axes>) -> bool {
+        self.machine.inverse_kinematics(pose, &from.axes).iter().any(|solution| solution.singular)
+    }
+
+    /// Every branch of a pose with every turn inside the limits; endless axes take the nearest turn.
+    pub(crate) fn every_turn(&self, pose: &Pose, from: &Place<M::Axes>) -> Vec<Place<M::Axes>> {
+        let mut places = Vec::new();
+        for solution in self.machine.inverse_kinematics(pose, &from.axes).iter() {
+            let mut all = vec![from.words];
+            for rotary in &self.rotaries {
+                let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
+                let turns = rotary.turns(word, from.words[rotary.index], self.scale.turn);
+                all = all
+                    .iter()
+                    .flat_map(|words| {
+                        turns.iter().map(|&word| {
+                            let mut words = *words;
+                            words[rotary.index] = word;
+                            words
+                        })
+                    })
+                    .collect();
+            }
+            places.extend(all.iter().map(|words| self.at(pose, from, words)));
+        }
+        places
+    }
+
+    /// `at` with the first rotary of `other`.
+    pub(crate) fn with_first_rotary(&self, at: &Place<M::Axes>, other: &Place<M::Axes>) -> Place<M::Axes> {
+        let mut words = at.words;
+        if let Some(first) = self.rotaries.first() {
+            words[first.index] = other.words[first.index];
+        }
+        self.at(&at.pose, at, &words)
+    }
+
+    /// How far all rotaries turn together, in units of their words.
+    pub(crate) fn sum_of_turns(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> u64 {
+        self.rotaries.iter().map(|rotary| from[rotary.index].abs_diff(to[rotary.index])).sum()
+    }
+
+    #[cold]
+    fn jump(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
+        let outside = self.rotaries.iter().find(|rotary| {
+            let word = nearest[rotary.index];
+            rotary.lower.is_some_and(|lower| word < lower) || rotary.upper.is_some_and(|upper| word > upper)
+        });
+        let (limit, word) = outside.map_or((0, 0), |rotary| (rotary.index, nearest[rotary.index]));
+        let turned = self.rotaries.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
+        let turned = turned.map_or(0, |rotary| rotary.index);
+        Fault::new(format_args!(
+            "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
+             tool in the cut",
+            M::AXES[limit].letter,
+            self.scale.degrees(word),
+            self.limits_text(limit),
+            M::AXES[turned].letter,
+            self.scale.degrees(from[turned]),
+            self.scale.degrees(to[turned]),
+        ))
+        .help("retract before this point and start a new operation, or turn the part on the table")
     }
 
     /// Near the pole the axis of CL data carries no angle, only rounding: there the first rotary keeps its value.
@@ -349,6 +447,17 @@ impl<M: Machine> Placer<M> {
             )),
         }
     }
+}
+
+/// The axes of `base`, and those of `mask` from `chosen`.
+#[inline]
+fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) -> A {
+    for (index, value) in base.as_mut().iter_mut().enumerate().take(MAX_AXES) {
+        if mask & (1 << index) != 0 {
+            *value = chosen.as_ref()[index];
+        }
+    }
+    base
 }
 
 /// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.

@@ -16,6 +16,7 @@ use super::fault::Fault;
 use super::feed::{Feeds, Stroke};
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
+use super::scout::Start;
 use super::step::{Feed, Sink, Step};
 use super::tool::{SpindleRequest, Tool};
 
@@ -116,6 +117,9 @@ pub struct Planner<'a, M: Machine> {
     abilities: Abilities,
     /// Every tool axis of the CL data points into the table.
     upside_down: bool,
+    starts: Vec<Start>,
+    /// Operations begun so far.
+    operations: usize,
     pub(super) phase: Phase,
     waiting: Vec<(Location, Waiting)>,
     texts: Vec<u8>,
@@ -166,6 +170,8 @@ impl<'a, M: Machine> Planner<'a, M> {
             placer,
             abilities,
             upside_down: upside_down && config.table_check,
+            starts: Vec::new(),
+            operations: 0,
             phase: Phase::Start,
             waiting: Vec::new(),
             texts: Vec::new(),
@@ -190,6 +196,13 @@ impl<'a, M: Machine> Planner<'a, M> {
             plunge_told: false,
             statistics: Statistics::default(),
         }
+    }
+
+    /// Begins each operation with the rotary words that [`Scout`](super::Scout) has found for it.
+    #[must_use]
+    pub fn with_starts(mut self, starts: Vec<Start>) -> Self {
+        self.starts = starts;
+        self
     }
 
     /// What was met so far.
@@ -290,7 +303,9 @@ impl<'a, M: Machine> Planner<'a, M> {
             self.spindle_in_start = false;
             self.lowest = None;
             self.plunge_told = false;
-            self.start(at, &motion, next, sink)?;
+            let start = self.starts.get(self.operations).copied().flatten();
+            self.operations += 1;
+            self.start(at, &motion, next, start, sink)?;
         } else {
             self.index(at, &motion, next, sink)?;
         }
@@ -535,7 +550,7 @@ impl<'a, M: Machine> Planner<'a, M> {
     fn run(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
         self.check_state(motion).map_err(fault)?;
-        let place = self.placer.place(&motion.pose, &self.place).map_err(fault)?;
+        let place = self.placer.place(&motion.pose, &self.place, !motion.rapid).map_err(fault)?;
         if motion.rapid {
             if self.config.transition == Transition::Safe
                 && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
@@ -563,9 +578,6 @@ impl<'a, M: Machine> Planner<'a, M> {
         place: &Place<M::Axes>,
         sink: &mut impl Sink,
     ) -> Planned {
-        if let Some(rewind) = self.placer.rewinds(&self.place.words, &place.words) {
-            return Err(stop(at, rewind));
-        }
         let feed = self.feed(motion.feed, place).map_err(|fault| stop(at, fault))?;
         if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
             let off = self.placer.middle_deviation(&self.place, place);

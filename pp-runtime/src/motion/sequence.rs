@@ -19,6 +19,7 @@ use crate::program::{Location, Move};
 
 use super::fault::Fault;
 use super::planner::{Planned, Planner, SAME_AXIS, stop};
+use super::scout::Start;
 use super::step::{Sink, Step, Words};
 
 /// A point this near to a line lies on it, mm.
@@ -99,7 +100,14 @@ impl<M: Machine> Planner<'_, M> {
     }
 
     /// The first motion of an operation, with everything before it.
-    pub(super) fn start(&mut self, at: Location, first: &Move, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
+    pub(super) fn start(
+        &mut self,
+        at: Location,
+        first: &Move,
+        next: Option<&Move>,
+        start: Start,
+        sink: &mut impl Sink,
+    ) -> Planned {
         let wanted = self.next_tool.take();
         let change = wanted.is_some_and(|wanted| self.tool.is_none_or(|tool| tool.number != wanted.number));
         if self.there && self.config.transition == Transition::Direct && !change {
@@ -127,7 +135,7 @@ impl<M: Machine> Planner<'_, M> {
         }
         self.turn_spindle(at, true, sink)?;
         self.check_state(first).map_err(|fault| stop(at, fault))?;
-        self.approach(at, first, next, sink)
+        self.approach(at, first, next, start, sink)
     }
 
     /// An operation that goes on where the last one ended, because the configuration wants it so.
@@ -135,7 +143,7 @@ impl<M: Machine> Planner<'_, M> {
         self.turn_spindle(at, false, sink)?;
         self.turn_coolant(at, sink)?;
         self.check_state(first).map_err(|fault| stop(at, fault))?;
-        let place = self.placer.place(&first.pose, &self.place).map_err(|fault| stop(at, fault))?;
+        let place = self.placer.place(&first.pose, &self.place, !first.rapid).map_err(|fault| stop(at, fault))?;
         if first.rapid {
             self.cancel_inverse_time(sink)?;
             sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
@@ -151,13 +159,21 @@ impl<M: Machine> Planner<'_, M> {
     pub(super) fn index(&mut self, at: Location, first: &Move, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
         self.leave(at, sink)?;
         self.machine_retract(at, sink)?;
-        self.approach(at, first, next, sink)
+        self.approach(at, first, next, None, sink)
     }
 
     /// Steps 4 to 8.
-    fn approach(&mut self, at: Location, first: &Move, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
+    fn approach(
+        &mut self,
+        at: Location,
+        first: &Move,
+        next: Option<&Move>,
+        start: Start,
+        sink: &mut impl Sink,
+    ) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
-        let place = self.placer.place(&first.pose, &self.place).map_err(fault)?;
+        let chosen = start.and_then(|words| self.placer.place_at(&first.pose, &self.place, &words));
+        let place = chosen.unwrap_or_else(|| self.placer.place(&first.pose, &self.place, false)).map_err(fault)?;
         let distance = self.config.approach.distance;
         let above = if first.rapid && next.is_some_and(|next| straight_down(&first.pose, &next.pose)) {
             place

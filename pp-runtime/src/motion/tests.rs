@@ -3,7 +3,7 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyz};
-use super::{Abilities, Planner, Stop};
+use super::{Abilities, Planner, Scout, Stop};
 use crate::config::{Config, Tool, Transition, Units};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
@@ -46,7 +46,11 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
     let abilities = Abilities { mist: true, through: false, air: false };
-    let mut planner = Planner::new(machine, config, units, abilities, false);
+    let starts = Scout::new(machine.clone(), config).map_or_else(Vec::new, |mut scout| {
+        events.iter().for_each(|event| scout.event(event));
+        scout.finish()
+    });
+    let mut planner = Planner::new(machine, config, units, abilities, false).with_starts(starts);
     let mut diagnostics = Vec::new();
     let mut at = Location::default();
     let mut planned = Ok(());
@@ -607,8 +611,50 @@ fn an_axis_is_never_turned_back_a_whole_turn_in_a_feed_motion() {
     };
     let events = |last| [tool(1), spindle(), at(170.0, true), at(183.0, true), last];
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
-    assert!(cut.error().text.contains("turn back"), "{:?}", cut.error());
+    assert!(cut.error().text.contains("outside its limits"), "{:?}", cut.error());
     assert_eq!(run::<Cb>(&config, &events(at(186.0, false))).diagnostics, []);
+}
+
+#[test]
+fn an_operation_begins_in_the_branch_and_turn_that_last() {
+    let rotaries = |config: &Config, poses: &[[f64; 3]]| {
+        let mut events = vec![tool(1), spindle()];
+        events.extend(poses.iter().map(|&axis| feed([0.0; 3], axis)));
+        let run = run::<Cb>(config, &events);
+        assert!(run.diagnostics.iter().all(|found| found.severity == Severity::Warning), "{:?}", run.diagnostics);
+        run.lines.into_iter().find(|line| line.starts_with("G0 C")).expect("rotaries")
+    };
+    // Alone, C-10 B-4 is nearer; the tilt of 60 degrees needs the other branch.
+    let tilting = [cb(170.0, 4.0), cb(170.0, 30.0), cb(170.0, 60.0)];
+    assert_eq!(rotaries(&config(), &tilting[..1]), "G0 C-10 B-4");
+    assert_eq!(rotaries(&config(), &tilting), "G0 C170 B4");
+    // From the vertical the table has to stand right before the tilt begins, yet only if it matters.
+    assert_eq!(rotaries(&config(), &[UP, cb(180.0, 3.0), cb(180.0, 30.0)]), "G0 C180 B0");
+    assert_eq!(rotaries(&config(), &[UP, cb(0.0, 3.0), cb(0.0, 30.0)]), "G0 C0 B0");
+    // 160 to 320 degrees do not fit below 200: begin at -200.
+    let mut limited = config();
+    let limit = 200_f64.to_radians();
+    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
+    let turning: Vec<_> = (0..=80).map(|step| cb(160.0 + 2.0 * f64::from(step), 30.0)).collect();
+    assert_eq!(rotaries(&limited, &turning), "G0 C-200 B30");
+    assert_eq!(rotaries(&limited, &turning[..10]), "G0 C160 B30");
+}
+
+#[test]
+fn a_branch_is_never_changed_in_the_cut_because_of_a_limit() {
+    let tilts = |from: i32, to: i32| {
+        let mut events = vec![tool(1), spindle()];
+        events.extend((from..=to).map(|tilt| feed([0.0; 3], cb(0.0, f64::from(-tilt)))));
+        run::<Cb>(&config(), &events)
+    };
+    // B goes down to -5 and not further; from +20 to -20 nothing helps.
+    assert_eq!(tilts(-20, 5).diagnostics, []);
+    let through = tilts(-20, 20);
+    let error = through.error();
+    assert!(
+        error.text.contains("B would have to turn on to -6°") && error.text.contains("C from 0° to 180°"),
+        "{error:?}"
+    );
 }
 
 #[test]

@@ -17,7 +17,7 @@ use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
-use crate::motion::{Abilities, Planner, Sink, Statistics, Step, Stop};
+use crate::motion::{Abilities, Planner, Scout, Sink, Statistics, Step, Stop};
 use crate::program::{Coolant, Location};
 
 use survey::Survey;
@@ -123,7 +123,9 @@ pub fn post<M: Machine>(
 ) -> Result<Report, PostError> {
     let start = input.stream_position().map_err(PostError::Input)?;
     let options = cl::Options { units: job.units.or(job.config.cl_units) };
-    let survey = Survey::take(&mut *input, options, &M::default().tool_axis()).map_err(PostError::Input)?;
+    let machine = job.config.machine::<M>();
+    let scout = machine.as_ref().ok().and_then(|machine| Scout::new(machine.clone(), job.config));
+    let mut survey = Survey::take(&mut *input, options, &M::default().tool_axis(), scout).map_err(PostError::Input)?;
     input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
 
     let mut report = Report {
@@ -134,7 +136,7 @@ pub fn post<M: Machine>(
     for diagnostic in &survey.diagnostics {
         report.fault(diagnostic.clone());
     }
-    let machine = match job.config.machine::<M>() {
+    let machine = match machine {
         Ok(machine) => machine,
         Err(invalid) => {
             report.fault(Diagnostic {
@@ -149,7 +151,8 @@ pub fn post<M: Machine>(
     };
     let units = job.config.output_units.unwrap_or_else(|| survey.units.unwrap_or(Units::Millimetres));
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
-    let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down());
+    let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
+        .with_starts(std::mem::take(&mut survey.starts));
     report.assumptions = header::assumptions::<M>(job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
     header.write(&report.assumptions, &mut encoder).map_err(PostError::Output)?;

@@ -6,6 +6,8 @@ use nalgebra::UnitVector3;
 
 use crate::cl::{Options, Reader};
 use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::Machine;
+use crate::motion::{Scout, Start};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
 /// One tool of the program.
@@ -34,6 +36,8 @@ pub(super) struct Survey {
     pub(super) diagnostics: Vec<Diagnostic>,
     /// Nothing may be posted from here on.
     pub(super) first_error: Option<Location>,
+    /// Where the rotaries of each operation begin; empty if there is nothing to choose.
+    pub(super) starts: Vec<Start>,
     feeds: u64,
     feeds_down: u64,
 }
@@ -50,13 +54,22 @@ struct State {
 }
 
 impl Survey {
-    pub(super) fn take(input: impl Read, options: Options, tool_axis: &UnitVector3<f64>) -> io::Result<Self> {
+    pub(super) fn take<M: Machine>(
+        input: impl Read,
+        options: Options,
+        tool_axis: &UnitVector3<f64>,
+        mut scout: Option<Scout<M>>,
+    ) -> io::Result<Self> {
         let mut reader = Reader::new(input, options);
         let mut survey = Self::default();
         let mut state = State { begun: true, ..State::default() };
         while let Some((_, event)) = reader.next_event()? {
             survey.event(&event, &mut state, tool_axis);
+            if let Some(scout) = &mut scout {
+                scout.event(&event);
+            }
         }
+        survey.starts = scout.map_or_else(Vec::new, Scout::finish);
         survey.units = reader.units();
         survey.units_only_given = reader.units_are_only_given();
         survey.framed = reader.frame().is_some();
