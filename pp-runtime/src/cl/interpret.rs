@@ -104,13 +104,7 @@ impl Interpreter {
     /// Takes the record of the statement at `here`.
     pub(super) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), Fault> {
         match *record {
-            Record::Goto(point) => {
-                let (pose, normalised) = self.pose(&point)?;
-                self.count_normalised(normalised, here);
-                self.motions += 1;
-                let rapid = std::mem::take(&mut self.rapid);
-                self.emit(here, Pending::Plain(Event::Move(Move { pose, rapid, feed: self.feed })));
-            }
+            Record::Goto(point) => self.go_to(&point, here)?,
             Record::From(point) => {
                 let (pose, normalised) = self.pose(&point)?;
                 self.count_normalised(normalised, here);
@@ -158,6 +152,16 @@ impl Interpreter {
             Record::Message(text) => self.emit(here, Pending::Message(text.at)),
             Record::Inert => {}
         }
+        Ok(())
+    }
+
+    /// GOTO.
+    pub(super) fn go_to(&mut self, point: &Point, here: Location) -> Result<(), Fault> {
+        let (pose, normalised) = self.pose(point)?;
+        self.count_normalised(normalised, here);
+        self.motions += 1;
+        let rapid = std::mem::take(&mut self.rapid);
+        self.emit(here, Pending::Plain(Event::Move(Move { pose, rapid, feed: self.feed })));
         Ok(())
     }
 
