@@ -1,4 +1,4 @@
-//! Faults and remarks about the CL data, without the text they point at.
+//! Faults and remarks about CL data or a configuration file, without the text they point at.
 
 use crate::program::Location;
 

@@ -18,6 +18,20 @@ pub use serde;
 pub mod kinematics;
 
 #[cfg(feature = "std")]
+pub mod cl;
+#[cfg(feature = "std")]
+pub mod cli;
+#[cfg(feature = "std")]
+pub mod config;
+#[cfg(feature = "std")]
+pub mod control;
+#[cfg(feature = "std")]
 pub mod diag;
+#[cfg(feature = "std")]
+pub mod motion;
+#[cfg(feature = "std")]
+pub mod nc;
+#[cfg(feature = "std")]
+pub mod post;
 #[cfg(feature = "std")]
 pub mod program;

@@ -14,6 +14,35 @@ pub struct Location {
     pub column: u32,
 }
 
+/// Unit of length of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Units {
+    /// `mm`.
+    Millimetres,
+    /// `in`, 25.4 mm exactly.
+    Inches,
+}
+
+impl Units {
+    /// Length of one unit in mm.
+    #[must_use]
+    pub const fn in_mm(self) -> f64 {
+        match self {
+            Self::Millimetres => 1.0,
+            Self::Inches => 25.4,
+        }
+    }
+
+    /// `mm` or `in`, as on the command line and in configuration files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Millimetres => "mm",
+            Self::Inches => "in",
+        }
+    }
+}
+
 /// Sense of rotation of the spindle, seen from the spindle towards the tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rotation {

@@ -1,0 +1,129 @@
+//! The modal tool axis.
+//!
+//! A GOTO without i j k keeps the axis of the one before. Every operation starts with (0, 0, 1); an axis that was tilted
+//! and is then taken for granted, by a CAM system that writes i j k only when they change, is refused instead of guessed.
+
+use super::fault::{Fault, Span};
+use super::vector;
+use crate::nalgebra::{UnitVector3, Vector3};
+
+/// CL data with five decimals is off by this much from length 1 by rounding alone.
+const ROUNDING: f64 = 1e-5;
+
+/// Up to this much a vector is still meant to be of length 1.
+const TOLERATED: f64 = 1e-3;
+
+/// Sine of the angle to Z above which an axis counts as tilted; a millionth is below the digits of CL data.
+const TILT: f64 = 1e-6;
+
+/// Why the axis of a GOTO without i j k is in doubt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Doubt {
+    None,
+    /// The operation before ended tilted.
+    NewOperation,
+    /// MULTAX/OFF where the CAM system means (0, 0, 1) by it.
+    MultaxOff,
+}
+
+/// The axis in force.
+#[derive(Debug)]
+pub(super) struct ModalAxis {
+    axis: UnitVector3<f64>,
+    doubt: Doubt,
+    /// TLAXIS has stated the axis since the last motion, so an operation that begins now means it.
+    stated: bool,
+}
+
+impl Default for ModalAxis {
+    fn default() -> Self {
+        ModalAxis { axis: Vector3::z_axis(), doubt: Doubt::None, stated: false }
+    }
+}
+
+/// Whether an axis had to be normalised beyond rounding.
+pub(super) type Normalised = bool;
+
+impl ModalAxis {
+    /// The axis of a point with or without i j k.
+    pub(super) fn at_point(
+        &mut self,
+        given: Option<[f64; 3]>,
+        at: Span,
+    ) -> Result<(UnitVector3<f64>, Normalised), Fault> {
+        self.stated = false;
+        if let Some(given) = given {
+            let normalised = self.set(given, at)?;
+            return Ok((self.axis, normalised));
+        }
+        match self.doubt {
+            Doubt::None => Ok((self.axis, false)),
+            Doubt::NewOperation => Err(Fault::new(
+                "tool axis",
+                at,
+                "the tool was tilted in the operation before, and this point does not say its tool axis",
+                "write i, j, k with the first GOTO of every operation",
+            )),
+            Doubt::MultaxOff => Err(Fault::new(
+                "tool axis",
+                at,
+                "the tool was tilted when MULTAX/OFF came, and this point does not say its tool axis",
+                "write i, j, k with this GOTO, or turn the tool back before MULTAX/OFF",
+            )),
+        }
+    }
+
+    /// TLAXIS.
+    pub(super) fn state(&mut self, given: [f64; 3], at: Span) -> Result<Normalised, Fault> {
+        let normalised = self.set(given, at)?;
+        self.stated = true;
+        Ok(normalised)
+    }
+
+    /// TOOL PATH or a tool record.
+    pub(super) fn begin_operation(&mut self) {
+        if self.stated {
+            return;
+        }
+        if self.is_tilted() {
+            self.doubt = Doubt::NewOperation;
+        }
+        self.axis = Vector3::z_axis();
+    }
+
+    /// MULTAX/OFF where it means a return to (0, 0, 1).
+    pub(super) fn return_to_z(&mut self) {
+        if self.is_tilted() {
+            self.doubt = Doubt::MultaxOff;
+        }
+        self.axis = Vector3::z_axis();
+    }
+
+    fn is_tilted(&self) -> bool {
+        self.axis.z < 0.0 || self.axis.x.hypot(self.axis.y) > TILT
+    }
+
+    fn set(&mut self, given: [f64; 3], at: Span) -> Result<Normalised, Fault> {
+        let length = vector::length(given);
+        let excess = (length - 1.0).abs();
+        // A NaN cannot arise from finite numbers here, but an infinity can; neither passes this comparison.
+        let tolerated = excess <= TOLERATED;
+        if !tolerated {
+            let text = if given.iter().all(|value| value.abs() < f64::MIN_POSITIVE) {
+                "the tool axis is 0, 0, 0 and points nowhere".to_string()
+            } else {
+                format!("the tool axis has length {length:.6}, not 1")
+            };
+            return Err(Fault::new(
+                "tool axis",
+                at,
+                text,
+                "i, j, k are a vector of length 1 from the tip to the spindle",
+            ));
+        }
+        let [i, j, k] = given;
+        self.axis = UnitVector3::new_unchecked(Vector3::new(i / length, j / length, k / length));
+        self.doubt = Doubt::None;
+        Ok(excess > ROUNDING)
+    }
+}

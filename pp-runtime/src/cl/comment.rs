@@ -1,0 +1,120 @@
+//! Comments that matter: frames, Creo's cutter, and which CAM system wrote the file.
+//!
+//! `$$-> CUTTER / d` and `$$-> CSYS / ..` (Creo) are records in all but name. `$$*CATIA0` is followed by a title line and
+//! three comment lines with a row of the frame's matrix each. Every other comment is only looked at for the name of the
+//! CAM system.
+
+use super::Dialect;
+use super::args::{Args, skip_blanks};
+use super::fault::{Fault, Span};
+use super::number;
+use super::parse::{arguments, exactly};
+use super::record::{FrameRecord, Record};
+use super::tools::cutter;
+
+/// Comment lines behind `$$*CATIA0` that may stand in front of the matrix.
+const TITLE_LINES: u8 = 1;
+
+/// The matrix behind `$$*CATIA0`, as far as it is read.
+#[derive(Debug, Default)]
+pub(super) struct Matrix {
+    open: bool,
+    titles: u8,
+    rows: usize,
+    numbers: [f64; 12],
+}
+
+impl Matrix {
+    /// A record stands between the comments: what was begun is no matrix.
+    pub(super) fn abandon(&mut self) {
+        self.open = false;
+    }
+
+    /// Takes the text of one comment line; answers the matrix with its last row.
+    fn take(&mut self, text: &[u8]) -> Option<[f64; 12]> {
+        if !self.open {
+            return None;
+        }
+        let mut row = [0.0; 4];
+        if four_numbers(text, &mut row) {
+            self.numbers[4 * self.rows..4 * self.rows + 4].copy_from_slice(&row);
+            self.rows += 1;
+            if self.rows == 3 {
+                self.open = false;
+                return Some(self.numbers);
+            }
+        } else if self.rows == 0 && self.titles < TITLE_LINES {
+            self.titles += 1;
+        } else {
+            self.open = false;
+        }
+        None
+    }
+}
+
+/// Reads a comment, `$$` included.
+pub(super) fn read(text: &[u8], matrix: &mut Matrix) -> Result<Record<'static>, Fault> {
+    if text.starts_with(b"$$->") {
+        matrix.abandon();
+        return of_creo(text);
+    }
+    if text.starts_with(b"$$*CATIA") {
+        *matrix = Matrix { open: true, ..Matrix::default() };
+        return Ok(Record::Inert);
+    }
+    match matrix.take(&text[2..]) {
+        Some(numbers) => Ok(Record::Frame(frame_from_rows(&numbers, Span { start: 0, end: text.len() }))),
+        None => Ok(Record::Inert),
+    }
+}
+
+/// Which CAM system a comment gives away.
+pub(super) fn dialect(text: &[u8]) -> Dialect {
+    let holds = |name: &[u8]| text.windows(name.len()).any(|bytes| bytes == name);
+    if text.starts_with(b"$$->") || holds(b"Pro/CLfile") {
+        Dialect::Creo
+    } else if text.starts_with(b"$$*CATIA") || holds(b"CATIA APT") {
+        Dialect::Catia
+    } else {
+        Dialect::Generic
+    }
+}
+
+/// `$$-> WORD / arguments`.
+fn of_creo(text: &[u8]) -> Result<Record<'static>, Fault> {
+    let start = skip_blanks(text, b"$$->".len());
+    let end = start + text[start..].iter().take_while(|byte| byte.is_ascii_alphanumeric() || **byte == b'_').count();
+    let word_at = Span { start, end };
+    if text[start..end].eq_ignore_ascii_case(b"CUTTER") {
+        let mut args = arguments("CUTTER", text, word_at)?;
+        return cutter("CUTTER", &mut args).map(Record::CutterOfLastTool);
+    }
+    if text[start..end].eq_ignore_ascii_case(b"CSYS") {
+        let mut args: Args<'_> = arguments("CSYS", text, word_at)?;
+        let mut numbers = [0.0; 12];
+        exactly("CSYS", &mut args, &mut numbers)?;
+        return Ok(Record::Frame(frame_from_rows(&numbers, args.all())));
+    }
+    Ok(Record::Inert)
+}
+
+/// Rows of a 3×4 matrix: the axes stand in its first three columns, the origin in the fourth.
+fn frame_from_rows(n: &[f64; 12], at: Span) -> FrameRecord {
+    let column = |i: usize| [n[i], n[4 + i], n[8 + i]];
+    FrameRecord { axes: [column(0), column(1), column(2)], origin: column(3), at }
+}
+
+/// Whether the text is four numbers with blanks between them and nothing else.
+fn four_numbers(text: &[u8], row: &mut [f64; 4]) -> bool {
+    let mut at = 0;
+    for place in row {
+        let start = skip_blanks(text, at);
+        let Some((value, used)) = number::prefix(&text[start..]) else { return false };
+        at = start + used;
+        if at < text.len() && skip_blanks(text, at) == at {
+            return false;
+        }
+        *place = value;
+    }
+    skip_blanks(text, at) == text.len()
+}

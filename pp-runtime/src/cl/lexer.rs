@@ -1,0 +1,322 @@
+//! Bytes to logical statements, in constant memory.
+//!
+//! A statement is one physical line, or several joined by a trailing `$`. Lines end in LF, CRLF or a lone CR, the last
+//! one perhaps in nothing. `$$` begins a comment. Pieces are joined raw, with nothing added or trimmed, because CAM
+//! systems cut inside numbers. A `$` joins only when nothing but blanks stands behind it. A comment goes on over the
+//! line end only if it begins with `$$->`, and then its continuation is comment too; any other comment that happens to
+//! end in `$` would swallow the GOTO below it.
+//!
+//! A statement on one line is a slice of the read buffer; a joined one is copied to a second buffer, with a list of
+//! where each piece came from. Both buffers are reused. What a statement means is not known here.
+
+use crate::program::Location;
+use memchr::{memchr, memchr2};
+use std::io::{self, Read};
+
+/// How much is asked of the input at once.
+const CHUNK: usize = 256 * 1024;
+
+/// Longest statement that is read, and longest line: far above real ones, and it bounds the memory.
+pub(super) const LONGEST_STATEMENT: usize = 1 << 20;
+
+/// How far the search for a NUL byte goes, to tell a binary file from text.
+const BINARY_SEARCH: usize = 1024;
+
+/// What a statement is, as far as its bytes tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A record.
+    Code,
+    /// A comment with its `$$`.
+    Comment,
+    /// Longer than [`LONGEST_STATEMENT`]; skipped.
+    TooLong,
+    /// Its last line ends in `$`, and so does the file.
+    Unfinished,
+}
+
+/// One statement without the blanks around it; its bytes lie in the lexer until the next one is asked for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Statement {
+    pub(super) kind: Kind,
+    joined: bool,
+    start: usize,
+    end: usize,
+    line: u64,
+    /// Index of the line's first byte in the read buffer; meaningless for a joined statement.
+    line_start: usize,
+}
+
+/// Where the bytes of a joined statement from `offset` on come from.
+#[derive(Debug, Clone, Copy)]
+struct Piece {
+    offset: usize,
+    location: Location,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Line {
+    start: usize,
+    end: usize,
+    too_long: bool,
+}
+
+/// Reads statements from `R`.
+pub(super) struct Lexer<R> {
+    input: R,
+    buffer: Vec<u8>,
+    /// Unread bytes are `buffer[start..end]`.
+    start: usize,
+    end: usize,
+    at_end: bool,
+    begun: bool,
+    /// The last line ended in CR: a LF now belongs to it.
+    after_cr: bool,
+    /// Number of the line taken last.
+    line: u64,
+    joined: Vec<u8>,
+    pieces: Vec<Piece>,
+}
+
+impl<R: Read> Lexer<R> {
+    pub(super) fn new(input: R) -> Self {
+        Lexer {
+            input,
+            buffer: vec![0; CHUNK],
+            start: 0,
+            end: 0,
+            at_end: false,
+            begun: false,
+            after_cr: false,
+            line: 0,
+            joined: Vec::new(),
+            pieces: Vec::new(),
+        }
+    }
+
+    /// Looks at the first bytes: skips a UTF-8 byte order mark, answers whether they are text at all.
+    pub(super) fn begin(&mut self) -> io::Result<Beginning> {
+        while !self.at_end && self.end < BINARY_SEARCH {
+            self.fill()?;
+        }
+        self.begun = true;
+        if self.buffer[..self.end].starts_with(b"\xEF\xBB\xBF") {
+            self.start = 3;
+        }
+        Ok(match memchr(0, &self.buffer[..self.end.min(BINARY_SEARCH)]) {
+            Some(_) => Beginning::Binary,
+            None if self.start == self.end => Beginning::Empty,
+            None => Beginning::Text,
+        })
+    }
+
+    /// The next statement that is not blank.
+    pub(super) fn next(&mut self) -> io::Result<Option<Statement>> {
+        if !self.begun {
+            self.begin()?;
+        }
+        loop {
+            let Some(line) = self.take_line()? else { return Ok(None) };
+            let statement = if line.too_long {
+                return Ok(Some(self.on_one_line(line, Kind::TooLong)));
+            } else if memchr(b'$', &self.buffer[line.start..line.end]).is_none() {
+                self.on_one_line(line, Kind::Code)
+            } else {
+                self.with_dollar(line)?
+            };
+            let statement = self.trimmed(statement);
+            if statement.start < statement.end {
+                return Ok(Some(statement));
+            }
+        }
+    }
+
+    /// The bytes of the statement returned last.
+    pub(super) fn text(&self, statement: &Statement) -> &[u8] {
+        let bytes = if statement.joined { &self.joined } else { &self.buffer };
+        &bytes[statement.start..statement.end]
+    }
+
+    /// Where byte `offset` of the statement stands in the file, and how many bytes of the statement follow on that line.
+    pub(super) fn locate(&self, statement: &Statement, offset: usize) -> (Location, usize) {
+        let at = statement.start + offset;
+        if !statement.joined {
+            let location = Location { line: statement.line, column: column(at - statement.line_start) };
+            return (location, statement.end.saturating_sub(at));
+        }
+        let next = self.pieces.partition_point(|piece| piece.offset <= at);
+        let piece = self.pieces[next.saturating_sub(1)];
+        let end = self.pieces.get(next).map_or(statement.end, |piece| piece.offset);
+        let Location { line, column: first } = piece.location;
+        (Location { line, column: column(first as usize - 1 + at - piece.offset) }, end.saturating_sub(at))
+    }
+
+    /// Lines taken so far.
+    pub(super) fn lines(&self) -> u64 {
+        self.line
+    }
+
+    /// A line that holds a `$`: a comment, code before a comment, or the first line of several.
+    fn with_dollar(&mut self, line: Line) -> io::Result<Statement> {
+        let text = &self.buffer[line.start..line.end];
+        let comment = comment_start(text);
+        let blank_before = text.iter().take_while(|byte| is_blank(**byte)).count();
+        if comment == Some(blank_before) {
+            let continues = text[blank_before..].starts_with(b"$$->") && continued(text).is_some();
+            return if continues { self.join(line, Kind::Comment) } else { Ok(self.on_one_line(line, Kind::Comment)) };
+        }
+        let code = &text[..comment.unwrap_or(text.len())];
+        if continued(code).is_some() {
+            return self.join(line, Kind::Code);
+        }
+        let end = line.start + code.len();
+        Ok(self.on_one_line(Line { end, ..line }, Kind::Code))
+    }
+
+    /// Joins the lines from `line` on as long as they end in `$`.
+    #[cold]
+    fn join(&mut self, line: Line, mut kind: Kind) -> io::Result<Statement> {
+        let is_comment = kind == Kind::Comment;
+        let first = self.line;
+        self.joined.clear();
+        self.pieces.clear();
+        let mut line = line;
+        loop {
+            let text = &self.buffer[line.start..line.end];
+            let text = if is_comment { text } else { &text[..comment_start(text).unwrap_or(text.len())] };
+            let more = continued(text);
+            let piece = &text[..more.unwrap_or(text.len())];
+            self.pieces.push(Piece { offset: self.joined.len(), location: Location { line: self.line, column: 1 } });
+            if line.too_long || self.joined.len() + piece.len() > LONGEST_STATEMENT {
+                kind = Kind::TooLong;
+                self.joined.clear();
+                self.pieces.clear();
+            } else {
+                self.joined.extend_from_slice(piece);
+            }
+            if more.is_none() {
+                break;
+            }
+            match self.take_line()? {
+                Some(next) => line = next,
+                None => {
+                    kind = if is_comment { kind } else { Kind::Unfinished };
+                    break;
+                }
+            }
+        }
+        if kind == Kind::TooLong {
+            self.joined.clear();
+            self.joined.push(b'$');
+            self.pieces.clear();
+            self.pieces.push(Piece { offset: 0, location: Location { line: first, column: 1 } });
+        }
+        Ok(Statement { kind, joined: true, start: 0, end: self.joined.len(), line: first, line_start: 0 })
+    }
+
+    fn on_one_line(&self, line: Line, kind: Kind) -> Statement {
+        Statement { kind, joined: false, start: line.start, end: line.end, line: self.line, line_start: line.start }
+    }
+
+    fn trimmed(&self, statement: Statement) -> Statement {
+        let text = self.text(&statement);
+        let before = text.iter().take_while(|byte| is_blank(**byte)).count();
+        let after = text[before..].iter().rev().take_while(|byte| is_blank(**byte)).count();
+        Statement { start: statement.start + before, end: statement.end - after, ..statement }
+    }
+
+    /// The next physical line without its end.
+    fn take_line(&mut self) -> io::Result<Option<Line>> {
+        // No line end stands before `searched`, so a long line is searched once, whatever the size of the reads.
+        let mut searched = self.start;
+        let mut too_long = false;
+        loop {
+            if self.after_cr && self.start < self.end {
+                self.after_cr = false;
+                if self.buffer[self.start] == b'\n' {
+                    self.start += 1;
+                    searched = self.start;
+                }
+            }
+            if let Some(found) = memchr2(b'\n', b'\r', &self.buffer[searched..self.end]) {
+                let line = Line { start: self.start, end: searched + found, too_long };
+                self.after_cr = self.buffer[line.end] == b'\r';
+                self.start = line.end + 1;
+                self.line += 1;
+                return Ok(Some(line));
+            }
+            if self.end - self.start > LONGEST_STATEMENT {
+                too_long = true;
+                self.end = self.start;
+            }
+            if self.at_end {
+                if self.start == self.end && !too_long {
+                    return Ok(None);
+                }
+                let line = Line { start: self.start, end: self.end, too_long };
+                self.start = self.end;
+                self.line += 1;
+                return Ok(Some(line));
+            }
+            let unread = self.end - self.start;
+            self.fill()?;
+            searched = self.start + unread;
+        }
+    }
+
+    /// Moves what is unread to the front and reads some more behind it.
+    fn fill(&mut self) -> io::Result<()> {
+        self.buffer.copy_within(self.start..self.end, 0);
+        self.end -= self.start;
+        self.start = 0;
+        if self.end == self.buffer.len() {
+            self.buffer.resize(2 * self.end, 0);
+        }
+        loop {
+            match self.input.read(&mut self.buffer[self.end..]) {
+                Ok(0) => self.at_end = true,
+                Ok(count) => self.end += count,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(error),
+            }
+            return Ok(());
+        }
+    }
+}
+
+/// What the first bytes of a file say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Beginning {
+    Text,
+    Binary,
+    Empty,
+}
+
+/// Blanks and tabs; also the Ctrl-Z with which DOS programs end a file.
+pub(super) fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | 0x1A)
+}
+
+/// Index of the first `$$`.
+fn comment_start(text: &[u8]) -> Option<usize> {
+    let mut from = 0;
+    while let Some(found) = memchr(b'$', &text[from..]) {
+        if text.get(from + found + 1) == Some(&b'$') {
+            return Some(from + found);
+        }
+        from += found + 1;
+    }
+    None
+}
+
+/// Index of the `$` with only blanks behind it, if the text ends in one.
+fn continued(text: &[u8]) -> Option<usize> {
+    let blanks = text.iter().rev().take_while(|byte| is_blank(**byte)).count();
+    let last = (text.len() - blanks).checked_sub(1)?;
+    (text[last] == b'$').then_some(last)
+}
+
+/// Columns count from 1.
+fn column(index: usize) -> u32 {
+    u32::try_from(index + 1).unwrap_or(u32::MAX)
+}

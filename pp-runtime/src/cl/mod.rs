@@ -1,0 +1,277 @@
+//! CL data: APT source and CLS files to machine-independent events.
+//!
+//! Bytes go through `lexer` (statements), `parse` and `comment` (typed [`Record`]s) and `interpret` (units and
+//! modes) to the [`Event`]s of [`program`](crate::program). Memory is constant: one read buffer, one buffer for joined
+//! statements, nothing allocated for a record that is understood.
+//!
+//! Reading never stops at a fault; all faults of a file are reported in one run, but no event is returned behind the
+//! first. What is not understood is refused, never skipped: it might move the tool. The same bytes give the same events
+//! and diagnostics, whatever the size of the reads, so a file may be read twice.
+
+mod args;
+mod axis;
+mod comment;
+mod fault;
+mod frame;
+mod interpret;
+mod lexer;
+mod number;
+mod parse;
+pub mod record;
+mod spindle;
+mod tools;
+mod vector;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+pub use frame::Frame;
+pub use record::Record;
+
+use crate::diag::{Diagnostic, Severity};
+use crate::program::{Event, Location, Units};
+use fault::{Fault, Faults, Span};
+use interpret::{Interpreter, Pending};
+use lexer::{Beginning, Kind, Lexer, Statement};
+use std::io::{self, Read};
+
+/// Cutters that are all smaller than this, in a file whose millimetres are only claimed, are inches.
+const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
+
+/// What the caller knows about the file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Options {
+    /// Unit of a file that does not state one (`--units`).
+    pub units: Option<Units>,
+}
+
+/// The CAM system that wrote a file, by the evidence in it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Dialect {
+    /// No evidence (yet).
+    #[default]
+    Generic,
+    /// Siemens NX: `TOOL PATH/`.
+    Nx,
+    /// CATIA: `$$*CATIA0`.
+    Catia,
+    /// PTC Creo: `$$->`.
+    Creo,
+    /// SolidWorks CAM: `UNIT/`, `CSYS/`, `TRNTYP/`, `CSI_`.
+    SolidWorks,
+}
+
+/// Reads CL data and returns its events one by one.
+pub struct Reader<R> {
+    lexer: Lexer<R>,
+    interpreter: Interpreter,
+    matrix: comment::Matrix,
+    faults: Faults,
+    progress: Progress,
+    records: u64,
+    /// The statement whose bytes the waiting events point into.
+    statement: Option<Statement>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Progress {
+    Unread,
+    Reading,
+    Done,
+}
+
+impl<R: Read> Reader<R> {
+    /// A reader of `input`; nothing is read yet.
+    pub fn new(input: R, options: Options) -> Self {
+        Reader {
+            lexer: Lexer::new(input),
+            interpreter: Interpreter::new(options.units),
+            matrix: comment::Matrix::default(),
+            faults: Faults::default(),
+            progress: Progress::Unread,
+            records: 0,
+            statement: None,
+        }
+    }
+
+    /// The next event with the place of its statement's first byte, or `None` at the end.
+    ///
+    /// After the first error the rest of the file is read for diagnostics only and `None` is returned; ask
+    /// [`failed`](Self::failed) then.
+    pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
+        let (location, pending) = loop {
+            if let Some(event) = self.interpreter.queue.pop()
+                && !self.faults.failed()
+            {
+                break event;
+            }
+            match self.progress {
+                Progress::Unread => self.begin()?,
+                Progress::Reading => match self.lexer.next()? {
+                    Some(statement) => self.read(&statement),
+                    None => self.finish(),
+                },
+                Progress::Done => return Ok(None),
+            }
+        };
+        let text = |at: Span| match &self.statement {
+            Some(statement) => &self.lexer.text(statement)[at.start..at.end],
+            None => &[],
+        };
+        let event = match pending {
+            Pending::Plain(event) => event,
+            Pending::Name(at) => Event::Name(text(at)),
+            Pending::Operation(at) => Event::Operation(text(at)),
+            Pending::Message(at) => Event::Message(text(at)),
+        };
+        Ok(Some((location, event)))
+    }
+
+    /// Errors and warnings so far, in the order found. Of one kind the first 20 are kept; at the end one more says how
+    /// many others there were.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        self.faults.diagnostics()
+    }
+
+    /// Whether there was an error; nothing may be posted then.
+    pub fn failed(&self) -> bool {
+        self.faults.failed()
+    }
+
+    /// The unit of the file as found so far, else as given.
+    pub fn units(&self) -> Option<Units> {
+        self.interpreter.units()
+    }
+
+    /// Whether the unit is known from the options only.
+    pub fn units_are_only_given(&self) -> bool {
+        self.interpreter.units_are_only_given()
+    }
+
+    /// The CAM system by the evidence so far; the first evidence decides.
+    pub fn dialect(&self) -> Dialect {
+        self.interpreter.dialect()
+    }
+
+    /// The workpiece frame: the first frame stated so far.
+    pub fn frame(&self) -> Option<&Frame> {
+        self.interpreter.workpiece.frame()
+    }
+
+    /// How many frames were stated so far, equal ones included.
+    pub fn frames_stated(&self) -> u64 {
+        self.interpreter.workpiece.stated()
+    }
+
+    /// Statements so far, comments not counted.
+    pub fn records(&self) -> u64 {
+        self.records
+    }
+
+    /// Motions so far.
+    pub fn motions(&self) -> u64 {
+        self.interpreter.motions
+    }
+
+    /// Lines so far.
+    pub fn lines(&self) -> u64 {
+        self.lexer.lines()
+    }
+
+    /// Tool axes so far whose length was off by more than rounding and which were normalised.
+    pub fn normalised_axes(&self) -> u64 {
+        self.interpreter.normalised
+    }
+
+    fn begin(&mut self) -> io::Result<()> {
+        let (text, help) = match self.lexer.begin()? {
+            Beginning::Text => {
+                self.progress = Progress::Reading;
+                return Ok(());
+            }
+            Beginning::Binary => (
+                "this is no text file: it holds NUL bytes",
+                "write the CL data as text (APT source, CLS); UTF-16 text must be saved as UTF-8",
+            ),
+            Beginning::Empty => ("the file is empty", "check whether the CAM system wrote it completely"),
+        };
+        self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text.into(), help);
+        self.progress = Progress::Done;
+        Ok(())
+    }
+
+    fn read(&mut self, statement: &Statement) {
+        self.statement = Some(*statement);
+        let text = self.lexer.text(statement);
+        let record = match statement.kind {
+            Kind::Code if parse::is_goto(text) => {
+                // Nearly every statement: the same as below, without moving a record of any size about.
+                self.records += 1;
+                self.matrix.abandon();
+                let here = self.lexer.locate(statement, 0).0;
+                let taken = parse::goto(text).and_then(|point| self.interpreter.go_to(&point, here));
+                return taken.unwrap_or_else(|fault| self.faults.add(fault, statement, &self.lexer));
+            }
+            Kind::Code => {
+                self.records += 1;
+                self.matrix.abandon();
+                self.interpreter.suspect(parse::dialect(text));
+                parse::parse(text)
+            }
+            Kind::Comment => {
+                self.interpreter.suspect(comment::dialect(text));
+                comment::read(text, &mut self.matrix)
+            }
+            Kind::TooLong => Err(Fault::new(
+                "statement too long",
+                Span::WHOLE,
+                format!("a statement here is longer than {} bytes", lexer::LONGEST_STATEMENT),
+                "check whether this is CL data and whether its line ends were lost",
+            )),
+            Kind::Unfinished => Err(Fault::new(
+                "unfinished statement",
+                Span { start: 0, end: text.len() },
+                "the file ends inside this statement, behind a `$` that continues it",
+                "check whether the CAM system wrote the file completely",
+            )),
+        };
+        let taken = match &record {
+            Ok(record) => self.interpreter.take(record, self.lexer.locate(statement, 0).0),
+            Err(_) => Ok(()),
+        };
+        if let Some(fault) = record.err().or(taken.err()) {
+            self.faults.add(fault, statement, &self.lexer);
+        }
+    }
+
+    /// What can be said only of the whole file.
+    fn finish(&mut self) {
+        self.progress = Progress::Done;
+        let reading = &mut self.interpreter;
+        reading.finish();
+        if reading.normalised > 0 {
+            let text = format!(
+                "{} tool axes are off from length 1 by more than 0.00001 and were normalised; this is the first",
+                reading.normalised
+            );
+            let help = "have the CAM system write i, j, k with more digits";
+            self.faults.add_about_file(Severity::Warning, reading.first_normalised, text, help);
+        }
+        if let Some(cutters) = reading.cutters
+            && reading.units_are_only_given()
+            && reading.units() == Some(Units::Millimetres)
+            && cutters.largest_mm < SMALLEST_LARGEST_CUTTER_MM
+        {
+            let text = format!("no cutter is larger than {} mm: is this file in inch?", cutters.largest_mm);
+            let help = "give `--units in`; if these are millimetres, say UNITS/MM at the top of the file";
+            self.faults.add_about_file(Severity::Error, cutters.first, text, help);
+        }
+        if reading.motions == 0 && !self.faults.failed() {
+            let text = "the file holds no motion: there is no GOTO in it".into();
+            let help = "check whether the tool path was generated before it was written";
+            self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text, help);
+        }
+        self.faults.conclude();
+    }
+}

@@ -1,0 +1,210 @@
+//! Statements that are refused, and where the message points.
+
+use super::*;
+
+#[test]
+fn goto_with_a_wrong_count_says_how_many_it_found() {
+    refused("GOTO/1,2,3,4,5\n", "1:6+9 GOTO needs 3 or 6 numbers, found 5");
+    refused("GOTO/1,2,3,0,0,1,0,0,1\n", "1:6+17 GOTO needs 3 or 6 numbers, found 9");
+    refused("GOTO/\n", "1:1+5 GOTO needs 3 or 6 numbers, found 0");
+    refused("FROM/1,2\n", "1:6+3 FROM needs 3 or 6 numbers, found 2");
+}
+
+#[test]
+fn what_is_no_number_is_shown() {
+    for (text, shown) in [("NaN", "NaN"), ("inf", "inf"), ("1e", "1e"), ("1 2", "1 2"), ("0x1F", "0x1F")] {
+        let expected = format!("1:10+{} `{shown}` is not a number", text.len());
+        refused(&format!("GOTO/1,2,{text}\n"), &expected);
+    }
+    refused("GOTO/1,2,1E999\n", "1:10+5 `1E999` is too large to be a number here");
+    refused("GOTO/1,2,1E7\n", "1:6+7 a coordinate is more than a kilometre from the origin");
+}
+
+#[test]
+fn a_missing_comma_is_no_longer_a_number() {
+    refused("SPINDL/900CCLW\nGOTO/1,2,3\n", "1:8+7 `900CCLW` is not a number");
+}
+
+#[test]
+fn an_empty_place_is_refused_where_it_is() {
+    refused("GOTO/1,,3\n", "1:8+1 an argument is missing: nothing stands between the commas here");
+    refused("GOTO/1,2,\n", "1:9+1 an argument is missing: nothing stands between the commas here");
+    refused("GOTO/,2,3\n", "1:6+1 an argument is missing: nothing stands between the commas here");
+    refused("SPINDL/RPM,,CLW\nGOTO/0,0,0\n", "1:12+1 an argument is missing: nothing stands between the commas here");
+}
+
+#[test]
+fn a_bare_slash_is_an_error_only_where_something_is_needed() {
+    assert_eq!(events("RAPID/\nMULTAX/\nGOTO/1,2,3\n").len(), 1);
+    refused("COOLNT/\nGOTO/0,0,0\n", "1:1+7 an argument of COOLNT is missing");
+}
+
+#[test]
+fn words_that_come_later_are_refused_not_skipped() {
+    for word in ["CIRCLE", "GODLTA", "GOHOME", "CSYS", "NURBS", "TRACUT", "DELAY", "LINTOL"] {
+        refused(&format!("GOTO/0,0,0\n {word}/1\n"), &format!("2:2+{} {word} is not understood yet", word.len()));
+    }
+    refused("GOTO/0,0,0\nCYCLE/DRILL,1\n", "2:7+5 CYCLE with `DRILL` is not understood yet");
+    refused("GOTO/0,0,0\nCUTCOM/LEFT\n", "2:8+4 CUTCOM with `LEFT` is not understood yet");
+    refused("GOTO/0,0,0\nRAPID/X\n", "2:7+1 RAPID with `X` is not understood yet");
+    refused("GOTO/0,0,0\nSPINDL/STOP\n", "2:8+4 SPINDL with `STOP` is not understood yet");
+    refused("GOTO/0,0,0\nSET/MODE,INCR\n", "2:10+4 SET with `INCR` is not understood yet");
+    refused("GOTO/0,0,0\nCOOLNT/FLOOD,HIGH\n", "2:14+4 COOLNT with `HIGH` is not understood yet");
+    refused("GOTO/0,0,0\nTRNTYP/WORLD,0,0,1\n", "2:8+11 TRNTYP with numbers other than 0 is not understood yet");
+}
+
+#[test]
+fn dangerous_words_are_refused_with_their_reason() {
+    let found = errors("GOTO/0,0,0\nINSERT/G0 Z-5\nCOPY/1\nSYN/'A','$$*B'\n");
+    assert_eq!(
+        found,
+        [
+            "2:1+6 INSERT is refused: it writes NC text that the postprocessor cannot see into",
+            "3:1+4 COPY is refused: it changes the coordinates of everything behind it",
+            "4:1+3 SYN is refused: it changes what other records mean",
+        ]
+    );
+}
+
+#[test]
+fn an_unknown_word_names_the_nearest_known_one() {
+    let diagnostics = read_from(&b"GOTO/0,0,0\nGOTTO/1,2,3\nsfsdfsdf\n"[..], MM).diagnostics;
+    assert_eq!(diagnostics[0].text, "`GOTTO` is not a word of CL data known here");
+    assert_eq!(diagnostics[0].help.as_deref(), Some("did you mean GOTO?"));
+    assert_eq!(diagnostics[1].text, "`sfsdfsdf` is not a word of CL data known here");
+    assert!(!diagnostics[1].help.as_deref().unwrap().contains("mean"));
+    assert_eq!(diagnostics.len(), 2);
+}
+
+#[test]
+fn a_slash_must_stand_behind_the_word() {
+    refused("GOTO 1,2,3\n", "1:6+5 `1,2,3` stands behind GOTO where a slash is expected");
+    refused("GOTO/1,2,3/4,5,6\n", "1:10+3 a list of points behind one word is not understood yet");
+}
+
+#[test]
+fn tool_axes_are_checked_by_their_length() {
+    refused("GOTO/1,2,3,0,0,0\n", "1:6+11 the tool axis is 0, 0, 0 and points nowhere");
+    refused("GOTO/1,2,3,0,0,1.002\n", "1:6+15 the tool axis has length 1.002000, not 1");
+    refused("TLAXIS/0,0,0\nGOTO/0,0,0\n", "1:8+5 the tool axis is 0, 0, 0 and points nowhere");
+    assert_eq!(events("GOTO/1,2,3,0,0,1.00000999\n"), ["1:1 feed 1 2 3 axis 0 0 1 None"]);
+    assert_eq!(errors("GOTO/1,2,3,0,0,1.00101\n").len(), 1);
+}
+
+#[test]
+fn normalised_axes_are_counted_in_one_warning() {
+    let text = "GOTO/1,2,3,0,0,1\nGOTO/1,2,3,0,0,1.00099\nGOTO/1,2,3,0,0,1.000011\n";
+    let outcome = read_from(text.as_bytes(), MM);
+    assert_eq!(outcome.events.len(), 3);
+    assert!(outcome.events[1].contains("axis 0 0 1"));
+    let [warning] = &outcome.diagnostics[..] else { panic!("{:?}", outcome.diagnostics) };
+    assert_eq!(warning.severity, Severity::Warning);
+    assert_eq!(warning.location, Location { line: 2, column: 1 });
+    assert!(warning.text.starts_with("2 tool axes"), "{}", warning.text);
+}
+
+#[test]
+fn turning_files_are_refused_as_such() {
+    for text in ["SWITCH/3", "TURRET/1", "TOOLNO/1,TURN,1", "SPINDL/500,SFM,CLW", "TLDATA/TURN,1", "SPINDL/MAXRPM,9"] {
+        let found = errors(&format!("{text}\nGOTO/0,0,0\n"));
+        assert_eq!(found.len(), 1, "{text}");
+        assert!(found[0].ends_with("this is a turning file: records of a lathe are not understood"), "{found:?}");
+    }
+}
+
+#[test]
+fn tool_records_state_what_their_numbers_mean() {
+    refused("LOADTL/5,6\nGOTO/0,0,0\n", "1:10+1 `6` behind tool 5: its meaning is not stated");
+    refused("LOADTL/1.5\nGOTO/0,0,0\n", "1:8+3 `1.5` must be a whole number, 0 or more");
+    refused("LOADTL/-1\nGOTO/0,0,0\n", "1:8+2 `-1` must be a whole number, 0 or more");
+    refused("LOADTL/1,LENGTH,0\nGOTO/0,0,0\n", "1:17+1 the gauge length `0` is not above 0");
+    refused("LOADTL/1,ADJUST,0\nGOTO/0,0,0\n", "1:17+1 `ADJUST` 0 would switch the length offset off");
+    refused("LOADTL/1,ADJUST,2,OSETNO,3\nGOTO/0,0,0\n", "1:26+1 two different length offsets for one tool");
+    refused("LOAD/HOLDER,1\nGOTO/0,0,0\n", "1:6+6 LOAD with `HOLDER` is not understood yet");
+    refused("LOAD/TOOL\nGOTO/0,0,0\n", "1:6+4 an argument of LOAD is missing");
+}
+
+#[test]
+fn implausible_feeds_are_refused() {
+    refused("FEDRAT/0.0394,MMPM\nGOTO/0,0,0\n", "1:8+6 a feed of 0.0394 mm/min is not plausible");
+    refused("FEDRAT/0,MMPM\nGOTO/0,0,0\n", "1:8+1 the feed 0 is not above 0");
+    refused("FEDRAT/MMPM\nGOTO/0,0,0\n", "1:8+4 FEDRAT needs a number, found 0");
+    refused("FEDRAT/100,FPM\nGOTO/0,0,0\n", "1:12+3 FEDRAT with `FPM` is not understood yet");
+    assert_eq!(events("FEDRAT/0.05,MMPR\nGOTO/0,0,0\n").len(), 1);
+}
+
+#[test]
+fn a_spindle_has_one_speed_and_one_sense() {
+    refused("SPINDL/500,600\nGOTO/0,0,0\n", "1:12+3 `600` contradicts what stands before it");
+    refused("SPINDL/CLW,CCLW\nGOTO/0,0,0\n", "1:12+4 `CCLW` contradicts what stands before it");
+    refused("SPINDL/OFF,500\nGOTO/0,0,0\n", "1:12+3 `500` contradicts what stands before it");
+    refused("SPINDL/0,CLW\nGOTO/0,0,0\n", "1:8+1 the spindle speed `0` is not above 0");
+    refused("SPINDL/RPM,CLW\nGOTO/0,0,0\n", "1:8+7 RPM without a speed");
+}
+
+#[test]
+fn all_faults_of_a_file_are_reported_and_no_event_follows_the_first() {
+    let outcome = read_from(&b"GOTO/1,2,3\nGOTO/1\nGOTO/4,5,6\nCIRCLE/1\nGOTO/7,8,9\nX\n"[..], MM);
+    assert_eq!(outcome.events.len(), 1);
+    let lines: Vec<_> = outcome.diagnostics.iter().map(|diagnostic| diagnostic.location.line).collect();
+    assert_eq!(lines, [2, 4, 6]);
+}
+
+#[test]
+fn after_twenty_of_a_kind_the_rest_is_counted() {
+    let text = format!("{}GOTO/1\n", "CIRCLE/1\n".repeat(25));
+    let found = errors(&text);
+    assert_eq!(found.len(), 22);
+    assert_eq!(found[19], "20:1+6 CIRCLE is not understood yet");
+    assert_eq!(found[20], "26:6+1 GOTO needs 3 or 6 numbers, found 1");
+    assert_eq!(found[21], "21:1+1 5 more of this kind from here on: CIRCLE");
+    assert_eq!(errors(&format!("{}GOTO/1,2,3\n", "CIRCLE/1\n".repeat(20))).len(), 20);
+}
+
+#[test]
+fn units_are_needed_at_the_first_number_and_missed_once() {
+    let found = errors_with("TOOL PATH/A,TOOL,B\nGOTO/1,2,3\nGOTO/4,5,6\n", UNSTATED);
+    assert_eq!(found.len(), 1);
+    assert!(found[0].starts_with("2:6+5 the file does not say its unit"), "{found:?}");
+    let help = read_from(&b"GOTO/1,2,3\n"[..], UNSTATED).diagnostics[0].help.clone().unwrap();
+    assert!(help.contains("--units mm") && help.contains("--units in"), "{help}");
+}
+
+#[test]
+fn units_that_contradict_are_refused() {
+    refused("UNITS/INCH\nGOTO/1,2,3\n", "1:1+10 the file says another unit than `--units`");
+    refused_with(
+        "UNITS/MM\nGOTO/1,2,3\nUNITS/INCHES\nGOTO/1,2,3\n",
+        UNSTATED,
+        "3:1+12 the unit changes in the middle of the file; line 1 says another one",
+    );
+    refused_with("UNITS/CM\nGOTO/1,2,3\n", MM, "1:7+2 `CM` is not a unit known here");
+    assert_eq!(events("UNITS/MM\nGOTO/1,2,3\nUNIT/MM\n").len(), 1);
+}
+
+#[test]
+fn a_feed_in_millimetres_in_an_inch_file_is_refused() {
+    let text = "UNITS/INCH\nFEDRAT/10,MMPM\nGOTO/1,2,3\n";
+    refused_with(text, UNSTATED, "2:11+4 a feed in mm stands in a file in inch; such labels are often wrong");
+}
+
+#[test]
+fn only_tiny_cutters_in_claimed_millimetres_are_inches() {
+    let text = "CUTTER/.25\nLOADTL/1\nGOTO/1,2,3\nCUTTER/.3937\nLOADTL/2\nGOTO/1,2,3\n";
+    refused(text, "1:1+1 no cutter is larger than 0.3937 mm: is this file in inch?");
+    events_with(&format!("UNITS/MM\n{text}"), UNSTATED);
+    events(&text.replace(".3937", "1.5"));
+    events_with(text, Options { units: Some(Units::Inches) });
+}
+
+#[test]
+fn a_second_frame_is_refused_with_both_lines() {
+    let frame = "MSYS/1,2,3,1,0,0,0,1,0\n";
+    events(&format!("{frame}GOTO/0,0,0\nMSYS/1.00009,2,3,1,0,0,0,1,0\nGOTO/0,0,0\n"));
+    let expected = "3:6+22 the frame in line 3 differs from the workpiece frame in line 1";
+    refused(&format!("{frame}GOTO/0,0,0\nMSYS/1.0002,2,3,1,0,0,0,1,0\n"), expected);
+    let turned = format!("{frame}GOTO/0,0,0\nMSYS/1,2,3,0,1,0,-1,0,0\n");
+    refused(&turned, "3:6+18 the frame in line 3 differs from the workpiece frame in line 1");
+    let skew = "MSYS/0,0,0,1,0,0,1,0,0\nGOTO/0,0,0\n";
+    refused(skew, "1:6+17 the axes of this frame are not at right angles, of length 1 and right-handed");
+}

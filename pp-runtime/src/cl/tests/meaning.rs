@@ -1,0 +1,204 @@
+//! What records mean in their context.
+
+use super::*;
+use crate::cl::Dialect;
+
+#[test]
+fn rapid_holds_for_the_next_motion_only_and_feed_does_not_cancel_it() {
+    let found = events("FROM/0,0,9\nRAPID\nFEDRAT/MMPM,100\nGOTO/1,0,0\nGOTO/2,0,0\nFEDRAT/RAPID\nGOTO/3,0,0\n");
+    assert_eq!(
+        found,
+        [
+            "1:1 from 0 0 9 axis 1",
+            "4:1 rapid 1 0 0 axis 0 0 1 Some(PerMinute(100.0))",
+            "5:1 feed 2 0 0 axis 0 0 1 Some(PerMinute(100.0))",
+            "7:1 rapid 3 0 0 axis 0 0 1 Some(PerMinute(100.0))",
+        ]
+    );
+}
+
+#[test]
+fn inches_become_millimetres() {
+    let text = "UNITS/INCHES\nCUTTER/.5,.125\nLOADTL/1,LENGTH,4\nFEDRAT/10\nGOTO/1,-2,0\nFEDRAT/.01,IPR\nGOTO/1,0,0\n";
+    let found = events_with(text, UNSTATED);
+    assert!(found[0].contains("length: Some(101.6)"), "{found:?}");
+    assert!(found[0].contains("diameter: Some(12.7), corner_radius: Some(3.175)"), "{found:?}");
+    assert_eq!(found[1], "5:1 feed 25.4 -50.8 0 axis 0 0 1 Some(PerMinute(254.0))");
+    assert!(found[2].ends_with("Some(PerRevolution(0.254))"), "{found:?}");
+}
+
+#[test]
+fn feeds_are_read_in_both_orders_and_all_units() {
+    for (text, feed) in [
+        ("FEDRAT/250,MMPM", "PerMinute(250.0)"),
+        ("FEDRAT/ 250.0, mmpm", "PerMinute(250.0)"),
+        ("FEDRAT/MMPM,250", "PerMinute(250.0)"),
+        ("FEDRAT/250", "PerMinute(250.0)"),
+        ("FEDRAT/PERMIN,250", "PerMinute(250.0)"),
+        ("FEDRAT/IPM,10", "PerMinute(254.0)"),
+        ("FEDRAT/.5,MMPR", "PerRevolution(0.5)"),
+        ("FEDRAT/.5,PERREV", "PerRevolution(0.5)"),
+        ("FEDRAT/IPR,1", "PerRevolution(25.4)"),
+    ] {
+        let found = events(&format!("{text}\nGOTO/0,0,0\n"));
+        assert_eq!(found, [format!("2:1 feed 0 0 0 axis 0 0 1 Some({feed})")], "{text}");
+    }
+}
+
+#[test]
+fn the_spindle_is_read_in_any_order() {
+    for (text, spindle) in [
+        ("RPM,3600,CLW", "On { speed: Some(3600.0), rotation: Some(Clockwise) }"),
+        ("70.0,RPM, CCLW", "On { speed: Some(70.0), rotation: Some(CounterClockwise) }"),
+        ("400,CLW", "On { speed: Some(400.0), rotation: Some(Clockwise) }"),
+        ("ON", "On { speed: None, rotation: None }"),
+        ("off", "Off"),
+    ] {
+        let found = events(&format!("SPINDL/{text}\nGOTO/0,0,0\n"));
+        assert_eq!(found[0], format!("1:1 Spindle({spindle})"), "{text}");
+    }
+}
+
+#[test]
+fn coolant_stops_and_texts_become_events() {
+    let text =
+        "PARTNO / MFG0001\nCOOLNT/THRU\nCOOLNT/OFF\nOPSTOP\nSTOP\nPPRINT (LOOK)\nSELECT/TOOL,7\nSELCTL/8\nGOTO/0,0,0\n";
+    assert_eq!(
+        events(text)[..8],
+        [
+            "1:1 name MFG0001",
+            "2:1 Coolant(Through)",
+            "3:1 Coolant(Off)",
+            "4:1 OptionalStop",
+            "5:1 Stop",
+            "6:1 message (LOOK)",
+            "7:1 Preselect(7)",
+            "8:1 Preselect(8)",
+        ]
+    );
+}
+
+#[test]
+fn an_operation_is_called_as_the_file_calls_it() {
+    let found = events("TOOL PATH/A,B_1.2,TOOL,T 16\nGOTO/0,0,0\n");
+    assert_eq!(found[0], "1:1 operation A,B_1.2");
+}
+
+#[test]
+fn a_cutter_belongs_to_the_next_tool_but_in_creo_to_the_last() {
+    let found = events("TLDATA/MILL,16,2,75,0,0\nLOAD/TOOL,1,ADJUST,11 \nGOTO/0,0,0\n");
+    assert!(found[0].starts_with("2:1 Tool(ToolCall { number: 1, length: None, offset: Some(11)"), "{found:?}");
+    assert!(found[0].contains("diameter: Some(16.0), corner_radius: Some(2.0)"), "{found:?}");
+
+    let found = events("$$-> MFGNO / A\nLOADTL / 1\n$$-> CUTTER / 3.0\nLOADTL / 2\nGOTO / 0,0,0\n");
+    assert!(found[0].starts_with("2:1 Tool") && found[0].contains("diameter: Some(3.0)"), "{found:?}");
+    assert!(found[1].starts_with("4:1 Tool") && found[1].contains("diameter: None"), "{found:?}");
+}
+
+#[test]
+fn a_drill_has_a_diameter_and_no_corner_radius() {
+    let found = events("TLDATA/DRILL,MILL,63,0,239,178,35\nLOAD/TOOL,1\nGOTO/0,0,0\n");
+    assert!(found[0].contains("diameter: Some(63.0), corner_radius: None"), "{found:?}");
+}
+
+#[test]
+fn a_cutter_without_a_tool_does_not_reach_the_next_operation() {
+    let text = "TOOL PATH/A,TOOL,A\nTLDATA/MILL,50,1,50,0,0\nGOTO/0,0,0\nTOOL PATH/B,TOOL,B\nLOAD/TOOL,2\nGOTO/0,0,0\n";
+    let found = events(text);
+    assert!(found[3].contains("number: 2") && found[3].contains("diameter: None"), "{found:?}");
+}
+
+#[test]
+fn the_same_tool_called_again_keeps_its_cutter() {
+    let found = events("CUTTER/16,0\nLOADTL/1\nLOADTL/1,1,1\nLOADTL/2\nGOTO/0,0,0\n");
+    assert!(found[1].contains("diameter: Some(16.0)"), "{found:?}");
+    assert!(found[2].contains("diameter: None"), "{found:?}");
+}
+
+#[test]
+fn a_tool_at_the_end_of_the_file_is_not_lost() {
+    assert_eq!(events("GOTO/0,0,0\nLOADTL/4\n").len(), 2);
+}
+
+#[test]
+fn the_tool_axis_is_modal() {
+    let found = events("GOTO/0,0,0,0,.6,.8\nGOTO/1,0,0\n");
+    assert_eq!(found[1], "2:1 feed 1 0 0 axis 0 0.6 0.8 None");
+    let found = events("TLAXIS/0,.6,.8\nGOTO/1,0,0\n");
+    assert_eq!(found[0], "2:1 feed 1 0 0 axis 0 0.6 0.8 None");
+}
+
+#[test]
+fn a_tilt_is_not_carried_into_the_next_operation() {
+    let expected = "3:6+5 the tool was tilted in the operation before, and this point does not say its tool axis";
+    refused("GOTO/0,0,0,0,.6,.8\nTOOL PATH/B,TOOL,B\nGOTO/1,0,0\n", expected);
+    refused("GOTO/0,0,0,0,.6,.8\nLOADTL/2\nGOTO/1,0,0\n", expected);
+    refused("GOTO/0,0,0,0,0,-1\nLOADTL/2\nGOTO/1,0,0\n", expected);
+    let found = events("GOTO/0,0,0,0,.6,.8\nLOADTL/2\nGOTO/1,0,0,0,0,1\nLOADTL/3\nGOTO/2,0,0\n");
+    assert_eq!(found[4], "5:1 feed 2 0 0 axis 0 0 1 None");
+}
+
+#[test]
+fn an_axis_stated_by_tlaxis_survives_the_tool_change_behind_it() {
+    let found = events("GOTO/0,0,0\nTLAXIS/0,.6,.8\nLOADTL/2\nGOTO/1,0,0\n");
+    assert_eq!(found[2], "4:1 feed 1 0 0 axis 0 0.6 0.8 None");
+}
+
+#[test]
+fn an_axis_stated_by_tlaxis_and_used_is_not_carried_further() {
+    let expected = "4:6+5 the tool was tilted in the operation before, and this point does not say its tool axis";
+    refused("TLAXIS/0,.6,.8\nGOTO/1,0,0\nLOADTL/2\nGOTO/1,0,0\n", expected);
+}
+
+#[test]
+fn multax_off_keeps_the_axis_but_in_creo_a_tilt_is_in_doubt() {
+    let text = "MULTAX/ON\nGOTO/0,0,0,0,.6,.8\nMULTAX/OFF\nGOTO/1,0,0\n";
+    assert_eq!(events(text)[1], "4:1 feed 1 0 0 axis 0 0.6 0.8 None");
+    let expected = "5:6+5 the tool was tilted when MULTAX/OFF came, and this point does not say its tool axis";
+    refused(&format!("$$-> MFGNO / A\n{text}"), expected);
+}
+
+#[test]
+fn inert_records_cause_nothing() {
+    let text = "PAINT/COLOR,1\nSEQNO/1\nDISPLY/ON\nTPRINT/T1 Drill,D\nMACHIN / X, 1\nREWIND/0\nTOOLNO/1,  16,,2\nLETTER x\n\
+                LEADER/1\nCHECK/1\nTMARK/1\nINTOL /  0.025\nOUTTOL/0\nSETUP/START,1\nCSI_SET_FLUTE_LENGTH/70.\n\
+                TRNTYP/WORLD,0,0,0\nSET/MODE,ABSOL\nCYCLE/OFF\nCUTCOM/OFF\nREMARK a/b,,\nEND-OF-PATH\nEND\nGOTO/1,2,3\nFINI\n";
+    assert_eq!(events(text), ["23:1 feed 1 2 3 axis 0 0 1 None"]);
+}
+
+#[test]
+fn the_catia_matrix_is_a_frame() {
+    let matrix = "$$*CATIA0\n$$ Program.1\n$$  1.0 0.0 0.0 10.0\n$$  0.0 -1.0 0.0 0.0\n$$  0.0 0.0 -1.0 5.0\n";
+    let text = format!("{matrix}GOTO/0,0,0\n{matrix}GOTO/0,0,0\n");
+    let mut reader = Reader::new(text.as_bytes(), MM);
+    while reader.next_event().unwrap().is_some() {}
+    assert!(!reader.failed());
+    assert_eq!(reader.frames_stated(), 2);
+    let frame = reader.frame().unwrap();
+    assert_eq!((frame.location.line, frame.origin), (5, [10.0, 0.0, 5.0]));
+    assert_eq!(frame.axes, [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]);
+
+    let other = text.replacen("5.0\nGOTO", "5.1\nGOTO", 1);
+    let found = errors(&other);
+    assert_eq!(found.len(), 1);
+    assert!(found[0].contains("the frame in line 11 differs from the workpiece frame in line 5"), "{found:?}");
+}
+
+#[test]
+fn the_evidence_tells_the_dialect() {
+    for (text, dialect) in [
+        ("GOTO/1,2,3\n", Dialect::Generic),
+        ("TOOL PATH/A,TOOL,B\n", Dialect::Nx),
+        ("$$     CATIA APT VERSION 1.0\n", Dialect::Catia),
+        ("$$*CATIA0\n", Dialect::Catia),
+        ("$$*  Pro/CLfile  Version 8.0\n", Dialect::Creo),
+        ("$$-> MFGNO / A\nUNIT/MM\n", Dialect::Creo),
+        ("UNIT/MM\n", Dialect::SolidWorks),
+        ("CSI_X/1\n", Dialect::SolidWorks),
+        ("UNITS/MM\n", Dialect::Generic),
+    ] {
+        let mut reader = Reader::new(text.as_bytes(), MM);
+        while reader.next_event().unwrap().is_some() {}
+        assert_eq!(reader.dialect(), dialect, "{text}");
+    }
+}

@@ -1,0 +1,81 @@
+//! Tests of the reader from bytes to events. Each name is the sentence that fails.
+
+mod faults;
+mod input;
+mod meaning;
+
+use super::{Options, Reader};
+use crate::diag::{Diagnostic, Severity};
+use crate::program::{Event, Location, Units};
+use std::io::Read;
+
+const MM: Options = Options { units: Some(Units::Millimetres) };
+const UNSTATED: Options = Options { units: None };
+
+/// Events as text with their places, and the diagnostics.
+struct Outcome {
+    events: Vec<String>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+fn read_from(input: impl Read, options: Options) -> Outcome {
+    let mut reader = Reader::new(input, options);
+    let mut events = Vec::new();
+    while let Some((Location { line, column }, event)) = reader.next_event().unwrap() {
+        let event = match event {
+            Event::Move(motion) => {
+                let (tip, axis) = (motion.pose.tip, motion.pose.axis);
+                let way = if motion.rapid { "rapid" } else { "feed" };
+                format!("{way} {} {} {} axis {} {} {} {:?}", tip.x, tip.y, tip.z, axis.x, axis.y, axis.z, motion.feed)
+            }
+            Event::From(pose) => format!("from {} {} {} axis {}", pose.tip.x, pose.tip.y, pose.tip.z, pose.axis.z),
+            Event::Name(text) => format!("name {}", String::from_utf8_lossy(text)),
+            Event::Operation(text) => format!("operation {}", String::from_utf8_lossy(text)),
+            Event::Message(text) => format!("message {}", String::from_utf8_lossy(text)),
+            other => format!("{other:?}"),
+        };
+        events.push(format!("{line}:{column} {event}"));
+    }
+    Outcome { events, diagnostics: reader.diagnostics().to_vec() }
+}
+
+/// Events of a file in millimetres that has no fault.
+#[track_caller]
+fn events(text: &str) -> Vec<String> {
+    events_with(text, MM)
+}
+
+#[track_caller]
+fn events_with(text: &str, options: Options) -> Vec<String> {
+    let outcome = read_from(text.as_bytes(), options);
+    assert_eq!(outcome.diagnostics, [], "in {text:?}");
+    outcome.events
+}
+
+/// Every error of a file as `line:column+length text`.
+fn errors(text: &str) -> Vec<String> {
+    errors_with(text, MM)
+}
+
+fn errors_with(text: &str, options: Options) -> Vec<String> {
+    let diagnostics = read_from(text.as_bytes(), options).diagnostics;
+    let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
+    errors
+        .map(|Diagnostic { location: Location { line, column }, length, text, .. }| {
+            format!("{line}:{column}+{length} {text}")
+        })
+        .collect()
+}
+
+/// A file has this one error, and the error has a help line.
+#[track_caller]
+fn refused(text: &str, expected: &str) {
+    refused_with(text, MM, expected);
+}
+
+#[track_caller]
+fn refused_with(text: &str, options: Options, expected: &str) {
+    assert_eq!(errors_with(text, options), [expected], "in {text:?}");
+    let diagnostics = read_from(text.as_bytes(), options).diagnostics;
+    assert!(diagnostics.iter().all(|diagnostic| diagnostic.help.as_ref().is_some_and(|help| !help.is_empty())));
+}

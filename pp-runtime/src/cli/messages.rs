@@ -1,0 +1,179 @@
+//! What is said on standard error: diagnostics with the lines they speak of, remarks, and faults without a place.
+//!
+//! Nothing here fails: where standard error is closed there is nobody to tell.
+
+use std::collections::BTreeMap;
+use std::io::{Read, Write};
+
+use serde::Serialize;
+
+use crate::diag::{Diagnostic, Severity};
+use crate::program::Location;
+
+use super::args::MessageFormat;
+use super::excerpt::{Excerpt, excerpts, visible};
+
+/// Diagnostics of one kind that are shown to a person; the rest is counted.
+const SHOWN_OF_A_KIND: usize = 20;
+
+/// Writes messages in the format asked for.
+pub(super) struct Messages<'a> {
+    out: &'a mut dyn Write,
+    format: MessageFormat,
+}
+
+/// A message for programs: one such object per line.
+#[derive(Serialize)]
+struct JsonMessage<'a> {
+    file: Option<&'a str>,
+    line: Option<u64>,
+    column: Option<u32>,
+    length: Option<u32>,
+    severity: &'a str,
+    text: &'a str,
+    help: Option<&'a str>,
+}
+
+impl<'a> Messages<'a> {
+    pub(super) fn new(out: &'a mut dyn Write, format: MessageFormat) -> Self {
+        Self { out, format }
+    }
+
+    /// A fault of the run, not of a line.
+    pub(super) fn error(&mut self, text: &str) {
+        self.without_place("error", &format!("error: {text}"), text);
+    }
+
+    /// A remark.
+    pub(super) fn note(&mut self, text: &str) {
+        self.without_place("note", text, text);
+    }
+
+    fn without_place(&mut self, severity: &str, human: &str, text: &str) {
+        match self.format {
+            MessageFormat::Human => self.line(human),
+            MessageFormat::Json => {
+                let (file, line, column, length, help) = (None, None, None, None, None);
+                self.json(&JsonMessage { file, line, column, length, severity, text, help });
+            }
+        }
+    }
+
+    /// Diagnostics about the text `file`, in its order. `source` is read once more for the lines to show.
+    pub(super) fn diagnostics(&mut self, file: &str, source: &mut dyn Read, diagnostics: &[Diagnostic]) {
+        let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
+        ordered.sort_by_key(|diagnostic| diagnostic.location);
+        match self.format {
+            MessageFormat::Json => {
+                for diagnostic in ordered {
+                    self.json(&JsonMessage {
+                        file: Some(file),
+                        line: Some(diagnostic.location.line),
+                        column: Some(diagnostic.location.column),
+                        length: Some(diagnostic.length),
+                        severity: name(diagnostic.severity),
+                        text: &diagnostic.text,
+                        help: diagnostic.help.as_deref(),
+                    });
+                }
+            }
+            MessageFormat::Human => self.for_people(file, source, &ordered),
+        }
+    }
+
+    fn for_people(&mut self, file: &str, source: &mut dyn Read, ordered: &[&Diagnostic]) {
+        let mut kinds: BTreeMap<String, Kind> = BTreeMap::new();
+        let mut shown = Vec::new();
+        for diagnostic in ordered {
+            let kind = kinds.entry(kind(diagnostic)).or_default();
+            if kind.count < SHOWN_OF_A_KIND {
+                shown.push(*diagnostic);
+            }
+            kind.count += 1;
+            kind.last_line = diagnostic.location.line;
+        }
+        let places = shown.iter().map(|diagnostic| (diagnostic.location, diagnostic.length));
+        // Without the lines the messages still say what is wrong.
+        let excerpts = excerpts(source, places).unwrap_or_default();
+        for diagnostic in &shown {
+            self.show(file, diagnostic, excerpts.get(&(diagnostic.location, diagnostic.length)));
+        }
+        for (text, kind) in kinds.iter().filter(|(_, kind)| kind.count > SHOWN_OF_A_KIND) {
+            let more = kind.count - SHOWN_OF_A_KIND;
+            self.line(&format!("{file}: {more} more like `{text}`, the last in line {}", kind.last_line));
+        }
+        let count = |severity| ordered.iter().filter(|diagnostic| diagnostic.severity == severity).count();
+        let counts = [(count(Severity::Error), "error"), (count(Severity::Warning), "warning")];
+        let counts: Vec<String> = counts
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, name)| format!("{count} {name}{}", if *count == 1 { "" } else { "s" }))
+            .collect();
+        if !counts.is_empty() {
+            self.line(&format!("{file}: {}", counts.join(", ")));
+        }
+    }
+
+    fn show(&mut self, file: &str, diagnostic: &Diagnostic, excerpt: Option<&Excerpt>) {
+        self.line(&headline(file, diagnostic));
+        if let Some(Excerpt { text, indent, marked }) = excerpt {
+            self.line(&format!("    {text}"));
+            self.line(&format!("    {:indent$}{}", "", "^".repeat(*marked)));
+        }
+        if let Some(help) = &diagnostic.help {
+            self.line(&format!("    help: {help}"));
+        }
+    }
+
+    fn json(&mut self, message: &JsonMessage<'_>) {
+        // Plain structures of text and numbers always serialise.
+        let _ = serde_json::to_string(message).map(|line| writeln!(self.out, "{line}"));
+    }
+
+    fn line(&mut self, text: &str) {
+        let text: String = text.chars().map(visible).collect();
+        let _ = writeln!(self.out, "{text}");
+    }
+}
+
+/// How often something was found.
+#[derive(Default)]
+struct Kind {
+    count: usize,
+    last_line: u64,
+}
+
+/// `part.cls:12:5: error: text`.
+pub(super) fn headline(file: &str, diagnostic: &Diagnostic) -> String {
+    let Location { line, column } = diagnostic.location;
+    format!("{file}:{line}:{column}: {}: {}", name(diagnostic.severity), diagnostic.text)
+}
+
+fn name(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+    }
+}
+
+/// What diagnostics have in common that differ only in numbers and quoted words.
+fn kind(diagnostic: &Diagnostic) -> String {
+    let mut kind = format!("{}: ", name(diagnostic.severity));
+    for (index, piece) in diagnostic.text.split('`').enumerate() {
+        if index % 2 == 1 {
+            kind.push('…');
+            continue;
+        }
+        let mut in_number = false;
+        for character in piece.chars() {
+            let belongs = character.is_ascii_digit() || (in_number && character == '.');
+            match (in_number, belongs) {
+                (false, true) => kind.push('#'),
+                (_, false) => kind.push(character),
+                (true, true) => {}
+            }
+            in_number = belongs;
+        }
+    }
+    kind
+}

@@ -1,0 +1,292 @@
+//! The command line of a machine's binary: arguments, files, streams and exit status.
+//!
+//! Status 0: done. 1: the CL data has errors; nothing stands under the final name. 2: could not run; a closed pipe is
+//! status 2 without a message. The program goes to standard output or a file, everything else to standard error.
+
+mod args;
+mod excerpt;
+mod explain;
+mod messages;
+mod source;
+mod target;
+#[cfg(test)]
+mod tests;
+
+use std::ffi::OsString;
+use std::fs;
+use std::io::{self, BufWriter, IsTerminal as _, Read, Seek as _, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use crate::config::{self, Config};
+use crate::control::Control;
+use crate::diag::Severity;
+use crate::kinematics::Machine;
+use crate::post::{Job, PostError, Report, post};
+
+use args::{Command, MessageFormat, PostArgs};
+use messages::{Messages, headline};
+use source::{Source, same_file};
+use target::{Rejected, Target, rejected_path};
+
+/// Runs the command line of the machine `M`: the whole of a machine's `main`.
+#[must_use]
+pub fn run<M: Machine>() -> ExitCode {
+    let args: Vec<OsString> = std::env::args_os().collect();
+    let terminal = io::stderr().is_terminal();
+    let (mut input, mut output, mut errors) = (io::stdin(), io::stdout(), io::stderr());
+    let streams = Streams { input: &mut input, output: &mut output, errors: &mut errors, terminal };
+    let status = execute::<M>(&args, streams, &|job, source, sink| post::<M>(job, source, sink));
+    ExitCode::from(status as u8)
+}
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+enum Status {
+    Done = 0,
+    Rejected = 1,
+    NotRun = 2,
+}
+
+/// The standard streams.
+struct Streams<'a> {
+    input: &'a mut dyn Read,
+    output: &'a mut dyn Write,
+    errors: &'a mut dyn Write,
+    /// `errors` is a terminal.
+    terminal: bool,
+}
+
+/// Where a program is written to.
+type Sink<'a> = BufWriter<&'a mut dyn Write>;
+
+/// The posting, so that tests can put their own in its place.
+type Post<'a> = &'a dyn Fn(&Job<'_>, &mut Source, &mut Sink<'_>) -> Result<Report, PostError>;
+
+/// Why there is no result.
+#[derive(Debug, thiserror::Error)]
+enum Failure {
+    #[error("cannot read {0}: {1}")]
+    Unreadable(String, io::Error),
+    #[error("cannot write {0}: {1}")]
+    Unwritable(String, io::Error),
+    #[error("{0} {1}: post it again")]
+    Disturbed(String, &'static str),
+    #[error("{0} would overwrite {1}")]
+    Overwrites(String, String),
+    /// Everything has been said.
+    #[error("")]
+    Said,
+}
+
+impl Failure {
+    fn unreadable(path: &Path, error: io::Error) -> Self {
+        let name = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
+        Self::Unreadable(name, error)
+    }
+
+    fn unwritable(path: &Path, error: io::Error) -> Self {
+        // Whoever closed the pipe does not want to hear about it.
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            return Self::Said;
+        }
+        let name = if is_standard(path) { "standard output".to_owned() } else { path.display().to_string() };
+        Self::Unwritable(name, error)
+    }
+}
+
+fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'_>) -> Status {
+    let command = match args::parse(M::NAME, args) {
+        Ok(cli) => cli.command,
+        Err(error) => return usage(&error, &mut streams),
+    };
+    let format = match &command {
+        Command::Post(args) => args.message_format,
+        Command::Config | Command::Explain => MessageFormat::Human,
+    };
+    let result = match command {
+        Command::Post(args) => post_file::<M>(&args, &mut streams, post),
+        Command::Config => print(&mut streams, |out| out.write_all(config::print::<M>().as_bytes())),
+        Command::Explain => print(&mut streams, explain::explain::<M>),
+    };
+    result.unwrap_or_else(|failure| {
+        if !matches!(failure, Failure::Said) {
+            Messages::new(streams.errors, format).error(&failure.to_string());
+        }
+        Status::NotRun
+    })
+}
+
+/// Help and version go to standard output, mistakes to standard error.
+fn usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
+    let text = error.render().to_string();
+    if error.use_stderr() {
+        // Where standard error is closed there is nobody to tell.
+        let _ = streams.errors.write_all(text.as_bytes());
+        return Status::NotRun;
+    }
+    match streams.output.write_all(text.as_bytes()).and_then(|()| streams.output.flush()) {
+        Ok(()) => Status::Done,
+        Err(_) => Status::NotRun,
+    }
+}
+
+fn print(streams: &mut Streams<'_>, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Status, Failure> {
+    let mut out = BufWriter::new(&mut *streams.output);
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| Failure::unwritable(Path::new("-"), error))?;
+    Ok(Status::Done)
+}
+
+fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
+    let mut messages = Messages::new(streams.errors, args.message_format);
+    let config = read_config::<M>(args, &mut messages)?;
+    refuse_overwriting(args)?;
+    let mut source =
+        if is_standard(&args.input) { Source::spool(streams.input, "<stdin>") } else { Source::open(&args.input) }
+            .map_err(|error| Failure::unreadable(&args.input, error))?;
+    let mut target = match is_standard(&args.output) {
+        true => None,
+        false => Some(Target::create(&args.output).map_err(|error| Failure::unwritable(&args.output, error))?),
+    };
+
+    let name = source.name().to_owned();
+    // The header names the file, not the folder: the same data gives the same program anywhere.
+    let cl_name = match is_standard(&args.input) {
+        true => "standard input".into(),
+        false => args.input.file_name().unwrap_or_default().to_string_lossy(),
+    };
+    let control = args.control();
+    let job = Job { cl_name: &cl_name, config: &config, control, units: config.cl_units };
+    if streams.terminal && args.message_format == MessageFormat::Human {
+        source.show_progress();
+    }
+    let mut sink = Sink::new(match &mut target {
+        Some(target) => target.writer(),
+        None => &mut *streams.output,
+    });
+    let posted = post(&job, &mut source, &mut sink);
+    let written = sink.flush();
+    // What could not be written is not tried again.
+    drop(sink.into_parts());
+    source.hide_progress();
+    if let Some(what) = source.disturbed() {
+        return Err(Failure::Disturbed(name, what));
+    }
+    let report = match posted {
+        Ok(report) => report,
+        Err(PostError::Input(error)) => return Err(Failure::Unreadable(name, error)),
+        Err(PostError::Output(error)) => return Err(Failure::unwritable(&args.output, error)),
+    };
+    written.map_err(|error| Failure::unwritable(&args.output, error))?;
+
+    if !report.diagnostics.is_empty() {
+        source.rewind().map_err(|error| Failure::Unreadable(name.clone(), error))?;
+        messages.diagnostics(&name, &mut source, &report.diagnostics);
+    }
+    let first_error = report.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+    let first_error = first_error.min_by_key(|found| found.location);
+    // A program with an error in its CL data is never handed over, whatever the report says.
+    if report.failed || first_error.is_some() {
+        let reason = first_error.map_or_else(|| "the CL data has errors".to_owned(), |found| headline(&name, found));
+        reject(args, target, &reason, &mut messages)?;
+        return Ok(Status::Rejected);
+    }
+    if config.file_units_assumed {
+        messages.note("assumed: lengths of the configuration file are in mm (`units` is not set there)");
+    }
+    for line in report.summary() {
+        messages.note(&line);
+    }
+    if let Some(target) = target {
+        let removed = target
+            .finish(|line| is_rejected(control, line))
+            .map_err(|error| Failure::unwritable(&args.output, error))?;
+        if removed {
+            messages.note(&format!("removed {} of an earlier run", rejected_path(&args.output).display()));
+        }
+    }
+    messages.note("done");
+    Ok(Status::Done)
+}
+
+/// Says where the program went that was cut short, and sees to it that nothing stands under the final name.
+fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut Messages<'_>) -> Result<(), Failure> {
+    let Some(target) = target else {
+        messages.note("rejected: the program on standard output is not complete and must not be run");
+        return Ok(());
+    };
+    let first_line = comment(args.control(), &format!("{REJECTED}{reason}"));
+    let rejected = target.reject(&first_line).map_err(|error| Failure::unwritable(&args.output, error))?;
+    let out = args.output.display();
+    messages.note(&match rejected {
+        Rejected { path: None, .. } => format!("rejected: the program on {out} is not complete and must not be run"),
+        Rejected { path: Some(path), removed } => {
+            let earlier = if removed { format!("; the earlier {out} was removed") } else { String::new() };
+            format!("rejected: {out} was not written, what could be posted stands in {}{earlier}", path.display())
+        }
+    });
+    Ok(())
+}
+
+fn read_config<M: Machine>(args: &PostArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
+    let mut config = match &args.config {
+        None => Config::default(),
+        Some(path) => {
+            let bytes = fs::read(path).map_err(|error| Failure::unreadable(path, error))?;
+            let text = String::from_utf8(bytes).map_err(|error| {
+                let kind = io::ErrorKind::InvalidData;
+                Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
+            })?;
+            Config::read::<M>(&text).map_err(|faults| {
+                messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
+                Failure::Said
+            })?
+        }
+    };
+    args.apply(&mut config);
+    Ok(config)
+}
+
+/// Neither the program nor its rejected form may replace a file that is read.
+fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
+    if is_standard(&args.output) {
+        return Ok(());
+    }
+    let sources: [(Option<&PathBuf>, &str); 2] =
+        [(Some(&args.input).filter(|path| !is_standard(path)), "CL data"), (args.config.as_ref(), "configuration")];
+    for written in [args.output.clone(), rejected_path(&args.output)] {
+        for (read, what) in sources {
+            if let Some(read) = read
+                && same_file(&written, read)
+            {
+                let what = format!("the {what} {}", read.display());
+                return Err(Failure::Overwrites(written.display().to_string(), what));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// `-` is standard input or output.
+fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// How the first line of a rejected program begins, inside the comment.
+const REJECTED: &str = "REJECTED ";
+
+/// A comment of one line as the control spells it.
+fn comment(control: &dyn Control, text: &str) -> Vec<u8> {
+    let mut line = Vec::new();
+    control.comment(&text.as_bytes()[..text.len().min(control.comment_length())], &mut line);
+    line
+}
+
+/// Whether a line is the first one of a rejected program.
+fn is_rejected(control: &dyn Control, line: &[u8]) -> bool {
+    // The comment without what closes it.
+    let mark = comment(control, REJECTED);
+    let end = mark.windows(REJECTED.len()).position(|window| window == REJECTED.as_bytes());
+    end.is_some_and(|at| line.starts_with(&mark[..at + REJECTED.len()]))
+}

@@ -1,0 +1,128 @@
+//! The CL data: a file, or a spooled stream, that can be read twice and must not change meanwhile.
+
+use std::fs::{self, File, Metadata};
+use std::io::{self, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// Input above this size shows a progress bar on a terminal, bytes.
+const LONG_INPUT: u64 = 8 << 20;
+
+/// The text is read once for what needs the future, once for the program.
+const PASSES: u64 = 2;
+
+/// CL data, open for reading.
+pub(super) struct Source {
+    file: File,
+    name: String,
+    /// Path and state of a regular file when it was opened; a spooled stream has none.
+    watched: Option<(PathBuf, State)>,
+    progress: ProgressBar,
+}
+
+/// What a file looks like from outside; a file that changes looks different.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct State {
+    length: u64,
+    modified: Option<SystemTime>,
+    identity: Option<(u64, u64)>,
+}
+
+impl State {
+    fn of(metadata: &Metadata) -> Self {
+        Self { length: metadata.len(), modified: metadata.modified().ok(), identity: identity(metadata) }
+    }
+}
+
+impl Source {
+    /// Opens `path`; what is not a regular file is spooled to a temporary file.
+    pub(super) fn open(path: &Path) -> io::Result<Self> {
+        let mut file = File::open(path)?;
+        let metadata = file.metadata()?;
+        let name = path.display().to_string();
+        if metadata.is_dir() {
+            return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a directory"));
+        }
+        if !metadata.is_file() {
+            return Self::spool(&mut file, name);
+        }
+        let watched = Some((path.to_owned(), State::of(&metadata)));
+        Ok(Self { file, name, watched, progress: ProgressBar::hidden() })
+    }
+
+    /// Keeps a stream in a temporary file without a name.
+    pub(super) fn spool(stream: &mut dyn Read, name: impl Into<String>) -> io::Result<Self> {
+        let mut file = tempfile::tempfile()?;
+        io::copy(stream, &mut file)?;
+        file.rewind()?;
+        Ok(Self { file, name: name.into(), watched: None, progress: ProgressBar::hidden() })
+    }
+
+    /// The name that messages use.
+    pub(super) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Shows a progress bar from here on if the input is long.
+    pub(super) fn show_progress(&mut self) {
+        let length = self.file.metadata().map_or(0, |metadata| metadata.len());
+        if length > LONG_INPUT {
+            let style = ProgressStyle::with_template("{bar:40} {percent}% {binary_bytes_per_sec} {eta}");
+            self.progress = ProgressBar::new(length * PASSES);
+            self.progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        }
+    }
+
+    /// Takes the progress bar away.
+    pub(super) fn hide_progress(&mut self) {
+        self.progress.finish_and_clear();
+        self.progress = ProgressBar::hidden();
+    }
+
+    /// Says what happened to the file since it was opened, if anything did.
+    pub(super) fn disturbed(&self) -> Option<&'static str> {
+        let (path, state) = self.watched.as_ref()?;
+        match fs::metadata(path) {
+            Ok(now) if State::of(&now) == *state => None,
+            Ok(_) => Some("changed while it was read"),
+            Err(_) => Some("vanished while it was read"),
+        }
+    }
+}
+
+impl Read for Source {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.file.read(buffer)?;
+        self.progress.inc(count as u64);
+        Ok(count)
+    }
+}
+
+impl Seek for Source {
+    fn seek(&mut self, position: SeekFrom) -> io::Result<u64> {
+        self.file.seek(position)
+    }
+}
+
+/// Whether two paths lead to one file, by whatever names.
+pub(super) fn same_file(one: &Path, other: &Path) -> bool {
+    let (Ok(first), Ok(second)) = (fs::metadata(one), fs::metadata(other)) else { return false };
+    match (identity(&first), identity(&second)) {
+        (Some(first), Some(second)) => first == second,
+        _ => matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other),
+    }
+}
+
+#[cfg(unix)]
+#[expect(clippy::unnecessary_wraps, reason = "other systems have no such numbers")]
+fn identity(metadata: &Metadata) -> Option<(u64, u64)> {
+    use std::os::unix::fs::MetadataExt as _;
+    Some((metadata.dev(), metadata.ino()))
+}
+
+#[cfg(not(unix))]
+fn identity(_metadata: &Metadata) -> Option<(u64, u64)> {
+    None
+}

@@ -1,0 +1,130 @@
+//! The program's file: under its final name stands a complete program or nothing.
+//!
+//! The program is written to a temporary file beside the final name and renamed when it is done. A program that was
+//! cut short goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is removed: nobody
+//! shall run yesterday's program because today's failed.
+
+use std::ffi::OsString;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufRead, BufReader, Read, Seek, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+
+/// A program in the making.
+pub(super) struct Target {
+    path: PathBuf,
+    kind: Kind,
+}
+
+enum Kind {
+    /// A regular file to be.
+    Renamed(NamedTempFile),
+    /// A device or a pipe, which cannot be replaced: written as standard output is.
+    Direct(File),
+}
+
+/// What became of a program that was cut short.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Rejected {
+    /// Where it stands; `None` if it went to a device.
+    pub(super) path: Option<PathBuf>,
+    /// An earlier program under the final name was removed.
+    pub(super) removed: bool,
+}
+
+impl Target {
+    /// Makes sure that `path` can be written, and starts the temporary file.
+    pub(super) fn create(path: &Path) -> io::Result<Self> {
+        // A link is followed, so that the link survives and its target is replaced.
+        let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
+        let path = if is_link { fs::canonicalize(path)? } else { path.to_owned() };
+        match fs::metadata(&path) {
+            Ok(metadata) if metadata.is_dir() => {
+                return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a directory"));
+            }
+            Ok(metadata) if !metadata.is_file() => {
+                let kind = Kind::Direct(OpenOptions::new().write(true).open(&path)?);
+                return Ok(Self { path, kind });
+            }
+            // A rename would replace a write-protected file: ask first.
+            Ok(_) => drop(OpenOptions::new().append(true).open(&path)?),
+            Err(_) => {}
+        }
+        let kind = Kind::Renamed(temporary_beside(&path)?);
+        Ok(Self { path, kind })
+    }
+
+    /// Where the program is written to.
+    pub(super) fn writer(&mut self) -> &mut dyn Write {
+        match &mut self.kind {
+            Kind::Renamed(file) => file,
+            Kind::Direct(file) => file,
+        }
+    }
+
+    /// Gives the program its final name. `is_rejected` knows the first line of a rejected one: one from an earlier run
+    /// is removed, and `true` is returned then.
+    pub(super) fn finish(self, is_rejected: impl Fn(&[u8]) -> bool) -> io::Result<bool> {
+        let Kind::Renamed(file) = self.kind else { return Ok(false) };
+        persist(file, &self.path)?;
+        let rejected = rejected_path(&self.path);
+        Ok(first_line(&rejected).is_ok_and(|line| is_rejected(&line)) && fs::remove_file(rejected).is_ok())
+    }
+
+    /// Puts the program beside the final name with `reason` as its first line, and removes what stands there.
+    pub(super) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
+        let Kind::Renamed(mut file) = self.kind else { return Ok(Rejected { path: None, removed: false }) };
+        let removed = match fs::remove_file(&self.path) {
+            Ok(()) => true,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => false,
+            Err(error) => return Err(error),
+        };
+        let path = rejected_path(&self.path);
+        let mut whole = temporary_beside(&path)?;
+        whole.write_all(reason)?;
+        whole.write_all(b"\n")?;
+        file.rewind()?;
+        io::copy(file.as_file_mut(), whole.as_file_mut())?;
+        persist(whole, &path)?;
+        Ok(Rejected { path: Some(path), removed })
+    }
+}
+
+/// `OUT.rejected`.
+pub(super) fn rejected_path(path: &Path) -> PathBuf {
+    let mut name = OsString::from(path);
+    name.push(".rejected");
+    name.into()
+}
+
+fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
+    let directory = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let mut prefix = OsString::from(".");
+    prefix.push(path.file_name().unwrap_or_default());
+    prefix.push(".");
+    let mut builder = Builder::new();
+    builder.prefix(&prefix).suffix(".tmp");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt as _;
+        // Temporary files are private by default; this one becomes an ordinary file, as the user's mask has it.
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    builder.tempfile_in(directory)
+}
+
+fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
+    // A disk or a share that is full says so here at the latest.
+    file.as_file().sync_all()?;
+    file.persist(path).map(drop).map_err(|error| error.error)
+}
+
+fn first_line(path: &Path) -> io::Result<Vec<u8>> {
+    let mut line = Vec::new();
+    BufReader::new(File::open(path)?.take(1024)).read_until(b'\n', &mut line)?;
+    Ok(line)
+}

@@ -1,0 +1,41 @@
+//! A configuration applied to a machine: its dimensions, travel and speeds for this job.
+
+use crate::kinematics::{Invalid, Limits, Machine};
+
+use super::Config;
+
+/// Travel and speeds of the axes for one job, in chain order: the planner's own copy of what the machine declares.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Travel {
+    /// mm or rad, inclusive; `None` is endless. Linear limits are machine coordinates.
+    pub limits: Vec<Option<Limits>>,
+    /// mm/min or rad/min; `None` is unlimited.
+    pub speeds: Vec<Option<f64>>,
+}
+
+impl Config {
+    /// The machine with this job's dimensions and part origin; the gauge length is set at each tool.
+    ///
+    /// # Errors
+    /// [`Invalid`] if the machine's formulas do not hold for these dimensions.
+    pub fn machine<M: Machine>(&self) -> Result<M, Invalid> {
+        let mut machine = M::default();
+        for (index, dimension) in M::DIMENSIONS.iter().enumerate() {
+            if let Some(&value) = self.dimensions.get(dimension.name) {
+                machine.set_dimension(index, value);
+            }
+        }
+        machine.set_up(self.part_origin.into(), 0.0);
+        machine.validate()?;
+        Ok(machine)
+    }
+
+    /// Travel and speeds of the machine's axes: as declared, unless this configuration says otherwise.
+    #[must_use]
+    pub fn travel<M: Machine>(&self) -> Travel {
+        Travel {
+            limits: M::AXES.iter().map(|axis| self.limits.get(&axis.letter).copied().unwrap_or(axis.limits)).collect(),
+            speeds: M::AXES.iter().map(|axis| self.speeds.get(&axis.letter).copied().or(axis.speed)).collect(),
+        }
+    }
+}

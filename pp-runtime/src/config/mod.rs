@@ -1,0 +1,208 @@
+//! The set-up of a job: everything that is true of today's part and shop rather than of the machine.
+//!
+//! [`Config::default`] is the one place where defaults stand; [`print()`] shows them as a file to edit and
+//! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
+//! writes angles in degrees. Nothing here plans or writes a motion.
+
+mod machine;
+mod print;
+mod read;
+#[cfg(test)]
+pub(crate) mod sample;
+#[cfg(test)]
+mod tests;
+mod value;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::kinematics::Limits;
+use crate::program::{Coolant, Rotation};
+
+pub use crate::program::Units;
+pub use machine::Travel;
+pub use print::print;
+
+/// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Config {
+    /// Unit of the CL data where it does not say so itself; `None` (default): it must say so.
+    pub cl_units: Option<Units>,
+    /// Unit of the posted program; `None` (default): that of the CL data.
+    pub output_units: Option<Units>,
+    /// Part zero from the table's reference point along the table's directions, mm; default 0, 0, 0.
+    pub part_origin: [f64; 3],
+    /// The word of the work offset; default `G54`.
+    pub work_offset: String,
+    /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
+    pub machine_zero: BTreeMap<char, f64>,
+    /// Tools by number; default none.
+    pub tools: BTreeMap<u32, Tool>,
+    /// What the CL data may leave out.
+    pub defaults: Defaults,
+    /// How to get away from the part.
+    pub retract: Retract,
+    /// How to get to the part.
+    pub approach: Approach,
+    /// Where axes go at program end, machine coordinates for linear axes, mm and rad; default none: they stay.
+    pub park: BTreeMap<char, f64>,
+    /// Largest turn of a rotary axis in a rapid that does not go through the safe sequence, rad; default 1 degree.
+    pub index_angle: f64,
+    /// How to get from one operation to the next; default [`Transition::Safe`].
+    pub transition: Transition,
+    /// Speed of rotary axes in moves that only turn the tool or the table, rad/min; default 1800 degrees/min.
+    pub reorient_speed: f64,
+    /// Retract before STOP and OPSTOP; default true.
+    pub stop_retract: bool,
+    /// Wait after the spindle starts, seconds; default 0.
+    pub spindle_dwell: f64,
+    /// Largest spindle speed, rev/min; default none: unchecked.
+    pub spindle_max: Option<f64>,
+    /// Lowest tip allowed in the workpiece frame (Z of the CL data), mm; default none: unchecked.
+    pub floor: Option<f64>,
+    /// Refuse CL data in which every tool axis points into the table; default true.
+    pub table_check: bool,
+    /// Dimensions of the machine that differ from its declaration, mm or rad; default none.
+    pub dimensions: BTreeMap<String, f64>,
+    /// Travel that differs from the machine's declaration, mm or rad, `None` for an endless axis; default none.
+    pub limits: BTreeMap<char, Option<Limits>>,
+    /// Largest axis speeds that differ from the machine's declaration, mm/min or rad/min; default none.
+    pub speeds: BTreeMap<char, f64>,
+    /// Digits of the words.
+    pub formats: Formats,
+    /// Blocks around the program.
+    pub program: Program,
+    /// Lengths came from a file that does not state its unit: mm assumed.
+    pub file_units_assumed: bool,
+    /// What was given rather than assumed: keys as they stand in a file, `part_origin`, `retract.position`.
+    ///
+    /// The keys of a machine's axes, dimensions and tools are not in here: their maps hold only what was given.
+    pub given: BTreeSet<&'static str>,
+}
+
+/// What is known about one tool besides the CL data; everything defaults to unknown.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Tool {
+    /// From gauge line to tip, mm.
+    pub length: Option<f64>,
+    /// Cutting diameter, mm; only compared with the CL data.
+    pub diameter: Option<f64>,
+    /// Length offset register (H); default: the tool's number or what the CL data says.
+    pub offset: Option<u32>,
+    /// Spindle speed where the CL data gives none, rev/min.
+    pub speed: Option<f64>,
+    /// Sense of rotation where the CL data gives none.
+    pub rotation: Option<Rotation>,
+    /// Cuts turning counter-clockwise; default false.
+    pub left_handed: bool,
+    /// The kind that COOLNT/ON means for this tool.
+    pub coolant: Option<Coolant>,
+    /// Name for header and comments.
+    pub name: Option<String>,
+}
+
+/// What the CL data may leave out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Defaults {
+    /// Spindle speed, rev/min; default none.
+    pub speed: Option<f64>,
+    /// Sense of rotation; default none.
+    pub rotation: Option<Rotation>,
+    /// The kind that COOLNT/ON means; default [`Coolant::Flood`]. Never `On` or `Off`.
+    pub coolant: Coolant,
+}
+
+/// How to get away from the part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Retract {
+    /// Machine coordinate of the retract axis, mm; default 0.
+    pub position: f64,
+    /// Distance along the tool axis, mm; default none: to the clearance geometry of the CL data.
+    pub distance: Option<f64>,
+}
+
+/// How to get to the part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Approach {
+    /// Distance of the approach point from the first tip along the tool axis, mm; default 50.
+    pub distance: f64,
+}
+
+/// How to get from one operation to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Transition {
+    /// Retract, turn, approach.
+    Safe,
+    /// As the CL data has it.
+    Direct,
+}
+
+/// Digits of the words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Formats {
+    /// Decimals of linear words in mm; default 3.
+    pub linear_mm: u32,
+    /// Decimals of linear words in inches; default 4.
+    pub linear_inch: u32,
+    /// Decimals of rotary words in degrees; default 4.
+    pub rotary: u32,
+    /// Decimals of F per minute and per revolution; default 3.
+    pub feed: u32,
+    /// Significant digits of an inverse-time F; default 6.
+    pub inverse_time: u32,
+    /// Decimals of S; default 0.
+    pub speed: u32,
+}
+
+/// Blocks around the program.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Program {
+    /// Blocks written after the header, as they stand; default none.
+    pub start: Vec<String>,
+    /// Blocks written before the end code, as they stand; default none.
+    pub end: Vec<String>,
+    /// Step of the block numbers; default none: no numbers.
+    pub line_numbers: Option<u32>,
+}
+
+impl Default for Config {
+    fn default() -> Self {
+        Self {
+            cl_units: None,
+            output_units: None,
+            part_origin: [0.0; 3],
+            work_offset: "G54".to_owned(),
+            machine_zero: BTreeMap::new(),
+            tools: BTreeMap::new(),
+            defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood },
+            retract: Retract { position: 0.0, distance: None },
+            approach: Approach { distance: 50.0 },
+            park: BTreeMap::new(),
+            index_angle: 1_f64.to_radians(),
+            transition: Transition::Safe,
+            reorient_speed: 1800_f64.to_radians(),
+            stop_retract: true,
+            spindle_dwell: 0.0,
+            spindle_max: None,
+            floor: None,
+            table_check: true,
+            dimensions: BTreeMap::new(),
+            limits: BTreeMap::new(),
+            speeds: BTreeMap::new(),
+            formats: Formats { linear_mm: 3, linear_inch: 4, rotary: 4, feed: 3, inverse_time: 6, speed: 0 },
+            program: Program::default(),
+            file_units_assumed: false,
+            given: BTreeSet::new(),
+        }
+    }
+}
+
+impl Config {
+    /// Step of the block numbers where they are asked for without one.
+    pub const LINE_NUMBER_STEP: u32 = 10;
+
+    /// Whether `key` (`retract.position`) was given rather than assumed.
+    #[must_use]
+    pub fn is_given(&self, key: &str) -> bool {
+        self.given.contains(key)
+    }
+}

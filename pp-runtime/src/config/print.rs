@@ -1,0 +1,207 @@
+//! The defaults as a file to edit.
+
+use std::fmt::Write as _;
+
+use crate::kinematics::{Axis, AxisKind, DimensionKind, Machine};
+use crate::program::Coolant;
+
+use super::{Config, Transition};
+
+/// A configuration file for the machine `M` in which every default stands, switched off.
+///
+/// A line that begins with `#` and a key is a default; a line that begins with `# e.g.` shows a key without default.
+/// Read back as it stands the file gives [`Config::default`], so what nobody changes stays marked as assumed.
+#[must_use]
+pub fn print<M: Machine>() -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = write_top::<M>(&mut text, &Config::default());
+    let _ = write_tables::<M>(&mut text, &Config::default());
+    text
+}
+
+fn write_top<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Result {
+    let [x, y, z] = config.part_origin.map(number);
+    let transition = match config.transition {
+        Transition::Safe => "safe",
+        Transition::Direct => "direct",
+    };
+    write!(
+        out,
+        r#"# Set-up for {name}.
+#
+# A line that begins with `#` and a key shows a default: remove the `#` and change the value.
+# A line that begins with `# e.g.` shows a key that has no default.
+# What is not set here is marked as assumed in the summary and in the header of the program.
+# Angles are in degrees, speeds per minute, lengths in the unit of this file.
+
+# Unit of length of this file: "mm" or "in".
+units = "mm"
+
+# Unit of CL data that does not state its own. Without it such data is refused.
+# e.g. cl_units = "mm"
+# Unit of the program. Without it that of the CL data.
+# e.g. output_units = "mm"
+
+# Part zero from the table's reference point, along the table's directions.
+#part_origin = [{x}, {y}, {z}]
+# Work offset of the control: G54 to G59, G59.1 to G59.3.
+#work_offset = "{work_offset}"
+# Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not checked.
+# e.g. machine_zero = {{ {machine_zero} }}
+
+# Where axes go at the end of the program: degrees, and machine coordinates for linear axes. Without it they stay.
+# e.g. park = {{ {park} }}
+# Transition between operations: "safe" (retract, turn, approach) or "direct" (as the CL data has it).
+#transition = "{transition}"
+# Rapids in which a rotary axis turns more than this go through the safe sequence.
+#index_angle = {index_angle}
+# Speed of rotary axes where only the direction of the tool changes.
+#reorient_speed = {reorient_speed}
+# Retract before STOP and OPSTOP.
+#stop_retract = {stop_retract}
+
+# Wait for the spindle, seconds.
+#spindle_dwell = {spindle_dwell}
+# Largest spindle speed. Without it speeds are not checked.
+# e.g. spindle_max = 12000
+# Lowest Z of the tool tip in the CL data. Without it depths are not checked.
+# e.g. floor = 0.0
+# Refuse CL data in which the tool points into the table throughout.
+#table_check = {table_check}
+"#,
+        name = M::NAME,
+        work_offset = config.work_offset,
+        machine_zero = axes::<M>(|axis| axis.kind == AxisKind::Linear),
+        park = axes::<M>(|axis| axis.kind == AxisKind::Rotary),
+        index_angle = degrees(config.index_angle),
+        reorient_speed = degrees(config.reorient_speed),
+        stop_retract = config.stop_retract,
+        spindle_dwell = number(config.spindle_dwell),
+        table_check = config.table_check,
+    )
+}
+
+fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Result {
+    let coolant = match config.defaults.coolant {
+        Coolant::On | Coolant::Off | Coolant::Flood => "flood",
+        Coolant::Mist => "mist",
+        Coolant::Through => "through",
+        Coolant::Air => "air",
+    };
+    let formats = &config.formats;
+    write!(
+        out,
+        r#"
+# What the CL data may leave out.
+[defaults]
+# e.g. speed = 8000
+# CLW (M3) or CCLW (M4).
+# e.g. direction = "CLW"
+# What COOLNT/ON means: "flood", "mist", "through" or "air".
+#coolant = "{coolant}"
+
+[retract]
+# Machine coordinate of the retract axis.
+#position = {position}
+# Distance along the tool axis. Without it to the clearance geometry of the CL data.
+# e.g. distance = 100.0
+
+[approach]
+# The approach point lies this far from the first point along the tool axis.
+#distance = {distance}
+
+# Tools by number. `length` is from the gauge line to the tip, `offset` the length register where it is not the
+# tool's number; `speed`, `direction` and `coolant` as in [defaults].
+[tools]
+# e.g. 12 = {{ length = 148.32, diameter = 10.0, offset = 12, name = "ball 10", left_handed = false, speed = 8000, direction = "CLW", coolant = "flood" }}
+
+# Decimals of the words; significant digits for inverse-time feed.
+[formats]
+#linear_mm = {linear_mm}
+#linear_inch = {linear_inch}
+#rotary = {rotary}
+#feed = {feed}
+#inverse_time = {inverse_time}
+#speed = {speed}
+
+# Blocks written as they stand, after the header and before the end code.
+[program]
+#start = []
+#end = []
+# Step of the block numbers. Without it there are none.
+# e.g. line_numbers = {step}
+"#,
+        position = number(config.retract.position),
+        distance = number(config.approach.distance),
+        linear_mm = formats.linear_mm,
+        linear_inch = formats.linear_inch,
+        rotary = formats.rotary,
+        feed = formats.feed,
+        inverse_time = formats.inverse_time,
+        speed = formats.speed,
+        step = Config::LINE_NUMBER_STEP,
+    )?;
+    write_machine::<M>(out)
+}
+
+fn write_machine<M: Machine>(out: &mut String) -> std::fmt::Result {
+    if !M::DIMENSIONS.is_empty() {
+        writeln!(out, "\n# Dimensions of the machine where they differ from its declaration.\n[dimensions]")?;
+        for dimension in M::DIMENSIONS {
+            let value = match dimension.kind {
+                DimensionKind::Length => number(dimension.default),
+                DimensionKind::Angle => degrees(dimension.default),
+            };
+            writeln!(out, "#{} = {value}", dimension.name)?;
+        }
+    }
+    writeln!(
+        out,
+        "\n# Travel of the axes where it differs from the machine's declaration: [lowest, highest], or \"free\" for an\n\
+         # endless axis. Linear axes in machine coordinates.\n[limits]"
+    )?;
+    for axis in M::AXES {
+        match axis.limits {
+            Some(limits) => {
+                let [lower, upper] = [limits.lower, limits.upper].map(|value| shown(axis, value));
+                writeln!(out, "#{} = [{lower}, {upper}]", axis.letter)?;
+            }
+            None => writeln!(out, "#{} = \"free\"", axis.letter)?,
+        }
+    }
+    writeln!(out, "\n# Largest speeds of the axes where they differ from the machine's declaration.\n[speeds]")?;
+    for axis in M::AXES {
+        match (axis.speed, axis.kind) {
+            (Some(speed), _) => writeln!(out, "#{} = {}", axis.letter, shown(axis, speed))?,
+            (None, AxisKind::Linear) => writeln!(out, "# e.g. {} = 20000.0", axis.letter)?,
+            (None, AxisKind::Rotary) => writeln!(out, "# e.g. {} = 3600.0", axis.letter)?,
+        }
+    }
+    Ok(())
+}
+
+/// `X = 0.0, Y = 0.0` for the axes wanted, all of them if none is.
+fn axes<M: Machine>(wanted: impl Fn(&Axis) -> bool) -> String {
+    let any = M::AXES.iter().any(&wanted);
+    let entries: Vec<String> =
+        M::AXES.iter().filter(|axis| !any || wanted(axis)).map(|axis| format!("{} = 0.0", axis.letter)).collect();
+    entries.join(", ")
+}
+
+fn shown(axis: &Axis, value: f64) -> String {
+    match axis.kind {
+        AxisKind::Linear => number(value),
+        AxisKind::Rotary => degrees(value),
+    }
+}
+
+/// Radians in degrees without the noise of the last binary digits.
+fn degrees(radians: f64) -> String {
+    number((radians.to_degrees() * 1e9).round() / 1e9)
+}
+
+/// A TOML float.
+fn number(value: f64) -> String {
+    format!("{:?}", value + 0.0)
+}

@@ -1,0 +1,376 @@
+//! A configuration file (TOML) to [`Config`]: every key has its line here, every fault is reported at once.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use toml::de::DeTable;
+
+use crate::diag::Diagnostic;
+use crate::kinematics::{Axis, AxisKind, DimensionKind, Limits, Machine};
+use crate::program::{Coolant, Rotation};
+
+use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
+use super::{Config, Tool, Transition, Units};
+
+const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
+const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
+const COOLANTS: [(&str, Coolant); 4] =
+    [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
+const TRANSITIONS: [(&str, Transition); 2] = [("safe", Transition::Safe), ("direct", Transition::Direct)];
+const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+
+/// Largest number of a tool or of its offset register.
+const LARGEST_TOOL: u32 = 99_999;
+
+impl Config {
+    /// Reads a configuration file for the machine `M`.
+    ///
+    /// # Errors
+    /// Every fault of the file, in its order.
+    pub fn read<M: Machine>(text: &str) -> Result<Self, Vec<Diagnostic>> {
+        let mut reader = Reader::new(text);
+        let (root, errors) = DeTable::parse_recoverable(text);
+        for error in &errors {
+            reader.fault(error.span().unwrap_or(0..0), error.message(), None);
+        }
+        if reader.has_faults() {
+            return Err(reader.into_faults());
+        }
+        let mut config = Self::default();
+        config.read_root::<M>(&mut reader, root.get_ref());
+        if reader.has_faults() { Err(reader.into_faults()) } else { Ok(config) }
+    }
+
+    fn read_root<M: Machine>(&mut self, r: &mut Reader<'_>, root: &DeTable<'_>) {
+        let mut top = Section::new("", root);
+        // The file's unit first: it decides what every length below means.
+        let units = self.get(&mut top, "units");
+        let named = units.and_then(|value| r.choice(value, &UNITS));
+        set(&mut r.units, named);
+        self.read_top(r, &mut top);
+        let sections = ["defaults", "retract", "approach", "formats", "program"].map(|name| (name, top.get(name)));
+        let tools = top.get("tools");
+        let machine_zero = top.get("machine_zero");
+        let park = top.get("park");
+        let dimensions = top.get("dimensions");
+        let limits = top.get("limits");
+        let speeds = top.get("speeds");
+        r.remember_top(&top);
+
+        for (name, value) in sections {
+            let mut section = Section::of(r, name, value);
+            match name {
+                "defaults" => self.read_defaults(r, &mut section),
+                "retract" => self.read_retract(r, &mut section),
+                "approach" => {
+                    let distance = self.get(&mut section, "approach.distance");
+                    set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
+                }
+                "formats" => self.read_formats(r, &mut section),
+                _ => self.read_program(r, &mut section),
+            }
+            section.finish(r);
+        }
+        self.read_tools(r, tools);
+        self.machine_zero = read_machine_zero::<M>(r, machine_zero);
+        self.limits = read_limits::<M>(r, limits);
+        self.speeds = read_axes::<M>(r, speeds)
+            .into_iter()
+            .filter_map(|(axis, value, _)| Some((axis.letter, along(r, axis, value, Bound::Positive)?)))
+            .collect();
+        self.park = self.read_park::<M>(r, park);
+        self.dimensions = read_dimensions::<M>(r, dimensions);
+        top.finish(r);
+        self.file_units_assumed = r.lengths && units.is_none();
+        if !r.has_faults()
+            && let Err(invalid) = self.machine::<M>()
+        {
+            let span = dimensions.map_or(0..0, |value| value.span());
+            r.fault(span, format!("{} cannot be built like this: {invalid}", M::NAME), None);
+        }
+    }
+
+    /// The value of a key, which counts as given.
+    fn get<'a>(&mut self, section: &mut Section<'a>, path: &'static str) -> Option<Value<'a>> {
+        let value = section.get(path);
+        if value.is_some() {
+            self.given.insert(path);
+        }
+        value
+    }
+
+    fn read_top(&mut self, r: &mut Reader<'_>, top: &mut Section<'_>) {
+        if let Some(value) = self.get(top, "cl_units") {
+            self.cl_units = r.choice(value, &UNITS);
+        }
+        if let Some(value) = self.get(top, "output_units") {
+            self.output_units = r.choice(value, &UNITS);
+        }
+        if let Some(value) = self.get(top, "part_origin") {
+            set(&mut self.part_origin, read_point(r, value));
+        }
+        if let Some(value) = self.get(top, "work_offset") {
+            let offsets = WORK_OFFSETS.map(|word| (word, word));
+            set(&mut self.work_offset, r.choice(value, &offsets).map(str::to_owned));
+        }
+        if let Some(value) = self.get(top, "index_angle") {
+            set(&mut self.index_angle, r.number(value, Quantity::Angle, Bound::NotNegative));
+        }
+        if let Some(value) = self.get(top, "transition") {
+            set(&mut self.transition, r.choice(value, &TRANSITIONS));
+        }
+        if let Some(value) = self.get(top, "reorient_speed") {
+            set(&mut self.reorient_speed, r.number(value, Quantity::Angle, Bound::Positive));
+        }
+        if let Some(value) = self.get(top, "stop_retract") {
+            set(&mut self.stop_retract, r.boolean(value));
+        }
+        if let Some(value) = self.get(top, "spindle_dwell") {
+            set(&mut self.spindle_dwell, r.number(value, Quantity::Plain, Bound::NotNegative));
+        }
+        if let Some(value) = self.get(top, "spindle_max") {
+            self.spindle_max = r.number(value, Quantity::Plain, Bound::Positive);
+        }
+        if let Some(value) = self.get(top, "floor") {
+            self.floor = r.length(value, Bound::Any);
+        }
+        if let Some(value) = self.get(top, "table_check") {
+            set(&mut self.table_check, r.boolean(value));
+        }
+    }
+
+    fn read_defaults(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
+        if let Some(value) = self.get(section, "defaults.speed") {
+            self.defaults.speed = r.number(value, Quantity::Plain, Bound::Positive);
+        }
+        if let Some(value) = self.get(section, "defaults.direction") {
+            self.defaults.rotation = r.choice(value, &ROTATIONS);
+        }
+        if let Some(value) = self.get(section, "defaults.coolant") {
+            set(&mut self.defaults.coolant, r.choice(value, &COOLANTS));
+        }
+    }
+
+    fn read_retract(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
+        if let Some(value) = self.get(section, "retract.position") {
+            set(&mut self.retract.position, r.length(value, Bound::Any));
+        }
+        if let Some(value) = self.get(section, "retract.distance") {
+            self.retract.distance = r.length(value, Bound::Positive);
+        }
+    }
+
+    fn read_formats(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
+        let formats = &mut self.formats;
+        for (path, digits, range) in [
+            ("formats.linear_mm", &mut formats.linear_mm, 0..=6),
+            ("formats.linear_inch", &mut formats.linear_inch, 0..=6),
+            ("formats.rotary", &mut formats.rotary, 0..=6),
+            ("formats.feed", &mut formats.feed, 0..=6),
+            ("formats.inverse_time", &mut formats.inverse_time, 6..=12),
+            ("formats.speed", &mut formats.speed, 0..=3),
+        ] {
+            if let Some(value) = section.get(path) {
+                self.given.insert(path);
+                set(digits, r.whole(value, range));
+            }
+        }
+    }
+
+    fn read_program(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
+        if let Some(value) = self.get(section, "program.start") {
+            self.program.start = read_blocks(r, value);
+        }
+        if let Some(value) = self.get(section, "program.end") {
+            self.program.end = read_blocks(r, value);
+        }
+        if let Some(value) = self.get(section, "program.line_numbers") {
+            self.program.line_numbers = r.whole(value, 1..=1000);
+        }
+    }
+
+    fn read_tools(&mut self, r: &mut Reader<'_>, tools: Option<Value<'_>>) {
+        for (key, span, value) in tools.map_or_else(Vec::new, |tools| r.entries(tools)) {
+            // Leading zeros would let one tool stand in two tables.
+            let number = key.parse().ok().filter(|number: &u32| number.to_string() == key);
+            let Some(number) = number.filter(|number| (1..=LARGEST_TOOL).contains(number)) else {
+                let help = format!("tools are tables with a number from 1 to {LARGEST_TOOL}: [tools.12]");
+                r.fault(span, format!("`{key}` is not the number of a tool"), Some(help));
+                continue;
+            };
+            self.tools.insert(number, read_tool(r, number, value));
+        }
+    }
+
+    fn read_park<M: Machine>(&self, r: &mut Reader<'_>, park: Option<Value<'_>>) -> BTreeMap<char, f64> {
+        let mut read = BTreeMap::new();
+        for (axis, value, _) in read_axes::<M>(r, park) {
+            let Some(position) = along(r, axis, value, Bound::Any) else { continue };
+            let limits = self.limits.get(&axis.letter).copied().unwrap_or(axis.limits);
+            // Angles come from degrees: a limit itself must pass.
+            let slack = 1e-9;
+            if let Some(limits) = limits
+                && !(limits.lower - slack..=limits.upper + slack).contains(&position)
+            {
+                let travel = show_limits(axis, limits, r.units);
+                let text = format!("{} cannot stand there: its travel is {travel}", axis.letter);
+                r.fault(value.span(), text, None);
+            }
+            read.insert(axis.letter, position);
+        }
+        read
+    }
+}
+
+fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> Tool {
+    let mut section = Section::of(r, format!("tools.{number}"), Some(value));
+    let mut tool = Tool::default();
+    if let Some(value) = section.get("length") {
+        tool.length = r.length(value, Bound::NotNegative);
+    }
+    if let Some(value) = section.get("diameter") {
+        tool.diameter = r.length(value, Bound::Positive);
+    }
+    if let Some(value) = section.get("offset") {
+        tool.offset = r.whole(value, 1..=LARGEST_TOOL);
+    }
+    if let Some(value) = section.get("speed") {
+        tool.speed = r.number(value, Quantity::Plain, Bound::Positive);
+    }
+    if let Some(value) = section.get("direction") {
+        tool.rotation = r.choice(value, &ROTATIONS);
+    }
+    if let Some(value) = section.get("left_handed") {
+        set(&mut tool.left_handed, r.boolean(value));
+    }
+    if let Some(value) = section.get("coolant") {
+        tool.coolant = r.choice(value, &COOLANTS);
+    }
+    if let Some(value) = section.get("name") {
+        tool.name = r.line(value);
+    }
+    section.finish(r);
+    tool
+}
+
+fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3]> {
+    let numbers = r.list(value)?;
+    let &[x, y, z] = numbers.as_slice() else {
+        let text = format!("three numbers [x, y, z] are needed here, found {}", numbers.len());
+        r.fault(value.span(), text, None);
+        return None;
+    };
+    // All three are looked at before giving up, so that each fault is reported.
+    let [x, y, z] = [x, y, z].map(|number| r.length(number, Bound::Any));
+    Some([x?, y?, z?])
+}
+
+fn read_blocks(r: &mut Reader<'_>, value: Value<'_>) -> Vec<String> {
+    r.list(value).unwrap_or_default().into_iter().filter_map(|block| r.line(block)).collect()
+}
+
+fn read_machine_zero<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
+    let mut read = BTreeMap::new();
+    for (axis, value, span) in read_axes::<M>(r, value) {
+        if axis.kind == AxisKind::Rotary {
+            let help = format!("linear axes are {}", letters::<M>(|axis| axis.kind == AxisKind::Linear));
+            r.fault(span, format!("{} turns; `machine_zero` is for linear axes", axis.letter), Some(help));
+        } else if let Some(position) = r.length(value, Bound::Any) {
+            read.insert(axis.letter, position);
+        }
+    }
+    read
+}
+
+fn read_limits<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, Option<Limits>> {
+    let mut read = BTreeMap::new();
+    for (axis, value, _) in read_axes::<M>(r, value) {
+        if value.get_ref().is_str() {
+            read.extend(r.choice(value, &[("free", ())]).map(|()| (axis.letter, None)));
+            continue;
+        }
+        let Some(numbers) = r.list(value) else { continue };
+        let &[lower, upper] = numbers.as_slice() else {
+            r.fault(value.span(), "a travel is [lowest, highest] or \"free\"", None);
+            continue;
+        };
+        let [lower, upper] = [lower, upper].map(|number| along(r, axis, number, Bound::Any));
+        let (Some(lower), Some(upper)) = (lower, upper) else { continue };
+        if lower > upper {
+            let help = "the lowest value comes first".to_owned();
+            r.fault(value.span(), format!("this travel of {} is empty", axis.letter), Some(help));
+        } else {
+            read.insert(axis.letter, Some(Limits { lower, upper }));
+        }
+    }
+    read
+}
+
+fn read_dimensions<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<String, f64> {
+    let mut read = BTreeMap::new();
+    for (key, span, value) in value.map_or_else(Vec::new, |value| r.entries(value)) {
+        let Some(dimension) = M::DIMENSIONS.iter().find(|dimension| dimension.name == key) else {
+            let names = M::DIMENSIONS.iter().map(|dimension| dimension.name);
+            let help = match nearest(key, names.clone()) {
+                Some(near) => format!("did you mean `{near}`?"),
+                None if M::DIMENSIONS.is_empty() => format!("{} has no dimensions", M::NAME),
+                None => format!("its dimensions are {}", list(names, '`')),
+            };
+            r.fault(span, format!("`{key}` is not a dimension of {}", M::NAME), Some(help));
+            continue;
+        };
+        let number = match dimension.kind {
+            DimensionKind::Length => r.length(value, Bound::Any),
+            DimensionKind::Angle => r.number(value, Quantity::Angle, Bound::Any),
+        };
+        read.extend(number.map(|number| (key.to_owned(), number)));
+    }
+    read
+}
+
+/// The entries of a table whose keys are axes of the machine, with the place of the key.
+fn read_axes<'a, M: Machine>(
+    r: &mut Reader<'_>,
+    value: Option<Value<'a>>,
+) -> Vec<(&'static Axis, Value<'a>, Range<usize>)> {
+    let mut read = Vec::new();
+    for (key, span, value) in value.map_or_else(Vec::new, |value| r.entries(value)) {
+        match M::AXES.iter().find(|axis| axis.letter.to_string() == key) {
+            Some(axis) => read.push((axis, value, span)),
+            None => {
+                let help = format!("its axes are {}", letters::<M>(|_| true));
+                r.fault(span, format!("`{key}` is not an axis of {}", M::NAME), Some(help));
+            }
+        }
+    }
+    read
+}
+
+/// A position or speed of an axis, mm or rad.
+fn along(r: &mut Reader<'_>, axis: &Axis, value: Value<'_>, bound: Bound) -> Option<f64> {
+    match axis.kind {
+        AxisKind::Linear => r.number(value, Quantity::Length, bound),
+        AxisKind::Rotary => r.number(value, Quantity::Angle, bound),
+    }
+}
+
+fn letters<M: Machine>(wanted: impl Fn(&Axis) -> bool) -> String {
+    let letters: Vec<String> = M::AXES.iter().filter(|axis| wanted(axis)).map(|axis| axis.letter.to_string()).collect();
+    letters.join(" ")
+}
+
+fn show_limits(axis: &Axis, limits: Limits, units: Units) -> String {
+    match axis.kind {
+        AxisKind::Linear => {
+            format!("{:.3} to {:.3} {}", limits.lower / units.in_mm(), limits.upper / units.in_mm(), units.name())
+        }
+        AxisKind::Rotary => format!("{:.4} to {:.4} degrees", limits.lower.to_degrees(), limits.upper.to_degrees()),
+    }
+}
+
+/// Replaces a default only by a value that could be read.
+fn set<T>(slot: &mut T, value: Option<T>) {
+    if let Some(value) = value {
+        *slot = value;
+    }
+}

@@ -1,0 +1,288 @@
+use proptest::prelude::*;
+
+use super::sample::Sample;
+use super::*;
+
+fn read(text: &str) -> Config {
+    Config::read::<Sample>(text).unwrap_or_else(|faults| panic!("{faults:#?}"))
+}
+
+/// The faults as `line:column: text` and, if there is one, ` | help`.
+fn faults(text: &str) -> Vec<String> {
+    let faults = Config::read::<Sample>(text).expect_err("the file has a fault");
+    let show = |fault: crate::diag::Diagnostic| {
+        let help = fault.help.map_or(String::new(), |help| format!(" | {help}"));
+        format!("{}:{}: {}{help}", fault.location.line, fault.location.column, fault.text)
+    };
+    faults.into_iter().map(show).collect()
+}
+
+fn close(left: f64, right: f64) -> bool {
+    (left - right).abs() <= 1e-12 * right.abs().max(1.0)
+}
+
+#[test]
+fn the_printed_file_reads_back_as_the_default() {
+    let mut config = read(&print::<Sample>());
+    assert_eq!(config.given, BTreeSet::from(["units"]));
+    config.given.clear();
+    assert_eq!(config, Config::default());
+}
+
+#[test]
+fn an_empty_file_is_the_default() {
+    assert_eq!(read(""), Config::default());
+}
+
+#[test]
+fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
+    let text: String = print::<Sample>()
+        .lines()
+        .map(|line| match line.strip_prefix('#') {
+            Some(setting) if !setting.is_empty() && !setting.starts_with(' ') => format!("{setting}\n"),
+            _ => format!("{line}\n"),
+        })
+        .collect();
+    let config = read(&text);
+    assert!(config.given.contains("retract.position") && config.given.contains("formats.inverse_time"));
+    // What the machine declares, given once more.
+    assert_eq!(config.limits.keys().collect::<String>(), "BCXYZ");
+    assert_eq!(config.limits[&'C'], None);
+    let machine: Sample = config.machine().expect("the machine is valid");
+    assert!(close(machine.alpha, Sample::default().alpha) && close(machine.d, 150.0));
+    let plain = Config {
+        dimensions: BTreeMap::new(),
+        limits: BTreeMap::new(),
+        speeds: BTreeMap::new(),
+        given: BTreeSet::new(),
+        ..config.clone()
+    };
+    assert_eq!(plain, Config::default());
+    let (travel, declared) = (config.travel::<Sample>(), Config::default().travel::<Sample>());
+    for (one, other) in travel.limits.iter().zip(&declared.limits) {
+        assert_eq!(one.is_some(), other.is_some());
+        assert!(
+            one.zip(*other).is_none_or(|(one, other)| close(one.lower, other.lower) && close(one.upper, other.upper))
+        );
+    }
+    for (one, other) in travel.speeds.iter().zip(&declared.speeds) {
+        assert_eq!(one.is_some(), other.is_some());
+        assert!(one.zip(*other).is_none_or(|(one, other)| close(one, other)));
+    }
+}
+
+#[test]
+fn every_example_of_the_printed_file_is_accepted() {
+    let text: String =
+        print::<Sample>().lines().map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line))).collect();
+    let config = read(&text);
+    assert_eq!(config.tools[&12].name.as_deref(), Some("ball 10"));
+    assert_eq!(config.tools[&12].rotation, Some(Rotation::Clockwise));
+    assert_eq!(config.machine_zero.len(), 3);
+    assert_eq!(config.park.len(), 2);
+    assert_eq!(config.retract.distance, Some(100.0));
+    assert_eq!(config.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
+    assert!(!config.file_units_assumed);
+}
+
+#[test]
+fn inches_and_degrees_become_millimetres_and_radians() {
+    let config = read(
+        "units = 'in'\npart_origin = [1, 0.5, -2]\nindex_angle = 5\nfloor = -0.25\n\
+         machine_zero = { X = -10 }\npark = { B = 90 }\nspindle_max = 12000\n\
+         [tools.3]\nlength = 4\n[speeds]\nX = 100\nC = 360\n[limits]\nZ = [-20, 0]\nB = \"free\"\n\
+         [dimensions]\nd = 6\nalpha = 30\n",
+    );
+    assert!(config.part_origin.iter().zip([25.4, 12.7, -50.8]).all(|(one, other)| close(*one, other)));
+    assert!(close(config.index_angle, 5_f64.to_radians()));
+    assert_eq!(config.floor, Some(-6.35));
+    assert!(close(config.machine_zero[&'X'], -254.0));
+    assert!(close(config.park[&'B'], 90_f64.to_radians()));
+    assert_eq!(config.spindle_max, Some(12000.0));
+    assert_eq!(config.tools[&3].length, Some(101.6));
+    assert!(close(config.speeds[&'X'], 2540.0));
+    assert!(close(config.speeds[&'C'], std::f64::consts::TAU));
+    assert_eq!(config.limits[&'Z'], Some(Limits { lower: -508.0, upper: 0.0 }));
+    assert_eq!(config.limits[&'B'], None);
+    assert!(close(config.dimensions["d"], 152.4) && close(config.dimensions["alpha"], 30_f64.to_radians()));
+}
+
+#[test]
+fn the_unit_of_the_file_counts_wherever_it_stands_among_the_keys() {
+    assert_eq!(read("floor = 1\nunits = 'in'\n").floor, Some(25.4));
+}
+
+#[test]
+fn a_length_without_a_unit_is_assumed_to_be_in_millimetres_and_marked() {
+    assert!(read("floor = 1\n").file_units_assumed);
+    assert!(!read("units = 'mm'\nfloor = 1\n").file_units_assumed);
+    assert!(!read("work_offset = 'G55'\n").file_units_assumed);
+}
+
+#[test]
+fn given_keys_are_told_from_assumed_ones() {
+    let config = read("[retract]\nposition = 0\n");
+    assert!(config.is_given("retract.position"));
+    assert!(!config.is_given("approach.distance"));
+}
+
+#[test]
+fn an_unknown_key_names_the_nearest_known_one() {
+    assert_eq!(
+        faults("[retract]\n  distnace = 3\n"),
+        ["2:3: unknown key `retract.distnace`; did you mean `distance`?"]
+    );
+    assert_eq!(faults("part_orign = [0, 0, 0]\n"), ["1:1: unknown key `part_orign`; did you mean `part_origin`?"]);
+    assert_eq!(faults("[tools.7]\nlenght = 3\n"), ["2:1: unknown key `tools.7.lenght`; did you mean `length`?"]);
+}
+
+#[test]
+fn an_unknown_key_without_a_near_one_lists_what_is_known() {
+    assert_eq!(
+        faults("[retract]\nspeed = 3\n"),
+        ["2:1: unknown key `retract.speed` | known here are `position`, `distance`"]
+    );
+}
+
+#[test]
+fn a_key_below_the_wrong_header_is_told_where_it_belongs() {
+    assert_eq!(
+        faults("[retract]\nposition = 0\nwork_offset = 'G55'\n"),
+        ["3:1: unknown key `retract.work_offset` | `work_offset` belongs above the first [header] of the file"]
+    );
+}
+
+#[test]
+fn a_key_of_a_later_version_is_not_supported_yet() {
+    assert_eq!(faults("program_zero = 'part'\n"), ["1:1: `program_zero` is not supported yet"]);
+    assert_eq!(faults("[rotary_offset]\nC = 12.5\n"), ["1:2: `rotary_offset` is not supported yet"]);
+}
+
+#[test]
+fn every_fault_is_reported_in_the_order_of_the_text() {
+    assert_eq!(
+        faults("stop_retract = 'yes'\nfloor = nan\nspindle_max = -1\n[tools.0]\n[limits]\nB = [5, -5]\n"),
+        [
+            "1:16: true or false is needed here, found text in quotes",
+            "2:9: a finite number is needed here",
+            "3:15: a number above zero is needed here",
+            "4:8: `0` is not the number of a tool | tools are tables with a number from 1 to 99999: [tools.12]",
+            "6:5: this travel of B is empty | the lowest value comes first",
+        ]
+    );
+}
+
+#[test]
+fn numbers_outside_their_range_are_refused() {
+    assert_eq!(faults("floor = inf\n"), ["1:9: a finite number is needed here"]);
+    assert_eq!(faults("floor = 1e300\n").len(), 1);
+    assert_eq!(
+        faults("units = 'in'\nfloor = 5000\n"),
+        ["2:9: this is a length of 127 m | the unit of this file is `in`"]
+    );
+    assert_eq!(faults("[approach]\ndistance = 0\n"), ["2:12: a number above zero is needed here"]);
+    assert_eq!(faults("[formats]\ninverse_time = 3\n"), ["2:16: a whole number from 6 to 12 is needed here"]);
+    assert_eq!(faults("[tools.100000]\n").len(), 1);
+    assert_eq!(faults("[tools.07]\n").len(), 1);
+    assert_eq!(faults("[tools.7]\nlength = -3\n"), ["2:10: a number that is not negative is needed here"]);
+}
+
+#[test]
+fn a_letter_that_is_not_an_axis_of_the_machine_is_refused() {
+    assert_eq!(faults("[limits]\nA = [0, 1]\n"), ["2:1: `A` is not an axis of Sample | its axes are C B X Y Z"]);
+    assert_eq!(faults("[speeds]\nx = 1\n"), ["2:1: `x` is not an axis of Sample | its axes are C B X Y Z"]);
+    assert_eq!(
+        faults("machine_zero = { C = 0 }\n"),
+        ["1:18: C turns; `machine_zero` is for linear axes | linear axes are X Y Z"]
+    );
+}
+
+#[test]
+fn an_unknown_dimension_names_the_nearest() {
+    assert_eq!(
+        faults("[dimensions]\nalpa = 3\n"),
+        ["2:1: `alpa` is not a dimension of Sample | did you mean `alpha`?"]
+    );
+}
+
+#[test]
+fn dimensions_for_which_the_formulas_fail_are_refused() {
+    assert_eq!(
+        faults("[dimensions]\nd = 0\n"),
+        ["1:1: Sample cannot be built like this: `d` is zero: the table has no height"]
+    );
+}
+
+#[test]
+fn dimensions_and_part_origin_reach_the_machine() {
+    let machine: Sample =
+        read("units = 'mm'\npart_origin = [1, 2, 3]\n[dimensions]\nd = 7\n").machine().expect("it is valid");
+    assert!(close(machine.d, 7.0));
+    assert_eq!(machine.part_origin.as_slice(), [1.0, 2.0, 3.0]);
+}
+
+#[test]
+fn an_axis_cannot_be_parked_outside_its_travel() {
+    assert_eq!(faults("[park]\nB = 111\n"), ["2:5: B cannot stand there: its travel is -5.0000 to 110.0000 degrees"]);
+    read("park = { B = 110 }\n");
+    read("park = { B = 111 }\nlimits = { B = [-5, 120] }\n");
+}
+
+#[test]
+fn a_work_offset_that_the_control_does_not_have_is_refused() {
+    assert_eq!(read("work_offset = 'G59.3'").work_offset, "G59.3");
+    assert_eq!(faults("work_offset = 'G59.4'\n").len(), 1);
+    assert_eq!(faults("work_offset = 'G53'\n").len(), 1);
+}
+
+#[test]
+fn a_block_of_the_program_is_one_line() {
+    assert_eq!(read("[program]\nstart = ['G64 P0.01', 'M64 P1']\n").program.start, ["G64 P0.01", "M64 P1"]);
+    assert_eq!(faults("[program]\nend = [\"M5\\nM30\"]\n").len(), 1);
+}
+
+#[test]
+fn text_that_is_not_toml_is_reported_at_its_place() {
+    let faults = faults("units = 'mm'\nfloor = \n");
+    assert!(faults[0].starts_with("2:"), "{faults:?}");
+}
+
+/// Lines as they might stand in a file, right and wrong.
+fn any_line() -> impl Strategy<Value = String> {
+    let keys = ["units", "part_origin", "floor", "park", "limits", "machine_zero", "tools", "retract", "\"é\"", "x"];
+    let values = [
+        "1",
+        "-1e400",
+        "nan",
+        "true",
+        "\"mm\"",
+        "\"é\"",
+        "[]",
+        "[1, 2, 3]",
+        "{ B = 1, Q = [] }",
+        "{ 5 = { length = 0x5 } }",
+        "1979-05-27",
+    ];
+    let others =
+        ["[tools.5]", "[tools.000000]", "[park]", "[retract]", "[limits]", "é = ", "\u{feff}", "# é", "\r", "'", "="];
+    let setting = (prop::sample::select(keys.to_vec()), prop::sample::select(values.to_vec()));
+    prop_oneof![
+        setting.prop_map(|(key, value)| format!("{key} = {value}")),
+        prop::sample::select(others.to_vec()).prop_map(str::to_owned)
+    ]
+}
+
+proptest! {
+    /// A file is read or refused with places inside it; nothing in it stops the program.
+    #[test]
+    fn any_file_is_read_or_refused(lines in proptest::collection::vec(any_line(), 0..8)) {
+        let text = lines.join("\n");
+        if let Err(faults) = Config::read::<Sample>(&text) {
+            prop_assert!(!faults.is_empty());
+            for fault in faults {
+                prop_assert!(fault.location.line >= 1 && fault.location.column >= 1 && fault.length >= 1);
+                prop_assert!(fault.location.line <= text.split('\n').count() as u64);
+            }
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! Planning: events of the CL data into the steps of one machine's program.
+//!
+//! Input are [`Event`](crate::program::Event)s in mm and rad, output are [`Step`]s with words in whole units. Branch and
+//! turns, limits, feeds and the safe sequence between operations are decided here; how a control spells a step is not,
+//! and what the CL data looked like neither. Memory is constant, and nothing is allocated for a motion.
+
+mod choose;
+mod fault;
+mod feed;
+mod place;
+mod planner;
+mod retreat;
+mod scout;
+mod sequence;
+mod step;
+mod tool;
+mod travel;
+
+#[cfg(test)]
+pub(crate) mod machines;
+#[cfg(test)]
+mod tests;
+
+pub use planner::{Abilities, Planner, Statistics, Stop};
+pub use scout::{Scout, Start};
+pub use step::{Feed, MAX_AXES, Sink, Step, Words};
+pub use tool::Tool;

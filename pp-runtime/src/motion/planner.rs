@@ -1,0 +1,673 @@
+//! The planner: what to do with each event, and what must be known before it can be done.
+//!
+//! A start collects what the CL data says between two operations. Its safe sequence is written once the first motion
+//! and the one after it are known, because the approach point depends on both; the events between these two wait in a
+//! short queue. Everything else is decided motion by motion.
+
+use std::collections::BTreeMap;
+use std::io;
+
+use crate::config::{Config, Transition, Units};
+use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::{Machine, Pose};
+use crate::program::{self, Coolant, Event, Location, Move, Rotation, Spindle, ToolCall};
+
+use super::fault::Fault;
+use super::feed::{Feeds, Stroke};
+use super::place::{Place, Placer};
+use super::retreat::Retreat;
+use super::scout::Start;
+use super::step::{Feed, Sink, Step};
+use super::tool::{SpindleRequest, Tool};
+
+/// A motion of the same axis, within this angle, rad: CL data has seven digits.
+pub(super) const SAME_AXIS: f64 = 1e-6;
+
+/// A deviation of the tool axis up to this is arithmetic, rad.
+const NO_DEVIATION: f64 = 1e-12;
+
+/// From this turn on, the middle of a feed block is looked at, rad.
+const LARGE_TURN: f64 = 0.017;
+
+/// From this distance on, a tip that leaves its line is remarked on, mm.
+const LARGE_SWING: f64 = 0.1;
+
+/// A rapid this much below the lowest cut is remarked on, mm.
+const PLUNGE: f64 = 0.001;
+
+/// Why planning stopped.
+#[derive(Debug)]
+pub enum Stop {
+    /// The CL data cannot be posted from here on.
+    Fault(Diagnostic),
+    /// The output failed.
+    Output(io::Error),
+}
+
+impl From<io::Error> for Stop {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+pub(super) type Planned = Result<(), Stop>;
+
+/// What a control has no code for must not be planned.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Abilities {
+    /// Mist coolant.
+    pub mist: bool,
+    /// Coolant through the spindle.
+    pub through: bool,
+    /// Air.
+    pub air: bool,
+}
+
+/// What was met on the way.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Statistics {
+    /// Motions of the CL data that were posted.
+    pub motions: u64,
+    /// Motions whose tool axis lies outside the reachable set by more than arithmetic, yet within tolerance.
+    pub deviations: u64,
+    /// Largest of these deviations, rad.
+    pub largest_deviation: f64,
+    /// Safe sequences.
+    pub sequences: u64,
+    /// Blocks in inverse time.
+    pub inverse_time: u64,
+    /// Motions so near the pole that the rotary which is nearly free kept its value.
+    pub near_pole: u64,
+    /// Largest distance of the tip from the programmed line, mm, seen in the middle of feed blocks that turn an axis
+    /// far.
+    pub largest_swing: f64,
+}
+
+/// An event that may stand between the first motion of an operation and the next.
+#[derive(Debug, Clone, Copy)]
+enum Waiting {
+    Spindle(Spindle),
+    Coolant(Coolant),
+    From(Pose),
+    /// Range in the texts.
+    Message(usize, usize),
+}
+
+/// Where the plan stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Phase {
+    /// Before the first motion of an operation.
+    Start,
+    /// The first motion is known, the next is not.
+    First {
+        at: Location,
+        motion: Move,
+        /// A new operation; else a rapid that turns the table or the head.
+        operation: bool,
+    },
+    /// In an operation.
+    Running,
+}
+
+/// Turns events into steps.
+pub struct Planner<'a, M: Machine> {
+    pub(super) config: &'a Config,
+    pub(super) placer: Placer<M>,
+    pub(super) feeds: Feeds,
+    abilities: Abilities,
+    /// Every tool axis of the CL data points into the table.
+    upside_down: bool,
+    starts: Vec<Start>,
+    /// Operations begun so far.
+    operations: usize,
+    pub(super) phase: Phase,
+    waiting: Vec<(Location, Waiting)>,
+    texts: Vec<u8>,
+    pub(super) warnings: Vec<Diagnostic>,
+
+    /// Where the rotaries stand or are taken to stand; held axes at their values.
+    pub(super) place: Place<M::Axes>,
+    /// A motion has been posted: `place` is more than a reference.
+    pub(super) placed: bool,
+    /// The tool stands at `place`; false after anything that may have moved the machine.
+    pub(super) there: bool,
+    /// The retract axis stands at its retract position.
+    pub(super) clear: bool,
+    pub(super) retreat: Retreat,
+    /// A safety line has been written.
+    pub(super) restarts: u32,
+
+    pub(super) tool: Option<Tool>,
+    /// Tools called so far, with the length the CL data gave.
+    lengths: BTreeMap<u32, Option<f64>>,
+    /// The tool that the next operation begins with.
+    pub(super) next_tool: Option<Tool>,
+    pub(super) request: SpindleRequest,
+    /// SPINDL stood in the start that is being collected.
+    spindle_in_start: bool,
+    /// Speed in rev/min and sense of the spindle as written; `None` if it does not turn or nobody knows.
+    pub(super) spindle: Option<(f64, Rotation)>,
+    pub(super) coolant_request: Coolant,
+    /// The coolant as written; `None` if nobody knows.
+    pub(super) coolant: Option<Coolant>,
+    pub(super) inverse_time: bool,
+    /// Where the largest swing is.
+    swing_at: Location,
+    /// Lowest pose of this tool axis that was cut in this operation.
+    lowest: Option<Pose>,
+    plunge_told: bool,
+    statistics: Statistics,
+}
+
+impl<'a, M: Machine> Planner<'a, M> {
+    /// A planner at the beginning of a program that is written in `units`.
+    pub fn new(machine: M, config: &'a Config, units: Units, abilities: Abilities, upside_down: bool) -> Self {
+        let placer = Placer::new(machine, config, units);
+        let place = placer.zero();
+        Self {
+            feeds: Feeds::new(config, units, placer.unit_mm()),
+            config,
+            placer,
+            abilities,
+            upside_down: upside_down && config.table_check,
+            starts: Vec::new(),
+            operations: 0,
+            phase: Phase::Start,
+            waiting: Vec::new(),
+            texts: Vec::new(),
+            warnings: Vec::new(),
+            place,
+            placed: false,
+            there: false,
+            clear: false,
+            retreat: Retreat::default(),
+            restarts: 0,
+            tool: None,
+            lengths: BTreeMap::new(),
+            next_tool: None,
+            request: SpindleRequest::default(),
+            spindle_in_start: false,
+            spindle: None,
+            coolant_request: Coolant::Off,
+            coolant: None,
+            inverse_time: false,
+            swing_at: Location::default(),
+            lowest: None,
+            plunge_told: false,
+            statistics: Statistics::default(),
+        }
+    }
+
+    /// Begins each operation with the rotary words that [`Scout`](super::Scout) has found for it.
+    #[must_use]
+    pub fn with_starts(mut self, starts: Vec<Start>) -> Self {
+        self.starts = starts;
+        self
+    }
+
+    /// What was met so far.
+    #[must_use]
+    pub fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    /// Takes the remarks that have come up since the last call.
+    pub fn take_warnings(&mut self) -> Vec<Diagnostic> {
+        std::mem::take(&mut self.warnings)
+    }
+
+    /// Whether there are remarks to take.
+    #[must_use]
+    #[inline]
+    pub fn has_warnings(&self) -> bool {
+        !self.warnings.is_empty()
+    }
+
+    /// Linear axes whose limits could not be compared: letter and why.
+    #[must_use]
+    pub fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
+        let why = |axis: &super::travel::LinearTravel| {
+            if !axis.limited() {
+                Some("no travel declared")
+            } else if !axis.placed() {
+                Some("no machine_zero")
+            } else if axis.unknown_length {
+                Some("gauge length unknown")
+            } else {
+                None
+            }
+        };
+        self.placer.travel.axes().iter().filter_map(|axis| why(axis).map(|why| (axis.letter(), why))).collect()
+    }
+
+    /// Plans one event.
+    ///
+    /// # Errors
+    /// [`Stop`] if it cannot be posted; nothing may be planned after that.
+    #[inline]
+    pub fn event(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
+        if let Event::Move(motion) = event {
+            return self.motion(at, motion, sink);
+        }
+        self.other(at, event, sink)
+    }
+
+    /// Ends the program behind its last event; the end code itself is left to the caller.
+    ///
+    /// # Errors
+    /// [`Stop`] if there is no way to retract, or the output fails.
+    pub fn finish(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
+        self.settle(None, sink)?;
+        let swing = self.statistics.largest_swing;
+        if swing > LARGE_SWING {
+            let text = format!("on the way to this point the tip leaves the programmed line by {swing:.3} mm or more");
+            let fault = Fault::new(text).help(
+                "a rotary axis turns far in one block here: give the CL data more points, or keep clear of the pole",
+            );
+            self.warnings.push(fault.at(self.swing_at, Severity::Warning));
+        }
+        self.end(at, sink)
+    }
+
+    /// Writes what is still held back, because reading stops with an error here. No end is written.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn abandon(&mut self, sink: &mut impl Sink) -> io::Result<()> {
+        match self.settle(None, sink) {
+            Err(Stop::Output(error)) => Err(error),
+            // The error that stopped the reader is the one to be told.
+            Ok(()) | Err(Stop::Fault(_)) => Ok(()),
+        }
+    }
+
+    fn motion(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
+        match self.phase {
+            Phase::Running => self.run(at, motion, sink),
+            Phase::Start => {
+                self.phase = Phase::First { at, motion: *motion, operation: true };
+                Ok(())
+            }
+            Phase::First { .. } => {
+                self.settle(Some(motion), sink)?;
+                self.run(at, motion, sink)
+            }
+        }
+    }
+
+    /// Writes the sequence to a first motion that has been waiting for the next, and what came between the two.
+    fn settle(&mut self, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
+        let Phase::First { at, motion, operation } = self.phase else { return Ok(()) };
+        self.phase = Phase::Running;
+        if operation {
+            self.spindle_in_start = false;
+            self.lowest = None;
+            self.plunge_told = false;
+            let start = self.starts.get(self.operations).copied().flatten();
+            self.operations += 1;
+            self.start(at, &motion, next, start, sink)?;
+        } else {
+            self.index(at, &motion, next, sink)?;
+        }
+        let mut waiting = std::mem::take(&mut self.waiting);
+        let texts = std::mem::take(&mut self.texts);
+        for (at, event) in waiting.drain(..) {
+            match event {
+                Waiting::Spindle(spindle) => self.spindle(at, spindle, sink)?,
+                Waiting::Coolant(coolant) => self.set_coolant(at, coolant, sink)?,
+                Waiting::From(pose) => self.from(&pose),
+                Waiting::Message(start, end) => sink.step(&Step::Message { text: &texts[start..end] })?,
+            }
+        }
+        self.waiting = waiting;
+        self.texts = texts;
+        self.texts.clear();
+        Ok(())
+    }
+
+    #[cold]
+    fn other(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
+        let first = matches!(self.phase, Phase::First { .. });
+        match *event {
+            Event::Spindle(spindle) if first => self.waiting.push((at, Waiting::Spindle(spindle))),
+            Event::Coolant(coolant) if first => self.waiting.push((at, Waiting::Coolant(coolant))),
+            Event::From(pose) if first => self.waiting.push((at, Waiting::From(pose))),
+            Event::Message(text) if first => {
+                let start = self.texts.len();
+                self.texts.extend_from_slice(text);
+                self.waiting.push((at, Waiting::Message(start, self.texts.len())));
+            }
+            Event::Spindle(spindle) => self.spindle(at, spindle, sink)?,
+            Event::Coolant(coolant) => self.set_coolant(at, coolant, sink)?,
+            Event::From(pose) => self.from(&pose),
+            Event::Message(text) => sink.step(&Step::Message { text })?,
+            Event::Name(_) | Event::Preselect(_) => {}
+            Event::Operation(name) => {
+                self.begin(at, self.config.transition == Transition::Safe, sink)?;
+                sink.step(&Step::Operation { name })?;
+            }
+            Event::Tool(call) => {
+                let tool = self.resolve(at, &call)?;
+                let known = self.next_tool.or(self.tool);
+                self.begin(at, true, sink)?;
+                if known.is_none_or(|known| known.number != tool.number) && !self.spindle_in_start {
+                    // The speed of one tool is not the speed of another.
+                    self.request = SpindleRequest::default();
+                }
+                self.next_tool = Some(tool);
+            }
+            Event::Stop => self.stop(at, false, sink)?,
+            Event::OptionalStop => self.stop(at, true, sink)?,
+            Event::Move(_) => {}
+        }
+        Ok(())
+    }
+
+    /// The tool of a record; what is odd about a tool is said once.
+    fn resolve(&mut self, at: Location, call: &ToolCall) -> Result<Tool, Stop> {
+        let before = self.lengths.get(&call.number).copied();
+        let known = before.is_some();
+        let warnings = &mut self.warnings;
+        let remark = |fault: Fault| {
+            if !known {
+                warnings.push(fault.at(at, Severity::Warning));
+            }
+        };
+        let tool = Tool::resolve(call, before.flatten(), self.config, self.placer.head(), remark)
+            .map_err(|fault| stop(at, fault))?;
+        self.lengths.insert(call.number, call.length.or(before.flatten()));
+        Ok(tool)
+    }
+
+    /// A start begins, or goes on: what was held back is written, and the tool leaves the part.
+    fn begin(&mut self, at: Location, leave: bool, sink: &mut impl Sink) -> Planned {
+        self.settle(None, sink)?;
+        self.phase = Phase::Start;
+        if leave { self.leave(at, sink) } else { Ok(()) }
+    }
+
+    fn stop(&mut self, at: Location, optional: bool, sink: &mut impl Sink) -> Planned {
+        self.begin(at, self.config.stop_retract, sink)?;
+        if self.config.stop_retract {
+            self.coolant_off(sink)?;
+            self.machine_retract(at, sink)?;
+            sink.step(&Step::SpindleOff)?;
+        }
+        sink.step(&Step::Stop { optional })?;
+        // The operator may have done anything.
+        self.spindle = None;
+        self.coolant = None;
+        self.there = false;
+        self.clear = false;
+        Ok(())
+    }
+
+    fn spindle(&mut self, at: Location, spindle: Spindle, sink: &mut impl Sink) -> Planned {
+        match spindle {
+            Spindle::Off => self.request.off = true,
+            Spindle::On { speed, rotation } => {
+                self.request.off = false;
+                self.request.speed = speed.or(self.request.speed);
+                self.request.rotation = rotation.or(self.request.rotation);
+            }
+        }
+        if self.phase == Phase::Start {
+            self.spindle_in_start = true;
+            return Ok(());
+        }
+        self.turn_spindle(at, false, sink)
+    }
+
+    /// Brings the spindle to what is wanted; `again`: even if it is so already.
+    pub(super) fn turn_spindle(&mut self, at: Location, again: bool, sink: &mut impl Sink) -> Planned {
+        let given = self.tool.and_then(|tool| self.config.tools.get(&tool.number));
+        let wanted = self.request.resolve(given, self.config).map_err(|fault| stop(at, fault))?;
+        match wanted {
+            Some((speed, rotation)) => {
+                let turning = (speed.value(), rotation);
+                if again || self.spindle != Some(turning) {
+                    let starts = again || self.spindle.is_none_or(|(_, before)| before != rotation);
+                    self.spindle = Some(turning);
+                    sink.step(&Step::Spindle { speed, rotation })?;
+                    if starts && self.config.spindle_dwell > 0.0 {
+                        sink.step(&Step::Dwell { seconds: self.config.spindle_dwell })?;
+                    }
+                }
+            }
+            None if self.spindle.take().is_some() => sink.step(&Step::SpindleOff)?,
+            None => {}
+        }
+        Ok(())
+    }
+
+    fn set_coolant(&mut self, at: Location, coolant: Coolant, sink: &mut impl Sink) -> Planned {
+        self.coolant_request = coolant;
+        if self.phase == Phase::Start { Ok(()) } else { self.turn_coolant(at, sink) }
+    }
+
+    /// Brings the coolant to what is wanted.
+    pub(super) fn turn_coolant(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
+        let tool = self.tool.and_then(|tool| self.config.tools.get(&tool.number));
+        let kind = match self.coolant_request {
+            Coolant::On => tool.and_then(|tool| tool.coolant).unwrap_or(self.config.defaults.coolant),
+            kind => kind,
+        };
+        let missing = match kind {
+            Coolant::Mist => (!self.abilities.mist).then_some("mist"),
+            Coolant::Through => (!self.abilities.through).then_some("coolant through the spindle"),
+            Coolant::Air => (!self.abilities.air).then_some("air"),
+            Coolant::On | Coolant::Flood | Coolant::Off => None,
+        };
+        if let Some(missing) = missing {
+            return Err(stop(at, Fault::new(format_args!("this control has no code for {missing}"))));
+        }
+        if kind == Coolant::Off {
+            return self.coolant_off(sink);
+        }
+        if self.coolant != Some(kind) {
+            if self.coolant.is_some_and(|before| before != Coolant::Off) {
+                sink.step(&Step::CoolantOff)?;
+            }
+            self.coolant = Some(kind);
+            sink.step(&Step::Coolant { kind })?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn coolant_off(&mut self, sink: &mut impl Sink) -> Planned {
+        if self.coolant != Some(Coolant::Off) {
+            self.coolant = Some(Coolant::Off);
+            sink.step(&Step::CoolantOff)?;
+        }
+        Ok(())
+    }
+
+    /// FROM: before the first motion it says where the rotaries count from.
+    fn from(&mut self, pose: &Pose) {
+        if !self.placed
+            && let Some(place) = self.placer.reference(pose, &self.place)
+        {
+            self.place = place;
+        }
+    }
+
+    /// What must be true before the tool moves to a point of the CL data.
+    #[inline]
+    pub(super) fn check_state(&self, motion: &Move) -> Result<(), Fault> {
+        if let Some(floor) = self.config.floor
+            && motion.pose.tip.z < floor
+        {
+            return Err(Fault::new(format_args!("the tip goes to Z {}, below `floor` = {floor}", motion.pose.tip.z)));
+        }
+        if self.tool.is_none() {
+            if self.placer.head() {
+                return Err(Fault::new(
+                    "a motion before the first tool, and this machine turns the tool about its head",
+                )
+                .help("call the tool first: LOADTL/1,LENGTH,120"));
+            }
+            if !motion.rapid {
+                return Err(Fault::new("a feed motion before the first tool").help("call a tool: LOADTL/1"));
+            }
+        }
+        if motion.rapid {
+            return Ok(());
+        }
+        if self.upside_down {
+            return Err(Fault::new("every tool axis of this program points into the table")
+                .help("is the frame upside down? Turn it in CAM or with `part_rotation`; `table_check = false` posts it as it is"));
+        }
+        if self.spindle.is_none() {
+            return Err(if self.request.off {
+                Fault::new("a feed motion with the spindle off").help("give SPINDL/ON before it")
+            } else {
+                Fault::new("a feed motion without spindle speed or direction since the tool was called").help(
+                    "give SPINDL/RPM,..,CLW behind the tool call, or speed and direction of the tool in the configuration",
+                )
+            });
+        }
+        if motion.feed.is_none() {
+            return Err(Fault::new("a feed motion without feed").help("give FEDRAT before it"));
+        }
+        Ok(())
+    }
+
+    /// The F word of a motion of the CL data from where the tool stands to `to`.
+    #[inline]
+    pub(super) fn feed(&self, feed: Option<program::Feed>, to: &Place<M::Axes>) -> Result<Feed, Fault> {
+        let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
+        let per_minute = Feeds::per_minute(feed, self.spindle.map(|(speed, _)| speed))?;
+        let stroke = Stroke {
+            length: (to.pose.tip - self.place.pose.tip).norm(),
+            turn: self.placer.rotary_travel(&self.place.words, &to.words),
+            square: self.placer.square(),
+        };
+        self.feeds.word(per_minute, stroke)
+    }
+
+    /// A motion inside an operation.
+    #[inline]
+    fn run(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
+        let fault = |fault: Fault| stop(at, fault);
+        self.check_state(motion).map_err(fault)?;
+        let place = self.placer.place(&motion.pose, &self.place, !motion.rapid).map_err(fault)?;
+        if motion.rapid {
+            if self.config.transition == Transition::Safe
+                && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
+            {
+                self.phase = Phase::First { at, motion: *motion, operation: false };
+                return Ok(());
+            }
+            self.cancel_inverse_time(sink)?;
+            self.watch_plunge(at, &motion.pose);
+            sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
+        } else {
+            self.feed_to(at, motion, &place, sink)?;
+        }
+        self.retreat.follow(&self.place.pose, &motion.pose);
+        self.arrive(place);
+        Ok(())
+    }
+
+    /// A feed motion from where the tool stands.
+    #[inline]
+    pub(super) fn feed_to(
+        &mut self,
+        at: Location,
+        motion: &Move,
+        place: &Place<M::Axes>,
+        sink: &mut impl Sink,
+    ) -> Planned {
+        let feed = self.feed(motion.feed, place).map_err(|fault| stop(at, fault))?;
+        if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
+            let off = self.placer.middle_deviation(&self.place, place);
+            if off > self.statistics.largest_swing {
+                self.statistics.largest_swing = off;
+                self.swing_at = at;
+            }
+        }
+        self.write_feed(place, feed, sink)?;
+        self.cut(&motion.pose);
+        Ok(())
+    }
+
+    /// Remembers the lowest level that was cut with this tool axis in this operation.
+    #[inline]
+    pub(super) fn cut(&mut self, pose: &Pose) {
+        match &mut self.lowest {
+            Some(lowest)
+                if (lowest.axis.into_inner() - pose.axis.into_inner()).norm_squared() < SAME_AXIS * SAME_AXIS =>
+            {
+                if (pose.tip - lowest.tip).dot(&lowest.axis) < 0.0 {
+                    lowest.tip = pose.tip;
+                }
+            }
+            lowest => *lowest = Some(*pose),
+        }
+    }
+
+    /// Says once in an operation that a rapid goes deeper than anything was cut.
+    fn watch_plunge(&mut self, at: Location, to: &Pose) {
+        let Some(lowest) = self.lowest else { return };
+        let step = to.tip - self.place.pose.tip;
+        let down = -step.dot(&to.axis);
+        let across = (step + to.axis.into_inner() * down).norm();
+        let same = (lowest.axis.into_inner() - to.axis.into_inner()).norm() < SAME_AXIS;
+        let depth = -(to.tip - lowest.tip).dot(&to.axis);
+        if same && down > 0.0 && across <= 1e-3 * down && depth > PLUNGE && !self.plunge_told {
+            self.plunge_told = true;
+            let text =
+                format!("a rapid goes down along the tool to {depth:.3} mm below anything cut in this operation");
+            let fault = Fault::new(text).help("check whether the material is gone there");
+            self.warnings.push(fault.at(at, Severity::Warning));
+        }
+    }
+
+    #[inline]
+    pub(super) fn all(&self) -> u16 {
+        self.placer.linear_mask() | self.placer.rotary_mask()
+    }
+
+    #[inline]
+    pub(super) fn write_feed(&mut self, place: &Place<M::Axes>, feed: Feed, sink: &mut impl Sink) -> Planned {
+        if place.words != self.place.words {
+            self.inverse_time = matches!(feed, Feed::InverseTime(_));
+            self.statistics.inverse_time += u64::from(self.inverse_time);
+            sink.step(&Step::Feed { words: self.placer.words(place, self.all()), feed })?;
+        }
+        Ok(())
+    }
+
+    /// Inverse time never stays in force over a rapid.
+    #[inline]
+    pub(super) fn cancel_inverse_time(&mut self, sink: &mut impl Sink) -> Planned {
+        if self.inverse_time {
+            self.inverse_time = false;
+            sink.step(&Step::PerMinute)?;
+        }
+        Ok(())
+    }
+
+    /// The machine stands at a motion of the CL data.
+    #[inline]
+    pub(super) fn arrive(&mut self, place: Place<M::Axes>) {
+        self.statistics.motions += 1;
+        self.statistics.near_pole += u64::from(place.near_pole);
+        if place.deviation > NO_DEVIATION {
+            self.statistics.deviations += 1;
+            self.statistics.largest_deviation = self.statistics.largest_deviation.max(place.deviation);
+        }
+        self.place = place;
+        self.placed = true;
+        self.there = true;
+        self.clear = false;
+    }
+
+    pub(super) fn count_sequence(&mut self) {
+        self.statistics.sequences += 1;
+    }
+}
+
+pub(super) fn stop(at: Location, fault: Fault) -> Stop {
+    Stop::Fault(fault.at(at, Severity::Error))
+}

@@ -1,0 +1,139 @@
+//! Where the rotaries of each operation begin, chosen with the whole operation in view.
+//!
+//! Pose by pose the planner takes the least turn. At the start of an operation that can be the wrong branch or turn: one
+//! that runs into a limit later, in the cut. The scout follows every possible start through the operation and keeps the
+//! one that stays inside the limits; among several the one that turns least. It sees the events of the first pass and
+//! remembers one start for each operation.
+
+use crate::config::{Config, Transition, Units};
+use crate::kinematics::{Machine, Pose};
+use crate::program::Event;
+
+use super::place::{Place, Placer};
+use super::step::MAX_AXES;
+
+/// More starts than this are not followed.
+const MOST_CANDIDATES: usize = 24;
+
+/// Words of the rotary axes at the start of an operation, by position in the chain.
+pub type Start = Option<[i64; MAX_AXES]>;
+
+/// One way to begin an operation, and how far it leads.
+#[derive(Debug, Clone, Copy)]
+struct Candidate<A> {
+    start: [i64; MAX_AXES],
+    place: Place<A>,
+    alive: bool,
+    motions: u64,
+}
+
+/// Follows the operations of a program.
+pub struct Scout<M: Machine> {
+    placer: Placer<M>,
+    /// Where the rotaries stand before the operation.
+    before: Place<M::Axes>,
+    placed: bool,
+    begun: bool,
+    /// The operation began at the pole and has not left it yet.
+    at_pole: bool,
+    candidates: Vec<Candidate<M::Axes>>,
+    starts: Vec<Start>,
+}
+
+impl<M: Machine> Scout<M> {
+    /// A scout, where there is something to choose: a limited rotary, and operations that begin with the safe sequence.
+    #[must_use]
+    pub fn new(machine: M, config: &Config) -> Option<Self> {
+        let placer = Placer::new(machine, config, Units::Millimetres);
+        (placer.limited() && config.transition == Transition::Safe).then(|| Self {
+            before: placer.zero(),
+            placer,
+            placed: false,
+            begun: true,
+            at_pole: false,
+            candidates: Vec::new(),
+            starts: Vec::new(),
+        })
+    }
+
+    /// Follows one event.
+    pub fn event(&mut self, event: &Event<'_>) {
+        match event {
+            Event::From(pose) if !self.placed => {
+                self.before = self.placer.reference(pose, &self.before).unwrap_or(self.before);
+            }
+            Event::Operation(_) | Event::Tool(_) | Event::Stop | Event::OptionalStop => self.close(),
+            Event::Move(motion) if self.begun => self.open(&motion.pose),
+            Event::Move(motion) => self.follow(&motion.pose, !motion.rapid),
+            _ => {}
+        }
+    }
+
+    /// The start of each operation, in their order.
+    #[must_use]
+    pub fn finish(mut self) -> Vec<Start> {
+        self.close();
+        self.starts
+    }
+
+    fn open(&mut self, pose: &Pose) {
+        self.begun = false;
+        self.placed = true;
+        self.candidates.clear();
+        // What the planner would do by itself comes first: it wins every tie.
+        if let Ok(place) = self.placer.turn(pose, &self.before, false) {
+            self.add(place.words, place);
+        }
+        self.at_pole = self.placer.singular(pose, &self.before);
+        for place in self.placer.every_turn(pose, &self.before) {
+            self.add(place.words, place);
+        }
+    }
+
+    fn add(&mut self, start: [i64; MAX_AXES], place: Place<M::Axes>) {
+        if self.candidates.len() < MOST_CANDIDATES && self.candidates.iter().all(|known| known.start != start) {
+            self.candidates.push(Candidate { start, place, alive: true, motions: 0 });
+        }
+    }
+
+    fn follow(&mut self, pose: &Pose, feed: bool) {
+        if self.at_pole && !self.placer.singular(pose, &self.before) {
+            // Only now it shows which way the free rotary could have stood from the beginning.
+            self.at_pole = false;
+            let Some(first) = self.candidates.first().copied() else { return };
+            for place in self.placer.every_turn(pose, &first.place) {
+                let start = self.placer.with_first_rotary(&first.place, &place);
+                self.add(start.words, Place { pose: first.place.pose, ..start });
+            }
+        }
+        for candidate in self.candidates.iter_mut().filter(|candidate| candidate.alive) {
+            match self.placer.turn(pose, &candidate.place, feed) {
+                Ok(place) => {
+                    candidate.place = place;
+                    candidate.motions += 1;
+                }
+                Err(_) => candidate.alive = false,
+            }
+        }
+    }
+
+    fn close(&mut self) {
+        if self.begun {
+            return;
+        }
+        self.begun = true;
+        let placer = &self.placer;
+        let before = self.before.words;
+        // The farthest, then the one that turns least before it begins, then the first.
+        let best = self.candidates.iter().enumerate().min_by_key(|(order, candidate)| {
+            (!candidate.alive, u64::MAX - candidate.motions, placer.sum_of_turns(&before, &candidate.start), *order)
+        });
+        match best {
+            Some((_, best)) => {
+                self.starts.push(Some(best.start));
+                self.before = best.place;
+            }
+            None => self.starts.push(None),
+        }
+    }
+}

@@ -1,0 +1,280 @@
+//! The safe sequence: how the tool gets from one cut to the next, one step per block.
+//!
+//! 1. coolant off, inverse time cancelled;
+//! 2. out along the tool axis, then the retract axis to its machine position;
+//! 3. tool, length offset, spindle, dwell;
+//! 4. rotary axes alone;
+//! 5. the other linear axes;
+//! 6. the retract axis down to the approach point;
+//! 7. coolant on;
+//! 8. along the tool axis to the first point.
+//!
+//! "Out" and "in" are along the tool axis. Where the machine stands is never assumed at program start, behind a tool
+//! change or behind a stop.
+
+use crate::config::Transition;
+use crate::diag::Severity;
+use crate::kinematics::{AxisKind, Machine, Pose};
+use crate::program::{Location, Move};
+
+use super::fault::Fault;
+use super::planner::{Planned, Planner, SAME_AXIS, stop};
+use super::scout::Start;
+use super::step::{Sink, Step, Words};
+
+/// A point this near to a line lies on it, mm.
+const ON_LINE: f64 = 0.001;
+
+/// A retreat that falls short by less than this is long enough, mm.
+const ENOUGH: f64 = 1e-6;
+
+impl<M: Machine> Planner<'_, M> {
+    /// Steps 1 and the first half of 2, if the tool stands at the part.
+    pub(super) fn leave(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
+        if !self.there {
+            return Ok(());
+        }
+        self.coolant_off(sink)?;
+        self.cancel_inverse_time(sink)?;
+        let led_out = self.retreat.length();
+        match self.config.retract.distance {
+            Some(distance) if led_out + ENOUGH < distance => {
+                let Pose { tip, axis } = self.place.pose;
+                let out = self.placer.shifted(tip + axis.into_inner() * distance, &self.place).map_err(|fault| {
+                    stop(at, fault.context(format_args!("the retract by `retract.distance` = {distance} mm")))
+                })?;
+                sink.step(&Step::Rapid { words: self.placer.words(&out, self.placer.linear_mask()) })?;
+                self.place = out;
+            }
+            Some(_) => {}
+            None if self.placer.straight() => {}
+            None if led_out > ENOUGH => {
+                let wanted = self.config.approach.distance;
+                if led_out + ENOUGH < wanted {
+                    let text = format!(
+                        "before this line the CL data leads the tool out by {led_out:.3} mm only, less than \
+                         `approach.distance` = {wanted} mm"
+                    );
+                    let fault = Fault::new(text).help("give `retract.distance`, or retract further in CAM");
+                    self.warnings.push(fault.at(at, Severity::Warning));
+                }
+            }
+            None => {
+                return Err(stop(
+                    at,
+                    Fault::new(
+                        "the tool has to leave the part here, and the CL data before this line does not lead it out \
+                         along its axis",
+                    )
+                    .help("give `retract.distance` in the configuration, or retract along the tool axis in CAM"),
+                ));
+            }
+        }
+        self.retreat.reset();
+        self.there = false;
+        Ok(())
+    }
+
+    /// The second half of step 2: the retract axis to its machine position.
+    pub(super) fn machine_retract(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
+        if self.clear {
+            return Ok(());
+        }
+        if self.restarts == 0 {
+            self.restart(sink)?;
+        }
+        let words = self
+            .placer
+            .machine_words(self.placer.retract_axis(), self.config.retract.position)
+            .map_err(|fault| stop(at, fault))?;
+        sink.step(&Step::Machine { words })?;
+        self.clear = true;
+        Ok(())
+    }
+
+    fn restart(&mut self, sink: &mut impl Sink) -> Planned {
+        self.restarts += 1;
+        sink.step(&Step::Restart { number: self.restarts })?;
+        self.inverse_time = false;
+        Ok(())
+    }
+
+    /// The first motion of an operation, with everything before it.
+    pub(super) fn start(
+        &mut self,
+        at: Location,
+        first: &Move,
+        next: Option<&Move>,
+        start: Start,
+        sink: &mut impl Sink,
+    ) -> Planned {
+        let wanted = self.next_tool.take();
+        let change = wanted.is_some_and(|wanted| self.tool.is_none_or(|tool| tool.number != wanted.number));
+        if self.there && self.config.transition == Transition::Direct && !change {
+            return self.start_directly(at, first, sink);
+        }
+        self.leave(at, sink)?;
+        // A complete state, the retract included: the program can be entered here.
+        self.restart(sink)?;
+        self.clear = false;
+        if self.coolant.is_none() {
+            self.coolant_off(sink)?;
+        }
+        self.machine_retract(at, sink)?;
+        if let Some(tool) = wanted.or(self.tool) {
+            self.tool = Some(tool);
+            self.placer.set_gauge_length(tool.length);
+            sink.step(&Step::Tool { number: tool.number, change })?;
+            if change {
+                // The change may leave every axis anywhere, and the spindle still.
+                self.clear = false;
+                self.spindle = None;
+                self.machine_retract(at, sink)?;
+            }
+            sink.step(&Step::Length { offset: tool.offset })?;
+        }
+        self.turn_spindle(at, true, sink)?;
+        self.check_state(first).map_err(|fault| stop(at, fault))?;
+        self.approach(at, first, next, start, sink)
+    }
+
+    /// An operation that goes on where the last one ended, because the configuration wants it so.
+    fn start_directly(&mut self, at: Location, first: &Move, sink: &mut impl Sink) -> Planned {
+        self.turn_spindle(at, false, sink)?;
+        self.turn_coolant(at, sink)?;
+        self.check_state(first).map_err(|fault| stop(at, fault))?;
+        let place = self.placer.place(&first.pose, &self.place, !first.rapid).map_err(|fault| stop(at, fault))?;
+        if first.rapid {
+            self.cancel_inverse_time(sink)?;
+            sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
+        } else {
+            self.feed_to(at, first, &place, sink)?;
+        }
+        self.retreat.follow(&self.place.pose, &first.pose);
+        self.arrive(place);
+        Ok(())
+    }
+
+    /// A rapid that turns the table or the head.
+    pub(super) fn index(&mut self, at: Location, first: &Move, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
+        self.leave(at, sink)?;
+        self.machine_retract(at, sink)?;
+        self.approach(at, first, next, None, sink)
+    }
+
+    /// Steps 4 to 8.
+    fn approach(
+        &mut self,
+        at: Location,
+        first: &Move,
+        next: Option<&Move>,
+        start: Start,
+        sink: &mut impl Sink,
+    ) -> Planned {
+        let fault = |fault: Fault| stop(at, fault);
+        let chosen = start.and_then(|words| self.placer.place_at(&first.pose, &self.place, &words));
+        let place = chosen.unwrap_or_else(|| self.placer.place(&first.pose, &self.place, false)).map_err(fault)?;
+        let distance = self.config.approach.distance;
+        let above = if first.rapid && next.is_some_and(|next| straight_down(&first.pose, &next.pose)) {
+            place
+        } else {
+            let Pose { tip, axis } = first.pose;
+            self.placer
+                .shifted(tip + axis.into_inner() * distance, &place)
+                .map_err(|fault| stop(at, fault.context(format_args!("the approach from {distance} mm"))))?
+        };
+        let retract = self.config.retract.position;
+        if let Some(below) = self.placer.below_retract(&above, retract)
+            && below < -self.placer.unit_mm()
+        {
+            let axis = M::AXES[self.placer.retract_axis()].letter;
+            return Err(fault(
+                Fault::new(format_args!(
+                    "the approach point lies {:.3} mm above the retract position: {axis} = {retract} mm (machine coordinate)",
+                    -below
+                ))
+                .help("set the part lower, or give a smaller `approach.distance` or a higher `retract.position`"),
+            ));
+        }
+        self.count_sequence();
+        let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
+        let retract_axis = 1 << self.placer.retract_axis();
+        for mask in [rotary, linear & !retract_axis, linear & retract_axis] {
+            sink.step(&Step::Rapid { words: self.placer.words(&above, mask) })?;
+        }
+        self.turn_coolant(at, sink)?;
+        self.place = above;
+        if place.words != above.words {
+            if first.rapid {
+                sink.step(&Step::Rapid { words: self.placer.words(&place, linear) })?;
+            } else {
+                let feed = self.feed(first.feed, &place).map_err(fault)?;
+                self.write_feed(&place, feed, sink)?;
+            }
+        }
+        if !first.rapid {
+            self.cut(&first.pose);
+        }
+        self.retreat.reset();
+        self.arrive(place);
+        Ok(())
+    }
+
+    /// The end of the program up to the end code: coolant off, retract, spindle off, park.
+    pub(super) fn end(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
+        self.leave(at, sink)?;
+        self.coolant_off(sink)?;
+        self.cancel_inverse_time(sink)?;
+        self.machine_retract(at, sink)?;
+        sink.step(&Step::SpindleOff)?;
+        self.spindle = None;
+        self.park(at, sink)
+    }
+
+    fn park(&self, at: Location, sink: &mut impl Sink) -> Planned {
+        let fault = |fault: Fault| stop(at, fault);
+        let parked = |kind: AxisKind| {
+            M::AXES
+                .iter()
+                .enumerate()
+                .filter(move |(_, axis)| axis.kind == kind && !axis.held)
+                .filter_map(|(index, axis)| self.config.park.get(&axis.letter).map(|&position| (index, position)))
+        };
+        let mut rotaries = Words::default();
+        for (index, angle) in parked(AxisKind::Rotary) {
+            let words = self.placer.rotary_words(index, angle).map_err(fault)?;
+            rotaries.mask |= words.mask;
+            rotaries.units[index] = words.units[index];
+        }
+        if rotaries.mask != 0 {
+            sink.step(&Step::Rapid { words: rotaries })?;
+        }
+        let mut others = Words::default();
+        let mut last = None;
+        for (index, coordinate) in parked(AxisKind::Linear) {
+            let words = self.placer.machine_words(index, coordinate).map_err(fault)?;
+            if index == self.placer.retract_axis() {
+                last = Some(words);
+            } else {
+                others.mask |= words.mask;
+                others.units[index] = words.units[index];
+            }
+        }
+        if others.mask != 0 {
+            sink.step(&Step::Machine { words: others })?;
+        }
+        if let Some(words) = last {
+            sink.step(&Step::Machine { words })?;
+        }
+        Ok(())
+    }
+}
+
+/// Whether `next` lies from `first` along -axis, with the same axis.
+fn straight_down(first: &Pose, next: &Pose) -> bool {
+    let step = next.tip - first.tip;
+    let along = step.dot(&first.axis);
+    let across = step - first.axis.into_inner() * along;
+    let turn = next.axis.into_inner() - first.axis.into_inner();
+    along < 0.0 && across.norm() <= ON_LINE && turn.norm() <= SAME_AXIS
+}

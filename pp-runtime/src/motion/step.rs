@@ -1,0 +1,126 @@
+//! What the planner hands to a control: one step is one block.
+
+use std::io;
+
+use crate::nc::Decimal;
+use crate::program::{Coolant, Rotation};
+
+/// Most axes a chain can have: X Y Z U V W A B C.
+pub const MAX_AXES: usize = 9;
+
+/// Words of axes: whole units of their last decimal, by position in the chain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Words {
+    /// Whole units, meaningful where [`has`](Self::has) says so.
+    pub units: [i64; MAX_AXES],
+    /// Bit `i` is set for the axis at position `i`.
+    pub mask: u16,
+}
+
+impl Words {
+    /// Whether the block may hold a word of this axis.
+    #[must_use]
+    #[inline]
+    pub fn has(&self, axis: usize) -> bool {
+        self.mask & (1 << axis) != 0
+    }
+}
+
+/// The feed of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Feed {
+    /// Length units per minute; stays in force.
+    PerMinute(Decimal),
+    /// 1/min, for this block alone.
+    InverseTime(Decimal),
+}
+
+/// One block.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Step<'a> {
+    /// Straight line of all axes together at a feed; words that do not change are left out.
+    Feed {
+        /// Where to.
+        words: Words,
+        /// How fast.
+        feed: Feed,
+    },
+    /// Rapid; words that do not change are left out.
+    Rapid {
+        /// Where to.
+        words: Words,
+    },
+    /// Rapid in machine coordinates; all its words are written, and where these axes stand in the program's
+    /// coordinates is not known behind it.
+    Machine {
+        /// Where to.
+        words: Words,
+    },
+    /// A program can be entered here: units, plane, everything cancelled, feed per minute, work offset. Every word is
+    /// written again behind it.
+    Restart {
+        /// Counts from 1.
+        number: u32,
+    },
+    /// Feed per minute from here on.
+    PerMinute,
+    /// The tool that is needed.
+    Tool {
+        /// Its number.
+        number: u32,
+        /// False if it stands in the spindle already.
+        change: bool,
+    },
+    /// Length offset; causes no motion.
+    Length {
+        /// Register.
+        offset: u32,
+    },
+    /// Spindle on.
+    Spindle {
+        /// rev/min.
+        speed: Decimal,
+        /// Sense of rotation.
+        rotation: Rotation,
+    },
+    /// Spindle off.
+    SpindleOff,
+    /// Wait.
+    Dwell {
+        /// How long.
+        seconds: f64,
+    },
+    /// Coolant on.
+    Coolant {
+        /// A kind that the control has; never `On` or `Off`.
+        kind: Coolant,
+    },
+    /// All coolant off.
+    CoolantOff,
+    /// Program stop; the operator may do anything.
+    Stop {
+        /// Only where the operator has asked for it.
+        optional: bool,
+    },
+    /// An operation begins.
+    Operation {
+        /// Its name as the CL data has it.
+        name: &'a [u8],
+    },
+    /// Text for the operator.
+    Message {
+        /// As the CL data has it.
+        text: &'a [u8],
+    },
+    /// End of the program.
+    End,
+}
+
+/// Takes the steps of a program.
+pub trait Sink {
+    /// Writes one step.
+    ///
+    /// # Errors
+    /// Those of the output.
+    fn step(&mut self, step: &Step<'_>) -> io::Result<()>;
+}

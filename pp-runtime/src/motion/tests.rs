@@ -1,0 +1,782 @@
+//! The planner on the machines of the tests, written by the LinuxCNC table: one line is one block.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use super::machines::{Ay, Cb, Head, Xyz};
+use super::{Abilities, Planner, Scout, Stop};
+use crate::config::{Config, Tool, Transition, Units};
+use crate::control::{Encoder, Layout, LinuxCnc};
+use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::{AxisKind, Machine, Pose};
+use crate::program::{Coolant, Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+
+/// What came out of a run.
+pub(super) struct Run {
+    pub(super) lines: Vec<String>,
+    pub(super) diagnostics: Vec<Diagnostic>,
+    pub(super) statistics: super::Statistics,
+}
+
+impl Run {
+    pub(super) fn error(&self) -> &Diagnostic {
+        self.diagnostics.iter().find(|found| found.severity == Severity::Error).expect("an error")
+    }
+
+    fn text(&self) -> String {
+        self.lines.join("\n")
+    }
+}
+
+/// Posts events; the event at position `n` stands in line `n + 1`.
+pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
+    let machine = config.machine::<M>().expect("valid");
+    let units = config.output_units.unwrap_or(Units::Millimetres);
+    let layout = Layout {
+        axes: M::AXES
+            .iter()
+            .map(|axis| {
+                let linear = if units == Units::Inches { 4 } else { 3 };
+                (axis.letter, if axis.kind == AxisKind::Rotary { 4 } else { linear })
+            })
+            .collect(),
+        units,
+        work_offset: config.work_offset.clone(),
+        line_numbers: None,
+    };
+    let mut out = Vec::new();
+    let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
+    let abilities = Abilities { mist: true, through: false, air: false };
+    let starts = Scout::new(machine.clone(), config).map_or_else(Vec::new, |mut scout| {
+        events.iter().for_each(|event| scout.event(event));
+        scout.finish()
+    });
+    let mut planner = Planner::new(machine, config, units, abilities, false).with_starts(starts);
+    let mut diagnostics = Vec::new();
+    let mut at = Location::default();
+    let mut planned = Ok(());
+    for (index, event) in events.iter().enumerate() {
+        at = Location { line: index as u64 + 1, column: 1 };
+        planned = planner.event(at, event, &mut encoder);
+        if planned.is_err() {
+            break;
+        }
+    }
+    if planned.is_ok() {
+        planned = planner.finish(at, &mut encoder);
+    }
+    diagnostics.append(&mut planner.take_warnings());
+    match planned {
+        Ok(()) => {}
+        Err(Stop::Fault(fault)) => diagnostics.push(fault),
+        Err(Stop::Output(error)) => panic!("{error}"),
+    }
+    encoder.finish().expect("memory takes everything");
+    drop(encoder);
+    let statistics = planner.statistics();
+    let text = String::from_utf8(out).expect("ASCII");
+    Run { lines: text.lines().map(str::to_owned).collect(), diagnostics, statistics }
+}
+
+/// Posts events that must pass without any remark.
+fn lines<M: Machine>(config: &Config, events: &[Event<'_>]) -> Vec<String> {
+    let run = run::<M>(config, events);
+    assert_eq!(run.diagnostics, [], "{}", run.text());
+    run.lines
+}
+
+pub(super) fn pose(tip: [f64; 3], axis: [f64; 3]) -> Pose {
+    Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(Vector3::from(axis)) }
+}
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+
+/// The axis of `C` and `B` degrees on the C-B table.
+fn cb(c: f64, b: f64) -> [f64; 3] {
+    let ((sin_c, cos_c), (sin_b, cos_b)) = (c.to_radians().sin_cos(), b.to_radians().sin_cos());
+    [sin_b * cos_c, sin_b * sin_c, cos_b]
+}
+
+fn rapid(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
+    Event::Move(Move { pose: pose(tip, axis), rapid: true, feed: None })
+}
+
+fn feed(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
+    Event::Move(Move { pose: pose(tip, axis), rapid: false, feed: Some(Feed::PerMinute(500.0)) })
+}
+
+fn tool(number: u32) -> Event<'static> {
+    Event::Tool(ToolCall { number, ..ToolCall::default() })
+}
+
+fn spindle() -> Event<'static> {
+    Event::Spindle(Spindle::On { speed: Some(8000.0), rotation: Some(Rotation::Clockwise) })
+}
+
+fn config() -> Config {
+    Config::default()
+}
+
+fn with_lengths(distance: Option<f64>) -> Config {
+    let mut config = config();
+    for number in 1..=2 {
+        config.tools.insert(number, Tool { length: Some(100.0), ..Tool::default() });
+    }
+    config.retract.distance = distance;
+    config
+}
+
+#[test]
+fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
+    let events = [
+        Event::Operation(b"ROUGH"),
+        tool(1),
+        spindle(),
+        Event::Coolant(Coolant::Flood),
+        feed([10.0, 20.0, -1.0], UP),
+        feed([30.0, 20.0, -1.0], UP),
+        Event::Operation(b"FINISH"),
+        tool(2),
+        spindle(),
+        feed([10.0, 0.0, 0.0], cb(90.0, 30.0)),
+        feed([20.0, 0.0, 0.0], cb(90.0, 30.0)),
+    ];
+    let mut config = config();
+    config.spindle_dwell = 2.0;
+    config.park.insert('C', 0.0);
+    config.retract.distance = Some(20.0);
+    assert_eq!(
+        lines::<Cb>(&config, &events),
+        [
+            "(OPERATION ROUGH)",
+            "N1 G21 G17 G40 G49 G80 G90 G94 G54",
+            "M9",
+            "G53 G0 Z0",
+            "T1 M6",
+            "G53 G0 Z0",
+            "G43 H1",
+            "S8000 M3",
+            "G4 P2",
+            "G0 C0 B0",
+            "X10 Y20",
+            "Z49",
+            "M8",
+            "G1 Z-1 F500",
+            "X30",
+            "M9",
+            "G0 Z19",
+            "(OPERATION FINISH)",
+            "N2 G21 G17 G40 G49 G80 G90 G94 G54",
+            "G53 G0 Z0",
+            "T2 M6",
+            "G53 G0 Z0",
+            "G43 H2",
+            "S8000 M3",
+            "G4 P2",
+            "G0 C90 B30",
+            // The tip of C90 B30 at X10 Y0 Z0, 50 mm out along the axis, which is Z of the machine here.
+            "X-19.933 Y-10",
+            "Z44.391",
+            "M8",
+            "G1 Z-5.609 F500",
+            "Y-20",
+            "M9",
+            "G0 Z14.391",
+            "G53 G0 Z0",
+            "M5",
+            "G0 C0",
+        ]
+    );
+}
+
+#[test]
+fn a_first_rapid_with_the_next_point_below_it_is_the_approach_point() {
+    let events = [
+        tool(1),
+        spindle(),
+        rapid([1.0, 2.0, 30.0], UP),
+        Event::Coolant(Coolant::Mist),
+        rapid([1.0, 2.0, 3.0], UP),
+        feed([1.0, 2.0, -3.0], UP),
+    ];
+    let lines = lines::<Xyz>(&config(), &events);
+    assert_eq!(
+        &lines[7..],
+        ["G0 X1 Y2", "Z30", "M7", "Z3", "G94 G1 Z-3 F500", "M9", "G53 G0 Z0", "M5"].map(|line| {
+            // Feed per minute is in force since the safety line.
+            line.trim_start_matches("G94 ")
+        })
+    );
+}
+
+#[test]
+fn a_first_rapid_is_reached_from_above_by_a_rapid_where_the_next_point_lies_elsewhere() {
+    let events = [tool(1), spindle(), rapid([1.0, 2.0, 3.0], UP), feed([9.0, 2.0, 3.0], UP)];
+    let lines = lines::<Xyz>(&config(), &events);
+    assert_eq!(&lines[7..11], ["G0 X1 Y2", "Z53", "Z3", "G1 X9 F500"]);
+}
+
+#[test]
+fn the_same_tool_is_not_changed_yet_the_sequence_is_written() {
+    let events =
+        [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), feed([5.0, 0.0, 0.0], UP), tool(1), feed([9.0, 0.0, 0.0], UP)];
+    let lines = lines::<Xyz>(&config(), &events);
+    assert_eq!(lines.iter().filter(|line| line.contains("M6")).count(), 1);
+    assert_eq!(
+        &lines[11..],
+        [
+            "N2 G21 G17 G40 G49 G80 G90 G94 G54",
+            "G53 G0 Z0",
+            "(T1 stays in the spindle)",
+            "G43 H1",
+            "S8000 M3",
+            "G0 X9 Y0",
+            "Z50",
+            "G1 Z0 F500",
+            "G53 G0 Z0",
+            "M5",
+        ]
+    );
+}
+
+#[test]
+fn a_stop_retracts_first_and_starts_with_every_word_again() {
+    let events = [
+        tool(1),
+        spindle(),
+        Event::Coolant(Coolant::Flood),
+        feed([0.0, 0.0, 0.0], UP),
+        Event::Stop,
+        feed([0.0, 0.0, 0.0], UP),
+        Event::OptionalStop,
+        feed([0.0, 0.0, 1.0], UP),
+    ];
+    let lines = lines::<Xyz>(&config(), &events);
+    let stop = lines.iter().position(|line| line == "M0").expect("a stop");
+    assert_eq!(lines[stop - 3..stop], ["M9", "G53 G0 Z0", "M5"]);
+    assert_eq!(
+        lines[stop + 1..stop + 11],
+        [
+            "N2 G21 G17 G40 G49 G80 G90 G94 G54",
+            "M9",
+            "G53 G0 Z0",
+            "(T1 stays in the spindle)",
+            "G43 H1",
+            "S8000 M3",
+            "G0 X0 Y0",
+            "Z50",
+            "M8",
+            "G1 Z0 F500",
+        ]
+    );
+    assert!(lines.contains(&"M1".to_owned()));
+}
+
+#[test]
+fn without_stop_retract_the_stop_stands_alone() {
+    let mut config = config();
+    config.stop_retract = false;
+    let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Stop, feed([0.0, 0.0, 0.0], UP)];
+    let lines = lines::<Xyz>(&config, &events);
+    let stop = lines.iter().position(|line| line == "M0").expect("a stop");
+    assert_eq!(lines[stop - 1], "G1 Z0 F500");
+    assert_eq!(lines[stop + 3], "G53 G0 Z0");
+}
+
+#[test]
+fn a_rapid_that_turns_the_table_goes_through_the_sequence() {
+    let events = [
+        tool(1),
+        spindle(),
+        Event::Coolant(Coolant::Flood),
+        feed([0.0, 0.0, 0.0], UP),
+        rapid([0.0, 0.0, 5.0], UP),
+        rapid([0.0, 0.0, 60.0], [0.0, -1.0, 1.0]),
+        rapid([0.0, 0.0, 10.0], [0.0, -1.0, 1.0]),
+    ];
+    let lines = lines::<Ay>(&config(), &events);
+    let start = lines.iter().position(|line| line == "G0 Z5").expect("the rapid before");
+    assert_eq!(
+        lines[start + 1..],
+        [
+            "M9",
+            "G53 G0 Z0",
+            "G0 A45",
+            // The next point is not along the axis: 50 mm out from the first.
+            "Y63.64",
+            "Z83.64",
+            "M8",
+            "Z33.64",
+            "Y28.284 Z-1.716",
+            "M9",
+            "G53 G0 Z0",
+            "M5",
+        ]
+    );
+}
+
+#[test]
+fn a_rapid_that_turns_less_than_the_index_angle_is_one_block() {
+    let events = |angle: f64| {
+        let tilted = cb(0.0, angle);
+        [tool(1), spindle(), rapid([0.0; 3], UP), rapid([9.0, 0.0, 0.0], UP), rapid([5.0, 0.0, 0.0], tilted)]
+    };
+    assert_eq!(run::<Cb>(&config(), &events(1.0)).statistics.sequences, 1);
+    assert_eq!(run::<Cb>(&config(), &events(1.001)).statistics.sequences, 2);
+    let mut direct = config();
+    direct.transition = Transition::Direct;
+    assert_eq!(run::<Cb>(&direct, &events(90.0)).statistics.sequences, 1);
+}
+
+#[test]
+fn a_direct_transition_goes_on_where_the_operation_ended_but_never_over_a_tool_change() {
+    let mut direct = config();
+    direct.transition = Transition::Direct;
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0, 0.0, 0.0], UP),
+        Event::Operation(b"NEXT"),
+        feed([5.0, 0.0, 0.0], UP),
+        tool(2),
+        spindle(),
+        feed([6.0, 0.0, 0.0], UP),
+    ];
+    let lines = lines::<Xyz>(&direct, &events);
+    let next = lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
+    assert_eq!(lines[next + 1..next + 5], ["X5", "N2 G21 G17 G40 G49 G80 G90 G94 G54", "G53 G0 Z0", "T2 M6"]);
+}
+
+#[test]
+fn a_head_does_not_post_without_the_length_of_the_tool() {
+    let run = run::<Head>(&config(), &[tool(7), spindle(), feed([0.0; 3], UP)]);
+    assert!(run.error().text.contains("gauge length of T7"), "{:?}", run.error());
+    assert_eq!(run.error().location.line, 1);
+    assert_eq!(run.lines, [""; 0]);
+}
+
+#[test]
+fn a_head_refuses_two_lengths_and_a_table_only_warns() {
+    let mut config = config();
+    config.tools.insert(1, Tool { length: Some(100.0), ..Tool::default() });
+    let call = |length| Event::Tool(ToolCall { number: 1, length: Some(length), ..ToolCall::default() });
+    let events = |length| [call(length), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, 60.0], UP)];
+    assert!(run::<Head>(&config, &events(100.02)).error().text.contains("100 mm long"));
+    assert_eq!(run::<Head>(&config, &events(100.009)).diagnostics, []);
+    let table = run::<Cb>(&config, &events(100.02));
+    assert_eq!(table.diagnostics.len(), 1);
+    assert_eq!(table.diagnostics[0].severity, Severity::Warning);
+}
+
+#[test]
+fn a_head_needs_a_way_out_along_the_tool() {
+    let tilted = [1.0, 0.0, 1.0];
+    let out = |mm: f64| feed([mm / 2_f64.sqrt(), 0.0, mm / 2_f64.sqrt()], tilted);
+    let cut = [tool(1), spindle(), out(0.0), feed([0.0, 5.0, 0.0], tilted)];
+    let with = |last: Option<Event<'static>>| {
+        let mut events = cut.to_vec();
+        events.extend(last);
+        events
+    };
+    // Nothing leads out.
+    let nothing = run::<Head>(&with_lengths(None), &with(None));
+    assert!(nothing.error().help.as_ref().is_some_and(|help| help.contains("retract.distance")));
+    assert_eq!(nothing.error().location.line, 4);
+    // The configuration leads out, along the axis and not along Z.
+    let given = lines::<Head>(&with_lengths(Some(100.0)), &with(None));
+    let end = given.len();
+    assert_eq!(given[end - 3..], ["G0 X247.487 Z-2.513", "G53 G0 Z0", "M5"], "{given:?}");
+    // The CL data leads out, far enough or with a remark.
+    let far = [tool(1), spindle(), out(0.0), out(51.0)];
+    assert_eq!(run::<Head>(&with_lengths(None), &far).diagnostics, []);
+    let near = run::<Head>(&with_lengths(None), &[tool(1), spindle(), out(0.0), out(20.0)]);
+    assert_eq!(near.diagnostics.len(), 1);
+    assert!(near.diagnostics[0].text.contains("20.000 mm only"), "{:?}", near.diagnostics);
+    // And back again does not count.
+    assert!(
+        run::<Head>(&with_lengths(None), &[tool(1), spindle(), out(0.0), out(60.0), out(50.0)]).diagnostics.len() == 1
+    );
+}
+
+#[test]
+fn a_retreat_of_the_cl_data_as_long_as_the_distance_is_not_repeated() {
+    let mut config = config();
+    config.retract.distance = Some(20.0);
+    let events = |height| [tool(1), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, height], UP)];
+    let long = lines::<Xyz>(&config, &events(20.0));
+    assert_eq!(long[long.len() - 3..], ["Z20", "G53 G0 Z0", "M5"]);
+    let short = lines::<Xyz>(&config, &events(19.9));
+    assert_eq!(short[short.len() - 4..], ["Z19.9", "G0 Z39.9", "G53 G0 Z0", "M5"]);
+}
+
+#[test]
+fn a_feed_motion_needs_tool_spindle_and_feed() {
+    let text = |events: &[Event<'_>]| run::<Xyz>(&config(), events).error().text.clone();
+    assert!(text(&[spindle(), feed([0.0; 3], UP)]).contains("before the first tool"));
+    assert!(text(&[tool(1), feed([0.0; 3], UP)]).contains("without spindle speed"));
+    assert!(text(&[tool(1), spindle(), Event::Spindle(Spindle::Off), feed([0.0; 3], UP)]).contains("spindle off"));
+    let silent = Event::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: None });
+    assert!(text(&[tool(1), spindle(), silent]).contains("without feed"));
+    // A rapid needs none of these.
+    assert_eq!(run::<Xyz>(&config(), &[rapid([0.0; 3], UP), rapid([1.0, 0.0, 0.0], UP)]).diagnostics, []);
+}
+
+#[test]
+fn the_speed_of_one_tool_is_not_that_of_the_next() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)];
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("since the tool was called"));
+    let before =
+        [tool(1), spindle(), feed([0.0; 3], UP), Event::Operation(b"B"), spindle(), tool(2), feed([0.0; 3], UP)];
+    assert_eq!(run::<Xyz>(&config(), &before).diagnostics, []);
+}
+
+#[test]
+fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none() {
+    let mut config = config();
+    config.defaults.speed = Some(1000.0);
+    config.defaults.rotation = Some(Rotation::Clockwise);
+    config.tools.insert(1, Tool { speed: Some(2000.0), ..Tool::default() });
+    let text = run::<Xyz>(&config, &[tool(1), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)]).text();
+    assert!(text.contains("S2000 M3") && text.contains("S1000 M3"), "{text}");
+}
+
+#[test]
+fn spindle_speeds_that_make_no_sense_are_refused() {
+    let mut config = config();
+    config.spindle_max = Some(8000.0);
+    let text = |config: &Config, speed, rotation| {
+        let on = Event::Spindle(Spindle::On { speed: Some(speed), rotation: Some(rotation) });
+        run::<Xyz>(config, &[tool(1), on, feed([0.0; 3], UP)]).diagnostics.first().map(|found| found.text.clone())
+    };
+    assert_eq!(text(&config, 8000.0, Rotation::Clockwise), None);
+    assert!(text(&config, 8000.1, Rotation::Clockwise).is_some_and(|text| text.contains("spindle_max")));
+    assert!(text(&config, 0.4, Rotation::Clockwise).is_some_and(|text| text.contains("S0")));
+    config.tools.insert(1, Tool { left_handed: true, ..Tool::default() });
+    assert!(text(&config, 100.0, Rotation::Clockwise).is_some_and(|text| text.contains("counter-clockwise")));
+    assert_eq!(text(&config, 100.0, Rotation::CounterClockwise), None);
+}
+
+#[test]
+fn the_floor_is_the_lowest_tip() {
+    let mut config = config();
+    config.floor = Some(-5.0);
+    let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
+    assert_eq!(run::<Xyz>(&config, &events(-5.0)).diagnostics, []);
+    assert!(run::<Xyz>(&config, &events(-5.01)).error().text.contains("floor"));
+}
+
+#[test]
+fn inverse_time_stands_where_a_rotary_word_changes_and_f_is_repeated_behind_it() {
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], cb(0.0, 10.0)),
+        feed([10.0, 0.0, 0.0], cb(0.0, 10.0)),
+        feed([20.0, 0.0, 0.0], cb(0.0, 12.0)),
+        feed([25.0, 0.0, 0.0], cb(0.0, 14.0)),
+        feed([30.0, 0.0, 0.0], cb(0.0, 14.0)),
+        feed([35.0, 0.0, 0.0], cb(0.0, 14.0)),
+        feed([36.0, 0.0, 0.0], cb(0.0, 15.0)),
+        rapid([90.0, 0.0, 0.0], cb(0.0, 15.0)),
+        feed([91.0, 0.0, 0.0], cb(0.0, 15.0)),
+    ];
+    let lines = lines::<Cb>(&config(), &events);
+    let first = lines.iter().position(|line| line.starts_with("G93")).expect("inverse time");
+    let codes: Vec<String> = lines[first..first + 8]
+        .iter()
+        .map(|line| line.split(' ').filter(|word| word.starts_with(['G', 'F', 'B'])).collect::<Vec<_>>().join(" "))
+        .collect();
+    assert_eq!(codes, ["G93 B12 F50", "B14 F100", "G94 F500", "", "G93 B15 F500", "G94", "G0", "G1 F500"]);
+}
+
+#[test]
+fn a_feed_per_revolution_becomes_a_feed_per_minute_with_the_written_speed() {
+    let per_turn = Event::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: Some(Feed::PerRevolution(0.1)) });
+    let text = run::<Xyz>(&config(), &[tool(1), spindle(), per_turn]).text();
+    assert!(text.contains("G1 Z0 F800"), "{text}");
+}
+
+#[test]
+fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
+    let mut events = vec![tool(1), spindle()];
+    let steps = 20 * 72;
+    for step in 0..=steps {
+        let angle = f64::from(step) * 5.0;
+        let (sin, cos) = angle.to_radians().sin_cos();
+        events.push(feed([30.0 * cos, 30.0 * sin, -f64::from(step) / 300.0], cb(angle, 60.0)));
+    }
+    let lines = lines::<Cb>(&config(), &events);
+    let turns: Vec<f64> = lines
+        .iter()
+        .filter(|line| !line.starts_with('('))
+        .flat_map(|line| line.split(' ').filter_map(|word| word.strip_prefix('C')?.parse().ok()))
+        .collect();
+    assert_eq!(turns.len() as i32, steps + 1);
+    for (step, turn) in turns.iter().enumerate() {
+        assert!((turn - step as f64 * 5.0).abs() < 1e-9, "step {step} stands at {turn}");
+    }
+}
+
+#[test]
+fn a_free_rotary_keeps_its_value_through_the_vertical() {
+    let events = [
+        tool(1),
+        spindle(),
+        feed([10.0, 0.0, 0.0], cb(40.0, 20.0)),
+        feed([9.0, 0.0, 0.0], UP),
+        feed([8.0, 0.0, 0.0], cb(45.0, 5.0)),
+    ];
+    let lines = run::<Cb>(&config(), &events).lines;
+    let vertical = lines.iter().find(|line| line.contains("B0")).expect("the vertical");
+    assert!(!vertical.contains('C'), "{vertical}");
+    assert!(lines.iter().any(|line| line.contains("C45 B5")));
+}
+
+#[test]
+fn rounding_near_the_vertical_does_not_turn_the_table() {
+    let at = |axis| feed([8.0, 0.0, 0.0], axis);
+    let turned = |axis| {
+        let first = feed([10.0, 0.0, 0.0], cb(40.0, 0.01));
+        let run = run::<Cb>(&config(), &[tool(1), spindle(), first, at(axis)]);
+        (run.lines.iter().filter(|line| line.contains('C')).count() > 1, run.statistics.near_pole)
+    };
+    assert_eq!(turned([-1e-7, 2e-7, 1.0]), (false, 1));
+    assert_eq!(turned([-1e-5, 2e-5, 1.0]), (true, 0));
+}
+
+#[test]
+fn a_tip_that_leaves_its_line_in_the_middle_of_a_block_is_remarked_on_once() {
+    let swing = |to: f64| {
+        let events = [tool(1), spindle(), feed([40.0, 0.0, 0.0], cb(0.0, 30.0)), feed([40.0, 0.0, 0.0], cb(to, 30.0))];
+        run::<Cb>(&config(), &events)
+    };
+    let far = swing(60.0);
+    assert_eq!(far.diagnostics.len(), 1, "{:?}", far.diagnostics);
+    assert_eq!((far.diagnostics[0].severity, far.diagnostics[0].location.line), (Severity::Warning, 4));
+    assert!(far.statistics.largest_swing > 1.0);
+    assert_eq!(swing(2.0).diagnostics, []);
+}
+
+#[test]
+fn a_rapid_below_everything_that_was_cut_is_remarked_on() {
+    let to = |depth| {
+        let cut =
+            [tool(1), spindle(), feed([0.0, 0.0, -2.0], UP), feed([0.0, 0.0, 5.0], UP), rapid([9.0, 0.0, 5.0], UP)];
+        let mut events = cut.to_vec();
+        events.push(rapid([9.0, 0.0, depth], UP));
+        run::<Xyz>(&config(), &events).diagnostics.len()
+    };
+    assert_eq!((to(-2.0), to(-2.1)), (0, 1));
+}
+
+#[test]
+fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
+    let call = |length| Event::Tool(ToolCall { number: 1, length, ..ToolCall::default() });
+    let events = |again| {
+        let out = |x| feed([x, 0.0, 60.0], UP);
+        [call(Some(120.0)), spindle(), feed([0.0; 3], UP), out(0.0), call(again), feed([0.0; 3], UP), out(0.0)]
+    };
+    assert_eq!(run::<Head>(&config(), &events(None)).diagnostics, []);
+    assert!(run::<Head>(&config(), &events(Some(121.0))).error().text.contains("two lengths"));
+}
+
+#[test]
+fn the_first_pose_counts_from_the_pose_of_from() {
+    let first = feed([10.0, 0.0, 0.0], cb(170.0, 4.0));
+    let chosen = |events: &[Event<'_>]| {
+        lines::<Cb>(&config(), events).into_iter().find(|line| line.starts_with("G0 C")).expect("rotaries")
+    };
+    // From zero the second branch turns less; from C 160 the first one does.
+    assert_eq!(chosen(&[tool(1), spindle(), first]), "G0 C-10 B-4");
+    assert_eq!(chosen(&[Event::From(pose([0.0; 3], cb(160.0, 50.0))), tool(1), spindle(), first]), "G0 C170 B4");
+}
+
+#[test]
+fn a_rotary_limit_is_named_with_value_and_line() {
+    let events = [tool(1), spindle(), feed([0.0; 3], cb(0.0, 100.0)), feed([0.0; 3], cb(0.0, 112.5))];
+    let run = run::<Cb>(&config(), &events);
+    let error = run.error();
+    assert!(error.text.contains("B") && error.text.contains("112.5°"), "{error:?}");
+    assert!(error.text.contains("-5.0000° to 110.0000°"), "{error:?}");
+    assert_eq!(error.location.line, 4);
+    assert!(error.help.is_some());
+}
+
+#[test]
+fn an_axis_is_never_turned_back_a_whole_turn_in_a_feed_motion() {
+    let mut config = config();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
+    let at = |angle: f64, feed: bool| {
+        let pose = pose([10.0, 0.0, 0.0], cb(angle, 30.0));
+        Event::Move(Move { pose, rapid: !feed, feed: Some(Feed::PerMinute(100.0)) })
+    };
+    let events = |last| [tool(1), spindle(), at(170.0, true), at(183.0, true), last];
+    let cut = run::<Cb>(&config, &events(at(186.0, true)));
+    assert!(cut.error().text.contains("outside its limits"), "{:?}", cut.error());
+    assert_eq!(run::<Cb>(&config, &events(at(186.0, false))).diagnostics, []);
+}
+
+#[test]
+fn an_operation_begins_in_the_branch_and_turn_that_last() {
+    let rotaries = |config: &Config, poses: &[[f64; 3]]| {
+        let mut events = vec![tool(1), spindle()];
+        events.extend(poses.iter().map(|&axis| feed([0.0; 3], axis)));
+        let run = run::<Cb>(config, &events);
+        assert!(run.diagnostics.iter().all(|found| found.severity == Severity::Warning), "{:?}", run.diagnostics);
+        run.lines.into_iter().find(|line| line.starts_with("G0 C")).expect("rotaries")
+    };
+    // Alone, C-10 B-4 is nearer; the tilt of 60 degrees needs the other branch.
+    let tilting = [cb(170.0, 4.0), cb(170.0, 30.0), cb(170.0, 60.0)];
+    assert_eq!(rotaries(&config(), &tilting[..1]), "G0 C-10 B-4");
+    assert_eq!(rotaries(&config(), &tilting), "G0 C170 B4");
+    // From the vertical the table has to stand right before the tilt begins, yet only if it matters.
+    assert_eq!(rotaries(&config(), &[UP, cb(180.0, 3.0), cb(180.0, 30.0)]), "G0 C180 B0");
+    assert_eq!(rotaries(&config(), &[UP, cb(0.0, 3.0), cb(0.0, 30.0)]), "G0 C0 B0");
+    // 160 to 320 degrees do not fit below 200: begin at -200.
+    let mut limited = config();
+    let limit = 200_f64.to_radians();
+    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
+    let turning: Vec<_> = (0..=80).map(|step| cb(160.0 + 2.0 * f64::from(step), 30.0)).collect();
+    assert_eq!(rotaries(&limited, &turning), "G0 C-200 B30");
+    assert_eq!(rotaries(&limited, &turning[..10]), "G0 C160 B30");
+}
+
+#[test]
+fn a_branch_is_never_changed_in_the_cut_because_of_a_limit() {
+    let tilts = |from: i32, to: i32| {
+        let mut events = vec![tool(1), spindle()];
+        events.extend((from..=to).map(|tilt| feed([0.0; 3], cb(0.0, f64::from(-tilt)))));
+        run::<Cb>(&config(), &events)
+    };
+    // B goes down to -5 and not further; from +20 to -20 nothing helps.
+    assert_eq!(tilts(-20, 5).diagnostics, []);
+    let through = tilts(-20, 20);
+    let error = through.error();
+    assert!(
+        error.text.contains("B would have to turn on to -6°") && error.text.contains("C from 0° to 180°"),
+        "{error:?}"
+    );
+}
+
+#[test]
+fn an_axis_out_of_reach_is_told_in_the_words_of_the_machine() {
+    let run = run::<Xyz>(&config(), &[tool(1), spindle(), feed([0.0; 3], [0.1, 0.0, 1.0])]);
+    assert!(run.error().text.contains("Xyz has no rotary axis to tilt the tool"), "{:?}", run.error());
+}
+
+#[test]
+fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
+    let mut config = config();
+    config.machine_zero.insert('Z', -200.0);
+    config.approach.distance = 10.0;
+    config.tools.insert(1, Tool { length: Some(100.0), ..Tool::default() });
+    let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
+    // -200 + z + 100 >= -300, and the approach point stays below Z0.
+    assert_eq!(run::<Xyz>(&config, &events(-200.0)).diagnostics, []);
+    let low = run::<Xyz>(&config, &events(-200.001));
+    assert!(low.error().text.contains("-300.001 mm (machine coordinate)"), "{:?}", low.error());
+    assert_eq!(run::<Xyz>(&config, &events(90.0)).diagnostics, []);
+    assert!(run::<Xyz>(&config, &events(90.001)).error().text.contains("approach"));
+    // Lower retract position: the approach point must not lie above it.
+    config.retract.position = -50.0;
+    assert!(run::<Xyz>(&config, &events(45.0)).error().text.contains("above the retract position"));
+    assert_eq!(run::<Xyz>(&config, &events(40.0)).diagnostics, []);
+}
+
+#[test]
+fn without_machine_zero_only_the_span_is_compared_with_the_travel() {
+    let events = |x| [tool(1), spindle(), feed([1000.0, 0.0, 0.0], UP), feed([1000.0 + x, 0.0, 0.0], UP)];
+    assert_eq!(run::<Xyz>(&config(), &events(400.0)).diagnostics, []);
+    let wide = run::<Xyz>(&config(), &events(400.001));
+    assert!(wide.error().text.contains("400.001 mm of X travel"), "{:?}", wide.error());
+}
+
+#[test]
+fn words_of_a_tilted_program_put_the_tip_within_half_a_unit_for_the_written_angles() {
+    fn check<M: Machine>(config: &Config, axes: impl Fn(f64) -> [f64; 3]) {
+        let mut events = vec![tool(1), spindle()];
+        let mut wanted = Vec::new();
+        for step in 0..200 {
+            let t = f64::from(step) / 200.0;
+            let tip = [40.0 * t, 13.0 * (3.0 * t).sin(), 5.0 * (7.0 * t).cos()];
+            wanted.push(tip);
+            events.push(feed(tip, axes(t)));
+        }
+        let run = run::<M>(config, &events);
+        assert_eq!(run.diagnostics, []);
+        let mut machine = config.machine::<M>().expect("valid");
+        machine.set_up(config.part_origin.into(), config.tools[&1].length.unwrap_or(0.0));
+        let mut axes = M::HELD;
+        let mut checked = 0;
+        for line in run.lines.iter().filter(|line| !line.starts_with(['(', 'N']) && !line.contains("G53")) {
+            let mut moved = false;
+            for word in line.split(' ') {
+                if let Some(index) = M::AXES.iter().position(|axis| word.starts_with(axis.letter)) {
+                    let value: f64 = word[1..].parse().expect("a number");
+                    let rotary = M::AXES[index].kind == AxisKind::Rotary;
+                    axes.as_mut()[index] = if rotary { value.to_radians() } else { value };
+                    moved = true;
+                }
+            }
+            if moved && checked < wanted.len() {
+                // Linear words for these very angles, computed without rounding.
+                let exact = machine.linear_axes(&Point3::from(wanted[checked]), &axes).expect("regular");
+                let off = |index: usize| (exact.as_ref()[index] - axes.as_ref()[index]).abs();
+                let near = (0..M::AXES.len()).all(|index| off(index) <= 0.000_5 + 1e-9);
+                // The blocks of the approach come first.
+                if near {
+                    checked += 1;
+                    let tip = machine.forward_kinematics(&axes).tip;
+                    assert!((tip - Point3::from(wanted[checked - 1])).norm() <= 0.000_9);
+                } else {
+                    assert_eq!(checked, 0, "block {line} is off");
+                }
+            }
+        }
+        assert_eq!(checked, wanted.len());
+    }
+    let mut config = with_lengths(Some(10.0));
+    config.part_origin = [3.0, -2.0, 50.0];
+    config.tools.insert(1, Tool { length: Some(123.456), ..Tool::default() });
+    check::<Cb>(&config, |t| cb(300.0 * t, 10.0 + 50.0 * t));
+    check::<Head>(&config, |t| [0.5 * t, 0.3 * (5.0 * t).sin(), 1.0]);
+    check::<Ay>(&config, |t| [0.0, 0.5 * (6.0 * t).sin(), 1.0]);
+}
+
+#[test]
+fn words_in_inches_are_ten_thousandths() {
+    let mut config = config();
+    config.output_units = Some(Units::Inches);
+    let lines = lines::<Xyz>(&config, &[tool(1), spindle(), feed([25.4, 12.7, 1.0], UP)]);
+    assert!(lines[0].starts_with("N1 G20 "));
+    assert_eq!(lines[7..10], ["G0 X1 Y0.5", "Z2.0079", "G1 Z0.0394 F19.685"]);
+}
+
+#[test]
+fn coolant_that_the_control_has_no_code_for_is_refused() {
+    let events = [tool(1), spindle(), Event::Coolant(Coolant::Through), feed([0.0; 3], UP)];
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("no code for coolant through the spindle"));
+}
+
+#[test]
+fn what_stands_between_the_first_motion_and_the_second_keeps_its_order() {
+    let events = [
+        tool(1),
+        rapid([0.0, 0.0, 9.0], UP),
+        Event::Message(b"LOOK"),
+        spindle(),
+        Event::Coolant(Coolant::Flood),
+        feed([0.0, 0.0, 1.0], UP),
+    ];
+    let lines = lines::<Xyz>(&config(), &events);
+    let message = lines.iter().position(|line| line == "(LOOK)").expect("the message");
+    assert_eq!(lines[message - 1..message + 4], ["Z9", "(LOOK)", "S8000 M3", "M8", "G1 Z1 F500"]);
+}
+
+#[test]
+fn the_program_is_the_same_each_time() {
+    let events: Vec<_> = [tool(1), spindle()]
+        .into_iter()
+        .chain((0..50).map(|i| feed([f64::from(i), 0.0, 0.0], cb(f64::from(i) * 7.0, 30.0))))
+        .collect();
+    assert_eq!(lines::<Cb>(&config(), &events), lines::<Cb>(&config(), &events));
+}

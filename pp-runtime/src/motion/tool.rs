@@ -1,0 +1,108 @@
+//! What is known of a tool: from the configuration, from the CL data, and where the two disagree.
+
+use crate::config::{Config, Defaults, Tool as Given};
+use crate::nc::Decimal;
+use crate::program::{Rotation, ToolCall};
+
+use super::fault::Fault;
+
+/// Two lengths or diameters of the same tool may differ by this much, mm.
+const SAME: f64 = 0.01;
+
+/// The tool in the spindle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tool {
+    /// T word.
+    pub number: u32,
+    /// From gauge line to tip, mm, if known.
+    pub length: Option<f64>,
+    /// H word.
+    pub offset: u32,
+}
+
+/// The spindle as the CL data wants it; what is missing comes from the configuration.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct SpindleRequest {
+    /// SPINDL/OFF was the last word.
+    pub(crate) off: bool,
+    pub(crate) speed: Option<f64>,
+    pub(crate) rotation: Option<Rotation>,
+}
+
+impl Tool {
+    /// The tool of a record; remarks go to `warn`.
+    ///
+    /// `before`: the length that an earlier record of the same tool gave.
+    pub(crate) fn resolve(
+        call: &ToolCall,
+        before: Option<f64>,
+        config: &Config,
+        head: bool,
+        mut warn: impl FnMut(Fault),
+    ) -> Result<Self, Fault> {
+        let number = call.number;
+        let given = config.tools.get(&number);
+        if let (Some(before), Some(now)) = (before, call.length)
+            && (before - now).abs() > SAME
+        {
+            return Err(Fault::new(format_args!("T{number} is called with two lengths, {before} mm and {now} mm")));
+        }
+        let length = match (given.and_then(|tool| tool.length), call.length.or(before)) {
+            (Some(ours), Some(theirs)) if (ours - theirs).abs() > SAME => {
+                let fault = Fault::new(format_args!(
+                    "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"
+                ))
+                .help(format_args!("measure it, and correct `[tools.{number}] length` or the CL data"));
+                if head {
+                    return Err(fault);
+                }
+                warn(fault);
+                Some(ours)
+            }
+            (ours, theirs) => ours.or(theirs),
+        };
+        if head && length.is_none() {
+            return Err(Fault::new(format_args!(
+                "the gauge length of T{number} is unknown, and this machine turns the tool about its head"
+            ))
+            .help(format_args!("give `[tools.{number}] length` in the configuration, or LENGTH in LOADTL")));
+        }
+        if let (Some(ours), Some(theirs)) = (given.and_then(|tool| tool.diameter), call.diameter)
+            && (ours - theirs).abs() > SAME
+        {
+            warn(Fault::new(format_args!(
+                "T{number} has a diameter of {ours} mm in the configuration and {theirs} mm in the CL data"
+            )));
+        }
+        let offset = given.and_then(|tool| tool.offset).or(call.offset).unwrap_or(number);
+        Ok(Self { number, length, offset })
+    }
+}
+
+impl SpindleRequest {
+    /// Speed and sense for a tool; `None` if the spindle is not to turn or nothing is known.
+    pub(crate) fn resolve(&self, given: Option<&Given>, config: &Config) -> Result<Option<(Decimal, Rotation)>, Fault> {
+        let Defaults { speed, rotation, .. } = config.defaults;
+        if self.off {
+            return Ok(None);
+        }
+        let speed = self.speed.or(given.and_then(|tool| tool.speed)).or(speed);
+        let rotation = self.rotation.or(given.and_then(|tool| tool.rotation)).or(rotation);
+        let (Some(speed), Some(rotation)) = (speed, rotation) else { return Ok(None) };
+        if let Some(largest) = config.spindle_max
+            && speed > largest
+        {
+            return Err(Fault::new(format_args!("a spindle speed of {speed} is above `spindle_max` = {largest}")));
+        }
+        let word = Decimal::fixed(speed, config.formats.speed)
+            .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} does not fit into a word")))?;
+        if word.units <= 0 {
+            return Err(Fault::new(format_args!("a spindle speed of {speed} rev/min is written as S0 or below")));
+        }
+        if given.is_some_and(|tool| tool.left_handed) && rotation == Rotation::Clockwise {
+            return Err(Fault::new("the tool cuts turning counter-clockwise, and the spindle would turn clockwise")
+                .help("correct SPINDL/..,CCLW, or the tool in the configuration"));
+        }
+        Ok(Some((word, rotation)))
+    }
+}

@@ -1,0 +1,10 @@
+//! Blocks and words of an NC program: numbers, modal suppression, one reused buffer.
+//!
+//! Words arrive as whole units of their last decimal, so nothing here rounds a coordinate and nothing parses. Which
+//! letters and codes there are is the business of [`control`](crate::control).
+
+mod number;
+mod writer;
+
+pub use number::{Decimal, Overflow, whole_units, write_decimal};
+pub use writer::Writer;

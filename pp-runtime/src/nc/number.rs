@@ -1,0 +1,209 @@
+//! Numbers of words: whole units of the last decimal, written without zeros at their end, never as `-0`, never with an
+//! exponent.
+
+/// Largest number of whole units of a word: all integers up to here are exact in an `f64`.
+const LARGEST: f64 = 9_007_199_254_740_992.0;
+
+/// Smallest value that [`Decimal::significant`] writes: 18 decimals for six digits.
+const SMALLEST_SIGNIFICANT: f64 = 1e-12;
+
+/// A number that no word can hold: not finite, or beyond 2^53 units of its last decimal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Overflow;
+
+/// `units` of the last of `decimals` decimals: `Decimal { units: 1250, decimals: 3 }` is 1.25.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Decimal {
+    /// Whole units of the last decimal.
+    pub units: i64,
+    /// Decimals, at most 18.
+    pub decimals: u32,
+}
+
+/// A power of ten; exact up to 10^22.
+#[must_use]
+fn power_of_ten(exponent: u32) -> f64 {
+    const EXACT: [f64; 23] = [
+        1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19,
+        1e20, 1e21, 1e22,
+    ];
+    EXACT[exponent.min(22) as usize]
+}
+
+/// The nearest whole number of units, halves away from zero; `per_unit` is the number of units in 1.
+///
+/// # Errors
+/// [`Overflow`] for a value that is not finite or too large.
+#[inline]
+pub fn whole_units(value: f64, per_unit: f64) -> Result<i64, Overflow> {
+    let units = (value * per_unit).round();
+    // A NaN fails the comparison, too.
+    if units.abs() <= LARGEST { Ok(units as i64) } else { Err(Overflow) }
+}
+
+impl Decimal {
+    /// `value` rounded to a fixed number of decimals.
+    ///
+    /// # Errors
+    /// [`Overflow`] for a value that is not finite or too large.
+    pub fn fixed(value: f64, decimals: u32) -> Result<Self, Overflow> {
+        Ok(Self { units: whole_units(value, power_of_ten(decimals))?, decimals })
+    }
+
+    /// A value above zero rounded to `digits` significant digits; below 1e-12 it is zero.
+    ///
+    /// # Errors
+    /// [`Overflow`] for a value that is negative, not finite or too large.
+    pub fn significant(value: f64, digits: u32) -> Result<Self, Overflow> {
+        if !(0.0..=LARGEST).contains(&value) {
+            return Err(Overflow);
+        }
+        if value < SMALLEST_SIGNIFICANT {
+            return Ok(Self::default());
+        }
+        let digits = digits.clamp(1, 6);
+        let (lower, upper) = (power_of_ten(digits - 1), power_of_ten(digits));
+        // Decimals count from the first digit that is not zero; a number of more digits is a whole number.
+        let mut decimals = 0;
+        while (value * power_of_ten(decimals)).round() < lower {
+            decimals += 1;
+        }
+        let mut units = (value * power_of_ten(decimals)).round();
+        let mut shift = 0;
+        while units / power_of_ten(shift) >= upper {
+            shift += 1;
+        }
+        if shift > 0 {
+            units = (value / power_of_ten(shift)).round() * power_of_ten(shift);
+        }
+        Ok(Self { units: units as i64, decimals })
+    }
+
+    /// The number itself.
+    #[must_use]
+    pub fn value(self) -> f64 {
+        self.units as f64 / power_of_ten(self.decimals)
+    }
+}
+
+/// Writes a number: no zeros behind the last digit, no point without decimals, no `-0`.
+#[inline]
+pub fn write_decimal(out: &mut Vec<u8>, number: Decimal) {
+    let mut digits = [0_u8; 40];
+    let mut start = digits.len();
+    let mut rest = number.units.unsigned_abs();
+    let mut decimals = number.decimals;
+    while decimals > 0 && rest.is_multiple_of(10) {
+        if rest == 0 {
+            decimals = 0;
+            break;
+        }
+        rest /= 10;
+        decimals -= 1;
+    }
+    if decimals > 0 {
+        for _ in 0..decimals {
+            start -= 1;
+            digits[start] = b'0' + (rest % 10) as u8;
+            rest /= 10;
+        }
+        start -= 1;
+        digits[start] = b'.';
+    }
+    loop {
+        start -= 1;
+        digits[start] = b'0' + (rest % 10) as u8;
+        rest /= 10;
+        if rest == 0 {
+            break;
+        }
+    }
+    if number.units < 0 {
+        start -= 1;
+        digits[start] = b'-';
+    }
+    out.extend_from_slice(&digits[start..]);
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn text(number: Decimal) -> String {
+        let mut out = Vec::new();
+        write_decimal(&mut out, number);
+        String::from_utf8(out).expect("digits are ASCII")
+    }
+
+    fn fixed(value: f64, decimals: u32) -> String {
+        text(Decimal::fixed(value, decimals).expect("fits"))
+    }
+
+    #[test]
+    fn zeros_at_the_end_are_left_out_and_those_before_the_point_stay() {
+        assert_eq!(fixed(100.0, 3), "100");
+        assert_eq!(fixed(0.5, 3), "0.5");
+        assert_eq!(fixed(-0.050, 3), "-0.05");
+        assert_eq!(fixed(12.3456, 3), "12.346");
+        assert_eq!(fixed(5000.4, 0), "5000");
+    }
+
+    #[test]
+    fn a_negative_number_that_rounds_to_zero_has_no_sign() {
+        assert_eq!(fixed(-0.0, 3), "0");
+        assert_eq!(fixed(-0.000_49, 3), "0");
+        assert_eq!(fixed(-0.000_51, 3), "-0.001");
+    }
+
+    #[test]
+    fn numbers_that_no_word_can_hold_are_refused() {
+        for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, 9.1e12] {
+            assert_eq!(Decimal::fixed(value, 3), Err(Overflow), "{value}");
+        }
+        assert_eq!(fixed(9.0e12, 3), "9000000000000");
+        assert_eq!(Decimal::significant(-1.0, 6), Err(Overflow));
+        assert_eq!(Decimal::significant(f64::NAN, 6), Err(Overflow));
+    }
+
+    #[test]
+    fn inverse_time_has_six_digits_wherever_the_point_stands() {
+        let six = |value| text(Decimal::significant(value, 6).expect("fits"));
+        assert_eq!(six(1.0 / 3.0), "0.333333");
+        assert_eq!(six(1234.56789), "1234.57");
+        assert_eq!(six(0.000_012_345_678), "0.0000123457");
+        assert_eq!(six(999_999.6), "1000000");
+        assert_eq!(six(0.999_999_6), "1");
+        assert_eq!(six(12_345_678.0), "12345700");
+        assert_eq!(six(60.0), "60");
+        assert_eq!(six(1e-13), "0");
+    }
+
+    proptest! {
+        #[test]
+        fn written_units_read_back_as_the_same_decimal(units in -LARGEST as i64..=LARGEST as i64, decimals in 0_u32..=9) {
+            let written = text(Decimal { units, decimals });
+            // Exact decimal arithmetic on the text itself.
+            let (whole, fraction) = written.split_once('.').unwrap_or((&written, ""));
+            prop_assert!(!written.ends_with('.') && written != "-0");
+            prop_assert!(fraction.is_empty() || !fraction.ends_with('0'));
+            prop_assert!(fraction.len() <= decimals as usize);
+            let digits = format!("{whole}{fraction}{}", "0".repeat(decimals as usize - fraction.len()));
+            prop_assert_eq!(digits.parse::<i64>().expect("a whole number"), units);
+        }
+
+        #[test]
+        fn a_rounded_value_is_within_half_a_unit(value in -1.0e6_f64..1.0e6, decimals in 0_u32..=6) {
+            let rounded = Decimal::fixed(value, decimals).expect("fits").value();
+            prop_assert!((rounded - value).abs() <= 0.5 / power_of_ten(decimals) * (1.0 + 1e-9) + 1e-9 * f64::EPSILON);
+        }
+
+        #[test]
+        fn six_digits_are_within_half_of_the_sixth(exponent in -11_i32..12, mantissa in 1.0_f64..10.0) {
+            let value = mantissa * 10_f64.powi(exponent);
+            let rounded = Decimal::significant(value, 6).expect("fits").value();
+            prop_assert!((rounded - value).abs() <= value * 5.000_001e-6, "{} {}", value, rounded);
+        }
+    }
+}

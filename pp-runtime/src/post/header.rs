@@ -1,0 +1,217 @@
+//! The head of a program: what it is for, what it was made from, and what was assumed.
+
+use std::io::{self, Write};
+
+use crate::config::{Config, Units};
+use crate::control::Encoder;
+use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
+use crate::nc::{Decimal, write_decimal};
+
+use super::Job;
+use super::survey::{Survey, ToolUse};
+
+pub(super) const NOT_LINEARISED: &str = "not linearised: tip path between blocks is not checked";
+
+/// Everything the header tells.
+pub(super) struct Header<'a, M: Machine> {
+    pub(super) job: &'a Job<'a>,
+    pub(super) survey: &'a Survey,
+    pub(super) units: Units,
+    pub(super) machine: &'a M,
+    /// Linear axes whose limits are not checked, and why.
+    pub(super) unchecked: Vec<(char, &'static str)>,
+}
+
+fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
+    M::AXES.iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
+}
+
+/// What the program takes for granted because nothing was given, one sentence each.
+pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<String> {
+    let mut list = Vec::new();
+    if survey.units_only_given {
+        list.push("the unit of the CL data, which does not state one, as given with the job".to_owned());
+    }
+    if !survey.framed {
+        list.push("the points of the CL data count from the part zero".to_owned());
+    }
+    if rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
+        list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
+    }
+    if !config.is_given("work_offset") {
+        list.push(format!("work offset {}", config.work_offset));
+    }
+    if !config.is_given("retract.position") {
+        list.push(format!("retract to machine coordinate {} mm", config.retract.position));
+    }
+    if !config.is_given("approach.distance") {
+        list.push(format!("approach from {} mm along the tool axis", config.approach.distance));
+    }
+    for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
+        let number = tool.call.number;
+        let given = config.tools.get(&number);
+        let speed = given.and_then(|tool| tool.speed).or(config.defaults.speed);
+        let rotation = given.and_then(|tool| tool.rotation).or(config.defaults.rotation);
+        if let (Some(speed), Some(rotation)) = (speed, rotation) {
+            list.push(format!(
+                "spindle of T{number} from the configuration where the CL data gives none: {speed} {rotation:?}"
+            ));
+        }
+    }
+    for tool in &survey.tools {
+        let number = tool.call.number;
+        if length(tool, config).is_none() {
+            list.push(format!("the gauge length of T{number} is unknown: its offset must hold the true one"));
+        }
+    }
+    list
+}
+
+fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
+    config.tools.get(&tool.call.number).and_then(|given| given.length).or(tool.call.length)
+}
+
+/// One sentence for each reason why limits were not checked.
+pub(super) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
+    let mut lines: Vec<(&str, String)> = Vec::new();
+    for &(letter, why) in axes {
+        match lines.iter_mut().find(|(reason, _)| *reason == why) {
+            Some((_, letters)) => {
+                letters.push(' ');
+                letters.push(letter);
+            }
+            None => lines.push((why, letter.to_string())),
+        }
+    }
+    lines.into_iter().map(|(why, letters)| format!("linear limits not checked: {why} ({letters})")).collect()
+}
+
+impl<M: Machine> Header<'_, M> {
+    pub(super) fn write<W: Write>(&self, assumptions: &[String], encoder: &mut Encoder<'_, W>) -> io::Result<()> {
+        encoder.open()?;
+        let config = self.job.config;
+        let mut name = b"PROGRAM ".to_vec();
+        name.extend_from_slice(if self.survey.name.is_empty() { b"without name" } else { &self.survey.name });
+        encoder.comment(&name)?;
+        let mut lines = vec![
+            format!("CL FILE {}", self.job.cl_name),
+            format!("MACHINE {}, CONTROL {}, MODE axes", M::NAME, self.job.control.spellings().title),
+            format!("UNITS {}, WORK OFFSET {}", self.units.name(), config.work_offset),
+            format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
+            "PROGRAMMED POINT tool tip".to_owned(),
+            format!("TOLERANCE {NOT_LINEARISED}"),
+        ];
+        lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
+        lines.extend(unchecked(&self.unchecked));
+        let table: String = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
+        if !table.is_empty() {
+            lines.push(format!(
+                "VALID ONLY for part origin {} from the table reference; do not touch off again",
+                self.point(config.part_origin)
+            ));
+            lines.push(format!("the entries of {} in {} must be zero", spaced(&table), config.work_offset));
+        }
+        lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
+        lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
+        for line in lines {
+            encoder.comment(line.as_bytes())?;
+        }
+        for block in &config.program.start {
+            encoder.raw(block)?;
+        }
+        Ok(())
+    }
+
+    fn point(&self, point: [f64; 3]) -> String {
+        let [x, y, z] = point.map(|value| self.length(value));
+        format!("X{x} Y{y} Z{z}")
+    }
+
+    /// A length in the unit of the program.
+    fn length(&self, mm: f64) -> String {
+        let decimals = match self.units {
+            Units::Millimetres => self.job.config.formats.linear_mm,
+            Units::Inches => self.job.config.formats.linear_inch,
+        };
+        let mut text = Vec::new();
+        write_decimal(&mut text, Decimal::fixed(mm / self.units.in_mm(), decimals).unwrap_or_default());
+        String::from_utf8_lossy(&text).into_owned()
+    }
+
+    /// The sign of an axis in words.
+    fn sign(&self, index: usize) -> String {
+        let axis = &M::AXES[index];
+        let letter = axis.letter;
+        if axis.held {
+            let value = M::HELD.as_ref()[index];
+            let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { value / self.units.in_mm() };
+            return format!("AXIS {letter} is not moved and must stand at {value}");
+        }
+        let direction = direction_name(self.machine.joint(index).direction.into_inner().into());
+        let word = match axis.sign {
+            Sign::Plus => "word as in ISO 841",
+            Sign::Minus => "word backwards",
+        };
+        let moves = match (axis.kind, axis.side, axis.sign) {
+            (AxisKind::Linear, Side::Tool, Sign::Plus) => format!("+ moves the tool along {direction}"),
+            (AxisKind::Linear, Side::Tool, Sign::Minus) => format!("+ moves the tool against {direction}"),
+            (AxisKind::Linear, Side::Workpiece, Sign::Plus) => format!("+ moves the table against {direction}"),
+            (AxisKind::Linear, Side::Workpiece, Sign::Minus) => format!("+ moves the table along {direction}"),
+            (AxisKind::Rotary, Side::Tool, Sign::Plus) => format!("+ turns the tool right-handed about {direction}"),
+            (AxisKind::Rotary, Side::Tool, Sign::Minus) => format!("+ turns the tool left-handed about {direction}"),
+            (AxisKind::Rotary, Side::Workpiece, Sign::Plus) => {
+                format!("+ turns the table left-handed about {direction}")
+            }
+            (AxisKind::Rotary, Side::Workpiece, Sign::Minus) => {
+                format!("+ turns the table right-handed about {direction}")
+            }
+        };
+        format!("AXIS {letter} {moves}: {word}")
+    }
+
+    fn tool(&self, tool: &ToolUse) -> Vec<String> {
+        let config = self.job.config;
+        let number = tool.call.number;
+        let given = config.tools.get(&number);
+        let mut text = format!("T{number}");
+        if let Some(name) = given.and_then(|given| given.name.as_deref()) {
+            text += &format!(" {name}");
+        }
+        if let Some(diameter) = given.and_then(|given| given.diameter).or(tool.call.diameter) {
+            text += &format!(" D{}", self.length(diameter));
+        }
+        if let Some(radius) = tool.call.corner_radius {
+            text += &format!(" R{}", self.length(radius));
+        }
+        let length = length(tool, config);
+        text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
+        let offset = given.and_then(|given| given.offset).or(tool.call.offset).unwrap_or(number);
+        text += &format!(" H{offset}, {} operations", tool.operations);
+        if let Some((low, high)) = tool.tip {
+            text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
+        }
+        let mut lines = vec![text];
+        if let Some(length) = length
+            && rotaries::<M>(Side::Tool).next().is_some()
+        {
+            lines.push(format!("T{number} posted with L = {}: H{offset} must hold exactly this", self.length(length)));
+        }
+        lines
+    }
+}
+
+fn spaced(letters: &str) -> String {
+    let letters: Vec<String> = letters.chars().map(String::from).collect();
+    letters.join(" and ")
+}
+
+/// `+Z`, or the components where it is no coordinate direction.
+fn direction_name(direction: [f64; 3]) -> String {
+    for (index, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
+        if (direction[index].abs() - 1.0).abs() < 1e-12 {
+            return format!("{}{letter}", if direction[index] > 0.0 { '+' } else { '-' });
+        }
+    }
+    let [x, y, z] = direction;
+    format!("[{x:.4}, {y:.4}, {z:.4}]")
+}

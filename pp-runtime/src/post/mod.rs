@@ -1,0 +1,236 @@
+//! The pipeline: CL text → events → steps → blocks. The only module that sees both ends.
+//!
+//! The text is read twice. The survey collects what the header needs and what can only be known at the end: every
+//! diagnostic of the reader, the tools with their operations and extremes, and whether all tool axes point into the
+//! table. The second pass plans and writes motion by motion, in constant memory. The same input gives the same bytes.
+
+mod header;
+mod survey;
+
+#[cfg(test)]
+mod tests;
+
+use std::io::{self, Read, Seek, SeekFrom, Write};
+
+use crate::cl::{self, Reader};
+use crate::config::{Config, Units};
+use crate::control::{Control, Encoder, Layout};
+use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
+use crate::motion::{Abilities, Planner, Scout, Sink, Statistics, Step, Stop};
+use crate::program::{Coolant, Location};
+
+use survey::Survey;
+
+/// What is to be posted, and how.
+#[derive(Clone, Copy)]
+pub struct Job<'a> {
+    /// Name of the CL file, without its folder: it stands in the header.
+    pub cl_name: &'a str,
+    /// The set-up.
+    pub config: &'a Config,
+    /// The control that is to read the program.
+    pub control: &'a dyn Control,
+    /// Unit of a CL file that does not state one (`--units`); before that of the configuration.
+    pub units: Option<Units>,
+}
+
+/// Why nothing can be said about the CL data.
+#[derive(Debug, thiserror::Error)]
+pub enum PostError {
+    /// The CL data cannot be read.
+    #[error("cannot read the CL data: {0}")]
+    Input(#[source] io::Error),
+    /// The program cannot be written.
+    #[error("cannot write the program: {0}")]
+    Output(#[source] io::Error),
+}
+
+/// What became of a job.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Report {
+    /// Everything found, in the order of the CL data.
+    pub diagnostics: Vec<Diagnostic>,
+    /// The program is not to be used: it ends with an error comment instead of the end code.
+    pub failed: bool,
+    /// What was met on the way.
+    pub statistics: Statistics,
+    /// Blocks written, comments not counted.
+    pub blocks: u64,
+    /// Lines of CL data read.
+    pub lines: u64,
+    /// What was assumed rather than given, one sentence each.
+    pub assumptions: Vec<String>,
+    /// Linear axes whose limits were not checked, and why; empty if all were.
+    pub unchecked: Vec<String>,
+    /// Tools by number, in the order of their numbers.
+    pub tools: Vec<u32>,
+}
+
+impl Report {
+    /// The summary for people, one line each.
+    #[must_use]
+    pub fn summary(&self) -> Vec<String> {
+        let mut lines = vec![format!(
+            "{} motions, {} tools, {} blocks, {} safe sequences, {} blocks in inverse time",
+            self.statistics.motions,
+            self.tools.len(),
+            self.blocks,
+            self.statistics.sequences,
+            self.statistics.inverse_time
+        )];
+        lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
+        lines.extend(self.unchecked.iter().cloned());
+        if self.statistics.deviations > 0 {
+            lines.push(format!(
+                "{} tool axes lie up to {:.2e} rad outside what the machine reaches; the nearest one was used",
+                self.statistics.deviations, self.statistics.largest_deviation
+            ));
+        }
+        if self.statistics.near_pole > 0 {
+            lines.push(format!(
+                "{} tool axes lie within {REACH_TOLERANCE} rad of the pole, where the rotary that is nearly free kept its value",
+                self.statistics.near_pole
+            ));
+        }
+        lines.push(header::NOT_LINEARISED.to_owned());
+        if self.statistics.largest_swing > 0.0 {
+            lines.push(format!(
+                "in the middle of blocks that turn an axis by more than a degree the tip is up to {:.3} mm off its line",
+                self.statistics.largest_swing
+            ));
+        }
+        lines
+    }
+
+    fn fault(&mut self, diagnostic: Diagnostic) {
+        self.failed |= diagnostic.severity == Severity::Error;
+        self.diagnostics.push(diagnostic);
+    }
+}
+
+/// Posts CL data for a machine.
+///
+/// Faults of the CL data are in the report, not errors: what stands before the first of them is written, followed by an
+/// error comment in the place of the end code.
+///
+/// # Errors
+/// [`PostError`] if the input cannot be read or the output not written.
+pub fn post<M: Machine>(
+    job: &Job<'_>,
+    input: &mut (impl Read + Seek),
+    output: &mut impl Write,
+) -> Result<Report, PostError> {
+    let start = input.stream_position().map_err(PostError::Input)?;
+    let options = cl::Options { units: job.units.or(job.config.cl_units) };
+    let machine = job.config.machine::<M>();
+    let scout = machine.as_ref().ok().and_then(|machine| Scout::new(machine.clone(), job.config));
+    let mut survey = Survey::take(&mut *input, options, &M::default().tool_axis(), scout).map_err(PostError::Input)?;
+    input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
+
+    let mut report = Report {
+        tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
+        lines: survey.lines,
+        ..Report::default()
+    };
+    for diagnostic in &survey.diagnostics {
+        report.fault(diagnostic.clone());
+    }
+    let machine = match machine {
+        Ok(machine) => machine,
+        Err(invalid) => {
+            report.fault(Diagnostic {
+                severity: Severity::Error,
+                location: Location::default(),
+                length: 1,
+                text: format!("{} cannot be posted for: {invalid}", M::NAME),
+                help: Some("correct the dimensions in the configuration".to_owned()),
+            });
+            return Ok(report);
+        }
+    };
+    let units = job.config.output_units.unwrap_or_else(|| survey.units.unwrap_or(Units::Millimetres));
+    let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
+    let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
+        .with_starts(std::mem::take(&mut survey.starts));
+    report.assumptions = header::assumptions::<M>(job.config, &survey);
+    let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
+    header.write(&report.assumptions, &mut encoder).map_err(PostError::Output)?;
+    run(job, &survey, Reader::new(&mut *input, options), planner, &mut encoder, &mut report)?;
+    report.blocks = encoder.blocks();
+    report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
+    encoder.finish().map_err(PostError::Output)?;
+    Ok(report)
+}
+
+/// The second pass.
+fn run<M: Machine, R: Read, W: Write>(
+    job: &Job<'_>,
+    survey: &Survey,
+    mut reader: Reader<R>,
+    mut planner: Planner<'_, M>,
+    encoder: &mut Encoder<'_, W>,
+    report: &mut Report,
+) -> Result<(), PostError> {
+    let mut last = Location::default();
+    let planned = loop {
+        match reader.next_event().map_err(PostError::Input)? {
+            Some((at, event)) if survey.first_error.is_none_or(|error| at < error) => {
+                last = at;
+                if let Err(stopped) = planner.event(at, &event, encoder) {
+                    break Err(stopped);
+                }
+            }
+            _ if survey.first_error.is_some() => break planner.abandon(encoder).map_err(Stop::Output),
+            Some(_) => {}
+            None => break planner.finish(last, encoder),
+        }
+        if planner.has_warnings() {
+            report.diagnostics.append(&mut planner.take_warnings());
+        }
+    };
+    report.diagnostics.append(&mut planner.take_warnings());
+    report.statistics = planner.statistics();
+    report.unchecked = header::unchecked(&planner.unchecked_axes());
+    match planned {
+        Ok(()) => {}
+        Err(Stop::Output(error)) => return Err(PostError::Output(error)),
+        Err(Stop::Fault(diagnostic)) => report.fault(diagnostic),
+    }
+    close(job, report, encoder).map_err(PostError::Output)
+}
+
+/// The end code, or the first error in its place.
+fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>) -> io::Result<()> {
+    if !report.failed {
+        for block in &job.config.program.end {
+            encoder.raw(block)?;
+        }
+        return encoder.step(&Step::End);
+    }
+    let errors = report.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
+    if let Some(error) = errors.min_by_key(|error| error.location) {
+        let text = format!("ERROR in {} line {}: {}", job.cl_name, error.location.line, error.text);
+        encoder.comment(text.as_bytes())?;
+    }
+    encoder.comment(b"the program ends here: do not run it")
+}
+
+fn layout<M: Machine>(config: &Config, units: Units) -> Layout {
+    let linear = match units {
+        Units::Millimetres => config.formats.linear_mm,
+        Units::Inches => config.formats.linear_inch,
+    };
+    let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { config.formats.rotary };
+    Layout {
+        axes: M::AXES.iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
+        units,
+        work_offset: config.work_offset.clone(),
+        line_numbers: config.program.line_numbers,
+    }
+}
+
+fn abilities(control: &dyn Control) -> Abilities {
+    let has = |coolant| control.spellings().coolant(coolant).is_some();
+    Abilities { mist: has(Coolant::Mist), through: has(Coolant::Through), air: has(Coolant::Air) }
+}

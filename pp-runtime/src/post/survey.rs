@@ -1,0 +1,139 @@
+//! The first pass over the CL text: what the header needs, and what can be known only at the end.
+
+use std::io::{self, Read};
+
+use nalgebra::UnitVector3;
+
+use crate::cl::{Options, Reader};
+use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::Machine;
+use crate::motion::{Scout, Start};
+use crate::program::{Event, Location, Spindle, ToolCall, Units};
+
+/// One tool of the program.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ToolUse {
+    pub(super) call: ToolCall,
+    /// Operations that cut or move with it.
+    pub(super) operations: u64,
+    /// Lowest and highest tip in the workpiece frame (Z of the CL data), mm.
+    pub(super) tip: Option<(f64, f64)>,
+    /// It cuts before any SPINDL/.. behind its call: speed and direction come from the configuration.
+    pub(super) spindle_assumed: bool,
+}
+
+/// What the whole file says.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Survey {
+    pub(super) name: Vec<u8>,
+    pub(super) units: Option<Units>,
+    pub(super) units_only_given: bool,
+    /// A frame is stated in the file.
+    pub(super) framed: bool,
+    pub(super) lines: u64,
+    /// Tools that move, by number.
+    pub(super) tools: Vec<ToolUse>,
+    pub(super) diagnostics: Vec<Diagnostic>,
+    /// Nothing may be posted from here on.
+    pub(super) first_error: Option<Location>,
+    /// Where the rotaries of each operation begin; empty if there is nothing to choose.
+    pub(super) starts: Vec<Start>,
+    feeds: u64,
+    feeds_down: u64,
+}
+
+/// What is modal while surveying.
+#[derive(Debug, Default)]
+struct State {
+    call: Option<ToolCall>,
+    /// Index of the current tool, once it has moved.
+    tool: Option<usize>,
+    spindle: bool,
+    /// An operation has begun and nothing has moved yet.
+    begun: bool,
+}
+
+impl Survey {
+    pub(super) fn take<M: Machine>(
+        input: impl Read,
+        options: Options,
+        tool_axis: &UnitVector3<f64>,
+        mut scout: Option<Scout<M>>,
+    ) -> io::Result<Self> {
+        let mut reader = Reader::new(input, options);
+        let mut survey = Self::default();
+        let mut state = State { begun: true, ..State::default() };
+        while let Some((_, event)) = reader.next_event()? {
+            survey.event(&event, &mut state, tool_axis);
+            if let Some(scout) = &mut scout {
+                scout.event(&event);
+            }
+        }
+        survey.starts = scout.map_or_else(Vec::new, Scout::finish);
+        survey.units = reader.units();
+        survey.units_only_given = reader.units_are_only_given();
+        survey.framed = reader.frame().is_some();
+        survey.lines = reader.lines();
+        survey.diagnostics = reader.diagnostics().to_vec();
+        let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
+        survey.first_error = errors.map(|error| error.location).min();
+        survey.tools.sort_by_key(|tool| tool.call.number);
+        Ok(survey)
+    }
+
+    fn event(&mut self, event: &Event<'_>, state: &mut State, tool_axis: &UnitVector3<f64>) {
+        match *event {
+            Event::Name(name) if self.name.is_empty() => self.name = name.to_vec(),
+            Event::Operation(_) | Event::Stop | Event::OptionalStop => state.begun = true,
+            Event::Tool(call) => {
+                if state.call.is_none_or(|before| before.number != call.number) {
+                    // A SPINDL in the same start counts for the new tool.
+                    state.spindle &= state.begun;
+                }
+                state.call = Some(call);
+                state.tool = None;
+                state.begun = true;
+            }
+            Event::Spindle(Spindle::On { .. }) => state.spindle = true,
+            Event::Move(motion) => {
+                if state.begun {
+                    state.begun = false;
+                    state.tool = state.call.map(|call| self.tool(call));
+                    if let Some(index) = state.tool {
+                        self.tools[index].operations += 1;
+                    }
+                }
+                if !motion.rapid {
+                    self.feeds += 1;
+                    self.feeds_down += u64::from(motion.pose.axis.dot(tool_axis) < 0.0);
+                }
+                if let Some(index) = state.tool {
+                    let tool = &mut self.tools[index];
+                    let z = motion.pose.tip.z;
+                    tool.tip = Some(tool.tip.map_or((z, z), |(low, high)| (low.min(z), high.max(z))));
+                    tool.spindle_assumed |= !motion.rapid && !state.spindle;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// The index of a tool, with what its calls say together.
+    fn tool(&mut self, call: ToolCall) -> usize {
+        let index = self.tools.iter().position(|tool| tool.call.number == call.number).unwrap_or_else(|| {
+            self.tools.push(ToolUse { call, operations: 0, tip: None, spindle_assumed: false });
+            self.tools.len() - 1
+        });
+        let known = &mut self.tools[index].call;
+        known.length = known.length.or(call.length);
+        known.offset = known.offset.or(call.offset);
+        known.diameter = known.diameter.or(call.diameter);
+        known.corner_radius = known.corner_radius.or(call.corner_radius);
+        index
+    }
+
+    /// Every tool axis of a feed motion points down: the frame of the part is probably upside down.
+    pub(super) fn upside_down(&self) -> bool {
+        self.feeds > 0 && self.feeds == self.feeds_down
+    }
+}

@@ -1,0 +1,221 @@
+//! CL text to bytes.
+
+use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
+
+use super::*;
+use crate::config::Tool;
+use crate::control::LinuxCnc;
+use crate::motion::machines::{Cb, Head, Xyz};
+use crate::program::Rotation;
+
+const PART: &str = "\
+PARTNO BRACKET
+UNITS/MM
+TOOL PATH/ROUGH,TOOL,D10
+CUTTER/10.0,0.5
+LOADTL/1
+SPINDL/RPM,6000,CLW
+COOLNT/ON
+RAPID
+GOTO/0,0,20,0,0,1
+RAPID
+GOTO/0,0,2
+FEDRAT/MMPM,800
+GOTO/0,0,-3
+GOTO/25,0,-3
+END-OF-PATH
+TOOL PATH/SIDE,TOOL,D10
+LOADTL/1
+FEDRAT/MMPM,300
+GOTO/25,0,0,0.5,0,0.8660254
+GOTO/25,8,0
+FINI
+";
+
+fn posted<M: Machine>(config: &Config, text: &str) -> (String, Report) {
+    let job = Job { cl_name: "bracket.cls", config, control: &LinuxCnc, units: None };
+    let mut out = Vec::new();
+    let report = post::<M>(&job, &mut Cursor::new(text.as_bytes()), &mut out).expect("memory neither fails nor fills");
+    (String::from_utf8(out).expect("ASCII"), report)
+}
+
+/// The lines without the header.
+fn blocks(text: &str) -> Vec<&str> {
+    text.lines().skip_while(|line| line.starts_with('(')).collect()
+}
+
+#[test]
+fn a_program_ends_with_its_end_code_and_has_no_fault() {
+    let (text, report) = posted::<Cb>(&Config::default(), PART);
+    assert_eq!(report.diagnostics, []);
+    assert!(!report.failed);
+    assert!(text.ends_with("M9\nG53 G0 Z0\nM5\nM2\n"), "{text}");
+    assert_eq!(
+        blocks(&text)[..11],
+        [
+            "N1 G21 G17 G40 G49 G80 G90 G94 G54",
+            "M9",
+            "G53 G0 Z0",
+            "T1 M6",
+            "G53 G0 Z0",
+            "G43 H1",
+            "S6000 M3",
+            "G0 C0 B0",
+            "X0 Y0",
+            "Z20",
+            "M8",
+        ]
+    );
+    assert_eq!(report.statistics.motions, 6);
+    assert_eq!(report.blocks as usize, text.lines().filter(|line| !line.starts_with('(')).count());
+}
+
+#[test]
+fn the_header_says_what_the_program_is_valid_for() {
+    let mut config = Config { part_origin: [1.0, 2.0, 50.25], ..Config::default() };
+    config
+        .tools
+        .insert(1, Tool { name: Some("END MILL".into()), length: Some(80.0), offset: Some(21), ..Tool::default() });
+    config.given.insert("part_origin");
+    let (text, _) = posted::<Cb>(&config, PART);
+    for line in [
+        "(PROGRAM BRACKET)",
+        "(CL FILE bracket.cls)",
+        "(MACHINE Cb, CONTROL LinuxCNC, MODE axes)",
+        "(UNITS mm, WORK OFFSET G54)",
+        "(PART ORIGIN X1 Y2 Z50.25 from the table reference)",
+        "(TOLERANCE not linearised: tip path between blocks is not checked)",
+        "(AXIS C + turns the table left-handed about +Z: word as in ISO 841)",
+        "(AXIS X + moves the tool along +X: word as in ISO 841)",
+        "(linear limits not checked: no machine_zero [X Y Z])",
+        "(VALID ONLY for part origin X1 Y2 Z50.25 from the table reference_ do not touch off again)",
+        "(T1 END MILL D10 R0.5 L80 H21, 2 operations, tip Z -3 to 20)",
+        "(ASSUMED work offset G54)",
+    ] {
+        assert!(text.lines().any(|found| found == line), "missing {line} in\n{text}");
+    }
+    assert!(!text.contains("part_origin 0"));
+    assert!(text.lines().all(|line| line.len() < 255 && line.is_ascii()));
+}
+
+#[test]
+fn a_head_program_says_the_length_it_was_posted_with() {
+    let text = PART.replace("LOADTL/1\nSPINDL", "LOADTL/1,LENGTH,95.5\nSPINDL");
+    let config =
+        Config { retract: crate::config::Retract { position: 0.0, distance: Some(30.0) }, ..Config::default() };
+    let (text, report) = posted::<Head>(&config, &text);
+    assert_eq!(report.diagnostics, []);
+    assert!(text.contains("(T1 posted with L = 95.5: H1 must hold exactly this)"), "{text}");
+    assert!(!text.contains("touch off"));
+}
+
+#[test]
+fn an_error_in_the_cl_data_leaves_what_came_before_and_no_end_code() {
+    let (text, report) = posted::<Cb>(&Config::default(), &PART.replace("GOTO/25,0,-3", "GOTO/25,0"));
+    assert!(report.failed);
+    assert_eq!(report.diagnostics[0].location.line, 14);
+    assert!(text.contains("G1 Z-3 F800\n(ERROR in bracket.cls line 14: "), "{text}");
+    assert!(text.ends_with("(the program ends here: do not run it)\n"));
+    assert!(!text.contains("M2\n") && !text.contains("X25"));
+}
+
+#[test]
+fn an_error_of_the_planner_and_later_errors_of_the_reader_are_reported_together() {
+    let tilted = PART.replace("GOTO/25,0,-3", "GOTO/25,0,-3,0,1,0.000001").replace("GOTO/25,8,0", "GOTO/25,8");
+    let (text, report) = posted::<Xyz>(&Config::default(), &tilted);
+    let lines: Vec<u64> = report.diagnostics.iter().map(|found| found.location.line).collect();
+    assert_eq!(lines, [14, 20]);
+    assert!(text.contains("(ERROR in bracket.cls line 14: Xyz has no rotary axis"), "{text}");
+}
+
+#[test]
+fn the_motion_held_back_for_its_approach_is_written_before_the_error() {
+    let broken = PART.replace("RAPID\nGOTO/0,0,2\n", "GOTO/0\n");
+    let (text, report) = posted::<Cb>(&Config::default(), &broken);
+    assert!(report.failed);
+    assert!(text.contains("M8\nZ20\n(ERROR"), "{text}");
+}
+
+#[test]
+fn a_program_whose_tool_axes_all_point_into_the_table_is_refused() {
+    let down = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,100,CLW\nRAPID\nGOTO/0,0,-20,0,0,-1\nFEDRAT/MMPM,100\nGOTO/0,0,0\n";
+    let free = |table_check| {
+        let mut config = Config { table_check, ..Config::default() };
+        config.limits.insert('B', None);
+        posted::<Cb>(&config, down).1
+    };
+    let report = free(true);
+    assert!(report.diagnostics[0].help.as_ref().is_some_and(|help| help.contains("part_rotation")), "{report:?}");
+    assert_eq!(report.diagnostics[0].location.line, 7);
+    assert!(!free(false).failed);
+}
+
+#[test]
+fn what_was_assumed_stands_in_the_summary() {
+    let mut config = Config::default();
+    config.defaults.speed = Some(3000.0);
+    config.defaults.rotation = Some(Rotation::Clockwise);
+    let (_, report) = posted::<Cb>(&config, &PART.replace("SPINDL/RPM,6000,CLW\n", ""));
+    let summary = report.summary().join("\n");
+    for text in [
+        "assumed: part_origin 0, 0, 0",
+        "assumed: work offset G54",
+        "assumed: retract to machine coordinate 0 mm",
+        "assumed: spindle of T1 from the configuration",
+        "linear limits not checked: no machine_zero (X Y Z)",
+        "not linearised",
+    ] {
+        assert!(summary.contains(text), "missing {text} in\n{summary}");
+    }
+}
+
+#[test]
+fn blocks_of_the_configuration_stand_behind_the_header_and_before_the_end() {
+    let mut config = Config::default();
+    config.program.start = vec!["G64 P0.01".into()];
+    config.program.end = vec!["M64 P0".into()];
+    config.program.line_numbers = Some(5);
+    let (text, _) = posted::<Cb>(&config, PART);
+    assert_eq!(blocks(&text)[..3], ["G64 P0.01", "(OPERATION ROUGH)", "N5 G21 G17 G40 G49 G80 G90 G94 G54"]);
+    assert!(text.contains("M64 P0\nN"), "{text}");
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    assert_eq!(posted::<Cb>(&Config::default(), PART), posted::<Cb>(&Config::default(), PART));
+}
+
+#[test]
+fn input_and_output_errors_are_told_apart() {
+    struct Broken;
+    impl Read for Broken {
+        fn read(&mut self, _: &mut [u8]) -> io::Result<usize> {
+            Err(io::Error::other("gone"))
+        }
+    }
+    impl Seek for Broken {
+        fn seek(&mut self, _: SeekFrom) -> io::Result<u64> {
+            Ok(0)
+        }
+    }
+    impl Write for Broken {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::Error::from(io::ErrorKind::BrokenPipe))
+        }
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+    let config = Config::default();
+    let job = Job { cl_name: "a", config: &config, control: &LinuxCnc, units: None };
+    assert!(matches!(post::<Cb>(&job, &mut Broken, &mut Vec::new()), Err(PostError::Input(_))));
+    let output = post::<Cb>(&job, &mut Cursor::new(PART), &mut Broken);
+    assert!(matches!(output, Err(PostError::Output(error)) if error.kind() == io::ErrorKind::BrokenPipe));
+}
+
+#[test]
+fn an_empty_file_is_no_program() {
+    let (text, report) = posted::<Cb>(&Config { part_origin: [0.0; 3], ..Config::default() }, "");
+    assert!(report.failed, "an empty file has no motion");
+    assert!(!text.contains("M2\n"));
+}
