@@ -137,3 +137,53 @@ impl<M: Machine> Scout<M> {
         }
     }
 }
+
+impl<M: Machine> Placer<M> {
+    /// Whether a limited rotary leaves anything to choose.
+    fn limited(&self) -> bool {
+        self.limited
+    }
+
+    /// Whether the tool axis leaves the first rotary free.
+    fn singular(&self, pose: &Pose, from: &Place<M::Axes>) -> bool {
+        self.machine.inverse_kinematics(pose, &from.axes).iter().any(|solution| solution.singular)
+    }
+
+    /// Every branch of a pose with every turn inside the limits; endless axes take the nearest turn.
+    fn every_turn(&self, pose: &Pose, from: &Place<M::Axes>) -> Vec<Place<M::Axes>> {
+        let mut places = Vec::new();
+        for solution in self.machine.inverse_kinematics(pose, &from.axes).iter() {
+            let mut all = vec![from.words];
+            for rotary in &self.rotaries {
+                let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
+                let turns = rotary.turns(word, from.words[rotary.index], self.scale.turn);
+                all = all
+                    .iter()
+                    .flat_map(|words| {
+                        turns.iter().map(|&word| {
+                            let mut words = *words;
+                            words[rotary.index] = word;
+                            words
+                        })
+                    })
+                    .collect();
+            }
+            places.extend(all.iter().map(|words| self.at(pose, from, words)));
+        }
+        places
+    }
+
+    /// `at` with the first rotary of `other`.
+    fn with_first_rotary(&self, at: &Place<M::Axes>, other: &Place<M::Axes>) -> Place<M::Axes> {
+        let mut words = at.words;
+        if let Some(first) = self.rotaries.first() {
+            words[first.index] = other.words[first.index];
+        }
+        self.at(&at.pose, at, &words)
+    }
+
+    /// How far all rotaries turn together, in units of their words.
+    fn sum_of_turns(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> u64 {
+        self.rotaries.iter().map(|rotary| from[rotary.index].abs_diff(to[rotary.index])).sum()
+    }
+}

@@ -106,7 +106,7 @@ impl<M: Machine> Header<'_, M> {
         let table: String = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
         if !table.is_empty() {
             lines.push(format!(
-                "VALID ONLY for part origin {} from the table reference; do not touch off again",
+                "valid only for part origin {} from the table reference; do not touch off again",
                 self.point(config.part_origin)
             ));
             lines.push(format!("the entries of {} in {} must be zero", spaced(&table), config.work_offset));
