@@ -36,6 +36,7 @@ impl<M: Machine> Planner<'_, M> {
                     self.spindle = Some(turning);
                     sink.step(&Step::Spindle { speed, rotation })?;
                     if starts && self.config.spindle_dwell > 0.0 {
+                        self.cancel_inverse_time(sink)?;
                         sink.step(&Step::Dwell { seconds: self.config.spindle_dwell })?;
                     }
                 }

@@ -131,6 +131,8 @@ pub struct Planner<'a, M: Machine> {
     pub(super) tool: Option<Tool>,
     /// Tools called so far, with the length the CL data gave.
     lengths: BTreeMap<u32, Option<f64>>,
+    /// The remark on rapids before the first tool has been made.
+    passed_over: bool,
     /// The tool that the next operation begins with.
     pub(super) next_tool: Option<Tool>,
     pub(super) request: SpindleRequest,
@@ -175,6 +177,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             restarts: 0,
             tool: None,
             lengths: BTreeMap::new(),
+            passed_over: false,
             next_tool: None,
             request: SpindleRequest::default(),
             spindle_in_start: false,
@@ -275,6 +278,10 @@ impl<'a, M: Machine> Planner<'a, M> {
     fn motion(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
         match self.phase {
             Phase::Running => self.run(at, motion, sink),
+            Phase::Start if self.unarmed() && motion.rapid && !self.placer.head() => {
+                self.pass_over(at, motion);
+                Ok(())
+            }
             Phase::Start => {
                 self.phase = Phase::First { at, motion: *motion, operation: true };
                 Ok(())
@@ -283,6 +290,23 @@ impl<'a, M: Machine> Planner<'a, M> {
                 self.settle(Some(motion), sink)?;
                 self.run(at, motion, sink)
             }
+        }
+    }
+
+    /// No tool has been called yet.
+    fn unarmed(&self) -> bool {
+        self.tool.is_none() && self.next_tool.is_none()
+    }
+
+    /// A rapid before the first tool: whatever is in the spindle, its length offset is not active, and Z would go deeper
+    /// by that length. Nothing moves; the pose counts as FROM does.
+    fn pass_over(&mut self, at: Location, motion: &Move) {
+        self.from(&motion.pose);
+        if !self.passed_over {
+            self.passed_over = true;
+            let fault = Fault::new("a rapid before the first tool is not written: no length offset is active yet")
+                .help("call the tool before the first motion: LOADTL/1");
+            self.warnings.push(fault.at(at, Severity::Warning));
         }
     }
 

@@ -33,6 +33,8 @@ pub struct Scout<M: Machine> {
     /// Where the rotaries stand before the operation.
     before: Place<M::Axes>,
     placed: bool,
+    /// A tool has been called.
+    armed: bool,
     begun: bool,
     /// The operation began at the pole and has not left it yet.
     at_pole: bool,
@@ -49,6 +51,7 @@ impl<M: Machine> Scout<M> {
             before: placer.zero(),
             placer,
             placed: false,
+            armed: false,
             begun: true,
             at_pole: false,
             candidates: Vec::new(),
@@ -62,7 +65,15 @@ impl<M: Machine> Scout<M> {
             Event::From(pose) if !self.placed => {
                 self.before = self.placer.reference(pose, &self.before).unwrap_or(self.before);
             }
-            Event::Operation(_) | Event::Tool(_) | Event::Stop | Event::OptionalStop => self.close(),
+            Event::Tool(_) => {
+                self.armed = true;
+                self.close();
+            }
+            Event::Operation(_) | Event::Stop | Event::OptionalStop => self.close(),
+            // The planner passes over these.
+            Event::Move(motion) if !self.armed && motion.rapid => {
+                self.before = self.placer.reference(&motion.pose, &self.before).unwrap_or(self.before);
+            }
             Event::Move(motion) if self.begun => self.open(&motion.pose),
             Event::Move(motion) => self.follow(&motion.pose, !motion.rapid),
             _ => {}

@@ -416,8 +416,17 @@ fn a_feed_motion_needs_tool_spindle_and_feed() {
     assert!(text(&[tool(1), spindle(), Event::Spindle(Spindle::Off), feed([0.0; 3], UP)]).contains("spindle off"));
     let silent = Event::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: None });
     assert!(text(&[tool(1), spindle(), silent]).contains("without feed"));
-    // A rapid needs none of these.
-    assert_eq!(run::<Xyz>(&config(), &[rapid([0.0; 3], UP), rapid([1.0, 0.0, 0.0], UP)]).diagnostics, []);
+}
+
+#[test]
+fn a_rapid_before_the_first_tool_moves_nothing_because_no_length_offset_is_active() {
+    let away = rapid([0.0, 0.0, 100.0], UP);
+    let armed = [tool(1), spindle(), feed([0.0; 3], UP)];
+    let late = run::<Xyz>(&config(), &[&[away, away][..], &armed].concat());
+    assert_eq!(late.lines, lines::<Xyz>(&config(), &armed));
+    assert_eq!(late.diagnostics.len(), 1);
+    assert!(late.diagnostics[0].text.contains("no length offset"));
+    assert!(run::<Head>(&with_lengths(None), &[away]).error().text.contains("before the first tool"));
 }
 
 #[test]
@@ -841,4 +850,18 @@ fn axes_park_one_after_the_other_with_the_retract_axis_last() {
     }
     let lines = lines::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], cb(0.0, 20.0))]);
     assert_eq!(lines[lines.len() - 5..], ["G53 G0 Z0", "M5", "G0 B0", "G53 G0 X-100 Y200", "G53 G0 Z-5"]);
+}
+
+#[test]
+fn tool_axes_just_out_of_reach_are_counted_with_the_largest() {
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], UP),
+        feed([1.0, 0.0, 0.0], [5e-7, 0.0, 1.0]),
+        feed([2.0, 0.0, 0.0], [2e-7, 0.0, 1.0]),
+    ];
+    let run = run::<Ay>(&config(), &events);
+    assert_eq!((run.diagnostics.len(), run.statistics.deviations), (0, 2));
+    assert!((run.statistics.largest_deviation - 5e-7).abs() < 1e-12);
 }

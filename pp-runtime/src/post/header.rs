@@ -102,6 +102,9 @@ impl<M: Machine> Header<'_, M> {
             format!("TOLERANCE {NOT_LINEARISED}"),
         ];
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
+        if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+            lines.push("ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped".to_owned());
+        }
         lines.extend(unchecked(&self.unchecked));
         let table: String = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
         if !table.is_empty() {
