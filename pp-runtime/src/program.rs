@@ -17,18 +17,28 @@ pub struct Location {
 /// Unit of length of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Units {
-    /// Lengths in mm, feeds in mm.
-    Millimetre,
-    /// Lengths in inch, feeds in inch.
-    Inch,
+    /// `mm`.
+    Millimetres,
+    /// `in`, 25.4 mm exactly.
+    Inches,
 }
 
 impl Units {
-    /// Millimetres in one of these.
-    pub fn millimetres(self) -> f64 {
+    /// Length of one unit in mm.
+    #[must_use]
+    pub const fn in_mm(self) -> f64 {
         match self {
-            Units::Millimetre => 1.0,
-            Units::Inch => 25.4,
+            Self::Millimetres => 1.0,
+            Self::Inches => 25.4,
+        }
+    }
+
+    /// `mm` or `in`, as on the command line and in configuration files.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Millimetres => "mm",
+            Self::Inches => "in",
         }
     }
 }

@@ -8,8 +8,9 @@ use super::Dialect;
 use super::args::{Args, skip_blanks};
 use super::fault::{Fault, Span};
 use super::number;
-use super::parse::{arguments, cutter, exactly};
+use super::parse::{arguments, exactly};
 use super::record::{FrameRecord, Record};
+use super::tools::cutter;
 
 /// Comment lines behind `$$*CATIA0` that may stand in front of the matrix.
 const TITLE_LINES: u8 = 1;

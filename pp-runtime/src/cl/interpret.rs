@@ -104,13 +104,7 @@ impl Interpreter {
     /// Takes the record of the statement at `here`.
     pub(super) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), Fault> {
         match *record {
-            Record::Goto(point) => {
-                let (pose, normalised) = self.pose(&point)?;
-                self.count_normalised(normalised, here);
-                self.motions += 1;
-                let rapid = std::mem::take(&mut self.rapid);
-                self.emit(here, Pending::Plain(Event::Move(Move { pose, rapid, feed: self.feed })));
-            }
+            Record::Goto(point) => self.go_to(&point, here)?,
             Record::From(point) => {
                 let (pose, normalised) = self.pose(&point)?;
                 self.count_normalised(normalised, here);
@@ -129,7 +123,7 @@ impl Interpreter {
             }
             Record::Units(units) => self.take_units(units, here)?,
             Record::Frame(frame) => {
-                let unit = self.units().map_or(1.0, Units::millimetres);
+                let unit = self.units().map_or(1.0, Units::in_mm);
                 self.workpiece.take(Frame::new(&frame, unit, here)?, frame.at)?;
             }
             Record::ToolPath(name) => {
@@ -158,6 +152,16 @@ impl Interpreter {
             Record::Message(text) => self.emit(here, Pending::Message(text.at)),
             Record::Inert => {}
         }
+        Ok(())
+    }
+
+    /// GOTO.
+    pub(super) fn go_to(&mut self, point: &Point, here: Location) -> Result<(), Fault> {
+        let (pose, normalised) = self.pose(point)?;
+        self.count_normalised(normalised, here);
+        self.motions += 1;
+        let rapid = std::mem::take(&mut self.rapid);
+        self.emit(here, Pending::Plain(Event::Move(Move { pose, rapid, feed: self.feed })));
         Ok(())
     }
 
@@ -203,7 +207,7 @@ impl Interpreter {
     /// Millimetres in one unit of the file, for the number at `at`. Missing units are reported once.
     fn millimetres(&mut self, at: Span) -> Result<f64, Fault> {
         match self.units() {
-            Some(units) => Ok(units.millimetres()),
+            Some(units) => Ok(units.in_mm()),
             None if self.units_missed => Ok(1.0),
             None => {
                 self.units_missed = true;
@@ -244,7 +248,7 @@ impl Interpreter {
     fn feed_of(&mut self, value: f64, unit: FeedUnit, at: Span, unit_at: Span) -> Result<Feed, Fault> {
         let of_file = self.millimetres(at)?;
         let in_millimetres = matches!(unit, FeedUnit::MillimetresPerMinute | FeedUnit::MillimetresPerRevolution);
-        if in_millimetres && self.units() == Some(Units::Inch) {
+        if in_millimetres && self.units() == Some(Units::Inches) {
             return Err(Fault::new(
                 "feed unit",
                 unit_at,
@@ -252,7 +256,7 @@ impl Interpreter {
                 "have the CAM system write IPM or IPR, or leave the unit of the feed out",
             ));
         }
-        let inch = Units::Inch.millimetres();
+        let inch = Units::Inches.in_mm();
         let feed = match unit {
             FeedUnit::PerMinute => Feed::PerMinute(value * of_file),
             FeedUnit::PerRevolution => Feed::PerRevolution(value * of_file),

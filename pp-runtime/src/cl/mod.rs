@@ -1,6 +1,6 @@
 //! CL data: APT source and CLS files to machine-independent events.
 //!
-//! Bytes go through [`lexer`] (statements), [`parse`] and [`comment`] (typed [`Record`]s) and [`interpret`] (units and
+//! Bytes go through `lexer` (statements), `parse` and `comment` (typed [`Record`]s) and `interpret` (units and
 //! modes) to the [`Event`]s of [`program`](crate::program). Memory is constant: one read buffer, one buffer for joined
 //! statements, nothing allocated for a record that is understood.
 //!
@@ -19,6 +19,7 @@ mod number;
 mod parse;
 pub mod record;
 mod spindle;
+mod tools;
 mod vector;
 mod words;
 
@@ -204,6 +205,14 @@ impl<R: Read> Reader<R> {
         self.statement = Some(*statement);
         let text = self.lexer.text(statement);
         let record = match statement.kind {
+            Kind::Code if parse::is_goto(text) => {
+                // Nearly every statement: the same as below, without moving a record of any size about.
+                self.records += 1;
+                self.matrix.abandon();
+                let here = self.lexer.locate(statement, 0).0;
+                let taken = parse::goto(text).and_then(|point| self.interpreter.go_to(&point, here));
+                return taken.unwrap_or_else(|fault| self.faults.add(fault, statement, &self.lexer));
+            }
             Kind::Code => {
                 self.records += 1;
                 self.matrix.abandon();
@@ -251,7 +260,7 @@ impl<R: Read> Reader<R> {
         }
         if let Some(cutters) = reading.cutters
             && reading.units_are_only_given()
-            && reading.units() == Some(Units::Millimetre)
+            && reading.units() == Some(Units::Millimetres)
             && cutters.largest_mm < SMALLEST_LARGEST_CUTTER_MM
         {
             let text = format!("no cutter is larger than {} mm: is this file in inch?", cutters.largest_mm);

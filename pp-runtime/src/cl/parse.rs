@@ -1,14 +1,14 @@
 //! A statement to a typed record.
 //!
-//! `MAJOR[/argument,argument..]`: the word is looked up in [`words`], and each record checks its arguments completely;
+//! `MAJOR[/argument,argument..]`: the word is looked up in `words`, and each record checks its arguments completely;
 //! an argument that is not understood is never passed over. Text words take the rest of the statement as it is.
 
 use super::Dialect;
 use super::args::{Arg, Args, skip_blanks};
 use super::fault::{Fault, Help, Span, quoted};
-use super::record::{Cutter, FeedUnit, FrameRecord, Point, Record, Text, Tool};
+use super::record::{FeedUnit, FrameRecord, Point, Record, Text};
 use super::words::{Use, Word, look_up};
-use super::{spindle, vector};
+use super::{spindle, tools, vector};
 use crate::program::{Coolant, Units};
 
 /// Reads one statement that is no comment. `text` is not empty.
@@ -69,18 +69,18 @@ fn modelled<'a>(word: Word, name: &'static str, text: &'a [u8], word_at: Span) -
         Word::Stop => Record::Stop,
         Word::Opstop => Record::OptionalStop,
         Word::Units => Record::Units(units(name, &mut args)?),
-        Word::Loadtl => Record::Tool(tool(name, &mut args)?),
+        Word::Loadtl => Record::Tool(tools::call(name, &mut args)?),
         Word::Load => {
             keyword(name, &mut args, "TOOL")?;
-            Record::Tool(tool(name, &mut args)?)
+            Record::Tool(tools::call(name, &mut args)?)
         }
         Word::Selctl => Record::Preselect(needed(name, &mut args)?.integer()?),
         Word::Select => {
             keyword(name, &mut args, "TOOL")?;
             Record::Preselect(needed(name, &mut args)?.integer()?)
         }
-        Word::Cutter => return cutter(name, &mut args).map(Record::Cutter),
-        Word::Tldata => return tool_data(name, &mut args),
+        Word::Cutter => return tools::cutter(name, &mut args).map(Record::Cutter),
+        Word::Tldata => return tools::data(name, &mut args),
         Word::Multax => Record::MultiAxis(match args.next()? {
             None => true,
             Some(arg) if arg.is("ON") => true,
@@ -94,7 +94,7 @@ fn modelled<'a>(word: Word, name: &'static str, text: &'a [u8], word_at: Span) -
             keyword(name, &mut args, "OFF")?;
             Record::Inert
         }
-        Word::Toolno => return tool_description(args),
+        Word::Toolno => return tools::description(args),
         Word::Trntyp => {
             keyword(name, &mut args, "WORLD")?;
             let mut numbers = [0.0; 3];
@@ -150,6 +150,19 @@ pub(super) fn arguments<'a>(name: &'static str, text: &'a [u8], word_at: Span) -
     }
 }
 
+/// Whether the record is a GOTO; [`goto`] reads it then.
+pub(super) fn is_goto(text: &[u8]) -> bool {
+    text.len() > GOTO.len() && text[..GOTO.len()].eq_ignore_ascii_case(GOTO) && matches!(text[GOTO.len()], b'/' | b' ')
+}
+
+/// Reads a GOTO.
+pub(super) fn goto(text: &[u8]) -> Result<Point, Fault> {
+    point("GOTO", &mut arguments("GOTO", text, Span { start: 0, end: GOTO.len() })?)
+}
+
+const GOTO: &[u8] = b"GOTO";
+
+#[inline]
 fn point(name: &'static str, args: &mut Args<'_>) -> Result<Point, Fault> {
     let mut numbers = [0.0; 6];
     let found = args.numbers(&mut numbers)?;
@@ -171,7 +184,7 @@ pub(super) fn exactly(name: &'static str, args: &mut Args<'_>, numbers: &mut [f6
 }
 
 #[cold]
-fn wrong_count(name: &'static str, needs: &str, found: usize, args: &Args<'_>) -> Fault {
+pub(super) fn wrong_count(name: &'static str, needs: &str, found: usize, args: &Args<'_>) -> Fault {
     Fault::new(
         "wrong number of arguments",
         args.all(),
@@ -189,116 +202,12 @@ fn frame_from_two_axes(n: &[f64; 9], at: Span) -> FrameRecord {
 fn units(name: &'static str, args: &mut Args<'_>) -> Result<Units, Fault> {
     let arg = needed(name, args)?;
     if arg.is("MM") {
-        Ok(Units::Millimetre)
+        Ok(Units::Millimetres)
     } else if arg.is("INCH") || arg.is("INCHES") || arg.is("IN") {
-        Ok(Units::Inch)
+        Ok(Units::Inches)
     } else {
         Err(Fault::new("unit", arg.at, format!("{} is not a unit known here", quoted(arg.text)), "write MM or INCH"))
     }
-}
-
-/// `n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]`, the part that LOADTL and LOAD/TOOL share.
-fn tool(name: &'static str, args: &mut Args<'_>) -> Result<Tool, Fault> {
-    let number = needed(name, args)?.integer()?;
-    let mut tool = Tool { number, length: None, offset: None };
-    while let Some(arg) = args.next()? {
-        if arg.looks_numeric() {
-            // Some systems repeat the number of the tool; any other number could be a length or an offset.
-            if arg.integer().ok() != Some(number) {
-                return Err(Fault::new(
-                    "number behind the tool",
-                    arg.at,
-                    format!("{} behind tool {number}: its meaning is not stated", quoted(arg.text)),
-                    format!("write {name} with LENGTH, OSETNO or ADJUST in front of the number"),
-                ));
-            }
-        } else if arg.is("LENGTH") {
-            let value = needed(name, args)?;
-            let length = value.number()?;
-            if length <= 0.0 {
-                return Err(Fault::new(
-                    "gauge length",
-                    value.at,
-                    format!("the gauge length {} is not above 0", quoted(value.text)),
-                    "give the real length, or leave LENGTH out and state it in the configuration",
-                ));
-            }
-            tool.length = Some(length);
-        } else if arg.is("OSETNO") || arg.is("ADJUST") {
-            let value = needed(name, args)?;
-            let offset = value.integer()?;
-            if offset == 0 || tool.offset.is_some_and(|other| other != offset) {
-                return Err(Fault::new(
-                    "length offset",
-                    value.at,
-                    if offset == 0 {
-                        format!("{} 0 would switch the length offset off", quoted(arg.text))
-                    } else {
-                        "two different length offsets for one tool".to_string()
-                    },
-                    "give one register above 0, or none to use the one with the tool's number",
-                ));
-            }
-            tool.offset = Some(offset);
-        } else {
-            return Err(argument_not_yet(name, arg));
-        }
-    }
-    Ok(tool)
-}
-
-/// `d[,r[,e,f,a,b,h]]`, the cutter of APT.
-pub(super) fn cutter(name: &'static str, args: &mut Args<'_>) -> Result<Cutter, Fault> {
-    let mut numbers = [0.0; 7];
-    match args.numbers(&mut numbers)? {
-        found @ 1..=7 => cutter_of(numbers[0], (found > 1).then_some(numbers[1]), args.all()),
-        found => Err(wrong_count(name, "1 to 7 numbers", found, args)),
-    }
-}
-
-/// `TLDATA/MILL,d,r,..` or `TLDATA/DRILL[,word],d,..`.
-fn tool_data<'a>(name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {
-    let kind = needed(name, args)?;
-    let is_mill = kind.is("MILL");
-    if ["TURN", "GROOVE", "THREAD"].iter().any(|word| kind.is(word)) {
-        return Err(turning(kind.at));
-    }
-    if !is_mill && !kind.is("DRILL") {
-        return Err(argument_not_yet(name, kind));
-    }
-    let mut behind_word = args.clone();
-    if !is_mill && behind_word.next()?.is_some_and(|arg| !arg.looks_numeric()) {
-        *args = behind_word;
-    }
-    let mut numbers = [0.0; 2];
-    let found = args.numbers(&mut numbers)?;
-    if found < if is_mill { 2 } else { 1 } {
-        return Err(wrong_count(name, "at least the diameter and, for MILL, the corner radius", found, args));
-    }
-    cutter_of(numbers[0], is_mill.then_some(numbers[1]), args.all()).map(Record::Cutter)
-}
-
-fn cutter_of(diameter: f64, corner_radius: Option<f64>, at: Span) -> Result<Cutter, Fault> {
-    if diameter < 0.0 || corner_radius.is_some_and(|radius| radius < 0.0) {
-        return Err(Fault::new(
-            "size of the cutter",
-            at,
-            "diameter and corner radius of a cutter are not negative",
-            "check the tool's description in the CAM system",
-        ));
-    }
-    Ok(Cutter { diameter, corner_radius })
-}
-
-/// TOOLNO describes a tool and changes nothing, unless the tool is a turning tool.
-fn tool_description<'a>(mut args: Args<'_>) -> Result<Record<'a>, Fault> {
-    // Its other arguments are the user's own, so an empty place is no fault here.
-    while let Ok(Some(arg)) = args.next() {
-        if arg.is("TURN") {
-            return Err(turning(arg.at));
-        }
-    }
-    Ok(Record::Inert)
 }
 
 fn feed<'a>(name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {

@@ -71,7 +71,7 @@ enum Failure {
     Unreadable(String, io::Error),
     #[error("cannot write {0}: {1}")]
     Unwritable(String, io::Error),
-    #[error("{0} {1}; nothing was written")]
+    #[error("{0} {1}: post it again")]
     Disturbed(String, &'static str),
     #[error("{0} would overwrite {1}")]
     Overwrites(String, String),
@@ -82,7 +82,8 @@ enum Failure {
 
 impl Failure {
     fn unreadable(path: &Path, error: io::Error) -> Self {
-        Self::Unreadable(path.display().to_string(), error)
+        let name = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
+        Self::Unreadable(name, error)
     }
 
     fn unwritable(path: &Path, error: io::Error) -> Self {

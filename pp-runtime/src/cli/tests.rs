@@ -2,6 +2,7 @@ use std::cell::RefCell;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use proptest::prelude::*;
 use tempfile::TempDir;
 
 use super::*;
@@ -526,4 +527,24 @@ fn a_place_behind_the_end_of_the_text_is_shown_without_a_line() {
         messages(b"A\n", &[finding(Severity::Error, 2, 1, 1, "the file ends early", None)]),
         "p.cls:2:1: error: the file ends early\np.cls: 1 error\n"
     );
+}
+
+proptest! {
+    /// The caret stands below the text and the excerpt is short, whatever the bytes and wherever the place.
+    #[test]
+    fn any_place_in_any_text_can_be_shown(
+        bytes in proptest::collection::vec(prop_oneof![any::<u8>(), Just(b'\n'), Just(b'\r'), Just(0xC3), Just(b'A')], 0..600),
+        line in 0_u64..40,
+        column in 0_u32..700,
+        length in 0_u32..50,
+    ) {
+        let place = (Location { line, column }, length);
+        let found = excerpt::excerpts(&mut &bytes[..], std::iter::once(place)).expect("memory is readable");
+        for excerpt in found.values() {
+            let count = excerpt.text.chars().count();
+            prop_assert!(count <= 102, "{count}");
+            prop_assert!(excerpt.indent <= count && excerpt.marked >= 1);
+            prop_assert!(!excerpt.text.chars().any(char::is_control));
+        }
+    }
 }

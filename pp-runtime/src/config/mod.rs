@@ -18,37 +18,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
+pub use crate::program::Units;
 pub use machine::Travel;
 pub use print::print;
-
-/// Unit of length of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Units {
-    /// `mm`.
-    Millimetres,
-    /// `in`, 25.4 mm exactly.
-    Inches,
-}
-
-impl Units {
-    /// Length of one unit in mm.
-    #[must_use]
-    pub const fn in_mm(self) -> f64 {
-        match self {
-            Self::Millimetres => 1.0,
-            Self::Inches => 25.4,
-        }
-    }
-
-    /// `mm` or `in`, as on the command line and in files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Millimetres => "mm",
-            Self::Inches => "in",
-        }
-    }
-}
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,3 +1,5 @@
+use proptest::prelude::*;
+
 use super::sample::Sample;
 use super::*;
 
@@ -243,4 +245,44 @@ fn a_block_of_the_program_is_one_line() {
 fn text_that_is_not_toml_is_reported_at_its_place() {
     let faults = faults("units = 'mm'\nfloor = \n");
     assert!(faults[0].starts_with("2:"), "{faults:?}");
+}
+
+/// Lines as they might stand in a file, right and wrong.
+fn any_line() -> impl Strategy<Value = String> {
+    let keys = ["units", "part_origin", "floor", "park", "limits", "machine_zero", "tools", "retract", "\"é\"", "x"];
+    let values = [
+        "1",
+        "-1e400",
+        "nan",
+        "true",
+        "\"mm\"",
+        "\"é\"",
+        "[]",
+        "[1, 2, 3]",
+        "{ B = 1, Q = [] }",
+        "{ 5 = { length = 0x5 } }",
+        "1979-05-27",
+    ];
+    let others =
+        ["[tools.5]", "[tools.000000]", "[park]", "[retract]", "[limits]", "é = ", "\u{feff}", "# é", "\r", "'", "="];
+    let setting = (prop::sample::select(keys.to_vec()), prop::sample::select(values.to_vec()));
+    prop_oneof![
+        setting.prop_map(|(key, value)| format!("{key} = {value}")),
+        prop::sample::select(others.to_vec()).prop_map(str::to_owned)
+    ]
+}
+
+proptest! {
+    /// A file is read or refused with places inside it; nothing in it stops the program.
+    #[test]
+    fn any_file_is_read_or_refused(lines in proptest::collection::vec(any_line(), 0..8)) {
+        let text = lines.join("\n");
+        if let Err(faults) = Config::read::<Sample>(&text) {
+            prop_assert!(!faults.is_empty());
+            for fault in faults {
+                prop_assert!(fault.location.line >= 1 && fault.location.column >= 1 && fault.length >= 1);
+                prop_assert!(fault.location.line <= text.split('\n').count() as u64);
+            }
+        }
+    }
 }

@@ -18,7 +18,7 @@ use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
 use crate::motion::{Abilities, Planner, Scout, Sink, Statistics, Step, Stop};
-use crate::program::{self, Coolant, Location};
+use crate::program::{Coolant, Location};
 
 use survey::Survey;
 
@@ -122,7 +122,7 @@ pub fn post<M: Machine>(
     output: &mut impl Write,
 ) -> Result<Report, PostError> {
     let start = input.stream_position().map_err(PostError::Input)?;
-    let options = cl::Options { units: job.units.or(job.config.cl_units).map(of_cl) };
+    let options = cl::Options { units: job.units.or(job.config.cl_units) };
     let machine = job.config.machine::<M>();
     let scout = machine.as_ref().ok().and_then(|machine| Scout::new(machine.clone(), job.config));
     let mut survey = Survey::take(&mut *input, options, &M::default().tool_axis(), scout).map_err(PostError::Input)?;
@@ -149,7 +149,7 @@ pub fn post<M: Machine>(
             return Ok(report);
         }
     };
-    let units = job.config.output_units.unwrap_or_else(|| survey.units.map_or(Units::Millimetres, of_config));
+    let units = job.config.output_units.unwrap_or_else(|| survey.units.unwrap_or(Units::Millimetres));
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
     let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
         .with_starts(std::mem::take(&mut survey.starts));
@@ -233,18 +233,4 @@ fn layout<M: Machine>(config: &Config, units: Units) -> Layout {
 fn abilities(control: &dyn Control) -> Abilities {
     let has = |coolant| control.spellings().coolant(coolant).is_some();
     Abilities { mist: has(Coolant::Mist), through: has(Coolant::Through), air: has(Coolant::Air) }
-}
-
-fn of_cl(units: Units) -> program::Units {
-    match units {
-        Units::Millimetres => program::Units::Millimetre,
-        Units::Inches => program::Units::Inch,
-    }
-}
-
-fn of_config(units: program::Units) -> Units {
-    match units {
-        program::Units::Millimetre => Units::Millimetres,
-        program::Units::Inch => Units::Inches,
-    }
 }

@@ -93,7 +93,7 @@ fn tool_axes_are_checked_by_their_length() {
 
 #[test]
 fn normalised_axes_are_counted_in_one_warning() {
-    let text = "GOTO/1,2,3,0,0,1\nGOTO/1,2,3,0,0,1.00099\nGOTO/1,2,3,0,0,.99998\n";
+    let text = "GOTO/1,2,3,0,0,1\nGOTO/1,2,3,0,0,1.00099\nGOTO/1,2,3,0,0,1.000011\n";
     let outcome = read_from(text.as_bytes(), MM);
     assert_eq!(outcome.events.len(), 3);
     assert!(outcome.events[1].contains("axis 0 0 1"));
@@ -194,7 +194,7 @@ fn only_tiny_cutters_in_claimed_millimetres_are_inches() {
     refused(text, "1:1+1 no cutter is larger than 0.3937 mm: is this file in inch?");
     events_with(&format!("UNITS/MM\n{text}"), UNSTATED);
     events(&text.replace(".3937", "1.5"));
-    events_with(text, Options { units: Some(Units::Inch) });
+    events_with(text, Options { units: Some(Units::Inches) });
 }
 
 #[test]

@@ -145,6 +145,12 @@ fn an_axis_stated_by_tlaxis_survives_the_tool_change_behind_it() {
 }
 
 #[test]
+fn an_axis_stated_by_tlaxis_and_used_is_not_carried_further() {
+    let expected = "4:6+5 the tool was tilted in the operation before, and this point does not say its tool axis";
+    refused("TLAXIS/0,.6,.8\nGOTO/1,0,0\nLOADTL/2\nGOTO/1,0,0\n", expected);
+}
+
+#[test]
 fn multax_off_keeps_the_axis_but_in_creo_a_tilt_is_in_doubt() {
     let text = "MULTAX/ON\nGOTO/0,0,0,0,.6,.8\nMULTAX/OFF\nGOTO/1,0,0\n";
     assert_eq!(events(text)[1], "4:1 feed 1 0 0 axis 0 0.6 0.8 None");

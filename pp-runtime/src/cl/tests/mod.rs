@@ -9,7 +9,7 @@ use crate::diag::{Diagnostic, Severity};
 use crate::program::{Event, Location, Units};
 use std::io::Read;
 
-const MM: Options = Options { units: Some(Units::Millimetre) };
+const MM: Options = Options { units: Some(Units::Millimetres) };
 const UNSTATED: Options = Options { units: None };
 
 /// Events as text with their places, and the diagnostics.
