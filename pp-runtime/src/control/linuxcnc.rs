@@ -52,7 +52,7 @@ impl Control for LinuxCnc {
             line.push(match byte {
                 b'(' => b'[',
                 b')' => b']',
-                b'%' | b';' => b'_',
+                b'%' => b'_',
                 b'\t' => b' ',
                 0x20..=0x7e => byte,
                 _ => b'?',
@@ -90,7 +90,7 @@ mod tests {
     #[test]
     fn a_comment_cannot_end_early_or_hold_other_bytes_than_ascii() {
         assert_eq!(comment("A) M3 S9999 (B"), "(A] M3 S9999 [B)");
-        assert_eq!(comment("50 % ; x"), "(50 _ _ x)");
+        assert_eq!(comment("50 % ; x"), "(50 _ ; x)");
         assert_eq!(comment("a\tb\r\nc"), "(a b??c)");
         assert_eq!(comment("Fräser"), "(Fr??ser)");
     }

@@ -102,7 +102,9 @@ fn inverse<M: Shape>(machine: &M, pose: &Pose, held: &M::Axes) -> Solutions<M::A
         }
         let axes = linear(machine, &pose.tip, &axes)?;
         let branch = if number == 0 { Branch::First } else { Branch::Second };
-        Some(Solution { axes, branch, singular, deviation: 0.0 })
+        let reached = forward(machine, axes.as_ref()).axis;
+        let deviation = (reached.into_inner() - pose.axis.into_inner()).norm();
+        Some(Solution { axes, branch, singular, deviation })
     };
     Solutions::from_branches([solution(0), solution(1)])
 }

@@ -4,11 +4,14 @@
 //! turns, limits, feeds and the safe sequence between operations are decided here; how a control spells a step is not,
 //! and what the CL data looked like neither. Memory is constant, and nothing is allocated for a motion.
 
+mod auxiliary;
 mod choose;
 mod fault;
 mod feed;
+mod operation;
 mod place;
 mod planner;
+mod refuse;
 mod retreat;
 mod scout;
 mod sequence;

@@ -41,20 +41,20 @@ pub(crate) struct Place<A> {
 /// Puts poses into words for one machine, one set-up and the current tool.
 #[derive(Debug, Clone)]
 pub(crate) struct Placer<M: Machine> {
-    machine: M,
+    pub(super) machine: M,
     part_origin: Vector3<f64>,
-    rotaries: Vec<Rotary>,
+    pub(super) rotaries: Vec<Rotary>,
     /// The same axes without their limits.
     endless: Vec<Rotary>,
-    limited: bool,
+    pub(super) limited: bool,
     /// rad
     index_angle: f64,
     linear_mask: u16,
     rotary_mask: u16,
-    scale: AngleScale,
+    pub(super) scale: AngleScale,
     /// Units of linear words in 1 mm.
     per_mm: f64,
-    limits: Vec<Option<Limits>>,
+    pub(super) limits: Vec<Option<Limits>>,
     pub(crate) travel: Travel,
     /// Solved linear axis that retracts.
     retract_axis: usize,
@@ -208,7 +208,7 @@ impl<M: Machine> Placer<M> {
 
     /// A pose with these rotary words; the linear axes are not computed.
     #[inline]
-    fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
+    pub(super) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
         let mut place = Place { pose: *pose, axes: from.axes, words: *words, deviation: 0.0, near_pole: false };
         for rotary in &self.rotaries {
             place.axes.as_mut()[rotary.index] = self.scale.angle(words[rotary.index]);
@@ -231,76 +231,6 @@ impl<M: Machine> Placer<M> {
         let solutions = self.machine.inverse_kinematics(pose, &place.axes);
         place.deviation = solutions.first().map_or(0.0, |solution| solution.deviation);
         Some(self.finish(place))
-    }
-
-    /// Whether a limited rotary leaves anything to choose.
-    pub(crate) fn limited(&self) -> bool {
-        self.limited
-    }
-
-    /// Whether the tool axis leaves the first rotary free.
-    pub(crate) fn singular(&self, pose: &Pose, from: &Place<M::Axes>) -> bool {
-        self.machine.inverse_kinematics(pose, &from.axes).iter().any(|solution| solution.singular)
-    }
-
-    /// Every branch of a pose with every turn inside the limits; endless axes take the nearest turn.
-    pub(crate) fn every_turn(&self, pose: &Pose, from: &Place<M::Axes>) -> Vec<Place<M::Axes>> {
-        let mut places = Vec::new();
-        for solution in self.machine.inverse_kinematics(pose, &from.axes).iter() {
-            let mut all = vec![from.words];
-            for rotary in &self.rotaries {
-                let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
-                let turns = rotary.turns(word, from.words[rotary.index], self.scale.turn);
-                all = all
-                    .iter()
-                    .flat_map(|words| {
-                        turns.iter().map(|&word| {
-                            let mut words = *words;
-                            words[rotary.index] = word;
-                            words
-                        })
-                    })
-                    .collect();
-            }
-            places.extend(all.iter().map(|words| self.at(pose, from, words)));
-        }
-        places
-    }
-
-    /// `at` with the first rotary of `other`.
-    pub(crate) fn with_first_rotary(&self, at: &Place<M::Axes>, other: &Place<M::Axes>) -> Place<M::Axes> {
-        let mut words = at.words;
-        if let Some(first) = self.rotaries.first() {
-            words[first.index] = other.words[first.index];
-        }
-        self.at(&at.pose, at, &words)
-    }
-
-    /// How far all rotaries turn together, in units of their words.
-    pub(crate) fn sum_of_turns(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> u64 {
-        self.rotaries.iter().map(|rotary| from[rotary.index].abs_diff(to[rotary.index])).sum()
-    }
-
-    #[cold]
-    fn jump(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
-        let outside = self.rotaries.iter().find(|rotary| {
-            let word = nearest[rotary.index];
-            rotary.lower.is_some_and(|lower| word < lower) || rotary.upper.is_some_and(|upper| word > upper)
-        });
-        let (limit, word) = outside.map_or((0, 0), |rotary| (rotary.index, nearest[rotary.index]));
-        let turned = self.rotaries.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
-        let turned = turned.map_or(0, |rotary| rotary.index);
-        Fault::new(format_args!(
-            "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
-             tool in the cut",
-            M::AXES[limit].letter,
-            self.scale.degrees(word),
-            self.limits_text(limit),
-            M::AXES[turned].letter,
-            self.scale.degrees(from[turned]),
-            self.scale.degrees(to[turned]),
-        ))
-        .help("retract before this point and start a new operation, or turn the part on the table")
     }
 
     /// Near the pole the axis of CL data carries no angle, only rounding: there the first rotary keeps its value.
@@ -409,43 +339,6 @@ impl<M: Machine> Placer<M> {
     pub(crate) fn below_retract(&self, place: &Place<M::Axes>, retract: f64) -> Option<f64> {
         let there = self.travel.value_at(self.retract_axis, retract)?;
         Some((there - place.axes.as_ref()[self.retract_axis]) * self.retract_share.signum())
-    }
-
-    fn limits_text(&self, index: usize) -> String {
-        self.limits[index].map_or_else(
-            || "none".to_owned(),
-            |limits| format!("{:.4}° to {:.4}°", limits.lower.to_degrees(), limits.upper.to_degrees()),
-        )
-    }
-
-    #[cold]
-    fn outside_limits(&self, outside: &[Option<OutOfLimits>; 2]) -> Fault {
-        let mut text = String::new();
-        for out in outside.iter().flatten() {
-            let letter = M::AXES[out.rotary.index].letter;
-            let value = self.scale.degrees(out.word);
-            if text.is_empty() {
-                text = format!("{letter} would have to turn to {value}°");
-            } else {
-                text += &format!(", or {letter} to {value}°");
-            }
-            text += &format!(" (limits {})", self.limits_text(out.rotary.index));
-        }
-        Fault::new(text).help("turn the part on the table, or correct the limits in the configuration")
-    }
-
-    #[cold]
-    fn unreachable(&self, pose: &Pose, held: &M::Axes) -> Fault {
-        match self.machine.reach(&pose.axis, held) {
-            Err(reason) => Fault::new(reason),
-            Ok(()) => Fault::new(format_args!(
-                "{} has no position for the tool axis ({:.7}, {:.7}, {:.7})",
-                M::NAME,
-                pose.axis.x,
-                pose.axis.y,
-                pose.axis.z
-            )),
-        }
     }
 }
 

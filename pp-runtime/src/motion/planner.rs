@@ -10,30 +10,21 @@ use std::io;
 use crate::config::{Config, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
-use crate::program::{self, Coolant, Event, Location, Move, Rotation, Spindle, ToolCall};
+use crate::program::{Coolant, Event, Location, Move, Rotation, Spindle, ToolCall};
 
 use super::fault::Fault;
-use super::feed::{Feeds, Stroke};
+use super::feed::Feeds;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
 use super::scout::Start;
-use super::step::{Feed, Sink, Step};
+use super::step::{Sink, Step};
 use super::tool::{SpindleRequest, Tool};
 
 /// A motion of the same axis, within this angle, rad: CL data has seven digits.
 pub(super) const SAME_AXIS: f64 = 1e-6;
 
-/// A deviation of the tool axis up to this is arithmetic, rad.
-const NO_DEVIATION: f64 = 1e-12;
-
-/// From this turn on, the middle of a feed block is looked at, rad.
-const LARGE_TURN: f64 = 0.017;
-
 /// From this distance on, a tip that leaves its line is remarked on, mm.
 const LARGE_SWING: f64 = 0.1;
-
-/// A rapid this much below the lowest cut is remarked on, mm.
-const PLUNGE: f64 = 0.001;
 
 /// Why planning stopped.
 #[derive(Debug)]
@@ -114,9 +105,9 @@ pub struct Planner<'a, M: Machine> {
     pub(super) config: &'a Config,
     pub(super) placer: Placer<M>,
     pub(super) feeds: Feeds,
-    abilities: Abilities,
+    pub(super) abilities: Abilities,
     /// Every tool axis of the CL data points into the table.
-    upside_down: bool,
+    pub(super) upside_down: bool,
     starts: Vec<Start>,
     /// Operations begun so far.
     operations: usize,
@@ -140,11 +131,13 @@ pub struct Planner<'a, M: Machine> {
     pub(super) tool: Option<Tool>,
     /// Tools called so far, with the length the CL data gave.
     lengths: BTreeMap<u32, Option<f64>>,
+    /// The remark on rapids before the first tool has been made.
+    passed_over: bool,
     /// The tool that the next operation begins with.
     pub(super) next_tool: Option<Tool>,
     pub(super) request: SpindleRequest,
     /// SPINDL stood in the start that is being collected.
-    spindle_in_start: bool,
+    pub(super) spindle_in_start: bool,
     /// Speed in rev/min and sense of the spindle as written; `None` if it does not turn or nobody knows.
     pub(super) spindle: Option<(f64, Rotation)>,
     pub(super) coolant_request: Coolant,
@@ -152,11 +145,11 @@ pub struct Planner<'a, M: Machine> {
     pub(super) coolant: Option<Coolant>,
     pub(super) inverse_time: bool,
     /// Where the largest swing is.
-    swing_at: Location,
+    pub(super) swing_at: Location,
     /// Lowest pose of this tool axis that was cut in this operation.
-    lowest: Option<Pose>,
-    plunge_told: bool,
-    statistics: Statistics,
+    pub(super) lowest: Option<Pose>,
+    pub(super) plunge_told: bool,
+    pub(super) statistics: Statistics,
 }
 
 impl<'a, M: Machine> Planner<'a, M> {
@@ -184,6 +177,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             restarts: 0,
             tool: None,
             lengths: BTreeMap::new(),
+            passed_over: false,
             next_tool: None,
             request: SpindleRequest::default(),
             spindle_in_start: false,
@@ -284,6 +278,10 @@ impl<'a, M: Machine> Planner<'a, M> {
     fn motion(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
         match self.phase {
             Phase::Running => self.run(at, motion, sink),
+            Phase::Start if self.unarmed() && motion.rapid && !self.placer.head() => {
+                self.pass_over(at, motion);
+                Ok(())
+            }
             Phase::Start => {
                 self.phase = Phase::First { at, motion: *motion, operation: true };
                 Ok(())
@@ -292,6 +290,23 @@ impl<'a, M: Machine> Planner<'a, M> {
                 self.settle(Some(motion), sink)?;
                 self.run(at, motion, sink)
             }
+        }
+    }
+
+    /// No tool has been called yet.
+    fn unarmed(&self) -> bool {
+        self.tool.is_none() && self.next_tool.is_none()
+    }
+
+    /// A rapid before the first tool: whatever is in the spindle, its length offset is not active, and Z would go deeper
+    /// by that length. Nothing moves; the pose counts as FROM does.
+    fn pass_over(&mut self, at: Location, motion: &Move) {
+        self.from(&motion.pose);
+        if !self.passed_over {
+            self.passed_over = true;
+            let fault = Fault::new("a rapid before the first tool is not written: no length offset is active yet")
+                .help("call the tool before the first motion: LOADTL/1");
+            self.warnings.push(fault.at(at, Severity::Warning));
         }
     }
 
@@ -402,86 +417,6 @@ impl<'a, M: Machine> Planner<'a, M> {
         Ok(())
     }
 
-    fn spindle(&mut self, at: Location, spindle: Spindle, sink: &mut impl Sink) -> Planned {
-        match spindle {
-            Spindle::Off => self.request.off = true,
-            Spindle::On { speed, rotation } => {
-                self.request.off = false;
-                self.request.speed = speed.or(self.request.speed);
-                self.request.rotation = rotation.or(self.request.rotation);
-            }
-        }
-        if self.phase == Phase::Start {
-            self.spindle_in_start = true;
-            return Ok(());
-        }
-        self.turn_spindle(at, false, sink)
-    }
-
-    /// Brings the spindle to what is wanted; `again`: even if it is so already.
-    pub(super) fn turn_spindle(&mut self, at: Location, again: bool, sink: &mut impl Sink) -> Planned {
-        let given = self.tool.and_then(|tool| self.config.tools.get(&tool.number));
-        let wanted = self.request.resolve(given, self.config).map_err(|fault| stop(at, fault))?;
-        match wanted {
-            Some((speed, rotation)) => {
-                let turning = (speed.value(), rotation);
-                if again || self.spindle != Some(turning) {
-                    let starts = again || self.spindle.is_none_or(|(_, before)| before != rotation);
-                    self.spindle = Some(turning);
-                    sink.step(&Step::Spindle { speed, rotation })?;
-                    if starts && self.config.spindle_dwell > 0.0 {
-                        sink.step(&Step::Dwell { seconds: self.config.spindle_dwell })?;
-                    }
-                }
-            }
-            None if self.spindle.take().is_some() => sink.step(&Step::SpindleOff)?,
-            None => {}
-        }
-        Ok(())
-    }
-
-    fn set_coolant(&mut self, at: Location, coolant: Coolant, sink: &mut impl Sink) -> Planned {
-        self.coolant_request = coolant;
-        if self.phase == Phase::Start { Ok(()) } else { self.turn_coolant(at, sink) }
-    }
-
-    /// Brings the coolant to what is wanted.
-    pub(super) fn turn_coolant(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
-        let tool = self.tool.and_then(|tool| self.config.tools.get(&tool.number));
-        let kind = match self.coolant_request {
-            Coolant::On => tool.and_then(|tool| tool.coolant).unwrap_or(self.config.defaults.coolant),
-            kind => kind,
-        };
-        let missing = match kind {
-            Coolant::Mist => (!self.abilities.mist).then_some("mist"),
-            Coolant::Through => (!self.abilities.through).then_some("coolant through the spindle"),
-            Coolant::Air => (!self.abilities.air).then_some("air"),
-            Coolant::On | Coolant::Flood | Coolant::Off => None,
-        };
-        if let Some(missing) = missing {
-            return Err(stop(at, Fault::new(format_args!("this control has no code for {missing}"))));
-        }
-        if kind == Coolant::Off {
-            return self.coolant_off(sink);
-        }
-        if self.coolant != Some(kind) {
-            if self.coolant.is_some_and(|before| before != Coolant::Off) {
-                sink.step(&Step::CoolantOff)?;
-            }
-            self.coolant = Some(kind);
-            sink.step(&Step::Coolant { kind })?;
-        }
-        Ok(())
-    }
-
-    pub(super) fn coolant_off(&mut self, sink: &mut impl Sink) -> Planned {
-        if self.coolant != Some(Coolant::Off) {
-            self.coolant = Some(Coolant::Off);
-            sink.step(&Step::CoolantOff)?;
-        }
-        Ok(())
-    }
-
     /// FROM: before the first motion it says where the rotaries count from.
     fn from(&mut self, pose: &Pose) {
         if !self.placed
@@ -489,182 +424,6 @@ impl<'a, M: Machine> Planner<'a, M> {
         {
             self.place = place;
         }
-    }
-
-    /// What must be true before the tool moves to a point of the CL data.
-    #[inline]
-    pub(super) fn check_state(&self, motion: &Move) -> Result<(), Fault> {
-        if let Some(floor) = self.config.floor
-            && motion.pose.tip.z < floor
-        {
-            return Err(Fault::new(format_args!("the tip goes to Z {}, below `floor` = {floor}", motion.pose.tip.z)));
-        }
-        if self.tool.is_none() {
-            if self.placer.head() {
-                return Err(Fault::new(
-                    "a motion before the first tool, and this machine turns the tool about its head",
-                )
-                .help("call the tool first: LOADTL/1,LENGTH,120"));
-            }
-            if !motion.rapid {
-                return Err(Fault::new("a feed motion before the first tool").help("call a tool: LOADTL/1"));
-            }
-        }
-        if motion.rapid {
-            return Ok(());
-        }
-        if self.upside_down {
-            return Err(Fault::new("every tool axis of this program points into the table")
-                .help("is the frame upside down? Turn it in CAM or with `part_rotation`; `table_check = false` posts it as it is"));
-        }
-        if self.spindle.is_none() {
-            return Err(if self.request.off {
-                Fault::new("a feed motion with the spindle off").help("give SPINDL/ON before it")
-            } else {
-                Fault::new("a feed motion without spindle speed or direction since the tool was called").help(
-                    "give SPINDL/RPM,..,CLW behind the tool call, or speed and direction of the tool in the configuration",
-                )
-            });
-        }
-        if motion.feed.is_none() {
-            return Err(Fault::new("a feed motion without feed").help("give FEDRAT before it"));
-        }
-        Ok(())
-    }
-
-    /// The F word of a motion of the CL data from where the tool stands to `to`.
-    #[inline]
-    pub(super) fn feed(&self, feed: Option<program::Feed>, to: &Place<M::Axes>) -> Result<Feed, Fault> {
-        let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
-        let per_minute = Feeds::per_minute(feed, self.spindle.map(|(speed, _)| speed))?;
-        let stroke = Stroke {
-            length: (to.pose.tip - self.place.pose.tip).norm(),
-            turn: self.placer.rotary_travel(&self.place.words, &to.words),
-            square: self.placer.square(),
-        };
-        self.feeds.word(per_minute, stroke)
-    }
-
-    /// A motion inside an operation.
-    #[inline]
-    fn run(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
-        let fault = |fault: Fault| stop(at, fault);
-        self.check_state(motion).map_err(fault)?;
-        let place = self.placer.place(&motion.pose, &self.place, !motion.rapid).map_err(fault)?;
-        if motion.rapid {
-            if self.config.transition == Transition::Safe
-                && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
-            {
-                self.phase = Phase::First { at, motion: *motion, operation: false };
-                return Ok(());
-            }
-            self.cancel_inverse_time(sink)?;
-            self.watch_plunge(at, &motion.pose);
-            sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
-        } else {
-            self.feed_to(at, motion, &place, sink)?;
-        }
-        self.retreat.follow(&self.place.pose, &motion.pose);
-        self.arrive(place);
-        Ok(())
-    }
-
-    /// A feed motion from where the tool stands.
-    #[inline]
-    pub(super) fn feed_to(
-        &mut self,
-        at: Location,
-        motion: &Move,
-        place: &Place<M::Axes>,
-        sink: &mut impl Sink,
-    ) -> Planned {
-        let feed = self.feed(motion.feed, place).map_err(|fault| stop(at, fault))?;
-        if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
-            let off = self.placer.middle_deviation(&self.place, place);
-            if off > self.statistics.largest_swing {
-                self.statistics.largest_swing = off;
-                self.swing_at = at;
-            }
-        }
-        self.write_feed(place, feed, sink)?;
-        self.cut(&motion.pose);
-        Ok(())
-    }
-
-    /// Remembers the lowest level that was cut with this tool axis in this operation.
-    #[inline]
-    pub(super) fn cut(&mut self, pose: &Pose) {
-        match &mut self.lowest {
-            Some(lowest)
-                if (lowest.axis.into_inner() - pose.axis.into_inner()).norm_squared() < SAME_AXIS * SAME_AXIS =>
-            {
-                if (pose.tip - lowest.tip).dot(&lowest.axis) < 0.0 {
-                    lowest.tip = pose.tip;
-                }
-            }
-            lowest => *lowest = Some(*pose),
-        }
-    }
-
-    /// Says once in an operation that a rapid goes deeper than anything was cut.
-    fn watch_plunge(&mut self, at: Location, to: &Pose) {
-        let Some(lowest) = self.lowest else { return };
-        let step = to.tip - self.place.pose.tip;
-        let down = -step.dot(&to.axis);
-        let across = (step + to.axis.into_inner() * down).norm();
-        let same = (lowest.axis.into_inner() - to.axis.into_inner()).norm() < SAME_AXIS;
-        let depth = -(to.tip - lowest.tip).dot(&to.axis);
-        if same && down > 0.0 && across <= 1e-3 * down && depth > PLUNGE && !self.plunge_told {
-            self.plunge_told = true;
-            let text =
-                format!("a rapid goes down along the tool to {depth:.3} mm below anything cut in this operation");
-            let fault = Fault::new(text).help("check whether the material is gone there");
-            self.warnings.push(fault.at(at, Severity::Warning));
-        }
-    }
-
-    #[inline]
-    pub(super) fn all(&self) -> u16 {
-        self.placer.linear_mask() | self.placer.rotary_mask()
-    }
-
-    #[inline]
-    pub(super) fn write_feed(&mut self, place: &Place<M::Axes>, feed: Feed, sink: &mut impl Sink) -> Planned {
-        if place.words != self.place.words {
-            self.inverse_time = matches!(feed, Feed::InverseTime(_));
-            self.statistics.inverse_time += u64::from(self.inverse_time);
-            sink.step(&Step::Feed { words: self.placer.words(place, self.all()), feed })?;
-        }
-        Ok(())
-    }
-
-    /// Inverse time never stays in force over a rapid.
-    #[inline]
-    pub(super) fn cancel_inverse_time(&mut self, sink: &mut impl Sink) -> Planned {
-        if self.inverse_time {
-            self.inverse_time = false;
-            sink.step(&Step::PerMinute)?;
-        }
-        Ok(())
-    }
-
-    /// The machine stands at a motion of the CL data.
-    #[inline]
-    pub(super) fn arrive(&mut self, place: Place<M::Axes>) {
-        self.statistics.motions += 1;
-        self.statistics.near_pole += u64::from(place.near_pole);
-        if place.deviation > NO_DEVIATION {
-            self.statistics.deviations += 1;
-            self.statistics.largest_deviation = self.statistics.largest_deviation.max(place.deviation);
-        }
-        self.place = place;
-        self.placed = true;
-        self.there = true;
-        self.clear = false;
-    }
-
-    pub(super) fn count_sequence(&mut self) {
-        self.statistics.sequences += 1;
     }
 }
 

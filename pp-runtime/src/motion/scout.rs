@@ -33,6 +33,8 @@ pub struct Scout<M: Machine> {
     /// Where the rotaries stand before the operation.
     before: Place<M::Axes>,
     placed: bool,
+    /// A tool has been called.
+    armed: bool,
     begun: bool,
     /// The operation began at the pole and has not left it yet.
     at_pole: bool,
@@ -49,6 +51,7 @@ impl<M: Machine> Scout<M> {
             before: placer.zero(),
             placer,
             placed: false,
+            armed: false,
             begun: true,
             at_pole: false,
             candidates: Vec::new(),
@@ -62,7 +65,15 @@ impl<M: Machine> Scout<M> {
             Event::From(pose) if !self.placed => {
                 self.before = self.placer.reference(pose, &self.before).unwrap_or(self.before);
             }
-            Event::Operation(_) | Event::Tool(_) | Event::Stop | Event::OptionalStop => self.close(),
+            Event::Tool(_) => {
+                self.armed = true;
+                self.close();
+            }
+            Event::Operation(_) | Event::Stop | Event::OptionalStop => self.close(),
+            // The planner passes over these.
+            Event::Move(motion) if !self.armed && motion.rapid => {
+                self.before = self.placer.reference(&motion.pose, &self.before).unwrap_or(self.before);
+            }
             Event::Move(motion) if self.begun => self.open(&motion.pose),
             Event::Move(motion) => self.follow(&motion.pose, !motion.rapid),
             _ => {}
@@ -135,5 +146,55 @@ impl<M: Machine> Scout<M> {
             }
             None => self.starts.push(None),
         }
+    }
+}
+
+impl<M: Machine> Placer<M> {
+    /// Whether a limited rotary leaves anything to choose.
+    fn limited(&self) -> bool {
+        self.limited
+    }
+
+    /// Whether the tool axis leaves the first rotary free.
+    fn singular(&self, pose: &Pose, from: &Place<M::Axes>) -> bool {
+        self.machine.inverse_kinematics(pose, &from.axes).iter().any(|solution| solution.singular)
+    }
+
+    /// Every branch of a pose with every turn inside the limits; endless axes take the nearest turn.
+    fn every_turn(&self, pose: &Pose, from: &Place<M::Axes>) -> Vec<Place<M::Axes>> {
+        let mut places = Vec::new();
+        for solution in self.machine.inverse_kinematics(pose, &from.axes).iter() {
+            let mut all = vec![from.words];
+            for rotary in &self.rotaries {
+                let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
+                let turns = rotary.turns(word, from.words[rotary.index], self.scale.turn);
+                all = all
+                    .iter()
+                    .flat_map(|words| {
+                        turns.iter().map(|&word| {
+                            let mut words = *words;
+                            words[rotary.index] = word;
+                            words
+                        })
+                    })
+                    .collect();
+            }
+            places.extend(all.iter().map(|words| self.at(pose, from, words)));
+        }
+        places
+    }
+
+    /// `at` with the first rotary of `other`.
+    fn with_first_rotary(&self, at: &Place<M::Axes>, other: &Place<M::Axes>) -> Place<M::Axes> {
+        let mut words = at.words;
+        if let Some(first) = self.rotaries.first() {
+            words[first.index] = other.words[first.index];
+        }
+        self.at(&at.pose, at, &words)
+    }
+
+    /// How far all rotaries turn together, in units of their words.
+    fn sum_of_turns(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> u64 {
+        self.rotaries.iter().map(|rotary| from[rotary.index].abs_diff(to[rotary.index])).sum()
     }
 }

@@ -416,8 +416,17 @@ fn a_feed_motion_needs_tool_spindle_and_feed() {
     assert!(text(&[tool(1), spindle(), Event::Spindle(Spindle::Off), feed([0.0; 3], UP)]).contains("spindle off"));
     let silent = Event::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: None });
     assert!(text(&[tool(1), spindle(), silent]).contains("without feed"));
-    // A rapid needs none of these.
-    assert_eq!(run::<Xyz>(&config(), &[rapid([0.0; 3], UP), rapid([1.0, 0.0, 0.0], UP)]).diagnostics, []);
+}
+
+#[test]
+fn a_rapid_before_the_first_tool_moves_nothing_because_no_length_offset_is_active() {
+    let away = rapid([0.0, 0.0, 100.0], UP);
+    let armed = [tool(1), spindle(), feed([0.0; 3], UP)];
+    let late = run::<Xyz>(&config(), &[&[away, away][..], &armed].concat());
+    assert_eq!(late.lines, lines::<Xyz>(&config(), &armed));
+    assert_eq!(late.diagnostics.len(), 1);
+    assert!(late.diagnostics[0].text.contains("no length offset"));
+    assert!(run::<Head>(&with_lengths(None), &[away]).error().text.contains("before the first tool"));
 }
 
 #[test]
@@ -779,4 +788,80 @@ fn the_program_is_the_same_each_time() {
         .chain((0..50).map(|i| feed([f64::from(i), 0.0, 0.0], cb(f64::from(i) * 7.0, 30.0))))
         .collect();
     assert_eq!(lines::<Cb>(&config(), &events), lines::<Cb>(&config(), &events));
+}
+
+#[test]
+fn blocks_of_the_sequence_lie_on_the_tool_axis_within_one_unit() {
+    let axis = [0.3, -0.4, 0.8];
+    let config = with_lengths(Some(33.0));
+    let events = [tool(1), spindle(), feed([7.0, 8.0, -9.0], axis), feed([8.0, 8.0, -9.0], axis)];
+    let lines = lines::<Head>(&config, &events);
+    let mut machine = config.machine::<Head>().expect("valid");
+    machine.set_up(Vector3::zeros(), 100.0);
+    let mut axes = Head::HELD;
+    let mut tips = Vec::new();
+    for line in lines.iter().filter(|line| !line.starts_with('N') && !line.contains("G53")) {
+        for word in line.split(' ') {
+            let Some(index) = Head::AXES.iter().position(|axis| word.starts_with(axis.letter)) else { continue };
+            let value: f64 = word[1..].parse().expect("a number");
+            axes[index] = if index > 2 { value.to_radians() } else { value };
+        }
+        tips.push((line.as_str(), machine.forward_kinematics(&axes).tip));
+    }
+    let wanted = pose([0.0; 3], axis).axis;
+    let near = |place: usize, tip: [f64; 3], along: f64| {
+        let (line, found) = tips[tips.len() - place];
+        let off = found - (Point3::from(tip) + wanted.into_inner() * along);
+        // Half a unit in each of three axes, and the rounding of the angles over the length.
+        assert!(off.norm() < 0.000_9 + along * 2e-6, "{line} is {} mm off", off.norm());
+    };
+    // Approach point, first point, second point, out; M5 moves nothing.
+    near(5, [7.0, 8.0, -9.0], 50.0);
+    near(4, [7.0, 8.0, -9.0], 0.0);
+    near(3, [8.0, 8.0, -9.0], 0.0);
+    near(2, [8.0, 8.0, -9.0], 33.0);
+}
+
+#[test]
+fn points_of_the_sequence_keep_the_limits_too() {
+    let mut config = with_lengths(Some(500.0));
+    config.machine_zero.insert('Z', -300.0);
+    let up = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
+    assert!(
+        up.error().text.contains("`retract.distance` = 500 mm: Z would have to go to 300.000 mm"),
+        "{:?}",
+        up.error()
+    );
+    config.retract.distance = None;
+    config.retract.position = 1.0;
+    let above = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
+    assert!(above.error().text.contains("machine coordinate 1.000 mm"), "{:?}", above.error());
+    config.retract.position = 0.0;
+    config.park.insert('B', 2.0);
+    let parked = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
+    assert!(parked.error().text.contains("B would have to turn to 114.5916°"), "{:?}", parked.error());
+}
+
+#[test]
+fn axes_park_one_after_the_other_with_the_retract_axis_last() {
+    let mut config = config();
+    for (letter, value) in [('B', 0.0), ('X', -100.0), ('Y', 200.0), ('Z', -5.0)] {
+        config.park.insert(letter, value);
+    }
+    let lines = lines::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], cb(0.0, 20.0))]);
+    assert_eq!(lines[lines.len() - 5..], ["G53 G0 Z0", "M5", "G0 B0", "G53 G0 X-100 Y200", "G53 G0 Z-5"]);
+}
+
+#[test]
+fn tool_axes_just_out_of_reach_are_counted_with_the_largest() {
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], UP),
+        feed([1.0, 0.0, 0.0], [5e-7, 0.0, 1.0]),
+        feed([2.0, 0.0, 0.0], [2e-7, 0.0, 1.0]),
+    ];
+    let run = run::<Ay>(&config(), &events);
+    assert_eq!((run.diagnostics.len(), run.statistics.deviations), (0, 2));
+    assert!((run.statistics.largest_deviation - 5e-7).abs() < 1e-12);
 }

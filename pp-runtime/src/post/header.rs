@@ -102,11 +102,14 @@ impl<M: Machine> Header<'_, M> {
             format!("TOLERANCE {NOT_LINEARISED}"),
         ];
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
+        if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+            lines.push("ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped".to_owned());
+        }
         lines.extend(unchecked(&self.unchecked));
         let table: String = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
         if !table.is_empty() {
             lines.push(format!(
-                "VALID ONLY for part origin {} from the table reference; do not touch off again",
+                "valid only for part origin {} from the table reference; do not touch off again",
                 self.point(config.part_origin)
             ));
             lines.push(format!("the entries of {} in {} must be zero", spaced(&table), config.work_offset));

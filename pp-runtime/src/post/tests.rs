@@ -88,7 +88,7 @@ fn the_header_says_what_the_program_is_valid_for() {
         "(AXIS C + turns the table left-handed about +Z: word as in ISO 841)",
         "(AXIS X + moves the tool along +X: word as in ISO 841)",
         "(linear limits not checked: no machine_zero [X Y Z])",
-        "(VALID ONLY for part origin X1 Y2 Z50.25 from the table reference_ do not touch off again)",
+        "(valid only for part origin X1 Y2 Z50.25 from the table reference; do not touch off again)",
         "(T1 END MILL D10 R0.5 L80 H21, 2 operations, tip Z -3 to 20)",
         "(ASSUMED work offset G54)",
     ] {

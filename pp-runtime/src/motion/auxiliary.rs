@@ -1,0 +1,91 @@
+//! Spindle and coolant: what the CL data wants, what the configuration adds, and what has been written.
+
+use crate::kinematics::Machine;
+use crate::program::{Coolant, Location, Spindle};
+
+use super::fault::Fault;
+use super::planner::{Phase, Planned, Planner, stop};
+use super::step::{Sink, Step};
+
+impl<M: Machine> Planner<'_, M> {
+    pub(super) fn spindle(&mut self, at: Location, spindle: Spindle, sink: &mut impl Sink) -> Planned {
+        match spindle {
+            Spindle::Off => self.request.off = true,
+            Spindle::On { speed, rotation } => {
+                self.request.off = false;
+                self.request.speed = speed.or(self.request.speed);
+                self.request.rotation = rotation.or(self.request.rotation);
+            }
+        }
+        if self.phase == Phase::Start {
+            self.spindle_in_start = true;
+            return Ok(());
+        }
+        self.turn_spindle(at, false, sink)
+    }
+
+    /// Brings the spindle to what is wanted; `again`: even if it is so already.
+    pub(super) fn turn_spindle(&mut self, at: Location, again: bool, sink: &mut impl Sink) -> Planned {
+        let given = self.tool.and_then(|tool| self.config.tools.get(&tool.number));
+        let wanted = self.request.resolve(given, self.config).map_err(|fault| stop(at, fault))?;
+        match wanted {
+            Some((speed, rotation)) => {
+                let turning = (speed.value(), rotation);
+                if again || self.spindle != Some(turning) {
+                    let starts = again || self.spindle.is_none_or(|(_, before)| before != rotation);
+                    self.spindle = Some(turning);
+                    sink.step(&Step::Spindle { speed, rotation })?;
+                    if starts && self.config.spindle_dwell > 0.0 {
+                        self.cancel_inverse_time(sink)?;
+                        sink.step(&Step::Dwell { seconds: self.config.spindle_dwell })?;
+                    }
+                }
+            }
+            None if self.spindle.take().is_some() => sink.step(&Step::SpindleOff)?,
+            None => {}
+        }
+        Ok(())
+    }
+
+    pub(super) fn set_coolant(&mut self, at: Location, coolant: Coolant, sink: &mut impl Sink) -> Planned {
+        self.coolant_request = coolant;
+        if self.phase == Phase::Start { Ok(()) } else { self.turn_coolant(at, sink) }
+    }
+
+    /// Brings the coolant to what is wanted.
+    pub(super) fn turn_coolant(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
+        let tool = self.tool.and_then(|tool| self.config.tools.get(&tool.number));
+        let kind = match self.coolant_request {
+            Coolant::On => tool.and_then(|tool| tool.coolant).unwrap_or(self.config.defaults.coolant),
+            kind => kind,
+        };
+        let missing = match kind {
+            Coolant::Mist => (!self.abilities.mist).then_some("mist"),
+            Coolant::Through => (!self.abilities.through).then_some("coolant through the spindle"),
+            Coolant::Air => (!self.abilities.air).then_some("air"),
+            Coolant::On | Coolant::Flood | Coolant::Off => None,
+        };
+        if let Some(missing) = missing {
+            return Err(stop(at, Fault::new(format_args!("this control has no code for {missing}"))));
+        }
+        if kind == Coolant::Off {
+            return self.coolant_off(sink);
+        }
+        if self.coolant != Some(kind) {
+            if self.coolant.is_some_and(|before| before != Coolant::Off) {
+                sink.step(&Step::CoolantOff)?;
+            }
+            self.coolant = Some(kind);
+            sink.step(&Step::Coolant { kind })?;
+        }
+        Ok(())
+    }
+
+    pub(super) fn coolant_off(&mut self, sink: &mut impl Sink) -> Planned {
+        if self.coolant != Some(Coolant::Off) {
+            self.coolant = Some(Coolant::Off);
+            sink.step(&Step::CoolantOff)?;
+        }
+        Ok(())
+    }
+}
