@@ -327,7 +327,7 @@ mod tests {
     #[test]
     fn a_long_comment_stands_on_lines_that_the_control_reads() {
         let text = written(|encoder| encoder.comment(&[b'('; 1000]));
-        assert!(text.lines().all(|line| line.len() < 255 && line.starts_with("([") && line.ends_with("])")));
+        assert!(text.lines().all(|line| line.len() < 255 && line.starts_with("([") && line.ends_with("[)")));
         assert_eq!(text.matches('[').count(), 1000);
     }
 }
