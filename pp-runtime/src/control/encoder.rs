@@ -11,6 +11,8 @@ use super::{Control, Spellings};
 /// What the words of an axis look like.
 #[derive(Debug, Clone, Copy)]
 struct Address {
+    /// Position in the chain.
+    index: usize,
     letter: u8,
     decimals: u32,
 }
@@ -33,7 +35,7 @@ pub struct Encoder<'a, W: Write> {
 /// What an encoder needs to know of the job.
 #[derive(Debug, Clone)]
 pub struct Layout {
-    /// Letters of the axes in chain order, and the decimals of their words.
+    /// Letters of the axes in chain order, and the decimals of their words; blocks hold them as X Y Z U V W A B C.
     pub axes: Vec<(char, u32)>,
     /// Unit of lengths.
     pub units: Units,
@@ -43,6 +45,15 @@ pub struct Layout {
     pub line_numbers: Option<u32>,
 }
 
+/// The axes in the order in which people read them.
+fn addresses(layout: &Layout) -> Vec<Address> {
+    let address =
+        |(index, &(letter, decimals)): (usize, &(char, u32))| Address { index, letter: letter as u8, decimals };
+    let mut axes: Vec<Address> = layout.axes.iter().enumerate().map(address).collect();
+    axes.sort_by_key(|axis| b"XYZUVWABC".iter().position(|&letter| letter == axis.letter));
+    axes
+}
+
 impl<'a, W: Write> Encoder<'a, W> {
     /// An encoder that knows of nothing in force yet.
     pub fn new(control: &'a dyn Control, layout: &Layout, out: W) -> Self {
@@ -50,7 +61,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             control,
             spellings: control.spellings(),
             writer: Writer::new(out, layout.line_numbers),
-            axes: layout.axes.iter().map(|&(letter, decimals)| Address { letter: letter as u8, decimals }).collect(),
+            axes: addresses(layout),
             units: layout.units,
             work_offset: layout.work_offset.clone(),
             motion: "",
@@ -126,14 +137,15 @@ impl<'a, W: Write> Encoder<'a, W> {
 
     #[inline]
     fn any_changes(&self, words: &Words) -> bool {
-        self.axes.iter().enumerate().any(|(i, axis)| words.has(i) && self.writer.changes(axis.letter, words.units[i]))
+        self.axes.iter().any(|axis| words.has(axis.index) && self.writer.changes(axis.letter, words.units[axis.index]))
     }
 
     #[inline]
     fn axis_words(&mut self, words: &Words) {
-        for (i, axis) in self.axes.iter().enumerate() {
-            if words.has(i) {
-                self.writer.modal(axis.letter, Decimal { units: words.units[i], decimals: axis.decimals });
+        for axis in &self.axes {
+            if words.has(axis.index) {
+                let number = Decimal { units: words.units[axis.index], decimals: axis.decimals };
+                self.writer.modal(axis.letter, number);
             }
         }
     }
@@ -191,9 +203,10 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 self.writer.code(codes.rapid);
                 // Not every control keeps the motion code of such a block in force.
                 self.motion = "";
-                for (i, axis) in self.axes.iter().enumerate() {
-                    if words.has(i) {
-                        self.writer.word(axis.letter, Decimal { units: words.units[i], decimals: axis.decimals });
+                for axis in &self.axes {
+                    if words.has(axis.index) {
+                        let number = Decimal { units: words.units[axis.index], decimals: axis.decimals };
+                        self.writer.word(axis.letter, number);
                         self.writer.forget(axis.letter);
                     }
                 }
@@ -253,5 +266,68 @@ impl<W: Write> Sink for Encoder<'_, W> {
             Step::Message { text } => self.comment(text),
             Step::End => self.block(codes.end),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::LinuxCnc;
+    use super::*;
+    use crate::motion::MAX_AXES;
+
+    fn written(write: impl Fn(&mut Encoder<'_, &mut Vec<u8>>) -> io::Result<()>) -> String {
+        let layout = Layout {
+            axes: vec![('C', 4), ('A', 4), ('Z', 3), ('X', 3)],
+            units: Units::Millimetres,
+            work_offset: "G55".into(),
+            line_numbers: None,
+        };
+        let mut out = Vec::new();
+        let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
+        write(&mut encoder).expect("memory takes everything");
+        encoder.finish().expect("memory takes everything");
+        drop(encoder);
+        String::from_utf8(out).expect("ASCII")
+    }
+
+    fn words(units: [i64; 4]) -> Words {
+        let mut words = Words { units: [0; MAX_AXES], mask: 0b1111 };
+        words.units[..4].copy_from_slice(&units);
+        words
+    }
+
+    #[test]
+    fn words_stand_in_the_usual_order_whatever_the_chain_is() {
+        let text = written(|encoder| encoder.step(&Step::Rapid { words: words([10_000, -5, 1500, -1]) }));
+        assert_eq!(text, "G0 X-0.001 Z1.5 A-0.0005 C1\n");
+    }
+
+    #[test]
+    fn a_block_in_which_nothing_changes_is_not_written() {
+        let feed = Feed::InverseTime(Decimal { units: 5, decimals: 0 });
+        let text = written(|encoder| {
+            encoder.step(&Step::Rapid { words: words([1, 2, 3, 4]) })?;
+            encoder.step(&Step::Feed { words: words([1, 2, 3, 4]), feed })?;
+            encoder.step(&Step::Rapid { words: words([1, 2, 3, 4]) })
+        });
+        assert_eq!(text.lines().count(), 1, "{text}");
+    }
+
+    #[test]
+    fn everything_is_written_again_behind_a_restart() {
+        let per_minute = Feed::PerMinute(Decimal { units: 100, decimals: 0 });
+        let text = written(|encoder| {
+            encoder.step(&Step::Feed { words: words([0; 4]), feed: per_minute })?;
+            encoder.step(&Step::Restart { number: 7 })?;
+            encoder.step(&Step::Feed { words: words([0; 4]), feed: per_minute })
+        });
+        assert_eq!(text, "G94 G1 X0 Z0 A0 C0 F100\nN7 G21 G17 G40 G49 G80 G90 G94 G55\nG1 X0 Z0 A0 C0 F100\n");
+    }
+
+    #[test]
+    fn a_long_comment_stands_on_lines_that_the_control_reads() {
+        let text = written(|encoder| encoder.comment(&[b'('; 1000]));
+        assert!(text.lines().all(|line| line.len() < 255 && line.starts_with("([") && line.ends_with("[)")));
+        assert_eq!(text.matches('[').count(), 1000);
     }
 }

@@ -156,7 +156,7 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
             "G43 H1",
             "S8000 M3",
             "G4 P2",
-            "G0 C0 B0",
+            "G0 B0 C0",
             "X10 Y20",
             "Z49",
             "M8",
@@ -172,7 +172,7 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
             "G43 H2",
             "S8000 M3",
             "G4 P2",
-            "G0 C90 B30",
+            "G0 B30 C90",
             // The tip of C90 B30 at X10 Y0 Z0, 50 mm out along the axis, which is Z of the machine here.
             "X-19.933 Y-10",
             "Z44.391",
@@ -537,7 +537,7 @@ fn a_free_rotary_keeps_its_value_through_the_vertical() {
     let lines = run::<Cb>(&config(), &events).lines;
     let vertical = lines.iter().find(|line| line.contains("B0")).expect("the vertical");
     assert!(!vertical.contains('C'), "{vertical}");
-    assert!(lines.iter().any(|line| line.contains("C45 B5")));
+    assert!(lines.iter().any(|line| line.contains("B5 C45")));
 }
 
 #[test]
@@ -592,11 +592,11 @@ fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
 fn the_first_pose_counts_from_the_pose_of_from() {
     let first = feed([10.0, 0.0, 0.0], cb(170.0, 4.0));
     let chosen = |events: &[Event<'_>]| {
-        lines::<Cb>(&config(), events).into_iter().find(|line| line.starts_with("G0 C")).expect("rotaries")
+        lines::<Cb>(&config(), events).into_iter().find(|line| line.starts_with("G0 B")).expect("rotaries")
     };
     // From zero the second branch turns less; from C 160 the first one does.
-    assert_eq!(chosen(&[tool(1), spindle(), first]), "G0 C-10 B-4");
-    assert_eq!(chosen(&[Event::From(pose([0.0; 3], cb(160.0, 50.0))), tool(1), spindle(), first]), "G0 C170 B4");
+    assert_eq!(chosen(&[tool(1), spindle(), first]), "G0 B-4 C-10");
+    assert_eq!(chosen(&[Event::From(pose([0.0; 3], cb(160.0, 50.0))), tool(1), spindle(), first]), "G0 B4 C170");
 }
 
 #[test]
@@ -631,22 +631,22 @@ fn an_operation_begins_in_the_branch_and_turn_that_last() {
         events.extend(poses.iter().map(|&axis| feed([0.0; 3], axis)));
         let run = run::<Cb>(config, &events);
         assert!(run.diagnostics.iter().all(|found| found.severity == Severity::Warning), "{:?}", run.diagnostics);
-        run.lines.into_iter().find(|line| line.starts_with("G0 C")).expect("rotaries")
+        run.lines.into_iter().find(|line| line.starts_with("G0 B")).expect("rotaries")
     };
     // Alone, C-10 B-4 is nearer; the tilt of 60 degrees needs the other branch.
     let tilting = [cb(170.0, 4.0), cb(170.0, 30.0), cb(170.0, 60.0)];
-    assert_eq!(rotaries(&config(), &tilting[..1]), "G0 C-10 B-4");
-    assert_eq!(rotaries(&config(), &tilting), "G0 C170 B4");
+    assert_eq!(rotaries(&config(), &tilting[..1]), "G0 B-4 C-10");
+    assert_eq!(rotaries(&config(), &tilting), "G0 B4 C170");
     // From the vertical the table has to stand right before the tilt begins, yet only if it matters.
-    assert_eq!(rotaries(&config(), &[UP, cb(180.0, 3.0), cb(180.0, 30.0)]), "G0 C180 B0");
-    assert_eq!(rotaries(&config(), &[UP, cb(0.0, 3.0), cb(0.0, 30.0)]), "G0 C0 B0");
+    assert_eq!(rotaries(&config(), &[UP, cb(180.0, 3.0), cb(180.0, 30.0)]), "G0 B0 C180");
+    assert_eq!(rotaries(&config(), &[UP, cb(0.0, 3.0), cb(0.0, 30.0)]), "G0 B0 C0");
     // 160 to 320 degrees do not fit below 200: begin at -200.
     let mut limited = config();
     let limit = 200_f64.to_radians();
     limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
     let turning: Vec<_> = (0..=80).map(|step| cb(160.0 + 2.0 * f64::from(step), 30.0)).collect();
-    assert_eq!(rotaries(&limited, &turning), "G0 C-200 B30");
-    assert_eq!(rotaries(&limited, &turning[..10]), "G0 C160 B30");
+    assert_eq!(rotaries(&limited, &turning), "G0 B30 C-200");
+    assert_eq!(rotaries(&limited, &turning[..10]), "G0 B30 C160");
 }
 
 #[test]

@@ -60,7 +60,7 @@ fn a_program_ends_with_its_end_code_and_has_no_fault() {
             "G53 G0 Z0",
             "G43 H1",
             "S6000 M3",
-            "G0 C0 B0",
+            "G0 B0 C0",
             "X0 Y0",
             "Z20",
             "M8",
