@@ -55,6 +55,8 @@ pub struct Config {
     pub stop_retract: bool,
     /// Wait after the spindle starts, seconds; default 0.
     pub spindle_dwell: f64,
+    /// How far the control may leave the programmed path where it blends blocks, mm; 0.01.
+    pub path_tolerance: f64,
     /// Largest spindle speed, rev/min; default none: unchecked.
     pub spindle_max: Option<f64>,
     /// Lowest tip allowed in the workpiece frame (Z of the CL data), mm; default none: unchecked.
@@ -182,6 +184,7 @@ impl Default for Config {
             reorient_speed: 1800_f64.to_radians(),
             stop_retract: true,
             spindle_dwell: 0.0,
+            path_tolerance: 0.01,
             spindle_max: None,
             floor: None,
             table_check: true,

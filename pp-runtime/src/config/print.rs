@@ -61,6 +61,8 @@ units = "mm"
 # Retract before STOP and OPSTOP.
 #stop_retract = {stop_retract}
 
+# How far the control may leave the programmed path where it blends blocks.
+#path_tolerance = {path_tolerance}
 # Wait for the spindle, seconds.
 #spindle_dwell = {spindle_dwell}
 # Largest spindle speed. Without it speeds are not checked.
@@ -77,6 +79,7 @@ units = "mm"
         index_angle = degrees(config.index_angle),
         reorient_speed = degrees(config.reorient_speed),
         stop_retract = config.stop_retract,
+        path_tolerance = number(config.path_tolerance),
         spindle_dwell = number(config.spindle_dwell),
         table_check = config.table_check,
     )

@@ -128,6 +128,9 @@ impl Config {
         if let Some(value) = self.get(top, "spindle_dwell") {
             set(&mut self.spindle_dwell, r.number(value, Quantity::Plain, Bound::NotNegative));
         }
+        if let Some(value) = self.get(top, "path_tolerance") {
+            set(&mut self.path_tolerance, r.length(value, Bound::Positive));
+        }
         if let Some(value) = self.get(top, "spindle_max") {
             self.spindle_max = r.number(value, Quantity::Plain, Bound::Positive);
         }

@@ -25,6 +25,7 @@ pub struct Encoder<'a, W: Write> {
     axes: Vec<Address>,
     units: Units,
     work_offset: String,
+    path_tolerance: Decimal,
     /// The motion code in force.
     motion: &'static str,
     /// The feed mode in force.
@@ -41,6 +42,8 @@ pub struct Layout {
     pub units: Units,
     /// Word of the work offset.
     pub work_offset: String,
+    /// How far the control may leave the path where it blends blocks, in `units`.
+    pub path_tolerance: f64,
     /// Step of the block numbers, `None` for none.
     pub line_numbers: Option<u32>,
 }
@@ -64,6 +67,8 @@ impl<'a, W: Write> Encoder<'a, W> {
             axes: addresses(layout),
             units: layout.units,
             work_offset: layout.work_offset.clone(),
+            // A tolerance that the format cannot hold was refused with the configuration.
+            path_tolerance: Decimal::fixed(layout.path_tolerance, 6).unwrap_or_default(),
             motion: "",
             feed_mode: "",
             line: Vec::with_capacity(256),
@@ -222,6 +227,8 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 self.writer.code(codes.cancel);
                 self.feed_mode(codes.per_minute);
                 self.writer.code(&self.work_offset);
+                self.writer.code(codes.blending);
+                self.writer.word(codes.blending_address, self.path_tolerance);
                 self.writer.end()
             }
             Step::PerMinute => {
@@ -280,6 +287,7 @@ mod tests {
             axes: vec![('C', 4), ('A', 4), ('Z', 3), ('X', 3)],
             units: Units::Millimetres,
             work_offset: "G55".into(),
+            path_tolerance: 0.01,
             line_numbers: None,
         };
         let mut out = Vec::new();
@@ -321,7 +329,7 @@ mod tests {
             encoder.step(&Step::Restart { number: 7 })?;
             encoder.step(&Step::Feed { words: words([0; 4]), feed: per_minute })
         });
-        assert_eq!(text, "G94 G1 X0 Z0 A0 C0 F100\nN7 G21 G17 G40 G49 G80 G90 G94 G55\nG1 X0 Z0 A0 C0 F100\n");
+        assert_eq!(text, "G94 G1 X0 Z0 A0 C0 F100\nN7 G21 G17 G40 G49 G80 G90 G94 G55 G64 P0.01\nG1 X0 Z0 A0 C0 F100\n");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //!
 //! The program ends with M2 and has no `%` frame: a file that lost its end has no M2 and is refused by the control.
 //! `G43 H` moves nothing, `G4 P` counts seconds, `G93` wants an F in every G1 block, and F in `G94` counts along X Y Z
-//! wherever one of them moves.
+//! wherever one of them moves. Without a P behind `G64` it would round corners as far as speed demands.
 
 use super::{Control, Spellings};
 
@@ -19,6 +19,8 @@ static SPELLINGS: Spellings = Spellings {
     millimetres: "G21",
     inches: "G20",
     cancel: "G17 G40 G49 G80 G90",
+    blending: "G64",
+    blending_address: b'P',
     per_minute: "G94",
     inverse_time: "G93",
     rapid: "G0",

@@ -39,6 +39,10 @@ pub struct Spellings {
     pub inches: &'static str,
     /// Codes of the safety line that cancel whatever may be active: compensation, length offset, cycle; absolute.
     pub cancel: &'static str,
+    /// Blending of blocks within a tolerance.
+    pub blending: &'static str,
+    /// Address of that tolerance.
+    pub blending_address: u8,
     /// Feed per minute.
     pub per_minute: &'static str,
     /// Inverse time, F in 1/min.

@@ -41,6 +41,7 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
             .collect(),
         units,
         work_offset: config.work_offset.clone(),
+        path_tolerance: config.path_tolerance / units.in_mm(),
         line_numbers: None,
     };
     let mut out = Vec::new();
@@ -148,7 +149,7 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
         lines::<Cb>(&config, &events),
         [
             "(OPERATION ROUGH)",
-            "N1 G21 G17 G40 G49 G80 G90 G94 G54",
+            "N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
             "T1 M6",
@@ -165,7 +166,7 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
             "M9",
             "G0 Z19",
             "(OPERATION FINISH)",
-            "N2 G21 G17 G40 G49 G80 G90 G94 G54",
+            "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01",
             "G53 G0 Z0",
             "T2 M6",
             "G53 G0 Z0",
@@ -224,7 +225,7 @@ fn the_same_tool_is_not_changed_yet_the_sequence_is_written() {
     assert_eq!(
         &lines[11..],
         [
-            "N2 G21 G17 G40 G49 G80 G90 G94 G54",
+            "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01",
             "G53 G0 Z0",
             "(T1 stays in the spindle)",
             "G43 H1",
@@ -256,7 +257,7 @@ fn a_stop_retracts_first_and_starts_with_every_word_again() {
     assert_eq!(
         lines[stop + 1..stop + 11],
         [
-            "N2 G21 G17 G40 G49 G80 G90 G94 G54",
+            "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01",
             "M9",
             "G53 G0 Z0",
             "(T1 stays in the spindle)",
@@ -343,7 +344,7 @@ fn a_direct_transition_goes_on_where_the_operation_ended_but_never_over_a_tool_c
     ];
     let lines = lines::<Xyz>(&direct, &events);
     let next = lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
-    assert_eq!(lines[next + 1..next + 5], ["X5", "N2 G21 G17 G40 G49 G80 G90 G94 G54", "G53 G0 Z0", "T2 M6"]);
+    assert_eq!(lines[next + 1..next + 5], ["X5", "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01", "G53 G0 Z0", "T2 M6"]);
 }
 
 #[test]

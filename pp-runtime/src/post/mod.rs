@@ -226,6 +226,7 @@ fn layout<M: Machine>(config: &Config, units: Units) -> Layout {
         axes: M::AXES.iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
         units,
         work_offset: config.work_offset.clone(),
+        path_tolerance: config.path_tolerance / units.in_mm(),
         line_numbers: config.program.line_numbers,
     }
 }
