@@ -4,11 +4,15 @@
 //! - [`conformance`]: the checks, for any type that implements
 //!   [`Machine`](pp_runtime::kinematics::Machine); [`conformance!`] makes a test module of them.
 //! - [`random`]: the same random numbers on every platform, forever.
+//! - [`program`]: NC programs, read back word by word.
+//! - [`binaries`]: the machines' binaries, built and run.
 //!
 //! Nothing here knows how a machine solves its equations. NaN fails a check, it never passes one.
 
+pub mod binaries;
 pub mod conformance;
 pub mod oracle;
+pub mod program;
 pub mod random;
 mod subject;
 

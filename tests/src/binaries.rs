@@ -1,0 +1,44 @@
+//! The built binaries, run as a user runs them.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::OnceLock;
+
+/// The folder of the workspace.
+#[must_use]
+pub fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new(".")).to_owned()
+}
+
+/// A command that runs the binary of a machine; all of them are built anew, where need be, at the first call.
+///
+/// # Panics
+/// If they cannot be built.
+#[must_use]
+pub fn binary(name: &str) -> Command {
+    static DIRECTORY: OnceLock<PathBuf> = OnceLock::new();
+    let directory = DIRECTORY.get_or_init(build);
+    let path = directory.join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
+    assert!(path.is_file(), "{} was not built", path.display());
+    Command::new(path)
+}
+
+/// Builds the binaries with the profile of the running test, into the folder above it.
+fn build() -> PathBuf {
+    let test = std::env::current_exe().expect("a test knows its own file");
+    // TARGET/PROFILE/deps/TEST
+    let directory = test.parent().and_then(Path::parent).expect("a test stands in the folder `deps`").to_owned();
+    let target = directory.parent().expect("a profile has a folder above it");
+    let profile = match directory.file_name().and_then(OsStr::to_str) {
+        Some("debug") | None => "dev",
+        Some(profile) => profile,
+    };
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut build = Command::new(cargo);
+    build.current_dir(workspace()).args(["build", "--quiet", "-p", "machines", "--bins", "--profile", profile]);
+    build.arg("--target-dir").arg(target);
+    let status = build.status().expect("cargo can be run");
+    assert!(status.success(), "the binaries do not build");
+    directory
+}
