@@ -1,0 +1,99 @@
+(PROGRAM FACETS)
+(CL FILE facets.aptsource)
+(MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PROGRAMMED POINT tool tip)
+(TOLERANCE not linearised: tip path between blocks is not checked)
+(AXIS X + moves the table against +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
+(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
+(linear limits not checked: no travel declared [X Y Z])
+(T5 D16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
+(T5 posted with L = 132.5: H5 must hold exactly this)
+(T6 D6 R0 L97.25 H6, 1 operations, tip Z -4.281 to 61.011)
+(T6 posted with L = 97.25: H6 must hold exactly this)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T5 M6
+G53 G0 Z0
+G43 H5
+S4500 M3
+G0 A-9.2399 B26.5487
+X104.067 Y28.622
+Z41.198
+M8
+G1 X76.715 Y18.666 Z-13.545 F600
+X94.968 Y25.31 Z-23.874 F850
+X88.812 Y42.224
+G0 X117.046 Y52.501 Z32.635
+M9
+G53 G0 Z0
+G0 A-21.8046 B-25.4052
+X-87.019 Y90.146
+Z32.513
+M8
+G1 X-62.323 Y67.117 Z-19.485 F600
+X-75.817 Y79.7 Z-31.467 F850
+X-88.093 Y66.536
+G0 X-113.586 Y90.308 Z22.208
+M9
+G53 G0 Z0
+M5
+M0
+N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+(T5 stays in the spindle)
+G43 H5
+S4500 M3
+G0 A22.6175 B8.2477
+X22.844 Y-94.339
+Z47.059
+M8
+G1 X14.634 Y-70.495 Z-9.581 F600
+X21.178 Y-89.498 Z-18.529 F850
+X38.197 Y-83.638
+G0 X46.672 Y-108.251 Z39.938
+M9
+N3 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+G53 G0 Z0
+T6 M6
+G53 G0 Z0
+G43 H6
+S9000 M3
+G0 A4.2453 B-11.7678
+X-45.086 Y-7.988
+Z58.706
+M8
+G1 X-32.476 Y-3.399 Z-1.824 F600
+X-52.659 Y-10.745 Z-6.586 F850
+X-46.503 Y-27.659
+G0 X-59.52 Y-32.397 Z55.897
+M9
+N4 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+G53 G0 Z0
+T5 M6
+G53 G0 Z0
+G43 H5
+S4200 M3
+G0 A-5.8906 B-40.6489
+X-143.555 Y31.262
+Z15.208
+M8
+G1 X-103.38 Y24.899 Z-31.584 F600
+X-119.779 Y27.496 Z-46.018 F850
+X-122.595 Y9.718
+G0 X-164.066 Y16.286 Z2.284
+M9
+M5
+G53 G0 Z0
+M5
+M2

@@ -1,0 +1,100 @@
+(PROGRAM FACETS)
+(CL FILE facets.aptsource)
+(MACHINE SpinnerU5620, CONTROL LinuxCNC, MODE axes)
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PROGRAMMED POINT tool tip)
+(TOLERANCE not linearised: tip path between blocks is not checked)
+(AXIS C + turns the table left-handed about +Z: word as in ISO 841)
+(AXIS B + turns the table left-handed about +Y: word as in ISO 841)
+(AXIS X + moves the tool along +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
+(linear limits not checked: no travel declared [X Y Z])
+(valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
+(the entries of C and B in G54 must be zero)
+(T5 D16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
+(T6 D6 R0 L97.25 H6, 1 operations, tip Z -4.281 to 61.011)
+(ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T5 M6
+G53 G0 Z0
+G43 H5
+S4500 M3
+G0 B28 C20
+X83.862 Y-8.698
+Z88.929
+M8
+G1 Z26.929 F600
+X105.862 F850
+Y9.302
+G0 Z90.929
+M9
+G53 G0 Z0
+G0 B33 C137
+X96.759 Y-6.582
+Z98.236
+M8
+G1 Z36.236 F600
+X118.759 F850
+Y11.418
+G0 Z100.236
+M9
+G53 G0 Z0
+M5
+M0
+N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+(T5 stays in the spindle)
+G43 H5
+S4500 M3
+G0 B24 C288.9999
+X76.259 Y-9.114
+Z83.809
+M8
+G1 Z21.809 F600
+X98.259 F850
+Y8.886
+G0 Z85.809
+M9
+N3 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+G53 G0 Z0
+T6 M6
+G53 G0 Z0
+G43 H6
+S9000 M3
+G0 B12.5 C200
+X42.741 Y-7.914
+Z68.326
+M8
+G1 Z6.326 F600
+X64.741 F850
+Y10.086
+G0 Z70.326
+M9
+N4 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+G53 G0 Z0
+T5 M6
+G53 G0 Z0
+G43 H5
+S4200 M3
+G0 B41 C171
+X112.203 Y-8.42
+Z111.999
+M8
+G1 Z49.999 F600
+X134.203 F850
+Y9.58
+G0 Z113.999
+M9
+M5
+G53 G0 Z0
+M5
+M2

@@ -1,0 +1,66 @@
+(PROGRAM PADS)
+(CL FILE pads.cls)
+(MACHINE Dmu70e, CONTROL LinuxCNC, MODE axes)
+(UNITS mm, WORK OFFSET G57)
+(PART ORIGIN X12.5 Y-8 Z40 from the table reference)
+(PROGRAMMED POINT tool tip)
+(TOLERANCE not linearised: tip path between blocks is not checked)
+(AXIS C + turns the table left-handed about +Z: word as in ISO 841)
+(AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841)
+(AXIS X + moves the tool along +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
+(valid only for part origin X12.5 Y-8 Z40 from the table reference; do not touch off again)
+(the entries of C and B in G57 must be zero)
+(T21 bull 12 D12 R1 L120.25 H21, 1 operations, tip Z -9.4 to 0.521)
+(T22 D12 R1 L96.5 H52, 1 operations, tip Z -3.3 to 0.069)
+(ASSUMED retract to machine coordinate 0 mm)
+(OPERATION SOUTH)
+N1 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
+M9
+G53 G0 Z0
+T21 M6
+G53 G0 Z0
+G43 H21
+S5200 M3
+G0 B26.1359 C-73.879
+X52.778 Y30.772
+Z17.278
+M8
+G1 Z13.778 F300
+X50.462 Y44.883 F700
+Z15.778
+M9
+G0 Z90.778
+G53 G0 Z0
+G0 B51.9769 C-64.1808
+X80.983 Y54.911
+Z41.321
+M8
+G1 Z37.821 F300
+X76.322 Y68.43 F700
+Z39.821
+M9
+G0 Z114.821
+(OPERATION NORTH)
+N2 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
+G53 G0 Z0
+T22 M6
+G53 G0 Z0
+G43 H52
+S6100 M3
+G0 B22.2737 C105.5247
+X35.484 Y4.173
+Z9.02
+M8
+G1 Z5.52 F300
+X33.513 Y18.336 F700
+Z7.52
+M9
+M5
+G0 Z82.52
+G53 G0 Z0
+M5
+G53 G0 X0 Y240
+M2

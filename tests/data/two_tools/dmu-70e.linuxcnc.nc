@@ -1,0 +1,75 @@
+(PROGRAM TWO_TOOLS)
+(CL FILE two_tools.cls)
+(MACHINE Dmu70e, CONTROL LinuxCNC, MODE axes)
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PROGRAMMED POINT tool tip)
+(TOLERANCE not linearised: tip path between blocks is not checked)
+(AXIS C + turns the table left-handed about +Z: word as in ISO 841)
+(AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841)
+(AXIS X + moves the tool along +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
+(linear limits not checked: no travel declared [X Y Z])
+(valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
+(the entries of C and B in G54 must be zero)
+(T1 D20 R0 L120 H1, 1 operations, tip Z -26 to 49.301)
+(T2 D8 R0 L95 H2, 1 operations, tip Z -3.759 to 52.623)
+(ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+(OPERATION TILTED_FACE)
+N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T1 M6
+G53 G0 Z0
+G43 H1
+S3000 M3
+G0 B42.9414 C15.5423
+X76.542 Y-7.775
+Z75.096
+M8
+G1 Z25.096 F1000
+X138.202 Y9.374 F900
+X134.451 Y22.862
+X72.791 Y5.713
+X69.04 Y19.201
+X130.7 Y36.35
+X126.948 Y49.838
+X65.289 Y32.689
+X61.537 Y46.177
+X123.197 Y63.326
+G0 Z85.096
+M5
+M9
+G53 G0 Z0
+M5
+M0
+(OPERATION TILTED_SLOT)
+N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T2 M6
+G53 G0 Z0
+G43 H2
+S7000 M3
+G0 B28.4317 C-79.8441
+X74.288 Y-17.17
+Z65.886
+M8
+G1 Z15.887 F500
+X70.762 Y2.517 Z14.887 F350
+X74.288 Y-17.17 Z13.887
+X70.762 Y2.517 Z12.886
+X74.288 Y-17.17 Z11.886
+X70.762 Y2.517
+X74.288 Y-17.17
+G0 Z71.887
+M5
+M9
+G53 G0 Z0
+M5
+M2

@@ -1,0 +1,74 @@
+(PROGRAM TWO_TOOLS)
+(CL FILE two_tools.cls)
+(MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PROGRAMMED POINT tool tip)
+(TOLERANCE not linearised: tip path between blocks is not checked)
+(AXIS X + moves the table against +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
+(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
+(linear limits not checked: no travel declared [X Y Z])
+(T1 D20 R0 L120 H1, 1 operations, tip Z -26 to 49.301)
+(T1 posted with L = 120: H1 must hold exactly this)
+(T2 D8 R0 L95 H2, 1 operations, tip Z -3.759 to 52.623)
+(T2 posted with L = 95: H2 must hold exactly this)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+(OPERATION TILTED_FACE)
+N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T1 M6
+G53 G0 Z0
+G43 H1
+S3000 M3
+G0 A0 B30
+X84.608 Y-28
+Z33.224
+M8
+G1 X59.608 Z-10.077 F1000
+X115.033 Z-42.077 F900
+Y-14
+X59.608 Z-10.077
+Y0
+X115.033 Z-42.077
+Y14
+X59.608 Z-10.077
+Y28
+X115.033 Z-42.077
+G0 X145.033 Z9.885
+M5
+M9
+G53 G0 Z0
+M5
+M0
+(OPERATION TILTED_SLOT)
+N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T2 M6
+G53 G0 Z0
+G43 H2
+S7000 M3
+G0 A20 B0
+X-30 Y-69.593
+Z41.255
+M8
+G1 Y-52.492 Z-5.729 F500
+X-10 Y-52.15 Z-6.669 F350
+X-30 Y-51.808 Z-7.609
+X-10 Y-51.466 Z-8.548
+X-30 Y-51.124 Z-9.488
+X-10
+X-30
+G0 Y-71.645 Z46.894
+M5
+M9
+G53 G0 Z0
+M5
+M2

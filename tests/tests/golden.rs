@@ -1,0 +1,239 @@
+//! The same program as yesterday: short parts, posted for each machine they suit and compared byte for byte.
+//!
+//! `PP_BLESS=1 cargo test -p tests --test golden` writes the programs anew; every changed line is to be read before it
+//! is committed. The parts and what each is there for:
+//!
+//! | part | holds |
+//! |---|---|
+//! | `two_tools` | tool change, STOP, one tilted plane per tool (3+2) |
+//! | `blade` | NX; start at the pole, simultaneous motion, OPSTOP, the same tool called twice |
+//! | `facets` | CATIA; rapids that index, STOP without a tool behind it, a tool that comes back |
+//! | `rim` | Creo; the table goes round past 180° and 360° |
+//! | `key_inch` | inch, a left-hand spindle, mist, an axis that leans in the YZ plane only |
+//! | `coil` | four axes past a full turn, a repeated point, a set-up with limits and parking |
+//! | `pads` | a set-up with tool lengths, part origin, retract along the axis, limits, parking |
+
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use tests::binaries::{binary, workspace};
+
+/// CL file, configuration, machines; paths count from the workspace.
+type Part = (&'static str, Option<&'static str>, &'static [&'static str]);
+
+const FIVE_AXES: &[&str] = &["dmu-70e", "lola-xoyzba", "spinner-u5-620"];
+
+const PARTS: &[Part] = &[
+    ("examples/cl/two_tools.cls", None, FIVE_AXES),
+    ("tests/data/blade/blade.cls", None, FIVE_AXES),
+    ("tests/data/facets/facets.aptsource", None, FIVE_AXES),
+    ("tests/data/rim/rim.ncl", None, FIVE_AXES),
+    ("tests/data/key_inch/key_inch.cls", None, &["dmu-70e", "lola-xoyzba", "multiprodesk", "spinner-u5-620"]),
+    ("tests/data/coil/coil.cls", Some("tests/data/coil/coil.toml"), &["multiprodesk"]),
+    ("tests/data/pads/pads.cls", Some("tests/data/pads/pads.toml"), FIVE_AXES),
+];
+
+/// `tests/data/<part>/<machine>.linuxcnc.nc`.
+fn golden_path(cl: &str, machine: &str) -> PathBuf {
+    let part = Path::new(cl).file_stem().expect("a part has a name");
+    workspace().join("tests/data").join(part).join(format!("{machine}.linuxcnc.nc"))
+}
+
+fn posted(cl: &str, config: Option<&str>, machine: &str) -> String {
+    let mut command = binary(machine);
+    command.current_dir(workspace()).args(["post", cl, "--control", "linuxcnc"]);
+    if let Some(config) = config {
+        command.args(["--config", config]);
+    }
+    let output = command.output().expect("the binary runs");
+    assert!(output.status.success(), "{machine} {cl}:\n{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("a program is ASCII")
+}
+
+/// Where two programs part, for people.
+fn difference(golden: &str, now: &str) -> Option<String> {
+    if golden == now {
+        return None;
+    }
+    let line = golden.lines().zip(now.lines()).take_while(|(golden, now)| golden == now).count();
+    let show = |text: &str| text.lines().nth(line).unwrap_or("nothing").to_owned();
+    Some(format!("line {}: `{}` stands there, `{}` is posted", line + 1, show(golden), show(now)))
+}
+
+#[test]
+fn every_part_is_posted_as_before() {
+    let bless = env::var_os("PP_BLESS").is_some_and(|value| value == "1");
+    let mut differences = Vec::new();
+    for &(cl, config, machines) in PARTS {
+        for &machine in machines {
+            let (path, now) = (golden_path(cl, machine), posted(cl, config, machine));
+            if bless {
+                fs::create_dir_all(path.parent().expect("a folder")).expect("the folder of the part");
+                fs::write(&path, &now).expect("the golden program is written");
+            }
+            let golden = fs::read_to_string(&path).unwrap_or_default();
+            differences.extend(difference(&golden, &now).map(|what| format!("{}: {what}", path.display())));
+        }
+    }
+    assert!(differences.is_empty(), "read the changes, then PP_BLESS=1:\n{}", differences.join("\n"));
+}
+
+#[test]
+fn every_golden_program_has_its_part() {
+    let mut known: Vec<PathBuf> =
+        PARTS.iter().flat_map(|(cl, _, machines)| machines.iter().map(|machine| golden_path(cl, machine))).collect();
+    known.sort();
+    let mut found = Vec::new();
+    for part in fs::read_dir(workspace().join("tests/data")).expect("the folder of the parts") {
+        for file in fs::read_dir(part.expect("a part").path()).expect("the folder of a part") {
+            let path = file.expect("a file").path();
+            found.extend(path.extension().is_some_and(|extension| extension == "nc").then_some(path));
+        }
+    }
+    found.sort();
+    assert_eq!(found, known);
+}
+
+#[test]
+fn one_changed_byte_is_a_difference() {
+    let now = posted("examples/cl/two_tools.cls", None, "spinner-u5-620");
+    assert_eq!(difference(&now, &now), None);
+    for index in [0, now.len() / 2, now.len() - 1] {
+        let mut golden = now.clone().into_bytes();
+        golden[index] ^= 1;
+        let golden = String::from_utf8(golden).expect("still ASCII");
+        assert!(difference(&golden, &now).is_some(), "byte {index}");
+    }
+}
+
+/// The blocks of a program: comments are left out.
+fn blocks(program: &str) -> Vec<&str> {
+    program.lines().filter(|line| !line.starts_with('(')).collect()
+}
+
+/// Compares blocks one by one with what each is for.
+fn assert_blocks(program: &str, expected: &[(&str, &str)]) {
+    let blocks = blocks(program);
+    for (index, (block, purpose)) in expected.iter().enumerate() {
+        assert_eq!(blocks.get(index).copied(), Some(*block), "block {}: {purpose}", index + 1);
+    }
+    assert_eq!(blocks.len(), expected.len(), "{:?}", &blocks[expected.len().min(blocks.len())..]);
+}
+
+#[test]
+fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
+    assert_blocks(
+        &posted("examples/cl/two_tools.cls", None, "spinner-u5-620"),
+        &[
+            ("N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01", "restart point: a complete state"),
+            ("M9", "1: coolant off"),
+            ("G53 G0 Z0", "2: the retract axis to its machine position"),
+            ("T1 M6", "3: tool call"),
+            ("G53 G0 Z0", "2: the change may have moved Z"),
+            ("G43 H1", "3: length offset, in a block that moves nothing"),
+            ("S3000 M3", "3: spindle speed and direction"),
+            ("G0 B30 C0", "4: the rotary axes alone"),
+            ("X71.66 Y-28", "5: the other linear axes"),
+            ("Z75.096", "6: the retract axis to the approach point, which is the first point"),
+            ("M8", "7: coolant on"),
+            ("G1 Z25.096 F1000", "along the tool axis into the cut, at feed"),
+            ("X135.66 F900", "the face"),
+            ("Y-14", "the face"),
+            ("X71.66", "the face"),
+            ("Y0", "the face"),
+            ("X135.66", "the face"),
+            ("Y14", "the face"),
+            ("X71.66", "the face"),
+            ("Y28", "the face"),
+            ("X135.66", "the face"),
+            ("G0 Z85.096", "the CL data leads the tool out along its axis"),
+            ("M5", "SPINDL/OFF"),
+            ("M9", "COOLNT/OFF"),
+            ("G53 G0 Z0", "the retract before STOP"),
+            ("M5", "the spindle stands before STOP"),
+            ("M0", "STOP"),
+            ("N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01", "restart point: a complete state"),
+            ("M9", "1: the operator may have switched the coolant on"),
+            ("G53 G0 Z0", "2: nobody knows where the operator has left Z"),
+            ("T2 M6", "3: tool call"),
+            ("G53 G0 Z0", "2: the change may have moved Z"),
+            ("G43 H2", "3: length offset"),
+            ("S7000 M3", "3: spindle"),
+            ("G0 B20 C-90", "4: the rotary axes alone"),
+            ("X70.097 Y-30", "5: the other linear axes"),
+            ("Z65.886", "6: the approach point"),
+            ("M8", "7: coolant on"),
+            ("G1 Z15.887 F500", "into the cut"),
+            ("Y-10 Z14.887 F350", "the slot"),
+            ("Y-30 Z13.887", "the slot"),
+            ("Y-10 Z12.886", "the slot"),
+            ("Y-30 Z11.886", "the slot"),
+            ("Y-10", "the slot"),
+            ("Y-30", "the slot"),
+            ("G0 Z71.887", "the CL data leads the tool out along its axis"),
+            ("M5", "SPINDL/OFF"),
+            ("M9", "COOLNT/OFF"),
+            ("G53 G0 Z0", "program end: retract"),
+            ("M5", "program end: spindle off"),
+            ("M2", "end code"),
+        ],
+    );
+}
+
+#[test]
+fn with_a_rotary_in_the_head_the_safe_sequence_goes_out_and_in_along_the_tool() {
+    let program = posted("examples/cl/two_tools.cls", None, "lola-xoyzba");
+    let blocks = blocks(&program);
+    let first: Vec<&str> = blocks[7..13].to_vec();
+    assert_eq!(
+        first,
+        [
+            "G0 A0 B30",                 // 4: the rotary axes alone
+            "X84.608 Y-28",              // 5: the other linear axes, to above the approach point
+            "Z33.224",                   // 6: the retract axis to the approach point
+            "M8",                        // 7: coolant on
+            "G1 X59.608 Z-10.077 F1000", // 8: along the tool axis, 50 mm at 30°: 25 in X, 43.301 in Z
+            "X115.033 Z-42.077 F900",    // the face
+        ]
+    );
+}
+
+#[test]
+fn a_retract_distance_leads_out_along_the_tool_before_the_machine_retracts() {
+    let program = posted("tests/data/pads/pads.cls", Some("tests/data/pads/pads.toml"), "lola-xoyzba");
+    let blocks = blocks(&program);
+    let index = blocks.iter().position(|block| *block == "X22.138 Y-61.224 Z-7.05").expect("the last cut");
+    assert_eq!(
+        blocks[index + 1..index + 8],
+        [
+            "M9",                          // 1: coolant off
+            "G0 X24.942 Y-84.731 Z64.116", // 2: 75 mm along the tool axis
+            "G53 G0 Z0",                   // 2: the retract axis
+            "G0 A35.8066 B4.9348",         // 4: the rotary axes alone; the operation goes on
+            "X14.803 Y-103.7",             // 5
+            "Z-29.661",                    // 6: the first point: the next lies below it along the axis
+            "M8",                          // 7
+        ]
+    );
+}
+
+#[test]
+fn the_same_tool_is_not_changed_and_its_number_stands_in_a_comment() {
+    let program = posted("tests/data/blade/blade.cls", None, "spinner-u5-620");
+    let lines: Vec<&str> = program.lines().collect();
+    let index = lines.iter().position(|line| *line == "M1").expect("OPSTOP");
+    assert_eq!(
+        lines[index + 1..index + 9],
+        [
+            "(OPERATION TRAILING_EDGE)",
+            "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01",
+            "M9",
+            "G53 G0 Z0",
+            "(T3 stays in the spindle)",
+            "G43 H3",
+            "S7600 M3",
+            "G0 B22.3 C231.3",
+        ]
+    );
+}
