@@ -1,0 +1,402 @@
+//! The binaries as a user runs them: exit status, files left behind, and what is said.
+
+use std::fs;
+use std::io::{Read as _, Write as _};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use tempfile::TempDir;
+use tests::binaries::{binary, workspace};
+
+const HEAD: &str = "PARTNO T\nUNITS/MM\nLOADTL/1\nSPINDL/RPM,1000,CLW\nFEDRAT/100\n";
+
+/// What a run leaves behind.
+#[derive(Debug)]
+struct Run {
+    status: i32,
+    output: Vec<u8>,
+    errors: String,
+}
+
+/// A folder to post in.
+struct Shop(TempDir);
+
+impl Shop {
+    fn new() -> Self {
+        Self(TempDir::new().expect("a temporary folder"))
+    }
+
+    /// A folder with `part.cls`.
+    fn with(text: impl AsRef<[u8]>) -> Self {
+        let shop = Self::new();
+        shop.write("part.cls", text);
+        shop
+    }
+
+    fn path(&self) -> &Path {
+        self.0.path()
+    }
+
+    fn write(&self, name: &str, text: impl AsRef<[u8]>) {
+        fs::write(self.path().join(name), text).expect("the folder takes files");
+    }
+
+    fn read(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+    }
+
+    fn first_line(&self, name: &str) -> String {
+        String::from_utf8_lossy(&self.read(name)).lines().next().unwrap_or_default().to_owned()
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.path()).expect("the folder can be read");
+        let mut names: Vec<String> =
+            entries.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
+    fn command(&self, machine: &str, arguments: &[&str]) -> Command {
+        let mut command = binary(machine);
+        command.current_dir(self.path()).args(arguments).stdin(Stdio::null());
+        command
+    }
+
+    fn run_on(&self, machine: &str, arguments: &[&str]) -> Run {
+        run(&mut self.command(machine, arguments))
+    }
+
+    fn run(&self, arguments: &[&str]) -> Run {
+        self.run_on("spinner-u5-620", arguments)
+    }
+
+    /// Posts `part.cls` to `part.nc`.
+    fn post(&self) -> Run {
+        self.run(&["post", "part.cls", "-o", "part.nc"])
+    }
+}
+
+fn run(command: &mut Command) -> Run {
+    let output = command.output().expect("the binary runs");
+    let errors = String::from_utf8(output.stderr).expect("messages are UTF-8");
+    Run { status: output.status.code().expect("a status"), output: output.stdout, errors }
+}
+
+fn example(name: &str) -> String {
+    workspace().join("examples/cl").join(name).display().to_string()
+}
+
+/// Posts bad CL data: status 1, the message, nothing under the final name, and the reason in the rejected program.
+fn assert_rejected(text: impl AsRef<[u8]>, message: &str) {
+    let shop = Shop::with(text);
+    let run = shop.post();
+    assert_eq!(run.status, 1, "{}", run.errors);
+    let first = run.errors.lines().next().unwrap_or_default();
+    assert_eq!(first, message);
+    assert_eq!(shop.names(), ["part.cls", "part.nc.rejected"]);
+    let reason = shop.first_line("part.nc.rejected");
+    assert!(reason.starts_with("(REJECTED part.cls:"), "{reason}");
+    let rejected = String::from_utf8(shop.read("part.nc.rejected")).expect("a program is ASCII");
+    assert!(!rejected.lines().any(|line| ["M2", "M30"].contains(&line)), "a rejected program has an end code");
+    assert!(run.errors.contains("part.nc was not written"), "{}", run.errors);
+    assert!(!run.errors.lines().any(|line| line == "done"), "{}", run.errors);
+}
+
+/// Could not run: status 2, the message, and the folder as it was.
+fn assert_not_run(shop: &Shop, arguments: &[&str], message: &str) {
+    let before = shop.names();
+    let run = shop.run(arguments);
+    assert_eq!(run.status, 2, "{}", run.errors);
+    assert!(run.errors.contains(message), "`{message}` is not said:\n{}", run.errors);
+    assert_eq!(shop.names(), before);
+    assert!(run.output.is_empty());
+}
+
+#[test]
+fn each_machine_posts_a_sample_without_options() {
+    for (machine, sample) in [
+        ("spinner-u5-620", "convex.cls"),
+        ("dmu-70e", "concave.aptsource"),
+        ("lola-xoyzba", "concave.ncl"),
+        ("multiprodesk", "spiral_groove.cls"),
+    ] {
+        let run = Shop::new().run_on(machine, &["post", &example(sample)]);
+        assert_eq!(run.status, 0, "{machine}: {}", run.errors);
+        assert!(run.output.ends_with(b"\nM2\n"), "{machine}");
+        assert!(run.errors.contains("\nassumed: ") && run.errors.ends_with("\ndone\n"), "{machine}: {}", run.errors);
+    }
+}
+
+#[test]
+fn the_command_of_the_readme_works() {
+    let readme = fs::read_to_string(example("README.md")).expect("examples/cl has a README");
+    let line = readme.lines().find(|line| line.starts_with("cargo run -p machines --bin ")).expect("a command");
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let machine = words[5];
+    let arguments = words.split(|word| *word == "--").nth(1).expect("arguments behind `--`");
+    let shop = Shop::new();
+    let input = Path::new(arguments.iter().find(|word| word.starts_with("examples/")).expect("a sample"));
+    fs::create_dir_all(shop.path().join(input.parent().expect("a folder"))).expect("a folder");
+    fs::copy(workspace().join(input), shop.path().join(input)).expect("the sample of the README exists");
+    let run = shop.run_on(machine, arguments);
+    assert_eq!(run.status, 0, "{}", run.errors);
+    let output = arguments.iter().skip_while(|word| **word != "-o").nth(1).expect("an output");
+    assert!(shop.read(output).ends_with(b"\nM2\n"));
+}
+
+#[test]
+fn a_file_and_standard_output_get_the_same_bytes() {
+    let shop = Shop::with(fs::read(example("two_tools.cls")).expect("a sample"));
+    let (to_file, to_output) = (shop.post(), shop.run(&["post", "part.cls"]));
+    assert_eq!((to_file.status, to_output.status), (0, 0));
+    assert!(to_file.output.is_empty());
+    assert_eq!(shop.read("part.nc"), to_output.output);
+    assert_eq!(shop.names(), ["part.cls", "part.nc"]);
+    let dash = shop.run(&["post", "part.cls", "-o", "-"]);
+    assert_eq!(dash.output, to_output.output);
+}
+
+#[test]
+fn standard_input_gives_the_program_of_the_file() {
+    let shop = Shop::with(fs::read(example("two_tools.cls")).expect("a sample"));
+    let file = fs::File::open(shop.path().join("part.cls")).expect("it was just written");
+    let piped = run(shop.command("spinner-u5-620", &["post", "-"]).stdin(file));
+    assert_eq!(piped.status, 0, "{}", piped.errors);
+    let text = String::from_utf8(piped.output).expect("ASCII");
+    let from_file = String::from_utf8(shop.run(&["post", "part.cls"]).output).expect("ASCII");
+    assert_eq!(text.replace("(CL FILE standard input)", "(CL FILE part.cls)"), from_file);
+}
+
+#[test]
+fn bad_cl_data_removes_an_earlier_program_and_a_good_run_the_rejected_one() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    assert_eq!(shop.post().status, 0);
+    assert_eq!(shop.names(), ["part.cls", "part.nc"]);
+    shop.write("part.cls", format!("{HEAD}GOTO/1,2\n"));
+    let run = shop.post();
+    assert_eq!(run.status, 1);
+    assert_eq!(shop.names(), ["part.cls", "part.nc.rejected"]);
+    assert!(run.errors.contains("the earlier part.nc was removed"), "{}", run.errors);
+    shop.write("part.cls", format!("{HEAD}GOTO/1,2,3\n"));
+    assert_eq!(shop.post().status, 0);
+    assert_eq!(shop.names(), ["part.cls", "part.nc"]);
+}
+
+#[test]
+fn standard_output_ends_with_an_error_comment_and_no_end_code() {
+    let run = Shop::with(format!("{HEAD}GOTO/1,2,3\nGOTO/4,5\n")).run(&["post", "part.cls"]);
+    assert_eq!(run.status, 1);
+    let text = String::from_utf8(run.output).expect("ASCII");
+    let comments: Vec<&str> = text.lines().rev().take_while(|line| line.starts_with('(')).collect();
+    assert!(comments.iter().any(|comment| comment.starts_with("(ERROR in part.cls line 7: ")), "{text}");
+    assert!(comments.iter().any(|comment| comment.contains("do not run it")), "{text}");
+    assert!(!text.lines().any(|line| line == "M2"), "{text}");
+}
+
+#[test]
+fn what_cannot_be_read_or_written_is_status_2_and_leaves_nothing() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    fs::create_dir(shop.path().join("folder")).expect("a folder");
+    assert_not_run(&shop, &["post", "missing.cls", "-o", "part.nc"], "error: cannot read missing.cls: ");
+    assert_not_run(&shop, &["post", "folder", "-o", "part.nc"], "error: cannot read folder: is a directory");
+    assert_not_run(&shop, &["post", "part.cls", "-o", "folder"], "error: cannot write folder: is a directory");
+    assert_not_run(&shop, &["post", "part.cls", "-o", "nowhere/part.nc"], "error: cannot write nowhere/part.nc: ");
+    assert_not_run(&shop, &["post", "part.cls", "-o", "part.cls/part.nc"], "error: cannot write part.cls/part.nc: ");
+    assert_not_run(&shop, &["post", "part.cls", "-o", "part.cls"], "would overwrite the CL data part.cls");
+    assert_not_run(&shop, &["post", "part.cls", "--config", "missing.toml"], "error: cannot read missing.toml: ");
+    assert_eq!(fs::read_dir(shop.path().join("folder")).expect("the folder").count(), 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_folder_that_is_write_protected_is_status_2() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    let folder = shop.path().join("folder");
+    fs::create_dir(&folder).expect("a folder");
+    fs::set_permissions(&folder, fs::Permissions::from_mode(0o555)).expect("it is ours");
+    // Nothing is protected from the administrator.
+    if fs::write(folder.join("probe"), "").is_err() {
+        assert_not_run(&shop, &["post", "part.cls", "-o", "folder/part.nc"], "error: cannot write folder/part.nc: ");
+    }
+}
+
+#[test]
+fn bad_arguments_are_status_2() {
+    let shop = Shop::with(HEAD);
+    assert_not_run(&shop, &["post", "part.cls", "--wat"], "unexpected argument '--wat'");
+    assert_not_run(&shop, &["post"], "IN.cls");
+    assert_not_run(&shop, &["post", "part.cls", "--control", "abacus"], "linuxcnc");
+    assert_not_run(&shop, &["psot", "part.cls"], "post");
+    assert_not_run(&shop, &[], "Usage:");
+}
+
+#[test]
+fn help_and_version_are_no_mistakes() {
+    for arguments in [&["--help"] as &[&str], &["post", "--help"], &["--version"], &["config"], &["explain"]] {
+        let run = Shop::new().run(arguments);
+        assert_eq!((run.status, run.errors.as_str()), (0, ""), "{arguments:?}");
+        assert!(!run.output.is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn the_printed_configuration_changes_nothing_but_says_so() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    shop.write("set_up.toml", shop.run(&["config"]).output);
+    let (plain, configured) =
+        (shop.run(&["post", "part.cls"]), shop.run(&["post", "part.cls", "--config", "set_up.toml"]));
+    assert_eq!(configured.status, 0, "{}", configured.errors);
+    assert_eq!(plain.output, configured.output);
+}
+
+#[test]
+fn an_unknown_key_of_the_configuration_names_the_nearest() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    shop.write("set_up.toml", "units = \"mm\"\npart_orign = [0.0, 0.0, 0.0]\n");
+    let arguments = ["post", "part.cls", "--config", "set_up.toml", "-o", "part.nc"];
+    assert_not_run(&shop, &arguments, "set_up.toml:2:1: error: unknown key `part_orign`; did you mean `part_origin`?");
+    shop.write("set_up.toml", "units = \"mm\"\npart_origin = [0.0, 0.0\n");
+    assert_not_run(&shop, &arguments, "set_up.toml:2:");
+    shop.write("set_up.toml", b"units = \"mm\" # \xfc\n");
+    assert_not_run(&shop, &arguments, "error: cannot read set_up.toml: ");
+}
+
+#[test]
+fn a_closed_pipe_is_status_2_without_a_word() {
+    let shop = Shop::new();
+    let mut command = shop.command("spinner-u5-620", &["post", &example("concave.ncl")]);
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the binary runs");
+    drop(child.stdout.take());
+    let mut errors = String::new();
+    child.stderr.take().expect("a pipe").read_to_string(&mut errors).expect("messages are UTF-8");
+    let status = child.wait().expect("it ends");
+    assert_eq!((status.code(), errors.as_str()), (Some(2), ""));
+}
+
+#[test]
+fn bad_cl_data_is_rejected_with_its_place() {
+    assert_rejected("", "part.cls:1:1: error: the file is empty");
+    assert_rejected("\n\n", "part.cls:1:1: error: the file holds no motion: there is no GOTO in it");
+    assert_rejected([0_u8, 1, 2, 255, 10, 0, 200], "part.cls:1:1: error: this is no text file: it holds NUL bytes");
+    let line = |text: &str| format!("{HEAD}{text}\n");
+    assert_rejected(line("GOTO/1,2,3,4,5"), "part.cls:6:6: error: GOTO needs 3 or 6 numbers, found 5");
+    assert_rejected(line("GOTO/1,2,3,0,0,0"), "part.cls:6:6: error: the tool axis is 0, 0, 0 and points nowhere");
+    assert_rejected(line("GOTO/nan,2,3"), "part.cls:6:6: error: `nan` is not a number");
+    assert_rejected(line("GOTO/1,inf,3"), "part.cls:6:8: error: `inf` is not a number");
+    assert_rejected(line("GOTO/1,2,-Infinity"), "part.cls:6:10: error: `-Infinity` is not a number");
+    assert_rejected(line("CIRCLE/0,0,0,0,0,1,5\nGOTO/1,2,3"), "part.cls:6:1: error: CIRCLE is not understood yet");
+}
+
+#[test]
+fn a_line_of_ten_megabytes_is_rejected_and_not_repeated_in_full() {
+    let mut text = HEAD.as_bytes().to_vec();
+    text.extend(std::iter::repeat_n(b'A', 10_000_000));
+    text.push(b'\n');
+    let shop = Shop::with(text);
+    let run = shop.post();
+    assert_eq!(run.status, 1);
+    assert!(run.errors.starts_with("part.cls:6:1: error: a statement here is longer than "), "{:.200}", run.errors);
+    assert!(run.errors.len() < 2000, "{} bytes of messages", run.errors.len());
+}
+
+#[test]
+fn an_unreachable_axis_is_named_with_its_component() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3,0.12,0,0.99277389\n"));
+    let run = shop.run_on("multiprodesk", &["post", "part.cls", "-o", "part.nc"]);
+    assert_eq!(run.status, 1);
+    let expected = "part.cls:6:1: error: MultiProDesk cannot tilt the tool towards X: i = 0.12";
+    assert!(run.errors.starts_with(expected), "{}", run.errors);
+}
+
+#[test]
+fn a_table_that_tilts_one_way_refuses_a_cut_through_the_vertical() {
+    for machine in ["spinner-u5-620", "dmu-70e"] {
+        let run = Shop::new().run_on(machine, &["post", &example("concave_4axis.cls")]);
+        assert_eq!(run.status, 1, "{machine}");
+        assert!(run.errors.contains("error: B would have to turn on to -"), "{}", run.errors);
+        assert!(run.errors.contains("help: retract before this point"), "{}", run.errors);
+    }
+}
+
+#[test]
+fn every_line_of_json_is_an_object_with_place_and_severity() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nCIRCLE/0,0,0,0,0,1,5\n"));
+    let run = shop.run(&["post", "part.cls", "--message-format", "json", "-o", "part.nc"]);
+    assert_eq!(run.status, 1);
+    let parse =
+        |line: &str| serde_json::from_str::<serde_json::Value>(line).unwrap_or_else(|error| panic!("{line}: {error}"));
+    let objects: Vec<_> = run.errors.lines().map(parse).collect();
+    assert!(objects.iter().all(|object| object["severity"].is_string() && object["text"].is_string()));
+    let error = objects.iter().find(|object| object["severity"] == "error").expect("an error");
+    assert_eq!((&error["file"], &error["line"], &error["column"]), (&"part.cls".into(), &7.into(), &1.into()));
+    let good = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    let run = good.run(&["post", "part.cls", "--message-format", "json", "-o", "part.nc"]);
+    assert_eq!(run.status, 0);
+    assert!(run.errors.lines().map(parse).any(|object| object["text"] == "done"));
+    let run = good.run(&["post", "missing.cls", "--message-format", "json"]);
+    assert_eq!((run.status, parse(run.errors.trim_end())["severity"].clone()), (2, "error".into()));
+}
+
+#[test]
+fn line_ends_do_not_change_the_program() {
+    let lines = fs::read_to_string(example("two_tools.cls")).expect("a sample");
+    let program = |text: &[u8]| {
+        let shop = Shop::with(text);
+        let run = shop.post();
+        assert_eq!(run.status, 0, "{}", run.errors);
+        shop.read("part.nc")
+    };
+    let expected = program(lines.as_bytes());
+    assert_eq!(program(lines.replace('\n', "\r\n").as_bytes()), expected, "CRLF");
+    assert_eq!(program(lines.replace('\n', "\r").as_bytes()), expected, "CR");
+    assert_eq!(program(lines.trim_end().as_bytes()), expected, "no last line end");
+    assert_eq!(program(format!("\u{feff}{lines}").as_bytes()), expected, "byte order mark");
+    assert_eq!(
+        program(lines.to_lowercase().replace("two_tools", "TWO_TOOLS").as_bytes()).len(),
+        expected.len(),
+        "lower case"
+    );
+}
+
+#[test]
+fn text_in_any_encoding_becomes_ascii() {
+    for umlaut in [&b"\xc4"[..], "Ä".as_bytes(), "Ж".as_bytes()] {
+        let text = [HEAD.as_bytes(), b"PPRINT FR", umlaut, b"SEN\n$$ ", umlaut, b"\nGOTO/1,2,3\n"].concat();
+        let shop = Shop::with(text);
+        assert_eq!(shop.post().status, 0);
+        let program = String::from_utf8(shop.read("part.nc")).expect("UTF-8");
+        assert!(program.is_ascii() && program.contains("(FR?"), "{program}");
+    }
+}
+
+#[test]
+fn numbers_are_read_in_every_form_of_apt() {
+    let shop = Shop::with(format!("{HEAD}GOTO/.5,1.,-0.0\nGOTO/1.E-3,1D2,-2.5d+1\nGOTO/+1.5,-.25,100\n"));
+    let run = shop.post();
+    assert_eq!(run.status, 0, "{}", run.errors);
+    let program = String::from_utf8(shop.read("part.nc")).expect("ASCII");
+    let expected = "\nX0.5 Y1\nZ50\nG1 Z0 F100\nX0.001 Y100 Z-25\nX1.5 Y-0.25 Z100\n";
+    assert!(program.contains(expected), "{program}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_named_pipe_is_read_like_a_file() {
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
+    let expected = String::from_utf8(shop.run(&["post", "part.cls"]).output).expect("ASCII");
+    let made = Command::new("mkfifo").arg(shop.path().join("pipe.cls")).status().expect("mkfifo runs");
+    assert!(made.success());
+    let path = shop.path().join("pipe.cls");
+    let writer = std::thread::spawn(move || {
+        let mut pipe = fs::OpenOptions::new().write(true).open(path).expect("a reader comes");
+        pipe.write_all(format!("{HEAD}GOTO/1,2,3\n").as_bytes()).expect("the pipe takes it");
+    });
+    let run = shop.run(&["post", "pipe.cls", "-o", "part.nc"]);
+    writer.join().expect("the writer ends");
+    assert_eq!(run.status, 0, "{}", run.errors);
+    let text = String::from_utf8(shop.read("part.nc")).expect("ASCII");
+    assert_eq!(text.replace("(CL FILE pipe.cls)", "(CL FILE part.cls)"), expected);
+    assert_eq!(shop.names(), ["part.cls", "part.nc", "pipe.cls"]);
+}
