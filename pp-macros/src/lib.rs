@@ -3,6 +3,85 @@
 use proc_macro::TokenStream;
 
 /// Declares a machine tool and generates its proven kinematics.
+///
+/// ```
+/// use pp_runtime::kinematics::{Machine, Pose};
+/// use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
+///
+/// pp_runtime::machine! {
+///     /// A rotary table on a tilting table.
+///     pub struct Table;
+///     chain: C B | X Y Z;
+///     d = (0, 0, d);
+///     dims = { d: 150.0 };
+///     limits = { B: -5..110, C: free };
+/// }
+///
+/// let machine = Table::default();
+/// let axis = UnitVector3::new_normalize(Vector3::new(0.3, 0.4, 1.0));
+/// let pose = Pose { tip: Point3::new(10.0, 20.0, 30.0), axis };
+/// let solutions = machine.inverse_kinematics(&pose, &Table::HELD);
+/// assert_eq!(solutions.len(), 2);
+/// let again = machine.forward_kinematics(&solutions[0].axes);
+/// assert!((again.tip - pose.tip).norm() < 1e-9);
+/// ```
+///
+/// # Fields
+///
+/// `chain` takes a colon, every other field `=`; each ends with `;`. Only the struct and `chain` are required.
+///
+/// | field | meaning | default |
+/// |---|---|---|
+/// | `/// doc`, `vis struct Name;` | the generated type; attributes pass through | |
+/// | `chain: C B \| X Y Z;` | axes from workpiece to tool; `\|` is the machine frame. X Y Z U V W slide, A B C turn | |
+/// | `d = (0, 0, d);` or `d = { C: (0, 0, 0), B: (0, 0, -60.5) };` | a point on each rotary centre line, mm: from the table's reference point on the workpiece side, from the gauge line on the tool side | origin |
+/// | `signs = { C: -, Y: - };` | `+` is ISO 841; `-` where the word itself runs backwards | `+` |
+/// | `axes = { B: Rx(-45 deg) * Y, Y: (0, 1, -0.5) };` | a direction that is not the letter's own: a turned coordinate (the factor next to it acts first), or a vector, normalised exactly | X = A = (1, 0, 0), ... |
+/// | `dims = { d: 150.0, alpha: -45 deg };` | named dimensions with defaults: public fields, changeable at run time. With `deg` an angle, else a length | none |
+/// | `tool_axis = (0, 0, 1);` | from tip to spindle with all axes at zero | Z |
+/// | `hold = { W: 0, A: 0 };` | axes that exist but are not solved for, with their default values in mm and degrees | none |
+/// | `limits = { B: -5..110, C: free };` | travel in mm and degrees, inclusive | `free` |
+/// | `speeds = { B: 3600, X: 30000 };` | largest axis speeds, deg/min and mm/min | unlimited |
+///
+/// Zero position: with all axes at zero the tool tip stands on the workpiece origin, so with all rotary axes at zero the
+/// linear axes are the CL coordinates, up to signs and directions.
+///
+/// # What comes out
+///
+/// The struct with a public field for each dimension, `part_origin` and `gauge_length`, and its implementation of
+/// `pp_runtime::kinematics::Machine`. Its documentation shows the solved formulas, the branches, the singular set and
+/// what was proven.
+///
+/// # Refusals
+///
+/// Every mistake of a declaration is reported in one compilation, at the words that are wrong. For example, a rotary axis
+/// that turns about the tool cannot tilt it:
+///
+/// ```compile_fail
+/// pp_runtime::machine! {
+///     pub struct Table;
+///     chain: B C | X Y Z;
+/// }
+/// ```
+///
+/// A chain needs its machine frame:
+///
+/// ```compile_fail
+/// pp_runtime::machine! {
+///     pub struct Table;
+///     chain: C B X Y Z;
+/// }
+/// ```
+///
+/// Three linear axes in one plane cannot move the tip in every direction:
+///
+/// ```compile_fail
+/// pp_runtime::machine! {
+///     pub struct Table;
+///     chain: C B | X Y Z;
+///     axes = { Z: (1, 1, 0) };
+/// }
+/// ```
 #[proc_macro]
 pub fn machine(input: TokenStream) -> TokenStream {
     let options = pp_codegen::Options { serde: cfg!(feature = "serde") };

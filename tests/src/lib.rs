@@ -1,7 +1,7 @@
 //! The conformance suite: what every machine must do, checked against matrices that share no code with the engine.
 //!
 //! - [`oracle`]: the chain as a product of 4×4 matrices, and the machines of the source papers written out by hand.
-//! - [`conformance`]: the checks, for any type that implements
+//! - [`mod@conformance`]: the checks, for any type that implements
 //!   [`Machine`](pp_runtime::kinematics::Machine); [`conformance!`] makes a test module of them.
 //! - [`random`]: the same random numbers on every platform, forever.
 //! - [`program`]: NC programs, read back word by word.

@@ -329,7 +329,10 @@ mod tests {
             encoder.step(&Step::Restart { number: 7 })?;
             encoder.step(&Step::Feed { words: words([0; 4]), feed: per_minute })
         });
-        assert_eq!(text, "G94 G1 X0 Z0 A0 C0 F100\nN7 G21 G17 G40 G49 G80 G90 G94 G55 G64 P0.01\nG1 X0 Z0 A0 C0 F100\n");
+        assert_eq!(
+            text,
+            "G94 G1 X0 Z0 A0 C0 F100\nN7 G21 G17 G40 G49 G80 G90 G94 G55 G64 P0.01\nG1 X0 Z0 A0 C0 F100\n"
+        );
     }
 
     #[test]

@@ -329,7 +329,8 @@ fn axis(
     let point = point.map_or_else(zeros, |vector| lengths(vector, names, ring, errors));
     let held = find(&declaration.hold, letter).and_then(|entry| axis_value(&entry.value, kind, errors));
     let limits = match find(&declaration.limits, letter).map(|entry| &entry.value) {
-        Some(Limits::Range(lower, upper)) => {
+        Some(Limits::Range(ends)) => {
+            let (lower, upper) = &**ends;
             let phrase = lower.phrase.to(upper.phrase);
             let ends = (axis_value(lower, kind, errors), axis_value(upper, kind, errors));
             if let (Some(lower), Some(upper)) = &ends

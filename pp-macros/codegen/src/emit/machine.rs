@@ -48,6 +48,8 @@ pub(super) fn item(
             pub gauge_length: f64,
         }
 
+        #[automatically_derived]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl ::core::default::Default for #name {
             fn default() -> Self {
                 Self {

@@ -68,16 +68,16 @@ pub(crate) fn emit(
     let count = model.axes.len();
     quote! {
         #item
+        // Digits of declared angles and directions are what they are.
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
             use ::pp_runtime::kinematics::math;
 
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             impl #name {
                 #(#private)*
             }
 
             #[automatically_derived]
-            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             impl ::pp_runtime::kinematics::Machine for #name {
                 type Axes = [f64; #count];
                 #data

@@ -109,5 +109,5 @@ pub enum Limits {
     /// Endless.
     Free,
     /// Inclusive.
-    Range(Expr, Expr),
+    Range(Box<(Expr, Expr)>),
 }

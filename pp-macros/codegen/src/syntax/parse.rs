@@ -330,7 +330,7 @@ fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
         return Err(input.error("expected `..`\n\nhelp: write the travel as `-5..110`, or `free`"));
     }
     input.parse::<Token![..]>()?;
-    Ok(Limits::Range(lower, Expr::parse(input, source)?))
+    Ok(Limits::Range(Box::new((lower, Expr::parse(input, source)?))))
 }
 
 fn list_of(names: &[&str]) -> String {
