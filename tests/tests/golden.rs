@@ -205,15 +205,39 @@ fn a_retract_distance_leads_out_along_the_tool_before_the_machine_retracts() {
     let blocks = blocks(&program);
     let index = blocks.iter().position(|block| *block == "X22.138 Y-61.224 Z-7.05").expect("the last cut");
     assert_eq!(
-        blocks[index + 1..index + 8],
+        blocks[index + 1..index + 10],
         [
             "M9",                          // 1: coolant off
             "G0 X24.942 Y-84.731 Z64.116", // 2: 75 mm along the tool axis
             "G53 G0 Z0",                   // 2: the retract axis
             "G0 A35.8066 B4.9348",         // 4: the rotary axes alone; the operation goes on
-            "X14.803 Y-103.7",             // 5
-            "Z-29.661",                    // 6: the first point: the next lies below it along the axis
-            "M8",                          // 7
+            "X10.74 Y-121.986",            // 5: the other linear axes
+            "Z-5.421",                     // 6: 30 mm above the first point, below which the next does not lie
+            "M8",                          // 7: coolant on
+            "X8.647 Y-104.434 Z-29.661",   // 8: along the tool axis, at rapid as the CL data has it
+            "G1 X14.559 Y-101.652 Z-32.489 F300",
+        ]
+    );
+}
+
+#[test]
+fn an_operation_that_begins_at_feed_is_entered_at_feed() {
+    let program = posted("tests/data/pads/pads.cls", Some("tests/data/pads/pads.toml"), "spinner-u5-620");
+    let blocks = blocks(&program);
+    let index = blocks.iter().position(|block| block.starts_with("N2 ")).expect("the second operation");
+    assert_eq!(
+        blocks[index + 1..index + 11],
+        [
+            "G53 G0 Z0",        // 2
+            "T22 M6",           // 3: tool call
+            "G53 G0 Z0",        // 2: the change may have moved Z
+            "G43 H52",          // 3: the length register of the configuration
+            "S6100 M3",         // 3: spindle
+            "G0 B15.7 C-262.4", // 4: half a turn, the shorter way
+            "X34.499 Y-2.406",  // 5
+            "Z35.52",           // 6: 30 mm above the first point
+            "M8",               // 7
+            "G1 Z5.52 F300",    // 8: the first point, at feed
         ]
     );
 }

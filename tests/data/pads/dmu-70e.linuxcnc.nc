@@ -14,7 +14,7 @@
 (valid only for part origin X12.5 Y-8 Z40 from the table reference; do not touch off again)
 (the entries of C and B in G57 must be zero)
 (T21 bull 12 D12 R1 L120.25 H21, 1 operations, tip Z -9.4 to 0.521)
-(T22 D12 R1 L96.5 H52, 1 operations, tip Z -3.3 to 0.069)
+(T22 D12 R1 L96.5 H52, 1 operations, tip Z -3.3 to -1.375)
 (ASSUMED retract to machine coordinate 0 mm)
 (OPERATION SOUTH)
 N1 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
@@ -35,10 +35,11 @@ M9
 G0 Z90.778
 G53 G0 Z0
 G0 B51.9769 C-64.1808
-X80.983 Y54.911
-Z41.321
+X83.003 Y49.049
+Z71.321
 M8
-G1 Z37.821 F300
+Z41.321
+G1 X80.983 Y54.911 Z37.821 F300
 X76.322 Y68.43 F700
 Z39.821
 M9
@@ -52,7 +53,7 @@ G43 H52
 S6100 M3
 G0 B22.2737 C105.5247
 X35.484 Y4.173
-Z9.02
+Z35.52
 M8
 G1 Z5.52 F300
 X33.513 Y18.336 F700

@@ -13,7 +13,7 @@
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
 (T21 bull 12 D12 R1 L120.25 H21, 1 operations, tip Z -9.4 to 0.521)
 (T21 posted with L = 120.25: H21 must hold exactly this)
-(T22 D12 R1 L96.5 H52, 1 operations, tip Z -3.3 to 0.069)
+(T22 D12 R1 L96.5 H52, 1 operations, tip Z -3.3 to -1.375)
 (T22 posted with L = 96.5: H52 must hold exactly this)
 (ASSUMED retract to machine coordinate 0 mm)
 (OPERATION SOUTH)
@@ -35,9 +35,10 @@ M9
 G0 X24.942 Y-84.731 Z64.116
 G53 G0 Z0
 G0 A35.8066 B4.9348
-X14.803 Y-103.7
-Z-29.661
+X10.74 Y-121.986
+Z-5.421
 M8
+X8.647 Y-104.434 Z-29.661
 G1 X14.559 Y-101.652 Z-32.489 F300
 X28.758 Y-99.959 F700
 X28.898 Y-101.129 Z-30.873
@@ -51,8 +52,8 @@ G53 G0 Z0
 G43 H52
 S6100 M3
 G0 A-15.5586 B-2.129
-X-8.009 Y53.022
-Z-3.531
+X-8.957 Y60.13
+Z21.98
 M8
 G1 X-7.884 Y52.084 Z-6.9 F300
 X-22.058 Y50.192 F700
