@@ -1,4 +1,4 @@
-//! A package outside the workspace: one dependency, no std.
+//! A package outside the workspace: one dependency, no std, with the serde derives.
 //!
 //! It is a static library with a panic handler of its own. Were `std` linked in anywhere, there would be two of them and
 //! the build would fail.
@@ -19,7 +19,7 @@ edition = "2024"
 crate-type = ["staticlib"]
 
 [dependencies]
-pp-runtime = { path = "@RUNTIME@", default-features = false }
+pp-runtime = { path = "@RUNTIME@", default-features = false, features = ["serde"] }
 
 [profile.dev]
 panic = "abort"
