@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::{Body, Count, Statement};
-use crate::model::{Axis, Kind, Model, Side, to_f64};
-use crate::solve::{Angle, Orientation, Solved};
+use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
+use crate::solve::{Angle, Orientation, Solved, Two};
 use crate::symbolic::{Id, Poly, Ring};
 
 /// Sections of text; every line stands for itself.
@@ -132,6 +132,9 @@ fn formulas(model: &Model, solved: &Solved) -> Vec<String> {
         Orientation::Two(two) => two.answers[0].words.iter().flat_map(|(sine, cosine)| [*sine, *cosine]).collect(),
     };
     let mut body = Body::new(&solved.graph, &words);
+    if !words.is_empty() {
+        lines.push("rotary axes from the tool axis (i, j, k), first branch:".into());
+    }
     lines.extend(body.statements(&words).iter().map(line));
     let rotaries: Vec<usize> = match &solved.orientation {
         Orientation::Fixed { .. } => vec![],
@@ -144,15 +147,12 @@ fn formulas(model: &Model, solved: &Solved) -> Vec<String> {
     }
     let values: Vec<Id> = solved.position.values.iter().map(|(_, node)| *node).collect();
     let mut body = Body::new(&solved.graph, &values);
+    lines.push("linear axes from the tip (x, y, z) and the rotary axes:".into());
     lines.extend(body.statements(&values).iter().map(line));
     for (axis, node) in &solved.position.values {
         lines.push(plain(&format!("{} = {}", letter(*axis), body.expression(*node))));
     }
     lines
-}
-
-fn negated(factor: &str) -> String {
-    factor.strip_prefix('-').map_or_else(|| format!("-{factor}"), ToString::to_string)
 }
 
 fn line((name, value): &Statement) -> String {
@@ -163,46 +163,64 @@ fn plain(text: &str) -> String {
     text.replace("math::", "")
 }
 
+/// An expression of the generated code in the names of the declaration.
+pub(crate) fn in_words(model: &Model, text: &str) -> String {
+    let mut text = plain(text);
+    let angles = model.dimensions.iter().filter_map(|dimension| match dimension.quantity {
+        Quantity::Angle(sine, cosine) => Some((sine, cosine, dimension.name.clone())),
+        Quantity::Length(_) => None,
+    });
+    let axes = model.axes.iter().map(|axis| (axis.turn.0, axis.turn.1, axis.letter.to_string()));
+    for (sine, cosine, name) in angles.chain(axes) {
+        text = text.replace(model.ring.name(sine), &format!("sin({name})"));
+        text = text.replace(model.ring.name(cosine), &format!("cos({name})"));
+    }
+    text
+}
+
 fn branches(model: &Model, solved: &Solved) -> (Vec<String>, Vec<String>) {
     let one = vec!["one solution".to_string()];
     match &solved.orientation {
         Orientation::Fixed { .. } => (one, vec!["never singular: no rotary axis".into()]),
         Orientation::One(_) => (one, vec!["never singular".into()]),
-        Orientation::Two(two) => {
-            let [first, second] = two.rotaries.map(|axis| model.axes[axis].letter);
-            let [alpha_1, alpha_2] = two.alpha.map(|node| {
-                let mut body = Body::new(&solved.graph, &[node]);
-                let statements = body.statements(&[node]);
-                statements.into_iter().last().map_or_else(|| body.expression(node), |(_, text)| text)
-            });
-            let zero = |node: Id| solved.graph.is_zero(node);
-            let times = |factor: &str| match factor {
-                "1.0" => String::new(),
-                "-1.0" => "-".to_string(),
-                other => format!("({other}) "),
-            };
-            let (alpha_1, alpha_2, minus_alpha_2) = (times(&alpha_1), times(&alpha_2), times(&negated(&alpha_2)));
-            let turned = if model.axes[two.rotaries[1]].reversed { "-" } else { "" };
-            let quantity = match (zero(two.alpha[0]), zero(two.alpha[1])) {
-                (false, true) => format!("{alpha_1}sin({turned}{second})"),
-                (true, false) => format!("{minus_alpha_2}cos {second}"),
-                _ => format!("{alpha_1}sin({turned}{second}) - {alpha_2}cos {second}"),
-            };
-            let (sign, other) = if two.first_is_plus { (">=", "<=") } else { ("<=", ">=") };
-            (
-                vec![
-                    plain(&format!("first branch:  {quantity} {sign} 0")),
-                    plain(&format!("second branch: {quantity} {other} 0")),
-                ],
-                vec![if two.has_pole {
-                    format!(
-                        "{first} is free where the tool axis is parallel to it (sine below 1e-15); it keeps its held value"
-                    )
-                } else {
-                    format!("{first} is free only where held values or dimensions let the tool stand parallel to it")
-                }],
-            )
+        Orientation::Two(two) => (branches_of_two(model, solved, two), vec![singular_set(model, two)]),
+    }
+}
+
+/// `α1 s2 - α2 c2` has the sign of `σ`; with one of the two identically zero that is a sine or a cosine alone.
+fn branches_of_two(model: &Model, solved: &Solved, two: &Two) -> Vec<String> {
+    let second = &model.axes[two.rotaries[1]];
+    let letter = second.letter;
+    let [alpha_1, alpha_2] = two.alpha.map(|node| {
+        let value = solved.graph.constant_of(node).and_then(|poly| solved.graph.ring.value(poly));
+        (value, in_words(model, &Body::new(&solved.graph, &[node]).expression(node)))
+    });
+    let reversed = second.reversed;
+    let mut positive = two.first_is_plus;
+    let quantity = match (alpha_1, alpha_2) {
+        ((Some(factor), _), (Some(other), _)) if other.abs() < 1e-12 => {
+            positive = positive == ((factor > 0.0) != reversed);
+            format!("sin({letter})")
         }
+        ((Some(other), _), (Some(factor), _)) if other.abs() < 1e-12 => {
+            positive = positive == (factor < 0.0);
+            format!("cos({letter})")
+        }
+        ((_, alpha_1), (_, alpha_2)) => {
+            let minus = if reversed { "-" } else { "" };
+            format!("({alpha_1}) sin({minus}{letter}) - ({alpha_2}) cos({letter})")
+        }
+    };
+    let (sign, other) = if positive { (">=", "<=") } else { ("<=", ">=") };
+    vec![format!("first branch:  {quantity} {sign} 0"), format!("second branch: {quantity} {other} 0")]
+}
+
+fn singular_set(model: &Model, two: &Two) -> String {
+    let letter = model.axes[two.rotaries[0]].letter;
+    if two.has_pole {
+        format!("{letter} is free where the tool axis is parallel to it (sine below 1e-15); it keeps its held value")
+    } else {
+        format!("{letter} is free only where held values or dimensions let the tool stand parallel to it")
     }
 }
 
@@ -262,7 +280,11 @@ fn operations(solved: &Solved) -> String {
         }
     };
     let Count { additions, products, divisions, roots } = count;
+    let many = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     format!(
-        "operations, all branches: {atan2} atan2, {roots} sqrt, {divisions} divisions, {products} multiplications, {additions} additions"
+        "operations, all branches: {atan2} atan2, {roots} sqrt, {}, {}, {}",
+        many(divisions, "division"),
+        many(products, "multiplication"),
+        many(additions, "addition")
     )
 }

@@ -4,7 +4,10 @@
 
 use std::collections::BTreeMap;
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, exact_sin_cos, rotation, translation};
 
@@ -182,6 +185,24 @@ impl Model {
         }
     }
 
+    /// A point at which formulas can be compared by their values: all relations between symbols hold there.
+    #[must_use]
+    pub fn sample(&self) -> BTreeMap<Symbol, f64> {
+        let angles = self.axes.iter().map(|axis| axis.turn);
+        let dimensions = self.dimensions.iter().filter_map(|dimension| match dimension.quantity {
+            Quantity::Angle(sine, cosine) => Some((sine, cosine)),
+            Quantity::Length(_) => None,
+        });
+        // Any values will do that no formula is made for.
+        let mut values: BTreeMap<Symbol, f64> = self.frame.axis.into_iter().zip([0.36, 0.48, 0.8]).collect();
+        for (index, (sine, cosine)) in angles.chain(dimensions).enumerate() {
+            let (s, c) = (0.123_4 + 0.271_8 * index as f64).sin_cos();
+            values.insert(sine, s);
+            values.insert(cosine, c);
+        }
+        values
+    }
+
     /// Values at the defaults of `hold` and `dims`, for the symbols these enter by.
     #[must_use]
     pub fn defaults(&mut self) -> BTreeMap<Symbol, Poly> {
@@ -222,14 +243,30 @@ impl Model {
     }
 }
 
-/// Sine and cosine of a fixed angle: exact for multiples of 15°, constants with a float value otherwise.
+/// Sine and cosine of a fixed angle: exact for multiples of 15°, else constants with a float value.
+///
+/// Angles that differ by quarter turns, or add up to one, share their constants: `sin 123° = cos 33°` is exact.
 pub fn turn_by(degrees: &BigRational, ring: &mut Ring) -> (Poly, Poly) {
     if let Some((sine, cosine)) = exact_sin_cos(degrees) {
         return (Poly::from(sine), Poly::from(cosine));
     }
-    let float = to_f64(degrees);
-    let (sine, cosine) = ring.fixed_sin_cos(format!("sin {float}°"), format!("cos {float}°"), float.to_radians());
-    (Poly::from(sine), Poly::from(cosine))
+    let whole = |value: i64| BigRational::from(BigInt::from(value));
+    let quarters = (degrees / whole(90)).floor();
+    let rest = degrees - &quarters * whole(90);
+    let complement = rest > whole(45);
+    let base = if complement { whole(90) - rest } else { rest };
+    let (mut sine, mut cosine) = {
+        let (sine, cosine) = ring.fixed_sin_cos(to_f64(&base));
+        (Poly::from(sine), Poly::from(cosine))
+    };
+    if complement {
+        std::mem::swap(&mut sine, &mut cosine);
+    }
+    let quarter = quarters.to_integer().mod_floor(&BigInt::from(4));
+    for _ in 0..quarter.to_u8().unwrap_or_default() {
+        (sine, cosine) = (cosine, -&sine);
+    }
+    (sine, cosine)
 }
 
 /// Nearest float of a rational.

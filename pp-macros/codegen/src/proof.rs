@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::model::{AxisId, Model};
+use crate::model::{AxisId, Kind, Model};
 use crate::solve::{Answer, One, Orientation, Solved, Two};
 use crate::symbolic::{Id, Interpreter, Matrix, P3, Poly, Ring, Symbol};
 
@@ -21,6 +21,7 @@ use crate::symbolic::{Id, Interpreter, Matrix, P3, Poly, Ring, Symbol};
 /// The claim that does not hold. That is a fault of the solver, never of the declaration.
 pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> {
     let product = model.product();
+    joints(model, solved)?;
     let mut claims = vec![forward(model, solved, &product)?, position(model, solved)?];
     let orientation = solved.orientation.clone();
     match &orientation {
@@ -35,12 +36,32 @@ pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> 
         Orientation::One(one) => claims.push(prove_one(model, solved, &product, one)?),
         Orientation::Two(two) => {
             for answer in &two.answers {
-                claims.push(prove_answer(model, solved, &product, two, answer)?);
+                claims.push(prove_answer(model, solved, two, answer)?);
             }
             claims.push(prove_edge(model, solved, &product, two)?);
         }
     }
     Ok(claims)
+}
+
+/// What `joint` answers is the declaration, and the joint with `-q` undoes the joint.
+fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
+    let (directions, centres) = (solved.directions.clone(), solved.centres.clone());
+    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    for (id, axis) in model.axes.iter().enumerate() {
+        let letter = axis.letter;
+        if model.product_of([model.joint(id), model.joint_inverse(id)]) != Matrix::identity() {
+            return Err(format!("the joint of {letter} is undone by its joint with -q"));
+        }
+        let claim = format!("the joint of {letter} is as declared");
+        let centre = if axis.kind == Kind::Rotary { model.centre(id) } else { axis.point.clone() };
+        let expected = axis.direction.iter().chain(&centre);
+        for (node, expected) in directions[id].into_iter().chain(centres[id]).zip(expected) {
+            let value = reader.value(node);
+            holds(&reader, &value, expected, &claim)?;
+        }
+    }
+    Ok(())
 }
 
 fn forward(model: &Model, solved: &mut Solved, product: &Matrix) -> Result<String, String> {
@@ -61,11 +82,6 @@ fn position(model: &Model, solved: &mut Solved) -> Result<String, String> {
     let values = solved.position.values.clone();
     let cut = solved.position.cut;
     let claim = "the linear axes bring the tip to (x, y, z)";
-    for axis in 0..cut {
-        if model.product_of([model.joint(axis), model.joint_inverse(axis)]) != Matrix::identity() {
-            return Err(format!("the inverse of joint {} is its joint with -q", model.axes[axis].letter));
-        }
-    }
     let undone = model.product_of((0..cut).rev().map(|axis| model.joint_inverse(axis)));
     let tool = model.product_of((cut..model.axes.len()).map(|axis| model.joint(axis)));
     let wanted = {
@@ -100,13 +116,7 @@ fn prove_one(model: &Model, solved: &mut Solved, product: &Matrix, one: &One) ->
     Ok(claim)
 }
 
-fn prove_answer(
-    model: &Model,
-    solved: &mut Solved,
-    product: &Matrix,
-    two: &Two,
-    answer: &Answer,
-) -> Result<String, String> {
+fn prove_answer(model: &Model, solved: &mut Solved, two: &Two, answer: &Answer) -> Result<String, String> {
     let letters = model.letters(two.rotaries);
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
     let (capacity, height) = (reader.value(two.capacity), reader.value(two.height));
@@ -125,9 +135,15 @@ fn prove_answer(
         on_circle(model, &reader, axis, &words)?;
     }
     let claim = format!("{letters} turn the tool to (i, j, k), branch {}", if answer.plus { "+" } else { "-" });
-    let reached = product.turn(&model.tool_axis, reader.ring()).map(|part| reader.ring().substitute(&part, &words));
-    for (reached, wanted) in reached.iter().zip(model.frame.axis) {
-        holds(&reader, reached, &Poly::from(wanted), &claim)?;
+    // R1 R2 t = a, shown as R2 t = R1⁻¹ a, and likewise for what is held: far fewer products of sines.
+    let after = two.rotaries[0] + 1;
+    let tool = model.product_of((after..model.axes.len()).map(|axis| model.joint(axis)));
+    let undone = model.product_of((0..after).rev().map(|axis| model.joint_inverse(axis)));
+    let reached = tool.turn(&model.tool_axis, reader.ring());
+    let wanted = undone.turn(&model.frame.axis.map(Poly::from), reader.ring());
+    for (reached, wanted) in reached.iter().zip(&wanted) {
+        let [reached, wanted] = [reached, wanted].map(|part| reader.ring().substitute(part, &words));
+        holds(&reader, &reached, &wanted, &claim)?;
     }
     // The branch: α1 s2 - α2 c2 = σ r, and a root is never negative.
     let (_, cosine) = model.axes[two.rotaries[1]].turn;
@@ -167,7 +183,9 @@ fn prove_edge(model: &Model, solved: &mut Solved, product: &Matrix, two: &Two) -
     let signed_sine = ring.mul(&room, &ring.dot(&n_b, &wanted));
     let signed_sine = if model.axes[first].reversed { -&signed_sine } else { signed_sine };
     let claim = "at the rim the nearest reachable tool axis is taken";
+    let squares = [edge.first.0, edge.first.1].map(|node| reader.value(node)).map(|part| ring.mul(&part, &part));
     let pairs = [
+        (edge.first_squared, &squares[0] + &squares[1]),
         (edge.along.1, ring.dot(&direction, &reached)),
         (edge.reached_squared, ring.dot(&n_b, &n_b)),
         (edge.first.0, signed_sine),

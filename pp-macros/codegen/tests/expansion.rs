@@ -22,7 +22,7 @@ fn inverse_is_straight_line_code_without_sine_or_loop() {
     let file = syn::parse2(pp_codegen::expand(SPINNER.parse().expect("Rust tokens"))).expect("items");
     let text = prettyplease::unparse(&file);
     let start = text.find("fn inverse_kinematics").expect("generated");
-    let end = start + text[start..].find("fn linear_axes").expect("generated");
+    let end = start + text[start..].find("fn linear_axes(").expect("generated");
     let inverse = &text[start..end];
     assert_eq!(inverse.matches("math::angle").count(), 2, "{inverse}");
     assert_eq!(inverse.matches("math::sqrt").count(), 1, "{inverse}");
@@ -47,6 +47,19 @@ fn a_dimension_may_be_called_like_a_local_variable() {
     );
     assert!(text.contains("let dim_axes = self . axes"), "{text}");
     assert!(!text.contains("compile_error"));
+}
+
+#[test]
+fn two_dimensions_never_share_a_local_variable() {
+    let text = expand(
+        "pub struct M; chain: C B | X Y Z; d = { C: (tip, 0, 0), B: (dim_tip, 0, 9) }; dims = { tip: 10, dim_tip: 20 };",
+    );
+    assert!(text.contains("let dim_tip = self . tip") && text.contains("let dim_tip_ = self . dim_tip"), "{text}");
+    let text = expand(
+        "pub struct M; chain: C B | X Y Z; axes = { B: Rx(a) * Y, C: Ry(dim_a) * Z }; dims = { a: 10 deg, dim_a: 40 deg };",
+    );
+    assert!(text.contains("(sin_dim_a , cos_dim_a) = math :: sin_cos (self . a)"), "{text}");
+    assert!(text.contains("(sin_dim_a_ , cos_dim_a_) = math :: sin_cos (self . dim_a)"), "{text}");
 }
 
 /// Words that declarations are made of, right and wrong.

@@ -369,3 +369,88 @@ fn a_machine_without_a_chain_is_refused() {
 ",
     );
 }
+
+#[test]
+fn angles_that_are_no_multiple_of_fifteen_degrees_are_exact_too() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z; axes = { B: Rx(123 deg) * Y }; tool_axis = Rx(33 deg) * Z;
+//       ^ `B` turns about the tool axis, so it cannot tilt the tool
+",
+    );
+    check_errors(
+        "pub struct M;
+chain: C | X Y Z A; axes = { C: Rx(10 deg) * Z }; hold = { A: 10 };
+//     ^ `C` turns about the tool axis, so it cannot tilt the tool
+",
+    );
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z; axes = { B: Rx(al) * Ry(be) * Z }; dims = { al: 7 deg, be: 8 deg };
+//       ^ `B` turns about the tool axis, so it cannot tilt the tool
+tool_axis = Rx(7 deg) * Ry(8 deg) * Z;
+",
+    );
+}
+
+#[test]
+fn nearly_parallel_rotaries_are_refused_by_the_rule_of_the_running_machine() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z; axes = { B: (0, 1, 1000000) };
+//       ^ `C` and `B` turn about the same direction, so the tool cannot tilt
+",
+    );
+}
+
+#[test]
+fn numbers_beyond_every_float_are_refused() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+dims = { d: 1e400, e: 1e300 * 1e300 };
+//          ^^^^^ `1e400` is not a number here
+//                    ^^^^^^^^^^^^^ this is larger than any number of the machine
+d = (0, 0, 1e200 * 1e200);
+//         ^^^^^^^^^^^^^ this is larger than any number of the machine
+",
+    );
+}
+
+#[test]
+fn one_mistake_has_no_followers() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+d = (0, 0, d);
+dims = { d: ?, fn: 2 };
+//          ^ expected a number or a dimension
+//             ^^ `fn` cannot be the name of a dimension
+signs = { B: *, Q: - };
+//           ^ expected `+` or `-`
+//              ^ `Q` in `signs` is not an axis of the chain
+",
+    );
+    check_errors(
+        "pub struct M;
+chain: C B, | X Y Z;
+//        ^ `,` does not belong in the chain
+",
+    );
+}
+
+#[test]
+fn what_is_generated_is_not_derived_again() {
+    check_errors(
+        "#[derive(PartialEq, Debug)]
+//                  ^^^^^ `Debug` is implemented already
+pub struct M;
+chain: C B | X Y Z;
+",
+    );
+    check_errors(
+        "pub struct M { d: f64 }
+//           ^ expected `;` behind the name
+",
+    );
+}

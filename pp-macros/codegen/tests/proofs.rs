@@ -93,6 +93,21 @@ fn sine_and_cosine_swapped_are_not_proven() {
 }
 
 #[test]
+fn the_first_branch_is_the_one_that_the_papers_print() {
+    let first = |text: &str| {
+        let (model, mut solved) = solved(text);
+        let proofs = prove(&model, &mut solved).expect("proven");
+        pp_codegen::explain::explain(&model, &solved, proofs).branches[0].clone()
+    };
+    assert_eq!(first("chain: C B | X Y Z;"), "first branch:  sin(B) >= 0");
+    assert_eq!(first("chain: C B | X Y Z; signs = { B: - };"), "first branch:  sin(B) >= 0");
+    assert_eq!(first("chain: A B | X Y Z;"), "first branch:  cos(B) >= 0");
+    assert_eq!(first("chain: X | Y Z B A; signs = { A: - };"), "first branch:  cos(A) >= 0");
+    let turned = "chain: A B | X Y Z; axes = { A: Ry(33 deg) * X }; tool_axis = Ry(33 deg) * Z;";
+    assert_eq!(first(turned), "first branch:  cos(B) >= 0");
+}
+
+#[test]
 fn second_branch_of_an_orthogonal_machine_needs_no_atan2_of_its_own() {
     let angles = |text: &str| match solved(text).1.orientation {
         Orientation::Two(two) => two.answers[1].angles,
@@ -101,11 +116,14 @@ fn second_branch_of_an_orthogonal_machine_needs_no_atan2_of_its_own() {
     assert_eq!(angles("chain: C B | X Y Z;"), [Angle::HalfTurn, Angle::Negated]);
     assert_eq!(angles("chain: X | Y Z B A;"), [Angle::HalfTurn, Angle::Mirrored]);
     assert_eq!(angles("chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y };"), [Angle::Own, Angle::Negated]);
+    let leaning = "chain: C B | X Y Z; axes = { C: Rx(33 deg) * Z, B: Rx(33 deg) * Y }; tool_axis = Rx(33 deg) * Z;";
+    assert_eq!(angles(leaning), [Angle::HalfTurn, Angle::Negated]);
 }
 
 fn outputs(solved: &mut Solved) -> Vec<&mut Id> {
     let mut list: Vec<&mut Id> = solved.forward.tip.iter_mut().chain(&mut solved.forward.axis).collect();
     list.extend(solved.position.values.iter_mut().map(|(_, node)| node));
+    list.extend(solved.directions.iter_mut().chain(&mut solved.centres).flatten());
     match &mut solved.orientation {
         Orientation::Fixed { .. } => {}
         Orientation::One(one) => list.extend([&mut one.word.0, &mut one.word.1]),
@@ -117,7 +135,7 @@ fn outputs(solved: &mut Solved) -> Vec<&mut Id> {
             }
             let edge = &mut two.edge;
             list.extend([&mut edge.second.0, &mut edge.second.1, &mut edge.first.0, &mut edge.first.1]);
-            list.extend([&mut edge.reached_squared, &mut edge.along.1]);
+            list.extend([&mut edge.reached_squared, &mut edge.along.1, &mut edge.first_squared]);
         }
     }
     list

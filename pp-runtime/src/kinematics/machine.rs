@@ -172,7 +172,8 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
 
     /// Axis values that bring the tool to `pose`: at most two, rotary values in (-π, π], first branch first.
     ///
-    /// `held` supplies the values of held axes, and of a rotary that is free at a singular pose. No solution: see
+    /// `held` supplies the values of held axes, and of a rotary that is free at a singular pose: that one stands in the
+    /// solution as it was given, whole turns included. No solution: see
     /// [`reach`](Self::reach).
     fn inverse_kinematics(&self, pose: &Pose, held: &Self::Axes) -> Solutions<Self::Axes>;
 

@@ -51,6 +51,12 @@ pub fn hypot(x: f64, y: f64) -> f64 {
 #[inline]
 pub fn angle(sine: f64, cosine: f64) -> f64 {
     let angle = atan2(sine, cosine);
+    named_once(angle)
+}
+
+/// -π and all that rounds to it becomes π.
+#[inline]
+fn named_once(angle: f64) -> f64 {
     if angle <= -core::f64::consts::PI { core::f64::consts::PI } else { angle }
 }
 
@@ -58,14 +64,14 @@ pub fn angle(sine: f64, cosine: f64) -> f64 {
 #[must_use]
 #[inline]
 pub fn half_turn(angle: f64) -> f64 {
-    if angle > 0.0 { angle - core::f64::consts::PI } else { angle + core::f64::consts::PI }
+    named_once(if angle > 0.0 { angle - core::f64::consts::PI } else { angle + core::f64::consts::PI })
 }
 
 /// The angle with the same sine and the opposite cosine, in (-π, π].
 #[must_use]
 #[inline]
 pub fn mirrored(angle: f64) -> f64 {
-    if angle >= 0.0 { core::f64::consts::PI - angle } else { -core::f64::consts::PI - angle }
+    named_once(if angle >= 0.0 { core::f64::consts::PI - angle } else { -core::f64::consts::PI - angle })
 }
 
 /// The angle with the same cosine and the opposite sine, in (-π, π].

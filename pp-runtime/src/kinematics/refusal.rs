@@ -92,7 +92,7 @@ pub enum Unreachable {
         machine: &'static str,
         /// The rotary that cannot tilt the tool.
         rotary: char,
-        /// The held axes, in chain order.
+        /// The held axes and angles that it depends on.
         held: &'static str,
     },
     /// The linear axes cannot move the tip in every direction at this tool axis.
@@ -131,7 +131,7 @@ impl fmt::Display for Unreachable {
                 )
             }
             Self::Held { machine, rotary, held } => {
-                write!(f, "{machine} cannot tilt the tool with {rotary} at the held values of {held}")
+                write!(f, "{machine} cannot tilt the tool with {rotary} at the present values of {held}")
             }
             Self::LinearAxes { machine, axes } => {
                 write!(

@@ -48,6 +48,8 @@ const RESERVED: &[&str] = &[
     "mm",
     "free",
     "where",
+    // Reserved since edition 2024.
+    "gen",
 ];
 
 /// Axis letters.
@@ -62,16 +64,18 @@ pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, S
     let frame = frame(&mut ring);
     let dimensions = dimensions(declaration, &mut ring, errors);
     let Some(chain) = &declaration.chain else {
-        let name = &declaration.name;
-        let phrase = Phrase::new(name.span(), name.span(), 0);
-        errors.push(phrase, "the machine has no `chain`", "list its axes: `chain: C B | X Y Z;`");
+        if !declaration.unreadable.iter().any(|field| field == "chain") {
+            let name = &declaration.name;
+            let phrase = Phrase::new(name.span(), name.span(), 0);
+            errors.push(phrase, "the machine has no `chain`", "list its axes: `chain: C B | X Y Z;`");
+        }
         errors.propagate()?;
         unreachable!("just pushed");
     };
     check_chain(chain, declaration, errors);
     let known: Vec<&str> = chain.axes.iter().map(|axis| axis.name.as_str()).collect();
     check_letters(declaration, &known, errors);
-    let names = Names { dimensions: &dimensions };
+    let names = Names { dimensions: &dimensions, unreadable: &declaration.unreadable };
     let tool_axis = match &declaration.tool_axis {
         Some(direction) => unit_direction(direction, &names, &mut ring, errors),
         None => coordinate(2),
@@ -83,6 +87,7 @@ pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, S
         axes.extend(axis(spot, side, declaration, &names, &mut ring, errors));
     }
     check_offsets(declaration, &axes, errors);
+    check_derives(declaration, errors);
     errors.propagate()?;
     let name = declaration.name.unraw().to_string();
     let spots = Spots { chain: chain.phrase, axes: chain.axes.clone() };
@@ -259,6 +264,22 @@ fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) 
             "one `d` for rotary axes on both sides of `|`",
             "the sides count from different points, the table's and the spindle's: write `d = { C: (0, 0, 0), B: (0, 0, 60) };`",
         );
+    }
+}
+
+/// Traits that are generated cannot be derived again.
+fn check_derives(declaration: &Declaration, errors: &mut Errors) {
+    for attribute in declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("derive")) {
+        // What cannot be read here is for rustc to say.
+        let _ = attribute.parse_nested_meta(|meta| {
+            if let Some(last) = meta.path.segments.last()
+                && ["Clone", "Debug", "Default"].iter().any(|name| last.ident == name)
+            {
+                let phrase = Phrase::new(last.ident.span(), last.ident.span(), 0);
+                errors.push(phrase, format!("`{}` is implemented already", last.ident), "leave it out of `derive`");
+            }
+            Ok(())
+        });
     }
 }
 

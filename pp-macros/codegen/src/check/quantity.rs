@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::model::{Dimension, Quantity, turn_by};
+use crate::model::{Dimension, Quantity, to_f64, turn_by};
 use crate::report::{Errors, Phrase};
 use crate::symbolic::{Poly, Ring, Surd};
 use crate::syntax::{Expr, ExprKind, Unit};
@@ -15,21 +15,27 @@ pub(super) struct Fault {
     phrase: Phrase,
     text: String,
     help: String,
+    /// The cause is reported elsewhere.
+    silent: bool,
 }
 
 impl Fault {
     pub(super) fn new(phrase: Phrase, text: impl Into<String>, help: impl Into<String>) -> Self {
-        Self { phrase, text: text.into(), help: help.into() }
+        Self { phrase, text: text.into(), help: help.into(), silent: false }
     }
 
     pub(super) fn report(self, errors: &mut Errors) {
-        errors.push(self.phrase, self.text, self.help);
+        if !self.silent {
+            errors.push(self.phrase, self.text, self.help);
+        }
     }
 }
 
 /// Dimensions that expressions may name.
 pub(super) struct Names<'a> {
     pub(super) dimensions: &'a [Dimension],
+    /// Entries that could not be read; nothing more is said about them.
+    pub(super) unreadable: &'a [String],
 }
 
 impl Names<'_> {
@@ -43,7 +49,8 @@ impl Names<'_> {
         } else {
             format!("the dimensions are {}", known.join(", "))
         };
-        Err(Fault::new(phrase, format!("`{name}` is not a dimension"), help))
+        let silent = self.unreadable.iter().any(|unread| unread == name || unread == "dims");
+        Err(Fault { silent, ..Fault::new(phrase, format!("`{name}` is not a dimension"), help) })
     }
 }
 
@@ -51,9 +58,14 @@ impl Names<'_> {
 pub(super) fn number(expr: &Expr) -> Result<(BigRational, Option<Unit>), Fault> {
     let (value, unit) = constant(expr)?;
     match value.as_rational() {
+        Some(value) if !to_f64(&value).is_finite() => Err(too_large(expr)),
         Some(value) => Ok((value, unit)),
         None => Err(Fault::new(expr.phrase, "this needs a plain number", "write it in decimal digits")),
     }
+}
+
+fn too_large(expr: &Expr) -> Fault {
+    Fault::new(expr.phrase, "this is larger than any number of the machine", "write a smaller number")
 }
 
 /// A constant without a unit.
@@ -116,6 +128,9 @@ fn constant(expr: &Expr) -> Result<(Surd, Option<Unit>), Fault> {
 /// A length in mm: numbers, lengths of `dims`, `+ - *` of them.
 pub(super) fn length(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<Poly, Fault> {
     let (value, power) = measured(expr, names, ring)?;
+    if !value.coefficients().all(|factor| factor.to_f64().is_finite()) {
+        return Err(too_large(expr));
+    }
     if power <= 1 || value.is_zero() {
         return Ok(value);
     }

@@ -6,9 +6,12 @@ use quote::{format_ident, quote};
 use super::body::{Body, lets};
 use super::kinematics::rotaries;
 use super::names::{Places, prelude};
-use crate::model::{AxisId, Kind, Model};
+use crate::model::{AxisId, Kind, Model, Quantity};
 use crate::solve::{Angle, Answer, One, Orientation, Solved, Tilt, Two};
 use crate::symbolic::Id;
+
+/// Sine of a cone whose axis may come within the reach tolerance of it, with room to spare.
+const SLIM: f64 = 1e-5;
 
 /// `inverse_kinematics`.
 pub(super) fn inverse(model: &Model, solved: &Solved) -> TokenStream {
@@ -33,31 +36,72 @@ pub(super) fn inverse(model: &Model, solved: &Solved) -> TokenStream {
 
 /// At most one rotary axis: one solution or none.
 fn single(model: &Model, solved: &Solved, deviation: Id, one: Option<&One>) -> TokenStream {
-    let words: Vec<Id> = one.iter().flat_map(|one| [one.word.0, one.word.1]).collect();
+    let words: Vec<Id> = one.iter().flat_map(|one| [one.word.0, one.word.1, one.length, one.length_claim]).collect();
     let outputs: Vec<Id> = [deviation].into_iter().chain(words.iter().copied()).collect();
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let room = one.filter(|one| solved.graph.constant_of(one.length_claim).is_none()).map(|one| {
+        let statements = lets(&body.statements(&[one.length_claim]));
+        let room = body.tokens(one.length_claim);
+        let least = proc_macro2::Literal::f64_unsuffixed(crate::solve::PARALLEL);
+        quote! {
+            #statements
+            if !(#room > #least) {
+                return ::pp_runtime::kinematics::Solutions::none();
+            }
+        }
+    });
     let guard = lets(&body.statements(&[deviation]));
     let deviation = body.tokens(deviation);
     let statements = lets(&body.statements(&outputs));
     let finite = finite(model);
-    let (turn, angle) = match one {
-        None => (quote!(), vec![]),
-        Some(one) => {
-            let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
-            let turn = (quote!((#sine, #cosine)), quote!(math::angle(#sine, #cosine)));
-            (turn.0, vec![(one.rotary, turn.1)])
-        }
+    let Some(one) = one else {
+        let turns = turns(model, |_| None);
+        let solution = solution(model, solved, &turns, &[], &quote!(First), &quote!(false), &deviation);
+        return quote! {
+            #prelude
+            #guard
+            if !(#deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) || !#finite {
+                return ::pp_runtime::kinematics::Solutions::none();
+            }
+            #statements
+            ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
+        };
     };
-    let turns = turns(model, |place| (one.is_some_and(|one| one.rotary == place)).then(|| turn.clone()));
-    let solution = solution(model, solved, &turns, &angle, &quote!(First), &quote!(false), &deviation);
+    let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
+    // A cone so slim that its axis is within tolerance of it: there the rotary is free.
+    let claim = solved.graph.constant_of(one.length_claim).and_then(|poly| solved.graph.ring.value(poly));
+    let slim = claim.is_none_or(|squared| squared < SLIM * SLIM);
+    let rotary = one.rotary;
+    let (first, singular) = if slim {
+        let length = body.tokens(one.length);
+        let first = quote! {
+            let singular = !(#length >= ::pp_runtime::kinematics::SINGULAR_SINE);
+            if singular && !held[#rotary].is_finite() {
+                return ::pp_runtime::kinematics::Solutions::none();
+            }
+            let (first, value) = if singular {
+                (math::sin_cos(held[#rotary]), held[#rotary])
+            } else {
+                ((#sine, #cosine), math::angle(#sine, #cosine))
+            };
+        };
+        (first, quote!(singular))
+    } else {
+        (quote!(let (first, value) = ((#sine, #cosine), math::angle(#sine, #cosine));), quote!(false))
+    };
+    let turns = turns(model, |place| (one.rotary == place).then(|| quote!(first)));
+    let angle = [(one.rotary, quote!(value))];
+    let solution = solution(model, solved, &turns, &angle, &quote!(First), &singular, &deviation);
     quote! {
         #prelude
+        #room
         #guard
         if !(#deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) || !#finite {
             return ::pp_runtime::kinematics::Solutions::none();
         }
         #statements
+        #first
         ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
     }
 }
@@ -124,9 +168,9 @@ fn pair(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
     }
 }
 
-/// The cold path of a machine with two rotary axes: pole, rim, just beyond the rim, and what is no pose at all.
-pub(super) fn edge(model: &Model, solved: &Solved) -> TokenStream {
-    let Orientation::Two(two) = &solved.orientation else { return TokenStream::new() };
+/// The cold path of a machine with two rotary axes and its signature: pole, rim, just beyond the rim, and what is no pose at all.
+pub(super) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, TokenStream)> {
+    let Orientation::Two(two) = &solved.orientation else { return None };
     let edge = &two.edge;
     let before = [two.capacity, two.root_squared, two.height, two.rim, two.sine_squared];
     let after = [
@@ -166,15 +210,18 @@ pub(super) fn edge(model: &Model, solved: &Solved) -> TokenStream {
     let values = [(first, quote!(value)), (second, quote!(math::angle(second.0, second.1)))];
     let solution = solution(model, solved, &turns, &values, &quote!(First), &quote!(singular), &quote!(deviation));
     let count = model.axes.len();
-    quote! {
+    let signature = quote! {
         /// One solution where both branches meet, at the pole, at the rim and within the tolerance outside it.
-        #[cold]
-        #[inline(never)]
         fn inverse_at_the_edge(
             &self,
             pose: &::pp_runtime::kinematics::Pose,
             held: &[f64; #count],
-        ) -> ::pp_runtime::kinematics::Solutions<[f64; #count]> {
+        ) -> ::pp_runtime::kinematics::Solutions<[f64; #count]>
+    };
+    let function = quote! {
+        #[cold]
+        #[inline(never)]
+        #signature {
             let (tip, axis) = (&pose.tip, &pose.axis);
             #prelude
             #begin
@@ -196,6 +243,9 @@ pub(super) fn edge(model: &Model, solved: &Solved) -> TokenStream {
             let singular = !(#sine_squared
                 >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE)
                 || !(#first_squared > 0.0);
+            if singular && !held[#first].is_finite() {
+                return ::pp_runtime::kinematics::Solutions::none();
+            }
             let (first, value) = if singular {
                 (math::sin_cos(held[#first]), held[#first])
             } else {
@@ -206,14 +256,15 @@ pub(super) fn edge(model: &Model, solved: &Solved) -> TokenStream {
             let second = (#second_sine, #second_cosine);
             ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
         }
-    }
+    };
+    Some((function, quote!(#signature;)))
 }
 
 /// `reach`.
 pub(super) fn reach(model: &Model, solved: &Solved) -> TokenStream {
     let machine = &model.name;
     let linears = model.letters(model.solved_linears());
-    let held = model.letters(model.axes.iter().enumerate().filter(|(_, axis)| axis.held.is_some()).map(|(id, _)| id));
+    let inputs = inputs(model);
     let why = match &solved.orientation {
         Orientation::Fixed { deviation } => {
             let outputs: Vec<Id> = [*deviation].into_iter().collect();
@@ -234,10 +285,14 @@ pub(super) fn reach(model: &Model, solved: &Solved) -> TokenStream {
                 }
             }
         }
-        Orientation::One(one) => cone(model, solved, &one.tilt, one.rotary, None),
+        Orientation::One(one) => {
+            let varies = solved.graph.constant_of(one.length_claim).is_none();
+            let guard = varies.then_some((one.length_claim, one.rotary, inputs.as_str()));
+            cone(model, solved, &one.tilt, one.rotary, guard)
+        }
         Orientation::Two(two) => {
             let capacity = solved.graph.constant_of(two.capacity).is_none();
-            let guard = capacity.then_some((two.capacity, two.rotaries[1], held.as_str()));
+            let guard = capacity.then_some((two.capacity, two.rotaries[1], inputs.as_str()));
             cone(model, solved, &two.tilt, two.rotaries[0], guard)
         }
     };
@@ -263,6 +318,13 @@ pub(super) fn reach(model: &Model, solved: &Solved) -> TokenStream {
     }
 }
 
+/// Held axes and angles of `dims`: what can make a rotary unable to tilt the tool.
+fn inputs(model: &Model) -> String {
+    let held = model.axes.iter().filter(|axis| axis.held.is_some()).map(|axis| axis.letter.to_string());
+    let angles = model.dimensions.iter().filter(|dimension| matches!(dimension.quantity, Quantity::Angle(..)));
+    held.chain(angles.map(|dimension| dimension.name.clone())).collect::<Vec<_>>().join(", ")
+}
+
 fn cone(
     model: &Model,
     solved: &Solved,
@@ -277,7 +339,6 @@ fn cone(
         outputs.extend([sine, cosine]);
     }
     outputs.extend(tilt.direction);
-    outputs.extend(tilt.axis);
     outputs.extend(capacity.map(|(node, ..)| node));
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
@@ -286,7 +347,7 @@ fn cone(
         let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
         quote!(math::atan2(#sine, #cosine))
     });
-    let (direction, axis) = (tilt.direction.map(|node| body.tokens(node)), tilt.axis.map(|node| body.tokens(node)));
+    let direction = tilt.direction.map(|node| body.tokens(node));
     let capacity = capacity.map(|(node, axis, held)| {
         let (node, letter) = (body.tokens(node), model.axes[axis].letter);
         let least = proc_macro2::Literal::f64_unsuffixed(crate::solve::PARALLEL);
@@ -309,7 +370,7 @@ fn cone(
                 machine: #machine,
                 rotary: #letter,
                 direction: [#(#direction),*],
-                wanted: [#(#axis),*],
+                wanted: [axis.x, axis.y, axis.z],
                 cone: value,
             });
         }

@@ -30,8 +30,9 @@ pub(super) fn forward(model: &Model, solved: &Solved) -> TokenStream {
     }
 }
 
-/// The private position function of sines and cosines: values of the three solved linear axes, in chain order.
-pub(super) fn position(model: &Model, solved: &Solved) -> TokenStream {
+/// The private position function of sines and cosines, and its signature: values of the three solved linear axes, in
+/// chain order.
+pub(super) fn position(model: &Model, solved: &Solved) -> (TokenStream, TokenStream) {
     let values: Vec<Id> = solved.position.values.iter().map(|(_, node)| *node).collect();
     let determinant = solved.position.determinant;
     let varies = solved.graph.constant_of(determinant).is_none();
@@ -52,22 +53,26 @@ pub(super) fn position(model: &Model, solved: &Solved) -> TokenStream {
     let statements = lets(&body.statements(&outputs));
     let values = values.iter().map(|node| body.tokens(*node));
     let (count, rotaries) = (model.axes.len(), rotaries(model).count());
-    quote! {
+    let signature = quote! {
         /// Linear axes from the tip and the (sine, cosine) of every rotary axis.
-        #[inline(always)]
         fn position(
             &self,
             tip: &::pp_runtime::nalgebra::Point3<f64>,
             turns: &[(f64, f64); #rotaries],
             held: &[f64; #count],
-        ) -> ::core::option::Option<[f64; 3]> {
+        ) -> ::core::option::Option<[f64; 3]>
+    };
+    let function = quote! {
+        #[inline(always)]
+        #signature {
             let _ = (turns, held);
             #prelude
             #guard
             #statements
             ::core::option::Option::Some([#(#values),*])
         }
-    }
+    };
+    (function, quote!(#signature;))
 }
 
 /// `linear_axes`.
@@ -75,6 +80,8 @@ pub(super) fn linear_axes(model: &Model, solved: &Solved) -> TokenStream {
     let rotaries = rotaries(model);
     let linears = solved.position.values.iter().map(|(axis, _)| *axis);
     let places = 0_usize..3;
+    let solved_linear = |place: &AxisId| !solved.position.values.iter().any(|(linear, _)| linear == place);
+    let inputs = (0..model.axes.len()).filter(solved_linear);
     quote! {
         #[inline]
         fn linear_axes(
@@ -82,6 +89,9 @@ pub(super) fn linear_axes(model: &Model, solved: &Solved) -> TokenStream {
             tip: &::pp_runtime::nalgebra::Point3<f64>,
             axes: &Self::Axes,
         ) -> ::core::option::Option<Self::Axes> {
+            if !(tip.x + tip.y + tip.z #(+ axes[#inputs])*).is_finite() {
+                return ::core::option::Option::None;
+            }
             let turns = [#(math::sin_cos(axes[#rotaries])),*];
             let value = self.position(tip, &turns, axes)?;
             let mut solved = *axes;

@@ -21,6 +21,7 @@ pub(super) fn item(
     options: Options,
 ) -> TokenStream {
     let Declaration { attributes, visibility, name, .. } = declaration;
+    let configured = configured(declaration);
     let doc = explanation.doc();
     let fields: Vec<Ident> = model.dimensions.iter().map(|d| Ident::new(&d.name, Span::call_site())).collect();
     let field_docs = model.dimensions.iter().map(|dimension| match dimension.quantity {
@@ -36,10 +37,10 @@ pub(super) fn item(
         }
     });
     quote! {
-        #(#attributes)*
-        #(#[doc = #doc])*
         #[derive(::core::clone::Clone, ::core::fmt::Debug)]
         #serde
+        #(#attributes)*
+        #(#[doc = #doc])*
         #visibility struct #name {
             #(#[doc = #field_docs] pub #fields: f64,)*
             /// Part zero from the table's reference point, along the table's directions, mm.
@@ -48,8 +49,9 @@ pub(super) fn item(
             pub gauge_length: f64,
         }
 
+        #(#configured)*
         #[automatically_derived]
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(deprecated, clippy::all, clippy::pedantic, clippy::nursery)]
         impl ::core::default::Default for #name {
             fn default() -> Self {
                 Self {
@@ -60,6 +62,11 @@ pub(super) fn item(
             }
         }
     }
+}
+
+/// `#[cfg(...)]` of the struct: what it takes away takes the rest with it.
+pub(super) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
+    declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")).collect()
 }
 
 /// The associated constants.
@@ -179,9 +186,7 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
         let statements = body.statements(&[node]);
         let (lets, value) = (super::body::lets(&statements), body.tokens(node));
         let prelude = prelude(model, &inputs, Places::default());
-        let expression = body.expression(node);
-        let written =
-            statements.iter().find(|(name, _)| *name == expression).map_or(expression, |(_, text)| text.clone());
+        let written = crate::explain::in_words(model, &Body::new(&solved.graph, &[node]).expression(node));
         let least = float(least);
         tests.extend(quote! {
             {

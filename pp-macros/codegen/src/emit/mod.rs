@@ -63,18 +63,29 @@ pub(crate) fn emit(
     let joints = kinematics::joints(model, solved);
     let inverse = inverse::inverse(model, solved);
     let reach = inverse::reach(model, solved);
-    let private = [kinematics::position(model, solved), inverse::edge(model, solved)];
+    let (position, position_signature) = kinematics::position(model, solved);
+    let edge = inverse::edge(model, solved);
+    let (edge, edge_signature) = edge.unzip();
     let name = &declaration.name;
     let count = model.axes.len();
+    let configured = machine::configured(declaration);
     quote! {
         #item
+        #(#configured)*
         // Digits of declared angles and directions are what they are.
-        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
+        #[allow(deprecated, clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
             use ::pp_runtime::kinematics::math;
 
-            impl #name {
-                #(#private)*
+            /// What the kinematics share; a trait, so that no method of the user can clash with it.
+            trait Shared {
+                #position_signature
+                #edge_signature
+            }
+
+            impl Shared for #name {
+                #position
+                #edge
             }
 
             #[automatically_derived]

@@ -49,7 +49,7 @@ pub struct One {
     pub deviation: Id,
     /// The root whose exact value on the cone is `length_claim`.
     pub length: Id,
-    /// `|n×t|²`.
+    /// `|n×t|²`, the exact value of `length` on the cone.
     pub length_claim: Id,
     /// The angle to the rotary, wanted and reached.
     pub tilt: Tilt,
@@ -64,10 +64,8 @@ pub struct Tilt {
     pub between: (Id, Id),
     /// Angle between the last rotary and the tool axis.
     pub tool: (Id, Id),
-    /// Direction of the first rotary.
+    /// Direction of the first rotary in the workpiece frame, at the held values in front of it.
     pub direction: V3,
-    /// Wanted axis as that rotary sees it.
-    pub axis: V3,
 }
 
 /// Two solved rotary axes.
@@ -197,10 +195,11 @@ fn one(
     let reversed = chain.model.axes[rotary].reversed;
     let graph = &mut chain.graph;
     let across = graph.cross(n, tool);
-    let square = graph.dot(across, across);
-    if is_parallel(graph, square, defaults) {
+    if room(graph, across, defaults) <= PARALLEL {
         return Err(vec![Refusal::CannotTilt(rotary)]);
     }
+    let square = graph.dot(across, across);
+    let square = settle(graph, square);
     let level = graph.dot(n, tool);
     let outwards = graph.cross(across, n);
     let (sine, cosine) = (graph.dot(across, axis), graph.dot(outwards, axis));
@@ -222,14 +221,18 @@ fn one(
     let deviation = graph.sqrt(sum);
     graph.name(deviation, "deviation");
     let zero = graph.integer(0);
+    let turned = graph.cross(n, axis);
+    let squared = graph.dot(turned, turned);
+    let wanted_sine = graph.sqrt(squared);
     let s = if reversed { graph.neg(s) } else { s };
+    let direction = in_workpiece(chain, rotary);
     Ok(Orientation::One(One {
         rotary,
         word: (s, c),
         deviation,
         length,
         length_claim: square,
-        tilt: Tilt { wanted: (wanted_radius, along), between: (zero, one), tool: (radius, level), direction: n, axis },
+        tilt: Tilt { wanted: (wanted_sine, along), between: (zero, one), tool: (radius, level), direction },
     }))
 }
 
@@ -247,15 +250,11 @@ fn two(
     let (m_n, m_t) = (graph.cross(m, n), graph.cross(m, t));
     let (n_room, t_room) = (graph.dot(m_n, m_n), graph.dot(m_t, m_t));
     let n_room = settle(graph, n_room);
-    let mut refusals = Vec::new();
-    if is_parallel(graph, n_room, defaults) {
-        refusals.push(Refusal::SameDirection(rotaries[0], rotaries[1]));
-    }
-    if is_parallel(graph, t_room, defaults) {
-        refusals.push(Refusal::CannotTilt(rotaries[1]));
-    }
-    if !refusals.is_empty() {
-        return Err(refusals);
+    let (between, tool) = (room(graph, m_n, defaults), room(graph, m_t, defaults));
+    if between * tool <= PARALLEL {
+        let same = (between <= PARALLEL || between <= tool).then_some(Refusal::SameDirection(rotaries[0], rotaries[1]));
+        let still = (tool <= PARALLEL || tool < between).then_some(Refusal::CannotTilt(rotaries[1]));
+        return Err(same.into_iter().chain(still).collect());
     }
 
     let [p, q] = [graph.dot(n, m), graph.dot(m, t)].map(|node| settle(graph, node));
@@ -403,10 +402,9 @@ fn two(
             along: (along, reached_along),
         }
     };
-    let tilt = {
-        let roots = [sine_squared, n_room, t_room].map(|square| graph.sqrt(square));
-        Tilt { wanted: (roots[0], along), between: (roots[1], p), tool: (roots[2], q), direction: n, axis: a }
-    };
+    let roots = [sine_squared, n_room, t_room].map(|square| graph.sqrt(square));
+    let direction = in_workpiece(chain, rotaries[0]);
+    let tilt = Tilt { wanted: (roots[0], along), between: (roots[1], p), tool: (roots[2], q), direction };
     let mut two = Two {
         rotaries,
         capacity,
@@ -424,8 +422,19 @@ fn two(
         first_is_plus,
         tilt,
     };
-    relate(graph, &mut two);
+    relate(chain, &mut two);
     Ok(Orientation::Two(Box::new(two)))
+}
+
+/// Direction of a rotary with the held rotaries in front of it turned.
+fn in_workpiece(chain: &mut Chain<'_>, rotary: AxisId) -> V3 {
+    let mut direction = chain.direction(rotary);
+    for id in (0..rotary).rev() {
+        if chain.model.axes[id].kind == Kind::Rotary {
+            direction = chain.turn(id, direction);
+        }
+    }
+    direction
 }
 
 /// Whether and where the tool can be laid parallel to the first rotary.
@@ -463,42 +472,61 @@ fn lean_of(graph: &mut Graph, p: Id, q: Id, n_room: Id, height: Id) -> Id {
     graph.sub(q_room, p_height)
 }
 
-/// True if a squared sine vanishes identically, or at the defaults of dimensions and held axes.
-fn is_parallel(graph: &mut Graph, squared: Id, defaults: &BTreeMap<Symbol, Poly>) -> bool {
-    let value = Interpreter::new(graph, BTreeMap::new()).value(squared);
-    let at_defaults = graph.ring.substitute(&value, defaults);
-    graph.ring.is_zero(&value) || graph.ring.value(&at_defaults).is_none_or(|value| value <= PARALLEL)
+/// Squared length of a cross product at the defaults of dimensions and held axes; 0 if it vanishes identically.
+///
+/// Components are evaluated before they are squared: noise of 1e-16 becomes 1e-32, far below [`PARALLEL`].
+fn room(graph: &mut Graph, cross: V3, defaults: &BTreeMap<Symbol, Poly>) -> f64 {
+    let squares = cross.map(|component| at_defaults(graph, component, defaults).map_or(0.0, |value| value * value));
+    squares.iter().sum()
+}
+
+/// The float value of a node at the defaults; `None` if it vanishes identically.
+fn at_defaults(graph: &mut Graph, node: Id, defaults: &BTreeMap<Symbol, Poly>) -> Option<f64> {
+    let value = Interpreter::new(graph, BTreeMap::new()).value(node);
+    if graph.ring.is_zero(&value) {
+        return None;
+    }
+    let value = graph.ring.substitute(&value, defaults);
+    Some(graph.ring.value(&value).unwrap_or_default())
 }
 
 /// The sign `σ` that makes the written second angle's sine, or with `α1 = 0` its cosine, not negative.
 fn first_branch(graph: &mut Graph, alpha: [Id; 2], reversed: bool, defaults: &BTreeMap<Symbol, Poly>) -> bool {
-    let mut at_default = |node: Id| {
-        let value = Interpreter::new(graph, BTreeMap::new()).value(node);
-        let at_defaults = graph.ring.substitute(&value, defaults);
-        (value.is_zero(), graph.ring.value(&at_defaults).unwrap_or(0.0))
-    };
-    let [(vanishes, first), (_, second)] = alpha.map(&mut at_default);
-    if vanishes { second < 0.0 } else { (first >= 0.0) != reversed }
+    let [first, second] = alpha.map(|node| at_defaults(graph, node, defaults));
+    match first {
+        None => second.unwrap_or_default() < 0.0,
+        Some(first) => (first >= 0.0) != reversed,
+    }
 }
 
 /// Finds angles of the second branch that follow from the first without an `atan2`.
-fn relate(graph: &mut Graph, two: &mut Two) {
-    let mut reader = Interpreter::new(graph, BTreeMap::new());
+///
+/// One numeric point refutes most relations at once; what it does not refute is decided exactly.
+fn relate(chain: &mut Chain<'_>, two: &mut Two) {
+    let sample = chain.model.sample();
+    let of = |symbol: Symbol| sample.get(&symbol).copied();
     for rotary in 0..2 {
-        let [(s, c), (s_other, c_other)] = [0, 1].map(|branch| {
-            let (sine, cosine): (Id, Id) = two.answers[branch].words[rotary];
-            (reader.value(sine), reader.value(cosine))
-        });
-        let relation = |a: &Poly, b: &Poly| {
-            if reader.equal(a, b) {
+        let mut relation = |part: fn((Id, Id)) -> Id| {
+            let [first, other] = [0, 1].map(|branch: usize| part(two.answers[branch].words[rotary]));
+            let [a, b] = [first, other].map(|node| chain.graph.evaluate(node, &of));
+            let differs = |a: f64, b: f64| (a - b).abs() > 1e-6;
+            let (same, opposite) = (!differs(a, b), !differs(a, -b));
+            let mut reader = Interpreter::new(&mut chain.graph, BTreeMap::new());
+            if same && {
+                let (a, b) = (reader.value(first), reader.value(other));
+                reader.equal(&a, &b)
+            } {
                 Some(true)
-            } else if reader.equal(a, &-b) {
+            } else if opposite && {
+                let (a, b) = (reader.value(first), reader.value(other));
+                reader.equal(&a, &-&b)
+            } {
                 Some(false)
             } else {
                 None
             }
         };
-        two.answers[1].angles[rotary] = match (relation(&s_other, &s), relation(&c_other, &c)) {
+        two.answers[1].angles[rotary] = match (relation(|word| word.0), relation(|word| word.1)) {
             (Some(true), Some(true)) => Angle::Same,
             (Some(false), Some(true)) => Angle::Negated,
             (Some(false), Some(false)) => Angle::HalfTurn,

@@ -335,6 +335,25 @@ impl Graph {
         })
     }
 
+    /// Float value of a node for given inputs; NaN where an input is missing.
+    pub fn evaluate(&self, id: Id, of: &dyn Fn(Symbol) -> Option<f64>) -> f64 {
+        let mut values: BTreeMap<Id, f64> = BTreeMap::new();
+        for id in self.reachable(&[id]) {
+            let value = match *self.node(id) {
+                Node::Constant(ref poly) => self.ring.value(poly).unwrap_or(f64::NAN),
+                Node::Input(symbol) => of(symbol).unwrap_or(f64::NAN),
+                Node::Neg(a) => -values[&a],
+                Node::Add(a, b) => values[&a] + values[&b],
+                Node::Sub(a, b) => values[&a] - values[&b],
+                Node::Mul(a, b) => values[&a] * values[&b],
+                Node::Div(a, b) => values[&a] / values[&b],
+                Node::Sqrt(a) => values[&a].sqrt(),
+            };
+            values.insert(id, value);
+        }
+        values[&id]
+    }
+
     /// Operands of a node.
     pub fn operands(&self, id: Id) -> impl Iterator<Item = Id> + use<> {
         let (first, second) = match *self.node(id) {

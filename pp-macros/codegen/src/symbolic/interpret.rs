@@ -15,12 +15,14 @@ pub struct Interpreter<'a> {
     inputs: BTreeMap<Symbol, Poly>,
     values: BTreeMap<Id, Poly>,
     reciprocals: Vec<(Poly, Poly)>,
+    /// Something was divided by what vanishes identically: nothing is equal any more.
+    void: bool,
 }
 
 impl<'a> Interpreter<'a> {
     /// With the given polynomials for some inputs; the others stand for themselves.
     pub fn new(graph: &'a mut Graph, inputs: BTreeMap<Symbol, Poly>) -> Self {
-        Self { graph, inputs, values: BTreeMap::new(), reciprocals: Vec::new() }
+        Self { graph, inputs, values: BTreeMap::new(), reciprocals: Vec::new(), void: false }
     }
 
     /// Takes `value` for a `√` node, if the squares agree exactly; the caller answers for `value >= 0`.
@@ -29,7 +31,7 @@ impl<'a> Interpreter<'a> {
         let Node::Sqrt(radicand) = *self.graph.node(root) else { return false };
         let square = self.graph.ring.mul(value, value);
         let radicand = self.value(radicand);
-        let holds = self.graph.ring.is_zero(&(&square - &radicand));
+        let holds = self.equal(&square, &radicand);
         if holds {
             self.values.insert(root, value.clone());
         }
@@ -41,7 +43,7 @@ impl<'a> Interpreter<'a> {
     pub fn claim_square(&mut self, root: Id, square: Poly) -> bool {
         let Node::Sqrt(radicand) = *self.graph.node(root) else { return false };
         let radicand = self.value(radicand);
-        let holds = self.graph.ring.is_zero(&(&square - &radicand));
+        let holds = self.equal(&square, &radicand);
         if holds {
             let symbol = self.graph.ring.root("r", square);
             self.values.insert(root, Poly::from(symbol));
@@ -81,7 +83,7 @@ impl<'a> Interpreter<'a> {
     /// Whether two polynomials are equal wherever no divisor is zero.
     #[must_use]
     pub fn equal(&self, a: &Poly, b: &Poly) -> bool {
-        self.graph.ring.is_zero(&(a - b))
+        !self.void && self.graph.ring.is_zero(&(a - b))
     }
 
     /// The ring of the graph.
@@ -97,6 +99,7 @@ impl<'a> Interpreter<'a> {
         if let Some((_, known)) = self.reciprocals.iter().find(|(d, _)| *d == divisor) {
             return known.clone();
         }
+        self.void |= self.graph.ring.is_zero(&divisor);
         let symbol = Poly::from(self.graph.ring.reciprocal("v", divisor.clone()));
         self.reciprocals.push((divisor, symbol.clone()));
         symbol
@@ -106,6 +109,20 @@ impl<'a> Interpreter<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn nothing_is_proven_by_dividing_by_zero() {
+        let mut graph = Graph::default();
+        let (s, c) = graph.ring.sin_cos("s", "c");
+        let (one, s, c) = (graph.integer(1), graph.input(s), graph.input(c));
+        let squares = [graph.square(s), graph.square(c)];
+        let sum = graph.add(squares[0], squares[1]);
+        let nothing = graph.sub(sum, one);
+        let quotient = graph.div(one, nothing);
+        let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
+        let value = reader.value(quotient);
+        assert!(!reader.equal(&value, &value));
+    }
 
     #[test]
     fn a_claimed_root_must_square_to_its_radicand() {

@@ -58,6 +58,11 @@ impl Poly {
         self.terms.keys().flatten().map(|(symbol, _)| *symbol)
     }
 
+    /// Factors of the monomials.
+    pub fn coefficients(&self) -> impl Iterator<Item = &Surd> + '_ {
+        self.terms.values()
+    }
+
     /// Highest power of a symbol.
     #[must_use]
     pub fn degree(&self, symbol: Symbol) -> u32 {

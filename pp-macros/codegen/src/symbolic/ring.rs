@@ -31,19 +31,25 @@ pub struct Ring {
 }
 
 impl Ring {
-    /// A free symbol.
+    /// A free symbol. Its name is its own: a name that is taken gets an underscore.
     pub fn symbol(&mut self, name: impl Into<String>) -> Symbol {
-        self.push(name.into(), None, None, None)
+        let name = self.free_name(name.into());
+        self.push(name, None, None, None)
     }
 
     /// A pair (sine, cosine) of an unknown angle.
     pub fn sin_cos(&mut self, sine: impl Into<String>, cosine: impl Into<String>) -> (Symbol, Symbol) {
-        self.circle(sine.into(), cosine.into(), None)
+        let (sine, cosine) = (self.free_name(sine.into()), self.free_name(cosine.into()));
+        self.circle(sine, cosine, None)
     }
 
-    /// A pair (sine, cosine) of a fixed angle in radians that has no exact value here.
-    pub fn fixed_sin_cos(&mut self, sine: String, cosine: String, angle: f64) -> (Symbol, Symbol) {
-        self.circle(sine, cosine, Some(angle.sin_cos()))
+    /// A pair (sine, cosine) of a fixed angle that has no exact value here. The same angle gives the same pair.
+    pub fn fixed_sin_cos(&mut self, degrees: f64) -> (Symbol, Symbol) {
+        let (sine, cosine) = (format!("sin {degrees}°"), format!("cos {degrees}°"));
+        if let Some(index) = self.known.iter().position(|known| known.name == sine) {
+            return (symbol_at(index), symbol_at(index + 1));
+        }
+        self.circle(sine, cosine, Some(degrees.to_radians().sin_cos()))
     }
 
     /// A unit vector `(i, j, k)`.
@@ -60,7 +66,7 @@ impl Ring {
         let value = self.value(&radicand).map(f64::sqrt);
         let same = |known: &Known| known.value.is_some() && known.square.as_ref() == Some(&radicand);
         if let (Some(_), Some(index)) = (value, self.known.iter().position(same)) {
-            return Symbol(u32::try_from(index).expect("fewer than 2^32 symbols"));
+            return symbol_at(index);
         }
         self.push(name.into(), value, Some(radicand), None)
     }
@@ -179,7 +185,7 @@ impl Ring {
         let mut rest = poly.clone();
         for (index, known) in self.known.iter().enumerate().rev() {
             let Some(divisor) = &known.divisor else { continue };
-            let symbol = Symbol(u32::try_from(index).expect("fewer than 2^32 symbols"));
+            let symbol = symbol_at(index);
             let degree = rest.degree(symbol);
             if degree == 0 {
                 continue;
@@ -194,8 +200,15 @@ impl Ring {
         rest.is_zero()
     }
 
+    fn free_name(&self, mut name: String) -> String {
+        while self.known.iter().any(|known| known.name == name) {
+            name.push('_');
+        }
+        name
+    }
+
     fn push(&mut self, name: String, value: Option<f64>, square: Option<Poly>, divisor: Option<Poly>) -> Symbol {
-        let symbol = Symbol(u32::try_from(self.known.len()).expect("fewer than 2^32 symbols"));
+        let symbol = symbol_at(self.known.len());
         self.known.push(Known { name, value, square, divisor });
         symbol
     }
@@ -228,6 +241,10 @@ impl Ring {
             self.add_reduced(sum, merge(&rest, m), &(c * factor));
         }
     }
+}
+
+fn symbol_at(index: usize) -> Symbol {
+    Symbol(u32::try_from(index).expect("fewer than 2^32 symbols"))
 }
 
 fn merge(a: &Monomial, b: &Monomial) -> Monomial {

@@ -23,6 +23,8 @@ pub struct Declaration {
     pub dimensions: Vec<Assign<Expr>>,
     /// `tool_axis = (0, 0, 1);`
     pub tool_axis: Option<Direction>,
+    /// Fields and entries that could not be read; that is reported already.
+    pub unreadable: Vec<String>,
     /// `hold = { W: 0 };`
     pub hold: Vec<Assign<Expr>>,
     /// `limits = { B: -5..110, C: free };`

@@ -8,6 +8,7 @@ use syn::parse::ParseStream;
 use syn::{Token, token};
 
 use super::parse::Source;
+use crate::model::to_f64;
 use crate::report::Phrase;
 
 /// An expression and where it stands.
@@ -167,11 +168,17 @@ fn number(input: ParseStream<'_>, source: &Source, mut phrase: Phrase, literal: 
     if ["0x", "0X", "0b", "0o"].iter().any(|prefix| text.starts_with(prefix)) {
         return wrong("write numbers in decimal digits");
     }
+    if text.len() > 400 {
+        return wrong("write at most 400 digits");
+    }
     let digits = text.find(|c: char| c.is_ascii_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
     let (digits, suffix) = text.split_at(digits);
     let Some(value) = decimal(digits) else {
         return wrong("write a decimal number such as 150.0, with `deg` or `mm` behind it if it needs a unit");
     };
+    if !to_f64(&value).is_finite() {
+        return wrong("it is larger than any number of the machine");
+    }
     let mut unit = match suffix {
         "" => None,
         "deg" => Some(Unit::Degree),

@@ -88,6 +88,11 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
     }
     input.parse::<Token![struct]>()?;
     let name = input.parse()?;
+    if !input.peek(Token![;]) {
+        let error = input.error("expected `;` behind the name\n\nhelp: the struct has no body: `pub struct MyMachine;`, its fields come from `dims`");
+        input.parse::<TokenStream>()?;
+        return Err(error);
+    }
     input.parse::<Token![;]>()?;
     let mut declaration = Declaration {
         attributes,
@@ -99,6 +104,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
         directions: Vec::new(),
         dimensions: Vec::new(),
         tool_axis: None,
+        unreadable: Vec::new(),
         hold: Vec::new(),
         limits: Vec::new(),
         speeds: Vec::new(),
@@ -107,6 +113,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
     while !input.is_empty() {
         if let Err(error) = field(input, &source, &mut declaration, &mut seen, errors) {
             errors.push_syntax(source.next(), error);
+            declaration.unreadable.extend(seen.last().map(|field| field.name.clone()));
             skip_field(input)?;
         }
     }
@@ -142,15 +149,16 @@ fn field(
         }
         name => {
             separator(input, '=', &format!("`{name}` is followed by `=`: `{name} = ...;`"))?;
+            let faults = &mut Faults { errors, unreadable: &mut declaration.unreadable };
             match name {
-                "d" => declaration.offsets = Some(offsets(input, source)?),
-                "signs" => declaration.signs.extend(assigns(input, source, sign)?),
-                "axes" => declaration.directions.extend(assigns(input, source, direction)?),
-                "dims" => declaration.dimensions.extend(assigns(input, source, Expr::parse)?),
+                "d" => declaration.offsets = Some(offsets(input, source, faults)?),
+                "signs" => declaration.signs.extend(assigns(input, source, faults, sign)?),
+                "axes" => declaration.directions.extend(assigns(input, source, faults, direction)?),
+                "dims" => declaration.dimensions.extend(assigns(input, source, faults, Expr::parse)?),
                 "tool_axis" => declaration.tool_axis = Some(direction(input, source)?),
-                "hold" => declaration.hold.extend(assigns(input, source, Expr::parse)?),
-                "limits" => declaration.limits.extend(assigns(input, source, limits)?),
-                _ => declaration.speeds.extend(assigns(input, source, Expr::parse)?),
+                "hold" => declaration.hold.extend(assigns(input, source, faults, Expr::parse)?),
+                "limits" => declaration.limits.extend(assigns(input, source, faults, limits)?),
+                _ => declaration.speeds.extend(assigns(input, source, faults, Expr::parse)?),
             }
         }
     }
@@ -207,18 +215,19 @@ fn chain(input: ParseStream<'_>, source: &Source, key: Phrase) -> syn::Result<Ch
     Ok(chain)
 }
 
-fn offsets(input: ParseStream<'_>, source: &Source) -> syn::Result<Offsets> {
+fn offsets(input: ParseStream<'_>, source: &Source, faults: &mut Faults<'_>) -> syn::Result<Offsets> {
     if input.peek(token::Brace) {
-        Ok(Offsets::Each(assigns(input, source, vector)?))
+        Ok(Offsets::Each(assigns(input, source, faults, vector)?))
     } else {
         Ok(Offsets::Common(vector(input, source)?))
     }
 }
 
-/// `{ A: value, B: value }`
+/// `{ A: value, B: value }`. An entry that cannot be read is reported and left out; the others stay.
 fn assigns<T>(
     input: ParseStream<'_>,
     source: &Source,
+    faults: &mut Faults<'_>,
     value: impl Fn(ParseStream<'_>, &Source) -> syn::Result<T>,
 ) -> syn::Result<Vec<Assign<T>>> {
     if !input.peek(token::Brace) {
@@ -228,17 +237,36 @@ fn assigns<T>(
     syn::braced!(content in input);
     let mut list = Vec::new();
     while !content.is_empty() {
-        let key = source.spot(&content, "a name\n\nhelp: write `NAME: value`")?;
-        separator(&content, ':', "write `NAME: value`")?;
-        list.push(Assign { key, value: value(&content, source)? });
-        if !content.is_empty() {
-            if !content.peek(Token![,]) {
+        let entry = |key: &mut Option<Spot>| {
+            let name = source.spot(&content, "a name\n\nhelp: write `NAME: value`")?;
+            *key = Some(name.clone());
+            separator(&content, ':', "write `NAME: value`")?;
+            let assign = Assign { key: name, value: value(&content, source)? };
+            if !content.is_empty() && !content.peek(Token![,]) {
                 return Err(content.error("expected `,`\n\nhelp: separate the entries with commas"));
             }
-            content.parse::<Token![,]>()?;
+            Ok(assign)
+        };
+        let mut key = None;
+        match entry(&mut key) {
+            Ok(assign) => list.push(assign),
+            Err(error) => {
+                faults.errors.push_syntax(source.next(), error);
+                faults.unreadable.extend(key.map(|key| key.name));
+                while !content.is_empty() && !content.peek(Token![,]) {
+                    content.parse::<TokenTree>()?;
+                }
+            }
         }
+        content.parse::<Option<Token![,]>>()?;
     }
     Ok(list)
+}
+
+/// What is wrong so far, and the names whose entries could not be read: nothing more is said about these.
+struct Faults<'a> {
+    errors: &'a mut Errors,
+    unreadable: &'a mut Vec<String>,
 }
 
 fn sign(input: ParseStream<'_>, _: &Source) -> syn::Result<bool> {
@@ -328,6 +356,9 @@ fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
     let lower = Expr::parse(input, source)?;
     if !input.peek(Token![..]) {
         return Err(input.error("expected `..`\n\nhelp: write the travel as `-5..110`, or `free`"));
+    }
+    if input.peek(Token![..=]) || input.peek(Token![...]) {
+        return Err(input.error("expected `..`\n\nhelp: the travel is inclusive as it is: `-5..110`"));
     }
     input.parse::<Token![..]>()?;
     Ok(Limits::Range(Box::new((lower, Expr::parse(input, source)?))))
