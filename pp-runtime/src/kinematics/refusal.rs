@@ -120,7 +120,9 @@ impl fmt::Display for Unreachable {
                 let towards = direction.iter().position(|component| (component.abs() - 1.0).abs() < 1e-9);
                 if let (true, Some(index)) = (square, towards) {
                     let (letter, name) = [('X', 'i'), ('Y', 'j'), ('Z', 'k')][index];
-                    return write!(f, "{machine} cannot tilt the tool towards {letter}: {name} = {}", wanted[index]);
+                    // Seven digits, as in CL data.
+                    let component = (wanted[index] * 1e7 + 0.5_f64.copysign(wanted[index])) as i64 as f64 / 1e7;
+                    return write!(f, "{machine} cannot tilt the tool towards {letter}: {name} = {component}");
                 }
                 write!(
                     f,

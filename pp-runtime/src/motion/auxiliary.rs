@@ -30,6 +30,7 @@ impl<M: Machine> Planner<'_, M> {
         let wanted = self.request.resolve(given, self.config).map_err(|fault| stop(at, fault))?;
         match wanted {
             Some((speed, rotation)) => {
+                self.spindle_stop = false;
                 let turning = (speed.value(), rotation);
                 if again || self.spindle != Some(turning) {
                     let starts = again || self.spindle.is_none_or(|(_, before)| before != rotation);
@@ -41,10 +42,22 @@ impl<M: Machine> Planner<'_, M> {
                     }
                 }
             }
-            None if self.spindle.take().is_some() => sink.step(&Step::SpindleOff)?,
-            None => {}
+            // In the part the tool does not stand still: see `stop_spindle`.
+            None => self.spindle_stop |= self.spindle.is_some(),
         }
         Ok(())
+    }
+
+    /// Stops the spindle, if that is what the CL data wanted behind its last motion.
+    #[inline]
+    pub(super) fn stop_spindle(&mut self, sink: &mut impl Sink) -> Planned {
+        if self.spindle_stop { self.spindle_off(sink) } else { Ok(()) }
+    }
+
+    pub(super) fn spindle_off(&mut self, sink: &mut impl Sink) -> Planned {
+        self.spindle_stop = false;
+        self.spindle = None;
+        Ok(sink.step(&Step::SpindleOff)?)
     }
 
     pub(super) fn set_coolant(&mut self, at: Location, coolant: Coolant, sink: &mut impl Sink) -> Planned {

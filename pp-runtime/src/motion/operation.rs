@@ -79,6 +79,7 @@ impl<M: Machine> Planner<'_, M> {
     #[inline]
     pub(super) fn run(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
+        self.stop_spindle(sink)?;
         self.check_state(motion).map_err(fault)?;
         let place = self.placer.place(&motion.pose, &self.place, !motion.rapid).map_err(fault)?;
         if motion.rapid {

@@ -140,6 +140,8 @@ pub struct Planner<'a, M: Machine> {
     pub(super) spindle_in_start: bool,
     /// Speed in rev/min and sense of the spindle as written; `None` if it does not turn or nobody knows.
     pub(super) spindle: Option<(f64, Rotation)>,
+    /// SPINDL/OFF stood behind the last motion: written before the next, or when the tool is out of the part.
+    pub(super) spindle_stop: bool,
     pub(super) coolant_request: Coolant,
     /// The coolant as written; `None` if nobody knows.
     pub(super) coolant: Option<Coolant>,
@@ -182,6 +184,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             request: SpindleRequest::default(),
             spindle_in_start: false,
             spindle: None,
+            spindle_stop: false,
             coolant_request: Coolant::Off,
             coolant: None,
             inverse_time: false,
@@ -406,8 +409,9 @@ impl<'a, M: Machine> Planner<'a, M> {
         if self.config.stop_retract {
             self.coolant_off(sink)?;
             self.machine_retract(at, sink)?;
-            sink.step(&Step::SpindleOff)?;
+            self.spindle_off(sink)?;
         }
+        self.stop_spindle(sink)?;
         sink.step(&Step::Stop { optional })?;
         // The operator may have done anything.
         self.spindle = None;

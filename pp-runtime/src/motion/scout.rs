@@ -25,6 +25,8 @@ struct Candidate<A> {
     place: Place<A>,
     alive: bool,
     motions: u64,
+    /// Turn of the first rotary in the block that leaves the pole, in units of its word.
+    leaving: u64,
 }
 
 /// Follows the operations of a program.
@@ -93,33 +95,37 @@ impl<M: Machine> Scout<M> {
         self.candidates.clear();
         // What the planner would do by itself comes first: it wins every tie.
         if let Ok(place) = self.placer.turn(pose, &self.before, false) {
-            self.add(place.words, place);
+            self.add(place.words, place, 0);
         }
         self.at_pole = self.placer.singular(pose, &self.before);
         for place in self.placer.every_turn(pose, &self.before) {
-            self.add(place.words, place);
+            self.add(place.words, place, 0);
         }
     }
 
-    fn add(&mut self, start: [i64; MAX_AXES], place: Place<M::Axes>) {
+    fn add(&mut self, start: [i64; MAX_AXES], place: Place<M::Axes>, motions: u64) {
         if self.candidates.len() < MOST_CANDIDATES && self.candidates.iter().all(|known| known.start != start) {
-            self.candidates.push(Candidate { start, place, alive: true, motions: 0 });
+            self.candidates.push(Candidate { start, place, alive: true, motions, leaving: 0 });
         }
     }
 
     fn follow(&mut self, pose: &Pose, feed: bool) {
-        if self.at_pole && !self.placer.singular(pose, &self.before) {
+        let leaves = self.at_pole && !self.placer.singular(pose, &self.before);
+        if leaves {
             // Only now it shows which way the free rotary could have stood from the beginning.
             self.at_pole = false;
             let Some(first) = self.candidates.first().copied() else { return };
             for place in self.placer.every_turn(pose, &first.place) {
                 let start = self.placer.with_first_rotary(&first.place, &place);
-                self.add(start.words, Place { pose: first.place.pose, ..start });
+                self.add(start.words, Place { pose: first.place.pose, ..start }, first.motions);
             }
         }
         for candidate in self.candidates.iter_mut().filter(|candidate| candidate.alive) {
             match self.placer.turn(pose, &candidate.place, feed) {
                 Ok(place) => {
+                    if leaves && let Some(rotary) = self.placer.rotaries.first() {
+                        candidate.leaving = candidate.place.words[rotary.index].abs_diff(place.words[rotary.index]);
+                    }
                     candidate.place = place;
                     candidate.motions += 1;
                 }
@@ -135,9 +141,11 @@ impl<M: Machine> Scout<M> {
         self.begun = true;
         let placer = &self.placer;
         let before = self.before.words;
-        // The farthest, then the one that turns least before it begins, then the first.
+        // The farthest, then the one that turns least in the block that leaves the pole (it turns before the cut instead),
+        // then the one that turns least before it begins, then the first.
         let best = self.candidates.iter().enumerate().min_by_key(|(order, candidate)| {
-            (!candidate.alive, u64::MAX - candidate.motions, placer.sum_of_turns(&before, &candidate.start), *order)
+            let turns = (candidate.leaving, placer.sum_of_turns(&before, &candidate.start));
+            (!candidate.alive, u64::MAX - candidate.motions, turns, *order)
         });
         match best {
             Some((_, best)) => {

@@ -117,10 +117,11 @@ impl<M: Machine> Planner<'_, M> {
         // A complete state, the retract included: the program can be entered here.
         self.restart(sink)?;
         self.clear = false;
-        if self.coolant.is_none() {
-            self.coolant_off(sink)?;
-        }
+        // Whoever enters here has seen nothing of what came before.
+        self.coolant = None;
+        self.coolant_off(sink)?;
         self.machine_retract(at, sink)?;
+        self.stop_spindle(sink)?;
         if let Some(tool) = wanted.or(self.tool) {
             self.tool = Some(tool);
             self.placer.set_gauge_length(tool.length);
@@ -129,6 +130,7 @@ impl<M: Machine> Planner<'_, M> {
                 // The change may leave every axis anywhere, and the spindle still.
                 self.clear = false;
                 self.spindle = None;
+                self.spindle_stop = false;
                 self.machine_retract(at, sink)?;
             }
             sink.step(&Step::Length { offset: tool.offset })?;
@@ -159,6 +161,7 @@ impl<M: Machine> Planner<'_, M> {
     pub(super) fn index(&mut self, at: Location, first: &Move, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
         self.leave(at, sink)?;
         self.machine_retract(at, sink)?;
+        self.stop_spindle(sink)?;
         self.approach(at, first, next, None, sink)
     }
 
@@ -226,8 +229,7 @@ impl<M: Machine> Planner<'_, M> {
         self.coolant_off(sink)?;
         self.cancel_inverse_time(sink)?;
         self.machine_retract(at, sink)?;
-        sink.step(&Step::SpindleOff)?;
-        self.spindle = None;
+        self.spindle_off(sink)?;
         self.park(at, sink)
     }
 

@@ -7,7 +7,7 @@ use super::{Abilities, Planner, Scout, Stop};
 use crate::config::{Config, Tool, Transition, Units};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::{AxisKind, Machine, Pose};
+use crate::kinematics::{AxisKind, Limits, Machine, Pose};
 use crate::program::{Coolant, Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
 /// What came out of a run.
@@ -167,6 +167,7 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
             "G0 Z19",
             "(OPERATION FINISH)",
             "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01",
+            "M9",
             "G53 G0 Z0",
             "T2 M6",
             "G53 G0 Z0",
@@ -226,6 +227,7 @@ fn the_same_tool_is_not_changed_yet_the_sequence_is_written() {
         &lines[11..],
         [
             "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01",
+            "M9",
             "G53 G0 Z0",
             "(T1 stays in the spindle)",
             "G43 H1",
@@ -344,7 +346,10 @@ fn a_direct_transition_goes_on_where_the_operation_ended_but_never_over_a_tool_c
     ];
     let lines = lines::<Xyz>(&direct, &events);
     let next = lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
-    assert_eq!(lines[next + 1..next + 5], ["X5", "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01", "G53 G0 Z0", "T2 M6"]);
+    assert_eq!(
+        lines[next + 1..next + 6],
+        ["X5", "N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01", "M9", "G53 G0 Z0", "T2 M6"]
+    );
 }
 
 #[test]
@@ -865,4 +870,50 @@ fn tool_axes_just_out_of_reach_are_counted_with_the_largest() {
     let run = run::<Ay>(&config(), &events);
     assert_eq!((run.diagnostics.len(), run.statistics.deviations), (0, 2));
     assert!((run.statistics.largest_deviation - 5e-7).abs() < 1e-12);
+}
+
+#[test]
+fn the_spindle_stops_behind_the_way_out_and_only_once() {
+    let mut config = config();
+    config.retract.distance = Some(20.0);
+    let cut = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), feed([5.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off)];
+    let end = |events: &[Event<'_>]| {
+        let lines = lines::<Xyz>(&config, events);
+        let out = lines.iter().position(|line| line == "G0 Z20").expect("the way out");
+        lines[out + 1..].to_vec()
+    };
+    assert_eq!(end(&cut), ["G53 G0 Z0", "M5"]);
+    let stopped: Vec<_> = cut.iter().copied().chain([Event::Stop]).collect();
+    assert_eq!(end(&stopped)[..3], ["G53 G0 Z0", "M5", "M0"]);
+    let changed: Vec<_> = cut.iter().copied().chain([tool(2), spindle(), feed([9.0, 0.0, 0.0], UP)]).collect();
+    assert_eq!(end(&changed)[1..5], ["M9", "G53 G0 Z0", "M5", "T2 M6"]);
+}
+
+#[test]
+fn a_spindle_that_is_off_stops_before_the_next_rapid_and_refuses_the_next_feed() {
+    let off = |next| {
+        let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off), next];
+        run::<Xyz>(&config(), &events)
+    };
+    let rapid = off(rapid([5.0, 0.0, 50.0], UP)).lines;
+    let stop = rapid.iter().position(|line| line == "M5").expect("stopped");
+    assert_eq!(rapid[stop + 1], "G0 X5 Z50");
+    assert!(off(feed([5.0, 0.0, 0.0], UP)).diagnostics[0].text.contains("spindle off"));
+}
+
+#[test]
+fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
+    let mut config = config();
+    config.limits.insert('B', Some(Limits { lower: -0.1, upper: 1.9 }));
+    let events = [
+        tool(1),
+        spindle(),
+        feed([10.0, 0.0, 0.0], UP),
+        feed([9.0, 0.0, 0.0], cb(35.0, 4.0)),
+        feed([8.0, 0.0, 0.0], cb(36.0, 8.0)),
+    ];
+    let lines = run::<Cb>(&config, &events).lines;
+    assert!(lines.iter().any(|line| line == "G0 B0 C35"), "{lines:?}");
+    let leaving = lines.iter().find(|line| line.contains("B4")).expect("the block that leaves the pole");
+    assert!(!leaving.contains('C'), "{leaving}");
 }
