@@ -208,3 +208,10 @@ fn a_second_frame_is_refused_with_both_lines() {
     let skew = "MSYS/0,0,0,1,0,0,1,0,0\nGOTO/0,0,0\n";
     refused(skew, "1:6+17 the axes of this frame are not at right angles, of length 1 and right-handed");
 }
+
+#[test]
+fn tool_0_is_no_tool() {
+    let text = "0 is not the number of a tool";
+    refused("LOADTL/0\nGOTO/0,0,0\n", &format!("1:8+1 {text}"));
+    refused("LOAD/TOOL,0,ADJUST,1\nGOTO/0,0,0\n", &format!("1:11+1 {text}"));
+}
