@@ -7,7 +7,16 @@ use super::record::{Cutter, Record, Tool};
 
 /// `n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]`, the part that LOADTL and LOAD/TOOL share.
 pub(super) fn call(name: &'static str, args: &mut Args<'_>) -> Result<Tool, Fault> {
-    let number = needed(name, args)?.integer()?;
+    let first = needed(name, args)?;
+    let number = first.integer()?;
+    if number == 0 {
+        return Err(Fault::new(
+            "tool 0",
+            first.at,
+            "0 is not the number of a tool",
+            "give every tool its number in the CAM system; two tools with the number 0 would be taken for one",
+        ));
+    }
     let mut tool = Tool { number, length: None, offset: None };
     while let Some(arg) = args.next()? {
         if arg.looks_numeric() {

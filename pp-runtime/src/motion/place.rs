@@ -23,6 +23,9 @@ const PARALLEL: f64 = 1.0 - 1e-12;
 /// A turn of the first rotary below this does no harm near the pole, rad.
 const NOTICEABLE_TURN: f64 = 0.01;
 
+/// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
+const SWING: f64 = 1_f64.to_radians();
+
 /// Where the machine stands: axis values and the words that put it there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place<A> {
@@ -47,8 +50,6 @@ pub(crate) struct Placer<M: Machine> {
     /// The same axes without their limits.
     endless: Vec<Rotary>,
     pub(super) limited: bool,
-    /// rad
-    index_angle: f64,
     linear_mask: u16,
     rotary_mask: u16,
     pub(super) scale: AngleScale,
@@ -105,7 +106,6 @@ impl<M: Machine> Placer<M> {
             part_origin: config.part_origin.into(),
             endless: rotaries.iter().map(|rotary| Rotary { lower: None, upper: None, ..*rotary }).collect(),
             limited: rotaries.iter().any(|rotary| rotary.lower.is_some() || rotary.upper.is_some()),
-            index_angle: config.index_angle,
             rotaries,
             linear_mask: mask(AxisKind::Linear),
             rotary_mask: mask(AxisKind::Rotary),
@@ -194,7 +194,7 @@ impl<M: Machine> Placer<M> {
         place.axes = merged(solution.axes, &place.axes, self.rotary_mask);
         place.deviation = solution.deviation;
         self.steady(&mut place, from);
-        if feed && self.limited && self.rotary_travel(&from.words, &place.words) > self.index_angle {
+        if feed && self.limited && self.rotary_travel(&from.words, &place.words) > SWING {
             let nearest = choose(&solutions, &self.endless, &from.words, self.scale);
             if let Ok(nearest) = nearest
                 && nearest.words != choice.words
@@ -308,7 +308,7 @@ impl<M: Machine> Placer<M> {
         Place { pose, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, near_pole: false }
     }
 
-    /// Words of the retract axis at a machine coordinate.
+    /// Words of a linear axis at a machine coordinate.
     pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<Words, Fault> {
         self.travel.check_machine(index, coordinate)?;
         let units = whole_units(coordinate, self.per_mm)
@@ -316,6 +316,20 @@ impl<M: Machine> Placer<M> {
         let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
         words.units[index] = units;
         Ok(words)
+    }
+
+    /// Words of the machine retract. The end of the travel at the part is no place to retract to.
+    pub(crate) fn retract_words(&self, coordinate: f64) -> Result<Words, Fault> {
+        let index = self.retract_axis;
+        let part_end = |limits: Limits| if self.retract_share > 0.0 { limits.lower } else { limits.upper };
+        if self.limits[index].is_some_and(|limits| (coordinate - part_end(limits)).abs() < self.unit_mm()) {
+            return Err(Fault::new(format_args!(
+                "the retract position {} = {coordinate} mm (machine coordinate) is the end of the travel at the part",
+                M::AXES[index].letter
+            ))
+            .help("give `retract.position` in the configuration, the machine coordinate away from the part"));
+        }
+        self.machine_words(index, coordinate)
     }
 
     /// Words of a rotary at an angle, inside its limits.
@@ -368,7 +382,8 @@ fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
     nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle) * vector
 }
 
-/// Linear directions that are square to each other and stay so: no rotary stands between two of them.
+/// Linear directions that are square to each other and stay so, because no rotary stands between two of them, and X Y Z:
+/// along U V W no control counts F in a block that moves one of these.
 fn square<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
     let linear = |index: &usize| axes[*index].kind == AxisKind::Linear && !axes[*index].held;
     let solved: Vec<usize> = (0..axes.len()).filter(linear).collect();
@@ -377,8 +392,9 @@ fn square<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
             .iter()
             .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
     });
+    let counted = solved.iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'));
     let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
-    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+    square && counted && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
 }
 
 #[cfg(test)]

@@ -129,15 +129,15 @@ pub struct Planner<'a, M: Machine> {
     pub(super) restarts: u32,
 
     pub(super) tool: Option<Tool>,
-    /// Tools called so far, with the length the CL data gave.
-    lengths: BTreeMap<u32, Option<f64>>,
+    /// Tools called so far, with the length and the offset register that the CL data gave last.
+    calls: BTreeMap<u32, ToolCall>,
     /// The remark on rapids before the first tool has been made.
     passed_over: bool,
     /// The tool that the next operation begins with.
     pub(super) next_tool: Option<Tool>,
     pub(super) request: SpindleRequest,
-    /// SPINDL stood in the start that is being collected.
-    pub(super) spindle_in_start: bool,
+    /// What SPINDL said in the start that is being collected.
+    pub(super) request_in_start: SpindleRequest,
     /// Speed in rev/min and sense of the spindle as written; `None` if it does not turn or nobody knows.
     pub(super) spindle: Option<(f64, Rotation)>,
     /// SPINDL/OFF stood behind the last motion: written before the next, or when the tool is out of the part.
@@ -178,11 +178,11 @@ impl<'a, M: Machine> Planner<'a, M> {
             retreat: Retreat::default(),
             restarts: 0,
             tool: None,
-            lengths: BTreeMap::new(),
+            calls: BTreeMap::new(),
             passed_over: false,
             next_tool: None,
             request: SpindleRequest::default(),
-            spindle_in_start: false,
+            request_in_start: SpindleRequest::default(),
             spindle: None,
             spindle_stop: false,
             coolant_request: Coolant::Off,
@@ -318,7 +318,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         let Phase::First { at, motion, operation } = self.phase else { return Ok(()) };
         self.phase = Phase::Running;
         if operation {
-            self.spindle_in_start = false;
+            self.request_in_start = SpindleRequest::default();
             self.lowest = None;
             self.plunge_told = false;
             let start = self.starts.get(self.operations).copied().flatten();
@@ -368,9 +368,11 @@ impl<'a, M: Machine> Planner<'a, M> {
                 let tool = self.resolve(at, &call)?;
                 let known = self.next_tool.or(self.tool);
                 self.begin(at, true, sink)?;
-                if known.is_none_or(|known| known.number != tool.number) && !self.spindle_in_start {
-                    // The speed of one tool is not the speed of another.
-                    self.request = SpindleRequest::default();
+                if known.is_none_or(|known| known.number != tool.number) {
+                    // The speed of one tool is not the speed of another; in front of the first tool record of a start
+                    // it is meant for that tool.
+                    let meant = self.next_tool.is_none();
+                    self.request = if meant { self.request_in_start } else { SpindleRequest::default() };
                 }
                 self.next_tool = Some(tool);
             }
@@ -383,17 +385,19 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// The tool of a record; what is odd about a tool is said once.
     fn resolve(&mut self, at: Location, call: &ToolCall) -> Result<Tool, Stop> {
-        let before = self.lengths.get(&call.number).copied();
+        let before = self.calls.get(&call.number).copied();
         let known = before.is_some();
+        let before = before.unwrap_or_default();
         let warnings = &mut self.warnings;
         let remark = |fault: Fault| {
             if !known {
                 warnings.push(fault.at(at, Severity::Warning));
             }
         };
-        let tool = Tool::resolve(call, before.flatten(), self.config, self.placer.head(), remark)
-            .map_err(|fault| stop(at, fault))?;
-        self.lengths.insert(call.number, call.length.or(before.flatten()));
+        let tool =
+            Tool::resolve(call, &before, self.config, self.placer.head(), remark).map_err(|fault| stop(at, fault))?;
+        let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
+        self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         Ok(tool)
     }
 
@@ -405,7 +409,8 @@ impl<'a, M: Machine> Planner<'a, M> {
     }
 
     fn stop(&mut self, at: Location, optional: bool, sink: &mut impl Sink) -> Planned {
-        self.begin(at, self.config.stop_retract, sink)?;
+        // Behind the stop the retract axis goes up from wherever the tool stands: a tilted tool is led out before.
+        self.begin(at, self.config.stop_retract || !self.placer.straight(), sink)?;
         if self.config.stop_retract {
             self.coolant_off(sink)?;
             self.machine_retract(at, sink)?;

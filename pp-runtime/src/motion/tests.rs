@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::machines::{Ay, Cb, Head, Xyz};
+use super::machines::{Ay, Cb, Head, Xyw, Xyz};
 use super::{Abilities, Planner, Scout, Stop};
 use crate::config::{Config, Tool, Transition, Units};
 use crate::control::{Encoder, Layout, LinuxCnc};
@@ -916,4 +916,83 @@ fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
     assert!(lines.iter().any(|line| line == "G0 B0 C35"), "{lines:?}");
     let leaving = lines.iter().find(|line| line.contains("B4")).expect("the block that leaves the pole");
     assert!(!leaving.contains('C'), "{leaving}");
+}
+
+#[test]
+fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
+    let call = |offset| Event::Tool(ToolCall { number: 1, offset, ..ToolCall::default() });
+    let cut = feed([0.0, 0.0, 0.0], UP);
+    let events = [call(Some(5)), spindle(), cut, call(None), cut, call(Some(1)), cut, call(None), cut];
+    let lines = lines::<Xyz>(&config(), &events);
+    let offsets: Vec<_> = lines.iter().filter(|line| line.starts_with("G43")).collect();
+    assert_eq!(offsets, ["G43 H5", "G43 H5", "G43 H1", "G43 H1"]);
+}
+
+#[test]
+fn without_stop_retract_a_head_leaves_the_part_along_the_tool_all_the_same() {
+    let tilted = [1.0, 0.0, 1.0];
+    let events = [tool(1), spindle(), feed([0.0; 3], tilted), Event::Stop, feed([9.0, 0.0, 0.0], tilted)];
+    let mut config = with_lengths(Some(20.0));
+    config.stop_retract = false;
+    let lines = lines::<Head>(&config, &events);
+    let stop = lines.iter().position(|line| line == "M0").expect("a stop");
+    assert!(lines[stop - 2].starts_with("G1 ") && lines[stop - 1].starts_with("G0 X"), "{lines:#?}");
+
+    config.retract.distance = None;
+    let run = run::<Head>(&config, &events);
+    assert_eq!(run.error().location.line, 4, "{}", run.text());
+    assert!(!run.text().contains("M0"), "{}", run.text());
+}
+
+#[test]
+fn the_speed_of_one_tool_is_never_that_of_another() {
+    let on = Event::Spindle(Spindle::On { speed: None, rotation: None });
+    let cut = feed([0.0, 0.0, 0.0], UP);
+    // Turned off and on again in the start in which the tool changes, and given to a tool that never moves.
+    let again = [tool(1), spindle(), cut, Event::Stop, Event::Spindle(Spindle::Off), tool(2), on, cut];
+    let skipped = [tool(1), spindle(), tool(2), cut];
+    for events in [&again[..], &skipped] {
+        let run = run::<Xyz>(&config(), events);
+        assert!(run.error().text.contains("without spindle speed"), "{}", run.text());
+    }
+    // In front of the tool record it is meant for that tool, and the same tool keeps its own.
+    lines::<Xyz>(&config(), &[tool(1), spindle(), cut, Event::Stop, spindle(), tool(2), cut]);
+    lines::<Xyz>(&config(), &[tool(1), spindle(), tool(1), cut]);
+}
+
+#[test]
+fn the_table_never_swings_round_in_the_cut_whatever_the_index_angle() {
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], cb(0.0, 20.0)),
+        feed([10.0, 0.0, 0.0], cb(0.0, 10.0)),
+        feed([20.0, 0.0, 0.0], cb(0.0, -20.0)),
+    ];
+    let mut config = config();
+    config.index_angle = 360_f64.to_radians();
+    let run = run::<Cb>(&config, &events);
+    assert!(run.error().text.contains("would swing the tool in the cut"), "{}", run.text());
+}
+
+#[test]
+fn a_linear_axis_that_f_does_not_count_along_is_fed_in_inverse_time() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), feed([0.01, 0.0, -10.0], UP)];
+    let lines = lines::<Xyw>(&config(), &events);
+    assert!(lines.contains(&"X0.01 W-10 F50".to_owned()), "{lines:#?}");
+    assert!(lines.iter().any(|line| line.starts_with("G93 G1 W0")), "{lines:#?}");
+}
+
+#[test]
+fn a_retract_position_at_the_part_end_of_the_travel_is_refused() {
+    let mut config = config();
+    config.limits.insert('Z', Some(crate::kinematics::Limits { lower: 0.0, upper: 500.0 }));
+    let events = [tool(1), spindle(), feed([0.0; 3], UP)];
+    let run = run::<Xyz>(&config, &events);
+    assert_eq!(
+        run.error().text,
+        "the retract position Z = 0 mm (machine coordinate) is the end of the travel at the part"
+    );
+    config.retract.position = 500.0;
+    lines::<Xyz>(&config, &events);
 }
