@@ -148,8 +148,7 @@ fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
             ("Y28", "the face"),
             ("X135.66", "the face"),
             ("G0 Z85.096", "the CL data leads the tool out along its axis"),
-            ("M5", "SPINDL/OFF"),
-            ("M9", "COOLNT/OFF"),
+            ("M9", "COOLNT/OFF; SPINDL/OFF waits until the tool is out"),
             ("G53 G0 Z0", "the retract before STOP"),
             ("M5", "the spindle stands before STOP"),
             ("M0", "STOP"),
@@ -172,8 +171,7 @@ fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
             ("Y-10", "the slot"),
             ("Y-30", "the slot"),
             ("G0 Z71.887", "the CL data leads the tool out along its axis"),
-            ("M5", "SPINDL/OFF"),
-            ("M9", "COOLNT/OFF"),
+            ("M9", "COOLNT/OFF; SPINDL/OFF waits until the tool is out"),
             ("G53 G0 Z0", "program end: retract"),
             ("M5", "program end: spindle off"),
             ("M2", "end code"),
@@ -226,8 +224,9 @@ fn an_operation_that_begins_at_feed_is_entered_at_feed() {
     let blocks = blocks(&program);
     let index = blocks.iter().position(|block| block.starts_with("N2 ")).expect("the second operation");
     assert_eq!(
-        blocks[index + 1..index + 11],
+        blocks[index + 1..index + 12],
         [
+            "M9",               // 1: whoever enters here has seen nothing
             "G53 G0 Z0",        // 2
             "T22 M6",           // 3: tool call
             "G53 G0 Z0",        // 2: the change may have moved Z

@@ -103,6 +103,10 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
+    if !directory.is_dir() {
+        let text = format!("the folder {} does not exist", directory.display());
+        return Err(io::Error::new(io::ErrorKind::NotFound, text));
+    }
     let mut prefix = OsString::from(".");
     prefix.push(path.file_name().unwrap_or_default());
     prefix.push(".");

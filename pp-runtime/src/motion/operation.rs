@@ -27,7 +27,8 @@ impl<M: Machine> Planner<'_, M> {
         if let Some(floor) = self.config.floor
             && motion.pose.tip.z < floor
         {
-            return Err(Fault::new(format_args!("the tip goes to Z {}, below `floor` = {floor}", motion.pose.tip.z)));
+            let tip = motion.pose.tip.z;
+            return Err(Fault::new(format_args!("the tip goes to Z {tip:.4} mm, below `floor` = {floor:.4} mm")));
         }
         if self.tool.is_none() {
             if self.placer.head() {

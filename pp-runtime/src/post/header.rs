@@ -189,7 +189,7 @@ impl<M: Machine> Header<'_, M> {
         let length = length(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
         let offset = given.and_then(|given| given.offset).or(tool.call.offset).unwrap_or(number);
-        text += &format!(" H{offset}, {} operations", tool.operations);
+        text += &format!(" H{offset}, {}", super::counted(tool.operations, "operation"));
         if let Some((low, high)) = tool.tip {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }

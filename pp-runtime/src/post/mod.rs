@@ -67,29 +67,34 @@ pub struct Report {
     pub tools: Vec<u32>,
 }
 
+/// `1 tool`, `2 tools`.
+fn counted(count: u64, word: &str) -> String {
+    format!("{count} {word}{}", if count == 1 { "" } else { "s" })
+}
+
 impl Report {
     /// The summary for people, one line each.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
         let mut lines = vec![format!(
-            "{} motions, {} tools, {} blocks, {} safe sequences, {} blocks in inverse time",
-            self.statistics.motions,
-            self.tools.len(),
-            self.blocks,
-            self.statistics.sequences,
-            self.statistics.inverse_time
+            "{}, {}, {}, {}, {} in inverse time",
+            counted(self.statistics.motions, "motion"),
+            counted(self.tools.len() as u64, "tool"),
+            counted(self.blocks, "block"),
+            counted(self.statistics.sequences, "safe sequence"),
+            counted(self.statistics.inverse_time, "block"),
         )];
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {
             lines.push(format!(
-                "{} tool axes lie up to {:.2e} rad outside what the machine reaches; the nearest one was used",
+                "tool axes outside what the machine reaches: {}, by up to {:.2e} rad; the nearest one was used",
                 self.statistics.deviations, self.statistics.largest_deviation
             ));
         }
         if self.statistics.near_pole > 0 {
             lines.push(format!(
-                "{} tool axes lie within {REACH_TOLERANCE} rad of the pole, where the rotary that is nearly free kept its value",
+                "tool axes within {REACH_TOLERANCE} rad of the pole: {}; the rotary that is nearly free kept its value there",
                 self.statistics.near_pole
             ));
         }

@@ -12,7 +12,7 @@
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
 (valid only for part origin X35 Y4.5 Z62 from the table reference; do not touch off again)
 (the entries of A in G55 must be zero)
-(T4 D4 R2 L92.3 H4, 1 operations, tip Z -18.388 to 47.342)
+(T4 D4 R2 L92.3 H4, 1 operation, tip Z -18.388 to 47.342)
 (OPERATION COIL)
 N1 G21 G17 G40 G49 G80 G90 G94 G55 G64 P0.01
 M9
@@ -51,7 +51,6 @@ X23.64 Y-17.119 Z14.383 A343.8 F66.2413
 X22.33 Y-38.722 Z0.778 A320.1 F66.2409
 X21.02 Y-53.035 Z-20.363 A296.4 F66.2404
 M9
-M5
 G94
 G0 Z4.637
 G53 G0 Z-5

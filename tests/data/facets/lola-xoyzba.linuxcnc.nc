@@ -14,7 +14,7 @@
 (linear limits not checked: no travel declared [X Y Z])
 (T5 D16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
 (T5 posted with L = 132.5: H5 must hold exactly this)
-(T6 D6 R0 L97.25 H6, 1 operations, tip Z -4.281 to 61.011)
+(T6 D6 R0 L97.25 H6, 1 operation, tip Z -4.281 to 61.011)
 (T6 posted with L = 97.25: H6 must hold exactly this)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -64,6 +64,7 @@ X38.197 Y-83.638
 G0 X46.672 Y-108.251 Z39.938
 M9
 N3 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
 G53 G0 Z0
 T6 M6
 G53 G0 Z0
@@ -79,6 +80,7 @@ X-46.503 Y-27.659
 G0 X-59.52 Y-32.397 Z55.897
 M9
 N4 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
 G53 G0 Z0
 T5 M6
 G53 G0 Z0
@@ -93,7 +95,6 @@ X-119.779 Y27.496 Z-46.018 F850
 X-122.595 Y9.718
 G0 X-164.066 Y16.286 Z2.284
 M9
-M5
 G53 G0 Z0
 M5
 M2

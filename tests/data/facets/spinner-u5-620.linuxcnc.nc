@@ -15,7 +15,7 @@
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of C and B in G54 must be zero)
 (T5 D16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
-(T6 D6 R0 L97.25 H6, 1 operations, tip Z -4.281 to 61.011)
+(T6 D6 R0 L97.25 H6, 1 operation, tip Z -4.281 to 61.011)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -65,6 +65,7 @@ Y8.886
 G0 Z85.809
 M9
 N3 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
 G53 G0 Z0
 T6 M6
 G53 G0 Z0
@@ -80,6 +81,7 @@ Y10.086
 G0 Z70.326
 M9
 N4 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
 G53 G0 Z0
 T5 M6
 G53 G0 Z0
@@ -94,7 +96,6 @@ X134.203 F850
 Y9.58
 G0 Z113.999
 M9
-M5
 G53 G0 Z0
 M5
 M2

@@ -14,7 +14,7 @@
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of C and B in G54 must be zero)
-(T12 D0.375 R0 L4.75 H12, 1 operations, tip Z -0.2227 to 2.8269)
+(T12 D0.375 R0 L4.75 H12, 1 operation, tip Z -0.2227 to 2.8269)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -42,7 +42,6 @@ X4.0239 Y0.5867 Z1.235 B52.1265 C109.0777 F68.3535
 G94 X4.1261 Y0.2912 F22.75
 G0 X4.1262 Z3.985
 M9
-M5
 G53 G0 Z0
 M5
 M2

@@ -12,7 +12,7 @@
 (AXIS A + turns the tool right-handed about +X: word as in ISO 841)
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
-(T12 D0.375 R0 L4.75 H12, 1 operations, tip Z -0.2227 to 2.8269)
+(T12 D0.375 R0 L4.75 H12, 1 operation, tip Z -0.2227 to 2.8269)
 (T12 posted with L = 4.75: H12 must hold exactly this)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -40,7 +40,6 @@ X0.7607 Y3.2705 Z-1.1396 A-36.2 F68.3535
 G94 X1.0734 F22.75
 G0 Y4.8947 Z1.0795
 M9
-M5
 G53 G0 Z0
 M5
 M2

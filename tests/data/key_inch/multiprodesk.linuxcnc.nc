@@ -13,7 +13,7 @@
 (linear limits not checked: no travel declared [Y X Z])
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of A in G54 must be zero)
-(T12 D0.375 R0 L4.75 H12, 1 operations, tip Z -0.2227 to 2.8269)
+(T12 D0.375 R0 L4.75 H12, 1 operation, tip Z -0.2227 to 2.8269)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -41,7 +41,6 @@ X0.7607 Y-0.5068 Z0.095 A36.2 F68.3535
 G94 X1.0734 F22.75
 G0 Y-0.5069 Z2.845
 M9
-M5
 G53 G0 Z0
 M5
 M2

@@ -14,7 +14,7 @@
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of C and B in G54 must be zero)
-(T12 D0.375 R0 L4.75 H12, 1 operations, tip Z -0.2227 to 2.8269)
+(T12 D0.375 R0 L4.75 H12, 1 operation, tip Z -0.2227 to 2.8269)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -42,7 +42,6 @@ X3.9947 Y-0.7607 Z1.235 B36.2 F68.3535
 G94 Y-1.0734 F22.75
 G0 Z3.985
 M9
-M5
 G53 G0 Z0
 M5
 M2

@@ -11,9 +11,9 @@
 (AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
 (AXIS A + turns the tool right-handed about +X: word as in ISO 841)
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
-(T21 bull 12 D12 R1 L120.25 H21, 1 operations, tip Z -9.4 to 0.521)
+(T21 bull 12 D12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
 (T21 posted with L = 120.25: H21 must hold exactly this)
-(T22 D12 R1 L96.5 H52, 1 operations, tip Z -3.3 to -1.375)
+(T22 D12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)
 (T22 posted with L = 96.5: H52 must hold exactly this)
 (ASSUMED retract to machine coordinate 0 mm)
 (OPERATION SOUTH)
@@ -46,6 +46,7 @@ M9
 G0 X34.13 Y-145.008 Z29.726
 (OPERATION NORTH)
 N2 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
+M9
 G53 G0 Z0
 T22 M6
 G53 G0 Z0
@@ -59,7 +60,6 @@ G1 X-7.884 Y52.084 Z-6.9 F300
 X-22.058 Y50.192 F700
 X-22.13 Y50.729 Z-4.975
 M9
-M5
 G0 X-24.814 Y70.846 Z67.227
 G53 G0 Z0
 M5

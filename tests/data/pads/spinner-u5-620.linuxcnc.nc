@@ -13,8 +13,8 @@
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
 (valid only for part origin X12.5 Y-8 Z40 from the table reference; do not touch off again)
 (the entries of C and B in G57 must be zero)
-(T21 bull 12 D12 R1 L120.25 H21, 1 operations, tip Z -9.4 to 0.521)
-(T22 D12 R1 L96.5 H52, 1 operations, tip Z -3.3 to -1.375)
+(T21 bull 12 D12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
+(T22 D12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)
 (ASSUMED retract to machine coordinate 0 mm)
 (OPERATION SOUTH)
 N1 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
@@ -46,6 +46,7 @@ M9
 G0 Z114.821
 (OPERATION NORTH)
 N2 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
+M9
 G53 G0 Z0
 T22 M6
 G53 G0 Z0
@@ -59,7 +60,6 @@ G1 Z5.52 F300
 Y11.894 F700
 Z7.52
 M9
-M5
 G0 Z82.52
 G53 G0 Z0
 M5

@@ -12,7 +12,7 @@
 (AXIS A + turns the tool right-handed about +X: word as in ISO 841)
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
-(T7 D8 L84.3 H7, 1 operations, tip Z -4.2 to 54.606)
+(T7 D8 L84.3 H7, 1 operation, tip Z -4.2 to 54.606)
 (T7 posted with L = 84.3: H7 must hold exactly this)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -47,7 +47,6 @@ X68.252 Y22.837 A-8.2825 B25.7896 F56.5833
 G94
 G0 X96.667 Y32.344 Z45.418
 M9
-M5
 G53 G0 Z0
 M5
 M2

@@ -14,7 +14,7 @@
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of C and B in G54 must be zero)
-(T7 D8 L84.3 H7, 1 operations, tip Z -4.2 to 54.606)
+(T7 D8 L84.3 H7, 1 operation, tip Z -4.2 to 54.606)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -49,7 +49,6 @@ C378.5 F56.5833
 G94
 G0 Z93.906
 M9
-M5
 G53 G0 Z0
 M5
 M2

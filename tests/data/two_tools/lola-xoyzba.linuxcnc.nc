@@ -12,9 +12,9 @@
 (AXIS A + turns the tool right-handed about +X: word as in ISO 841)
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
-(T1 D20 R0 L120 H1, 1 operations, tip Z -26 to 49.301)
+(T1 D20 R0 L120 H1, 1 operation, tip Z -26 to 49.301)
 (T1 posted with L = 120: H1 must hold exactly this)
-(T2 D8 R0 L95 H2, 1 operations, tip Z -3.759 to 52.623)
+(T2 D8 R0 L95 H2, 1 operation, tip Z -3.759 to 52.623)
 (T2 posted with L = 95: H2 must hold exactly this)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -42,7 +42,6 @@ X59.608 Z-10.077
 Y28
 X115.033 Z-42.077
 G0 X145.033 Z9.885
-M5
 M9
 G53 G0 Z0
 M5
@@ -67,7 +66,6 @@ X-30 Y-51.124 Z-9.488
 X-10
 X-30
 G0 Y-71.645 Z46.894
-M5
 M9
 G53 G0 Z0
 M5

@@ -14,8 +14,8 @@
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of C and B in G54 must be zero)
-(T1 D20 R0 L120 H1, 1 operations, tip Z -26 to 49.301)
-(T2 D8 R0 L95 H2, 1 operations, tip Z -3.759 to 52.623)
+(T1 D20 R0 L120 H1, 1 operation, tip Z -26 to 49.301)
+(T2 D8 R0 L95 H2, 1 operation, tip Z -3.759 to 52.623)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -43,7 +43,6 @@ X71.66
 Y28
 X135.66
 G0 Z85.096
-M5
 M9
 G53 G0 Z0
 M5
@@ -68,7 +67,6 @@ Y-30 Z11.886
 Y-10
 Y-30
 G0 Z71.887
-M5
 M9
 G53 G0 Z0
 M5
