@@ -99,7 +99,7 @@ pub struct ToolCall {
     pub number: u32,
     /// Gauge length given with the record, mm.
     pub length: Option<f64>,
-    /// Length offset register (ADJUST, OSETNO), if it is not the tool's number.
+    /// Length offset register given with the record (ADJUST, OSETNO).
     pub offset: Option<u32>,
     /// Diameter from CUTTER or TLDATA, mm.
     pub diameter: Option<f64>,

@@ -303,8 +303,7 @@ impl Interpreter {
         };
         self.finish();
         self.axis.begin_operation();
-        let offset = tool.offset.filter(|offset| *offset != tool.number);
-        let mut call = ToolCall { number: tool.number, length, offset, ..ToolCall::default() };
+        let mut call = ToolCall { number: tool.number, length, offset: tool.offset, ..ToolCall::default() };
         if let Some(cutter) = self.cutter_of_next.take() {
             call.diameter = Some(cutter.diameter);
             call.corner_radius = cutter.corner_radius;

@@ -129,8 +129,8 @@ pub struct Planner<'a, M: Machine> {
     pub(super) restarts: u32,
 
     pub(super) tool: Option<Tool>,
-    /// Tools called so far, with the length the CL data gave.
-    lengths: BTreeMap<u32, Option<f64>>,
+    /// Tools called so far, with the length and the offset register that the CL data gave last.
+    calls: BTreeMap<u32, ToolCall>,
     /// The remark on rapids before the first tool has been made.
     passed_over: bool,
     /// The tool that the next operation begins with.
@@ -176,7 +176,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             retreat: Retreat::default(),
             restarts: 0,
             tool: None,
-            lengths: BTreeMap::new(),
+            calls: BTreeMap::new(),
             passed_over: false,
             next_tool: None,
             request: SpindleRequest::default(),
@@ -380,17 +380,19 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// The tool of a record; what is odd about a tool is said once.
     fn resolve(&mut self, at: Location, call: &ToolCall) -> Result<Tool, Stop> {
-        let before = self.lengths.get(&call.number).copied();
+        let before = self.calls.get(&call.number).copied();
         let known = before.is_some();
+        let before = before.unwrap_or_default();
         let warnings = &mut self.warnings;
         let remark = |fault: Fault| {
             if !known {
                 warnings.push(fault.at(at, Severity::Warning));
             }
         };
-        let tool = Tool::resolve(call, before.flatten(), self.config, self.placer.head(), remark)
-            .map_err(|fault| stop(at, fault))?;
-        self.lengths.insert(call.number, call.length.or(before.flatten()));
+        let tool =
+            Tool::resolve(call, &before, self.config, self.placer.head(), remark).map_err(|fault| stop(at, fault))?;
+        let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
+        self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         Ok(tool)
     }
 

@@ -866,3 +866,13 @@ fn tool_axes_just_out_of_reach_are_counted_with_the_largest() {
     assert_eq!((run.diagnostics.len(), run.statistics.deviations), (0, 2));
     assert!((run.statistics.largest_deviation - 5e-7).abs() < 1e-12);
 }
+
+#[test]
+fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
+    let call = |offset| Event::Tool(ToolCall { number: 1, offset, ..ToolCall::default() });
+    let cut = feed([0.0, 0.0, 0.0], UP);
+    let events = [call(Some(5)), spindle(), cut, call(None), cut, call(Some(1)), cut, call(None), cut];
+    let lines = lines::<Xyz>(&config(), &events);
+    let offsets: Vec<_> = lines.iter().filter(|line| line.starts_with("G43")).collect();
+    assert_eq!(offsets, ["G43 H5", "G43 H5", "G43 H1", "G43 H1"]);
+}

@@ -32,22 +32,22 @@ pub(crate) struct SpindleRequest {
 impl Tool {
     /// The tool of a record; remarks go to `warn`.
     ///
-    /// `before`: the length that an earlier record of the same tool gave.
+    /// `before`: length and offset register that earlier records of the same tool gave.
     pub(crate) fn resolve(
         call: &ToolCall,
-        before: Option<f64>,
+        before: &ToolCall,
         config: &Config,
         head: bool,
         mut warn: impl FnMut(Fault),
     ) -> Result<Self, Fault> {
         let number = call.number;
         let given = config.tools.get(&number);
-        if let (Some(before), Some(now)) = (before, call.length)
+        if let (Some(before), Some(now)) = (before.length, call.length)
             && (before - now).abs() > SAME
         {
             return Err(Fault::new(format_args!("T{number} is called with two lengths, {before} mm and {now} mm")));
         }
-        let length = match (given.and_then(|tool| tool.length), call.length.or(before)) {
+        let length = match (given.and_then(|tool| tool.length), call.length.or(before.length)) {
             (Some(ours), Some(theirs)) if (ours - theirs).abs() > SAME => {
                 let fault = Fault::new(format_args!(
                     "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"
@@ -74,7 +74,7 @@ impl Tool {
                 "T{number} has a diameter of {ours} mm in the configuration and {theirs} mm in the CL data"
             )));
         }
-        let offset = given.and_then(|tool| tool.offset).or(call.offset).unwrap_or(number);
+        let offset = given.and_then(|tool| tool.offset).or(call.offset).or(before.offset).unwrap_or(number);
         Ok(Self { number, length, offset })
     }
 }

@@ -90,6 +90,9 @@ fn a_cutter_belongs_to_the_next_tool_but_in_creo_to_the_last() {
     assert!(found[0].starts_with("2:1 Tool(ToolCall { number: 1, length: None, offset: Some(11)"), "{found:?}");
     assert!(found[0].contains("diameter: Some(16.0), corner_radius: Some(2.0)"), "{found:?}");
 
+    let found = events("LOADTL/3,ADJUST,3\nGOTO/0,0,0\n");
+    assert!(found[0].contains("offset: Some(3)"), "the register may be the one it has anyway: {found:?}");
+
     let found = events("$$-> MFGNO / A\nLOADTL / 1\n$$-> CUTTER / 3.0\nLOADTL / 2\nGOTO / 0,0,0\n");
     assert!(found[0].starts_with("2:1 Tool") && found[0].contains("diameter: Some(3.0)"), "{found:?}");
     assert!(found[1].starts_with("4:1 Tool") && found[1].contains("diameter: None"), "{found:?}");
