@@ -404,7 +404,8 @@ impl<'a, M: Machine> Planner<'a, M> {
     }
 
     fn stop(&mut self, at: Location, optional: bool, sink: &mut impl Sink) -> Planned {
-        self.begin(at, self.config.stop_retract, sink)?;
+        // Behind the stop the retract axis goes up from wherever the tool stands: a tilted tool is led out before.
+        self.begin(at, self.config.stop_retract || !self.placer.straight(), sink)?;
         if self.config.stop_retract {
             self.coolant_off(sink)?;
             self.machine_retract(at, sink)?;

@@ -876,3 +876,19 @@ fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
     let offsets: Vec<_> = lines.iter().filter(|line| line.starts_with("G43")).collect();
     assert_eq!(offsets, ["G43 H5", "G43 H5", "G43 H1", "G43 H1"]);
 }
+
+#[test]
+fn without_stop_retract_a_head_leaves_the_part_along_the_tool_all_the_same() {
+    let tilted = [1.0, 0.0, 1.0];
+    let events = [tool(1), spindle(), feed([0.0; 3], tilted), Event::Stop, feed([9.0, 0.0, 0.0], tilted)];
+    let mut config = with_lengths(Some(20.0));
+    config.stop_retract = false;
+    let lines = lines::<Head>(&config, &events);
+    let stop = lines.iter().position(|line| line == "M0").expect("a stop");
+    assert!(lines[stop - 2].starts_with("G1 ") && lines[stop - 1].starts_with("G0 X"), "{lines:#?}");
+
+    config.retract.distance = None;
+    let run = run::<Head>(&config, &events);
+    assert_eq!(run.error().location.line, 4, "{}", run.text());
+    assert!(!run.text().contains("M0"), "{}", run.text());
+}
