@@ -9,16 +9,9 @@ use super::step::{Sink, Step};
 
 impl<M: Machine> Planner<'_, M> {
     pub(super) fn spindle(&mut self, at: Location, spindle: Spindle, sink: &mut impl Sink) -> Planned {
-        match spindle {
-            Spindle::Off => self.request.off = true,
-            Spindle::On { speed, rotation } => {
-                self.request.off = false;
-                self.request.speed = speed.or(self.request.speed);
-                self.request.rotation = rotation.or(self.request.rotation);
-            }
-        }
+        self.request.take(spindle);
         if self.phase == Phase::Start {
-            self.spindle_in_start = true;
+            self.request_in_start.take(spindle);
             return Ok(());
         }
         self.turn_spindle(at, false, sink)

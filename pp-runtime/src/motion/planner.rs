@@ -136,8 +136,8 @@ pub struct Planner<'a, M: Machine> {
     /// The tool that the next operation begins with.
     pub(super) next_tool: Option<Tool>,
     pub(super) request: SpindleRequest,
-    /// SPINDL stood in the start that is being collected.
-    pub(super) spindle_in_start: bool,
+    /// What SPINDL said in the start that is being collected.
+    pub(super) request_in_start: SpindleRequest,
     /// Speed in rev/min and sense of the spindle as written; `None` if it does not turn or nobody knows.
     pub(super) spindle: Option<(f64, Rotation)>,
     pub(super) coolant_request: Coolant,
@@ -180,7 +180,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             passed_over: false,
             next_tool: None,
             request: SpindleRequest::default(),
-            spindle_in_start: false,
+            request_in_start: SpindleRequest::default(),
             spindle: None,
             coolant_request: Coolant::Off,
             coolant: None,
@@ -315,7 +315,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         let Phase::First { at, motion, operation } = self.phase else { return Ok(()) };
         self.phase = Phase::Running;
         if operation {
-            self.spindle_in_start = false;
+            self.request_in_start = SpindleRequest::default();
             self.lowest = None;
             self.plunge_told = false;
             let start = self.starts.get(self.operations).copied().flatten();
@@ -365,9 +365,11 @@ impl<'a, M: Machine> Planner<'a, M> {
                 let tool = self.resolve(at, &call)?;
                 let known = self.next_tool.or(self.tool);
                 self.begin(at, true, sink)?;
-                if known.is_none_or(|known| known.number != tool.number) && !self.spindle_in_start {
-                    // The speed of one tool is not the speed of another.
-                    self.request = SpindleRequest::default();
+                if known.is_none_or(|known| known.number != tool.number) {
+                    // The speed of one tool is not the speed of another; in front of the first tool record of a start
+                    // it is meant for that tool.
+                    let meant = self.next_tool.is_none();
+                    self.request = if meant { self.request_in_start } else { SpindleRequest::default() };
                 }
                 self.next_tool = Some(tool);
             }

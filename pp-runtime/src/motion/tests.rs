@@ -892,3 +892,19 @@ fn without_stop_retract_a_head_leaves_the_part_along_the_tool_all_the_same() {
     assert_eq!(run.error().location.line, 4, "{}", run.text());
     assert!(!run.text().contains("M0"), "{}", run.text());
 }
+
+#[test]
+fn the_speed_of_one_tool_is_never_that_of_another() {
+    let on = Event::Spindle(Spindle::On { speed: None, rotation: None });
+    let cut = feed([0.0, 0.0, 0.0], UP);
+    // Turned off and on again in the start in which the tool changes, and given to a tool that never moves.
+    let again = [tool(1), spindle(), cut, Event::Stop, Event::Spindle(Spindle::Off), tool(2), on, cut];
+    let skipped = [tool(1), spindle(), tool(2), cut];
+    for events in [&again[..], &skipped] {
+        let run = run::<Xyz>(&config(), events);
+        assert!(run.error().text.contains("without spindle speed"), "{}", run.text());
+    }
+    // In front of the tool record it is meant for that tool, and the same tool keeps its own.
+    lines::<Xyz>(&config(), &[tool(1), spindle(), cut, Event::Stop, spindle(), tool(2), cut]);
+    lines::<Xyz>(&config(), &[tool(1), spindle(), tool(1), cut]);
+}

@@ -2,7 +2,7 @@
 
 use crate::config::{Config, Defaults, Tool as Given};
 use crate::nc::Decimal;
-use crate::program::{Rotation, ToolCall};
+use crate::program::{Rotation, Spindle, ToolCall};
 
 use super::fault::Fault;
 
@@ -80,6 +80,15 @@ impl Tool {
 }
 
 impl SpindleRequest {
+    /// Takes one SPINDL; what it leaves out stays as it was.
+    pub(crate) fn take(&mut self, spindle: Spindle) {
+        self.off = spindle == Spindle::Off;
+        if let Spindle::On { speed, rotation } = spindle {
+            self.speed = speed.or(self.speed);
+            self.rotation = rotation.or(self.rotation);
+        }
+    }
+
     /// Speed and sense for a tool; `None` if the spindle is not to turn or nothing is known.
     pub(crate) fn resolve(&self, given: Option<&Given>, config: &Config) -> Result<Option<(Decimal, Rotation)>, Fault> {
         let Defaults { speed, rotation, .. } = config.defaults;

@@ -51,6 +51,8 @@ struct State {
     spindle: bool,
     /// An operation has begun and nothing has moved yet.
     begun: bool,
+    /// A tool has been called and nothing has moved yet.
+    called: bool,
 }
 
 impl Survey {
@@ -87,15 +89,17 @@ impl Survey {
             Event::Operation(_) | Event::Stop | Event::OptionalStop => state.begun = true,
             Event::Tool(call) => {
                 if state.call.is_none_or(|before| before.number != call.number) {
-                    // A SPINDL in the same start counts for the new tool.
-                    state.spindle &= state.begun;
+                    // A SPINDL in the same start counts for the first tool that is called there.
+                    state.spindle &= state.begun && !state.called;
                 }
+                state.called = true;
                 state.call = Some(call);
                 state.tool = None;
                 state.begun = true;
             }
             Event::Spindle(Spindle::On { .. }) => state.spindle = true,
             Event::Move(motion) => {
+                state.called = false;
                 if state.begun {
                     state.begun = false;
                     state.tool = state.call.map(|call| self.tool(call));
