@@ -23,6 +23,9 @@ const PARALLEL: f64 = 1.0 - 1e-12;
 /// A turn of the first rotary below this does no harm near the pole, rad.
 const NOTICEABLE_TURN: f64 = 0.01;
 
+/// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
+const SWING: f64 = 1_f64.to_radians();
+
 /// Where the machine stands: axis values and the words that put it there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place<A> {
@@ -47,8 +50,6 @@ pub(crate) struct Placer<M: Machine> {
     /// The same axes without their limits.
     endless: Vec<Rotary>,
     pub(super) limited: bool,
-    /// rad
-    index_angle: f64,
     linear_mask: u16,
     rotary_mask: u16,
     pub(super) scale: AngleScale,
@@ -105,7 +106,6 @@ impl<M: Machine> Placer<M> {
             part_origin: config.part_origin.into(),
             endless: rotaries.iter().map(|rotary| Rotary { lower: None, upper: None, ..*rotary }).collect(),
             limited: rotaries.iter().any(|rotary| rotary.lower.is_some() || rotary.upper.is_some()),
-            index_angle: config.index_angle,
             rotaries,
             linear_mask: mask(AxisKind::Linear),
             rotary_mask: mask(AxisKind::Rotary),
@@ -194,7 +194,7 @@ impl<M: Machine> Placer<M> {
         place.axes = merged(solution.axes, &place.axes, self.rotary_mask);
         place.deviation = solution.deviation;
         self.steady(&mut place, from);
-        if feed && self.limited && self.rotary_travel(&from.words, &place.words) > self.index_angle {
+        if feed && self.limited && self.rotary_travel(&from.words, &place.words) > SWING {
             let nearest = choose(&solutions, &self.endless, &from.words, self.scale);
             if let Ok(nearest) = nearest
                 && nearest.words != choice.words

@@ -908,3 +908,18 @@ fn the_speed_of_one_tool_is_never_that_of_another() {
     lines::<Xyz>(&config(), &[tool(1), spindle(), cut, Event::Stop, spindle(), tool(2), cut]);
     lines::<Xyz>(&config(), &[tool(1), spindle(), tool(1), cut]);
 }
+
+#[test]
+fn the_table_never_swings_round_in_the_cut_whatever_the_index_angle() {
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], cb(0.0, 20.0)),
+        feed([10.0, 0.0, 0.0], cb(0.0, 10.0)),
+        feed([20.0, 0.0, 0.0], cb(0.0, -20.0)),
+    ];
+    let mut config = config();
+    config.index_angle = 360_f64.to_radians();
+    let run = run::<Cb>(&config, &events);
+    assert!(run.error().text.contains("would swing the tool in the cut"), "{}", run.text());
+}
