@@ -1,7 +1,7 @@
 //! A configuration file (TOML) to [`Config`]: every key has its line here, every fault is reported at once.
 
 use std::collections::BTreeMap;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use toml::de::DeTable;
 
@@ -18,6 +18,12 @@ const COOLANTS: [(&str, Coolant); 4] =
     [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 const TRANSITIONS: [(&str, Transition); 2] = [("safe", Transition::Safe), ("direct", Transition::Direct)];
 const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+
+/// Smallest path tolerance, mm: in inches it is still no zero with six decimals.
+const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
+
+/// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
+const DWELL: RangeInclusive<f64> = 0.001..=600.0;
 
 /// Largest number of a tool or of its offset register.
 const LARGEST_TOOL: u32 = 99_999;
@@ -126,10 +132,23 @@ impl Config {
             set(&mut self.stop_retract, r.boolean(value));
         }
         if let Some(value) = self.get(top, "spindle_dwell") {
-            set(&mut self.spindle_dwell, r.number(value, Quantity::Plain, Bound::NotNegative));
+            let seconds = r.number(value, Quantity::Plain, Bound::NotNegative);
+            if seconds.is_some_and(|seconds| seconds > 0.0 && !DWELL.contains(&seconds)) {
+                let text = format!("a dwell of 0, or of {} to {} seconds, is needed here", DWELL.start(), DWELL.end());
+                r.fault(value.span(), text, None);
+            }
+            set(&mut self.spindle_dwell, seconds);
         }
         if let Some(value) = self.get(top, "path_tolerance") {
-            set(&mut self.path_tolerance, r.length(value, Bound::Positive));
+            let tolerance = r.length(value, Bound::Positive);
+            if tolerance.is_some_and(|tolerance| tolerance < SMALLEST_PATH_TOLERANCE) {
+                let text = format!(
+                    "less than {SMALLEST_PATH_TOLERANCE} mm could be written as 0, which lets the control leave the \
+                     path without bound"
+                );
+                r.fault(value.span(), text, None);
+            }
+            set(&mut self.path_tolerance, tolerance);
         }
         if let Some(value) = self.get(top, "spindle_max") {
             self.spindle_max = r.number(value, Quantity::Plain, Bound::Positive);
