@@ -245,6 +245,15 @@ by_hand!(
     |axis, _| (axis.z > 1.0 - 1e-12).then(|| (vec![vec![]], false))
 );
 
+by_hand!(
+    /// `| X Y W`: a quill instead of Z.
+    Xyw,
+    3,
+    &[axis('X', Tool, None), axis('Y', Tool, None), axis('W', Tool, None)],
+    &[[0.0; 3]; 3],
+    |axis, _| (axis.z > 1.0 - 1e-12).then(|| (vec![vec![]], false))
+);
+
 #[test]
 fn the_machines_of_the_tests_agree_with_themselves() {
     fn check<M: Machine>() {
@@ -266,4 +275,5 @@ fn the_machines_of_the_tests_agree_with_themselves() {
     check::<Head>();
     check::<Ay>();
     check::<Xyz>();
+    check::<Xyw>();
 }

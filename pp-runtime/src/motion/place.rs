@@ -368,7 +368,8 @@ fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
     nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle) * vector
 }
 
-/// Linear directions that are square to each other and stay so: no rotary stands between two of them.
+/// Linear directions that are square to each other and stay so, because no rotary stands between two of them, and X Y Z:
+/// along U V W no control counts F in a block that moves one of these.
 fn square<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
     let linear = |index: &usize| axes[*index].kind == AxisKind::Linear && !axes[*index].held;
     let solved: Vec<usize> = (0..axes.len()).filter(linear).collect();
@@ -377,8 +378,9 @@ fn square<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
             .iter()
             .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
     });
+    let counted = solved.iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'));
     let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
-    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+    square && counted && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::machines::{Ay, Cb, Head, Xyz};
+use super::machines::{Ay, Cb, Head, Xyw, Xyz};
 use super::{Abilities, Planner, Scout, Stop};
 use crate::config::{Config, Tool, Transition, Units};
 use crate::control::{Encoder, Layout, LinuxCnc};
@@ -922,4 +922,12 @@ fn the_table_never_swings_round_in_the_cut_whatever_the_index_angle() {
     config.index_angle = 360_f64.to_radians();
     let run = run::<Cb>(&config, &events);
     assert!(run.error().text.contains("would swing the tool in the cut"), "{}", run.text());
+}
+
+#[test]
+fn a_linear_axis_that_f_does_not_count_along_is_fed_in_inverse_time() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), feed([0.01, 0.0, -10.0], UP)];
+    let lines = lines::<Xyw>(&config(), &events);
+    assert!(lines.contains(&"X0.01 W-10 F50".to_owned()), "{lines:#?}");
+    assert!(lines.iter().any(|line| line.starts_with("G93 G1 W0")), "{lines:#?}");
 }
