@@ -308,7 +308,7 @@ impl<M: Machine> Placer<M> {
         Place { pose, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, near_pole: false }
     }
 
-    /// Words of the retract axis at a machine coordinate.
+    /// Words of a linear axis at a machine coordinate.
     pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<Words, Fault> {
         self.travel.check_machine(index, coordinate)?;
         let units = whole_units(coordinate, self.per_mm)
@@ -316,6 +316,20 @@ impl<M: Machine> Placer<M> {
         let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
         words.units[index] = units;
         Ok(words)
+    }
+
+    /// Words of the machine retract. The end of the travel at the part is no place to retract to.
+    pub(crate) fn retract_words(&self, coordinate: f64) -> Result<Words, Fault> {
+        let index = self.retract_axis;
+        let part_end = |limits: Limits| if self.retract_share > 0.0 { limits.lower } else { limits.upper };
+        if self.limits[index].is_some_and(|limits| (coordinate - part_end(limits)).abs() < self.unit_mm()) {
+            return Err(Fault::new(format_args!(
+                "the retract position {} = {coordinate} mm (machine coordinate) is the end of the travel at the part",
+                M::AXES[index].letter
+            ))
+            .help("give `retract.position` in the configuration, the machine coordinate away from the part"));
+        }
+        self.machine_words(index, coordinate)
     }
 
     /// Words of a rotary at an angle, inside its limits.

@@ -83,10 +83,7 @@ impl<M: Machine> Planner<'_, M> {
         if self.restarts == 0 {
             self.restart(sink)?;
         }
-        let words = self
-            .placer
-            .machine_words(self.placer.retract_axis(), self.config.retract.position)
-            .map_err(|fault| stop(at, fault))?;
+        let words = self.placer.retract_words(self.config.retract.position).map_err(|fault| stop(at, fault))?;
         sink.step(&Step::Machine { words })?;
         self.clear = true;
         Ok(())

@@ -931,3 +931,17 @@ fn a_linear_axis_that_f_does_not_count_along_is_fed_in_inverse_time() {
     assert!(lines.contains(&"X0.01 W-10 F50".to_owned()), "{lines:#?}");
     assert!(lines.iter().any(|line| line.starts_with("G93 G1 W0")), "{lines:#?}");
 }
+
+#[test]
+fn a_retract_position_at_the_part_end_of_the_travel_is_refused() {
+    let mut config = config();
+    config.limits.insert('Z', Some(crate::kinematics::Limits { lower: 0.0, upper: 500.0 }));
+    let events = [tool(1), spindle(), feed([0.0; 3], UP)];
+    let run = run::<Xyz>(&config, &events);
+    assert_eq!(
+        run.error().text,
+        "the retract position Z = 0 mm (machine coordinate) is the end of the travel at the part"
+    );
+    config.retract.position = 500.0;
+    lines::<Xyz>(&config, &events);
+}
