@@ -151,6 +151,17 @@ impl<R: Read> Lexer<R> {
         (Location { line, column: column(first as usize - 1 + at - piece.offset) }, end.saturating_sub(at))
     }
 
+    /// The lines of a joined statement behind its first, and where in the statement each begins.
+    pub(super) fn joined_lines(&self, statement: &Statement) -> impl Iterator<Item = (usize, &[u8])> {
+        let pieces = if statement.joined { self.pieces.get(1..).unwrap_or_default() } else { &[] };
+        let ends = pieces.iter().skip(1).map(|piece| piece.offset).chain([statement.end]);
+        pieces.iter().zip(ends).filter_map(move |(piece, end)| {
+            // The statement is without the blanks around it, the pieces are not.
+            let (from, to) = (piece.offset.max(statement.start), end.min(statement.end));
+            (from < to).then(|| (from - statement.start, &self.joined[from..to]))
+        })
+    }
+
     /// Lines taken so far.
     pub(super) fn lines(&self) -> u64 {
         self.line

@@ -217,7 +217,12 @@ impl<R: Read> Reader<R> {
                 self.records += 1;
                 self.matrix.abandon();
                 self.interpreter.suspect(parse::dialect(text));
-                parse::parse(text)
+                let mut lines = self.lexer.joined_lines(statement);
+                parse::parse(text).and_then(|record| {
+                    let lost = |(offset, line)| parse::swallowed(text, offset, line);
+                    let lost = if parse::takes_anything(&record) { lines.find_map(lost) } else { None };
+                    lost.map_or(Ok(record), Err)
+                })
             }
             Kind::Comment => {
                 self.interpreter.suspect(comment::dialect(text));

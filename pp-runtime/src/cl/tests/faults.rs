@@ -215,3 +215,12 @@ fn tool_0_is_no_tool() {
     refused("LOADTL/0\nGOTO/0,0,0\n", &format!("1:8+1 {text}"));
     refused("LOAD/TOOL,0,ADJUST,1\nGOTO/0,0,0\n", &format!("1:11+1 {text}"));
 }
+
+#[test]
+fn a_record_that_a_dollar_makes_part_of_a_text_is_refused() {
+    let text = "begins a line that the `$` before it makes part of";
+    refused("PPRINT PRICE IN US$\n GOTO / 0,0,50\nGOTO/9,9,50\n", &format!("2:2+4 GOTO {text} PPRINT"));
+    refused("PARTNO A$ \nRAPID\nGOTO/9,9,50\n", &format!("2:1+5 RAPID {text} PARTNO"));
+    refused("MACHIN/A,1,$\nB$\nSPINDL/OFF\nGOTO/9,9,50\n", &format!("3:1+6 SPINDL {text} MACHIN"));
+    assert_eq!(events("PPRINT first $\n STOP at once\nGOTO/0,0,0\n").len(), 2);
+}
