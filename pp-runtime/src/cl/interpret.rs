@@ -15,6 +15,9 @@ use crate::program::{Event, Feed, Location, Move, ToolCall, Units};
 /// Feeds below this are feeds in another unit.
 const SLOWEST_FEED_MM_PER_MIN: f64 = 0.1;
 
+/// Feeds above this are feeds per minute with another label: even a large face mill stays below a fifth of it.
+const LARGEST_FEED_MM_PER_REV: f64 = 100.0;
+
 /// A kilometre: no machine goes there, and words of an NC program would overflow.
 const LARGEST_COORDINATE_MM: f64 = 1e6;
 
@@ -277,6 +280,12 @@ impl Interpreter {
                 at,
                 format!("a feed of {speed:.4} mm/min is not plausible"),
                 "check the unit of the file and of the feed",
+            )),
+            Feed::PerRevolution(feed) if feed > LARGEST_FEED_MM_PER_REV => Err(Fault::new(
+                "feed",
+                at,
+                format!("a feed of {feed} mm per revolution is not plausible"),
+                "check the unit of the feed: IPM, MMPM and PERMIN count per minute",
             )),
             _ if !value.is_finite() || value > LARGEST_COORDINATE_MM => {
                 Err(Fault::new("feed", at, format!("the feed {value} is not plausible"), "check the exponent"))

@@ -37,17 +37,18 @@ pub(super) fn takes_anything(record: &Record<'_>) -> bool {
 
 /// The fault of a line that the `$` of the line before joins to the record `text`, if it is a record itself.
 pub(super) fn swallowed(text: &[u8], offset: usize, line: &[u8]) -> Option<Fault> {
-    let at = major_word(line);
-    let behind = skip_blanks(line, at.end);
-    let (name, Use::Modelled(_)) = look_up(&line[at.start..at.end])? else { return None };
-    if behind < line.len() && line[behind] != b'/' {
+    let start = skip_blanks(line, 0);
+    let end = start + major_word(&line[start..]).end;
+    let (name, Use::Modelled(_)) = look_up(&line[start..end])? else { return None };
+    // Text that happens to begin with such a word goes on with another one.
+    if line.get(skip_blanks(line, end)).is_some_and(|next| *next != b'/') {
         return None;
     }
     let first = major_word(text);
     let first = String::from_utf8_lossy(&text[first.start..first.end]);
     Some(Fault::new(
         "joined record",
-        Span { start: offset + at.start, end: offset + at.end },
+        Span { start: offset + start, end: offset + end },
         format!("{name} begins a line that the `$` before it makes part of {first}"),
         "delete that `$`: at the end of a line it joins the next one",
     ))

@@ -873,52 +873,6 @@ fn tool_axes_just_out_of_reach_are_counted_with_the_largest() {
 }
 
 #[test]
-fn the_spindle_stops_behind_the_way_out_and_only_once() {
-    let mut config = config();
-    config.retract.distance = Some(20.0);
-    let cut = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), feed([5.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off)];
-    let end = |events: &[Event<'_>]| {
-        let lines = lines::<Xyz>(&config, events);
-        let out = lines.iter().position(|line| line == "G0 Z20").expect("the way out");
-        lines[out + 1..].to_vec()
-    };
-    assert_eq!(end(&cut), ["G53 G0 Z0", "M5"]);
-    let stopped: Vec<_> = cut.iter().copied().chain([Event::Stop]).collect();
-    assert_eq!(end(&stopped)[..3], ["G53 G0 Z0", "M5", "M0"]);
-    let changed: Vec<_> = cut.iter().copied().chain([tool(2), spindle(), feed([9.0, 0.0, 0.0], UP)]).collect();
-    assert_eq!(end(&changed)[1..5], ["M9", "G53 G0 Z0", "M5", "T2 M6"]);
-}
-
-#[test]
-fn a_spindle_that_is_off_stops_before_the_next_rapid_and_refuses_the_next_feed() {
-    let off = |next| {
-        let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off), next];
-        run::<Xyz>(&config(), &events)
-    };
-    let rapid = off(rapid([5.0, 0.0, 50.0], UP)).lines;
-    let stop = rapid.iter().position(|line| line == "M5").expect("stopped");
-    assert_eq!(rapid[stop + 1], "G0 X5 Z50");
-    assert!(off(feed([5.0, 0.0, 0.0], UP)).diagnostics[0].text.contains("spindle off"));
-}
-
-#[test]
-fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
-    let mut config = config();
-    config.limits.insert('B', Some(Limits { lower: -0.1, upper: 1.9 }));
-    let events = [
-        tool(1),
-        spindle(),
-        feed([10.0, 0.0, 0.0], UP),
-        feed([9.0, 0.0, 0.0], cb(35.0, 4.0)),
-        feed([8.0, 0.0, 0.0], cb(36.0, 8.0)),
-    ];
-    let lines = run::<Cb>(&config, &events).lines;
-    assert!(lines.iter().any(|line| line == "G0 B0 C35"), "{lines:?}");
-    let leaving = lines.iter().find(|line| line.contains("B4")).expect("the block that leaves the pole");
-    assert!(!leaving.contains('C'), "{leaving}");
-}
-
-#[test]
 fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
     let call = |offset| Event::Tool(ToolCall { number: 1, offset, ..ToolCall::default() });
     let cut = feed([0.0, 0.0, 0.0], UP);
@@ -995,4 +949,50 @@ fn a_retract_position_at_the_part_end_of_the_travel_is_refused() {
     );
     config.retract.position = 500.0;
     lines::<Xyz>(&config, &events);
+}
+
+#[test]
+fn the_spindle_stops_behind_the_way_out_and_only_once() {
+    let mut config = config();
+    config.retract.distance = Some(20.0);
+    let cut = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), feed([5.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off)];
+    let end = |events: &[Event<'_>]| {
+        let lines = lines::<Xyz>(&config, events);
+        let out = lines.iter().position(|line| line == "G0 Z20").expect("the way out");
+        lines[out + 1..].to_vec()
+    };
+    assert_eq!(end(&cut), ["G53 G0 Z0", "M5"]);
+    let stopped: Vec<_> = cut.iter().copied().chain([Event::Stop]).collect();
+    assert_eq!(end(&stopped)[..3], ["G53 G0 Z0", "M5", "M0"]);
+    let changed: Vec<_> = cut.iter().copied().chain([tool(2), spindle(), feed([9.0, 0.0, 0.0], UP)]).collect();
+    assert_eq!(end(&changed)[1..5], ["M9", "G53 G0 Z0", "M5", "T2 M6"]);
+}
+
+#[test]
+fn a_spindle_that_is_off_stops_before_the_next_rapid_and_refuses_the_next_feed() {
+    let off = |next| {
+        let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off), next];
+        run::<Xyz>(&config(), &events)
+    };
+    let rapid = off(rapid([5.0, 0.0, 50.0], UP)).lines;
+    let stop = rapid.iter().position(|line| line == "M5").expect("stopped");
+    assert_eq!(rapid[stop + 1], "G0 X5 Z50");
+    assert!(off(feed([5.0, 0.0, 0.0], UP)).diagnostics[0].text.contains("spindle off"));
+}
+
+#[test]
+fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
+    let mut config = config();
+    config.limits.insert('B', Some(Limits { lower: -0.1, upper: 1.9 }));
+    let events = [
+        tool(1),
+        spindle(),
+        feed([10.0, 0.0, 0.0], UP),
+        feed([9.0, 0.0, 0.0], cb(35.0, 4.0)),
+        feed([8.0, 0.0, 0.0], cb(36.0, 8.0)),
+    ];
+    let lines = run::<Cb>(&config, &events).lines;
+    assert!(lines.iter().any(|line| line == "G0 B0 C35"), "{lines:?}");
+    let leaving = lines.iter().find(|line| line.contains("B4")).expect("the block that leaves the pole");
+    assert!(!leaving.contains('C'), "{leaving}");
 }

@@ -224,3 +224,11 @@ fn a_record_that_a_dollar_makes_part_of_a_text_is_refused() {
     refused("MACHIN/A,1,$\nB$\nSPINDL/OFF\nGOTO/9,9,50\n", &format!("3:1+6 SPINDL {text} MACHIN"));
     assert_eq!(events("PPRINT first $\n STOP at once\nGOTO/0,0,0\n").len(), 2);
 }
+
+#[test]
+fn a_feed_per_minute_with_the_label_of_one_per_revolution_is_refused() {
+    let text = "mm per revolution is not plausible";
+    refused("FEDRAT/250,PERREV\nGOTO/0,0,0\n", &format!("1:8+3 a feed of 250 {text}"));
+    refused("FEDRAT/IPR,10\nGOTO/0,0,0\n", &format!("1:12+2 a feed of 254 {text}"));
+    assert_eq!(events("FEDRAT/20,PERREV\nGOTO/0,0,0\n").len(), 1);
+}
