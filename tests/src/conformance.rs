@@ -23,9 +23,6 @@ pub const POSITION: f64 = 1e-9;
 pub const POSITION_BY_DETERMINANT: f64 = 1e-12;
 /// Largest angle between the axis reached and the axis wanted beyond the deviation that the solution reports, rad.
 pub const AXIS: f64 = 1e-12;
-/// The same, times the sine of the angle to the pole, where the cone ends beside the pole and not at it (a held head
-/// at 0.001°): the cosine of so small an angle says no more.
-pub const AXIS_BY_POLE_SINE: f64 = 1e-15;
 /// Largest difference of a rotary value from the one that made the pose, rad, times the sine of the angle to the pole
 /// or the rim, whichever is smaller.
 pub const ROTARY: f64 = 1e-9;
@@ -249,8 +246,6 @@ struct Case {
     /// Sines of the angle to the pole and to the rim; 1 where there is no such thing.
     pole_sine: f64,
     rim_sine: f64,
-    /// Largest error of the axis, rad; also of a deviation where there should be none.
-    axis_tolerance: f64,
 }
 
 impl Setting {
@@ -362,16 +357,13 @@ impl Setting {
 
     fn case(&self, values: Vec<f64>, pose: Pose, held: Vec<f64>) -> Case {
         let determinant = self.oracle.determinant(&values).abs();
-        let (mut pole_sine, mut rim_sine, mut axis_tolerance) = (1.0, 1.0, AXIS);
+        let (mut pole_sine, mut rim_sine) = (1.0, 1.0);
         if let Some(rotaries) = self.oracle.rotaries(&values) {
             pole_sine = rotaries.first.cross(&pose.axis).norm();
             let tilted = self.oracle.axis_before_first(&values);
             rim_sine = rotaries.first.dot(&rotaries.second.cross(&tilted)).abs() / rotaries.authority();
-            if !rotaries.ends_at_pole(1.0) && !rotaries.ends_at_pole(-1.0) {
-                axis_tolerance = AXIS.max(AXIS_BY_POLE_SINE / pole_sine);
-            }
         }
-        Case { values, pose, held, determinant, pole_sine, rim_sine, axis_tolerance }
+        Case { values, pose, held, determinant, pole_sine, rim_sine }
     }
 
     fn forward(&self, random: &mut Random) -> Result<(), Fault> {
@@ -442,7 +434,7 @@ impl Setting {
         if determinant < 0.5e-9 {
             return fault("degenerate linear axes have no solution", &format!("determinant {determinant:e}"));
         }
-        if !(0.0..=case.axis_tolerance).contains(&solution.deviation) {
+        if !(0.0..=AXIS).contains(&solution.deviation) {
             return fault("an axis that the machine reaches is reached", "");
         }
         let reached = self.oracle.forward(&solution.axes);
@@ -453,7 +445,7 @@ impl Setting {
             return fault("a solution brings the tip to the pose", &more);
         }
         let angle = angle_between(&reached.axis, &case.pose.axis);
-        if exceeds(angle, case.axis_tolerance + solution.deviation) {
+        if exceeds(angle, AXIS + solution.deviation) {
             return fault("a solution brings the tool axis to the pose", &format!("{angle:e} rad off"));
         }
         Ok(())
@@ -706,7 +698,7 @@ impl Setting {
         }
         for solution in &solutions {
             let angle = angle_between(&self.oracle.forward(&solution.axes).axis, &case.pose.axis);
-            if exceeds(angle, case.axis_tolerance + solution.deviation) {
+            if exceeds(angle, AXIS + solution.deviation) {
                 return fault("a solution reports how far its axis deviates");
             }
             if exceeds((solution.deviation - outside.max(0.0)).abs(), 1e-9) {
