@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-const DECLARATIONS: [(&str, &str); 9] = [
+const DECLARATIONS: [(&str, &str); 11] = [
     ("Spinner U5-620", "chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 };"),
     ("DMU 70e", "chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y }; d = (0, 0, d); dims = { d: 150.0 };"),
     ("LOLA X'OYZBA", "chain: X | Y Z B A;"),
@@ -12,6 +12,16 @@ const DECLARATIONS: [(&str, &str); 9] = [
     ("inclined by a symbol", "chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg };"),
     ("held between the rotaries", "chain: C A B | X Y Z; hold = { A: 10 };"),
     ("linears between and outside", "chain: X C Y | A Z; d = { C: (1, 2, 3), A: (4, 5, 6) };"),
+    (
+        "two angles in each rotary",
+        "chain: C B | X Y Z; axes = { C: Ry(e1) * Rx(e2) * Z, B: Rz(e3) * Rx(e4) * Y };
+         dims = { e1: 0.01 deg, e2: -0.02 deg, e3: 0.03 deg, e4: 0.01 deg };",
+    ),
+    (
+        "an angle in each of three directions",
+        "chain: C B | X Y Z; axes = { B: Rx(e1) * Y, Y: Rz(e2) * Y, X: Ry(e3) * X };
+         dims = { e1: 0.01 deg, e2: -0.02 deg, e3: 0.03 deg };",
+    ),
     (
         "oblique, three digits",
         "chain: X A | Y C Z; axes = { A: (0.5, 7, 1), C: (0.5, 3, 1), X: (0.25, 1, 1), Z: (0, 1, -2.75), Y: (1, 2, 70) };

@@ -35,6 +35,7 @@ pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> 
         }
         Orientation::One(one) => claims.push(prove_one(model, solved, &product, one)?),
         Orientation::Two(two) => {
+            prove_lengths(model, solved, two)?;
             for answer in &two.answers {
                 claims.push(prove_answer(model, solved, two, answer)?);
             }
@@ -116,19 +117,83 @@ fn prove_one(model: &Model, solved: &mut Solved, product: &Matrix, one: &One) ->
     Ok(claim)
 }
 
+/// `r² = D - w²`, and the own length of the first angle's direction is `g² + e²`.
+///
+/// Both follow from `p = n·m`, `q = m·t` and `n·a` alone, whatever these are made of: with symbols for the three the
+/// identities are small. What the symbols leave out is shown before: `|m×n|² = 1-p²`, `D = (1-p²)(1-q²)`,
+/// `|n×a|² = 1-(n·a)²`, `g² + e² = (1-p²)|n×a|²`. Roots are replaced by what has the same square and is not negative.
+fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), String> {
+    let letters = model.letters(two.rotaries);
+    let graph = &mut solved.graph;
+    let cosines = [two.tilt.between.1, two.tilt.tool.1, two.edge.along.0];
+    let sine_squares =
+        |values: &[Poly; 3], ring: &Ring| values.clone().map(|value| &Poly::one() - &ring.mul(&value, &value));
+    let parts = |[p, q, along]: &[Poly; 3], ring: &Ring| {
+        [
+            (two.room, p.clone()),
+            (two.capacity, ring.mul(p, q)),
+            (two.sine_squared, along.clone()),
+            (two.spread, ring.mul(p, along)),
+        ]
+    };
+    let mut reader = Interpreter::new(graph, BTreeMap::new());
+    let values = cosines.map(|node| reader.value(node));
+    let squares = sine_squares(&values, reader.ring());
+    for (node, expected) in parts(&squares, reader.ring()) {
+        let value = reader.value(node);
+        holds(&reader, &value, &expected, &format!("the directions of {letters} are unit vectors"))?;
+    }
+    let [p, q, _] = &values;
+    let same =
+        [(q, p, false), (q, &-p, true)].into_iter().find(|(a, b, _)| reader.equal(a, b)).map(|(.., minus)| minus);
+    let symbols = ["p", "q", "along"].map(|name| Poly::from(graph.ring.symbol(name)));
+    let mut abstracted: [Poly; 3] = std::array::from_fn(|index| {
+        graph.constant_of(cosines[index]).cloned().unwrap_or_else(|| symbols[index].clone())
+    });
+    // Where the pole is reached one of the two says all.
+    if let Some(minus) = same {
+        abstracted[1] = if minus { -&abstracted[0] } else { abstracted[0].clone() };
+    }
+    let squares = sine_squares(&abstracted, &graph.ring);
+    let mut reader = Interpreter::new(graph, BTreeMap::new());
+    for (node, value) in cosines.into_iter().zip(abstracted) {
+        reader.assume(node, value);
+    }
+    for (node, value) in parts(&squares, &reader.ring().clone()) {
+        reader.assume(node, value);
+    }
+    if lengths_hold(&mut reader, two) {
+        return Ok(());
+    }
+    // Folding may have taken a symbol's node apart: then the same with everything written out.
+    if lengths_hold(&mut Interpreter::new(&mut solved.graph, BTreeMap::new()), two) {
+        return Ok(());
+    }
+    Err(format!("the root of {letters} is √(D - w²), and their direction has the length g² + e²"))
+}
+
+fn lengths_hold(reader: &mut Interpreter<'_>, two: &Two) -> bool {
+    let (height, capacity) = (reader.value(two.height), reader.value(two.capacity));
+    let square = &capacity - &reader.ring().mul(&height, &height);
+    let radicand = reader.value(two.root_squared);
+    if !reader.equal(&radicand, &square) {
+        return false;
+    }
+    reader.assume_square(two.root, square);
+    let spread = reader.value(two.spread);
+    two.length.is_none_or(|length| reader.claim(length, &spread))
+}
+
 fn prove_answer(model: &Model, solved: &mut Solved, two: &Two, answer: &Answer) -> Result<String, String> {
     let letters = model.letters(two.rotaries);
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    // `prove_lengths` has shown these two.
     let (capacity, height) = (reader.value(two.capacity), reader.value(two.height));
     let square = &capacity - &reader.ring().mul(&height, &height);
-    if !reader.claim_square(two.root, square) {
-        return Err(format!("the root of {letters} is √(D - w²)"));
-    }
-    if let Some((length, claim)) = two.length {
-        let claim = reader.value(claim);
-        if !reader.claim(length, &claim) {
-            return Err(format!("the direction of {letters} has the length |n×a|²"));
-        }
+    reader.assume_square(two.root, square);
+    if let Some(length) = two.length {
+        let spread = reader.value(two.spread);
+        reader.assume(length, spread);
     }
     let words = turns(model, &mut reader, &two.rotaries, &answer.words);
     for axis in two.rotaries {

@@ -75,6 +75,10 @@ pub struct Two {
     pub rotaries: [AxisId; 2],
     /// `D`.
     pub capacity: Id,
+    /// `1-p²`.
+    pub room: Id,
+    /// `g² + e² = (1-p²)|n×a|²`.
+    pub spread: Id,
     /// `r`, common to both branches.
     pub root: Id,
     /// `r²`.
@@ -85,8 +89,8 @@ pub struct Two {
     pub height: Id,
     /// `√D`.
     pub rim: Id,
-    /// Set where the first angle is normalised by its own length: that root, and its exact value.
-    pub length: Option<(Id, Id)>,
+    /// Set where the first angle is normalised by its own length: that root; its exact value is `spread`.
+    pub length: Option<Id>,
     /// The branches in their order.
     pub answers: [Answer; 2],
     /// The formulas where the hot path ends: pole, rim, beyond the rim.
@@ -363,7 +367,7 @@ fn two(
         let squared = graph.mul(turned, spread);
         let own = graph.sqrt(squared);
         graph.name(own, "length");
-        length = Some((own, spread));
+        length = Some(own);
         graph.div(one, own)
     } else {
         graph.div(one, spread)
@@ -408,6 +412,8 @@ fn two(
     let mut two = Two {
         rotaries,
         capacity,
+        room: n_room,
+        spread,
         root,
         root_squared,
         sine_squared,

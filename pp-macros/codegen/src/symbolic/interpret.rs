@@ -38,17 +38,15 @@ impl<'a> Interpreter<'a> {
         holds
     }
 
-    /// Gives a `√` node the square `square`, if its radicand is exactly that.
-    #[must_use]
-    pub fn claim_square(&mut self, root: Id, square: Poly) -> bool {
-        let Node::Sqrt(radicand) = *self.graph.node(root) else { return false };
-        let radicand = self.value(radicand);
-        let holds = self.equal(&square, &radicand);
-        if holds {
-            let symbol = self.graph.ring.root("r", square);
-            self.values.insert(root, Poly::from(symbol));
-        }
-        holds
+    /// Takes `value` for a node; the caller answers for it.
+    pub fn assume(&mut self, node: Id, value: Poly) {
+        self.values.insert(node, value);
+    }
+
+    /// Takes a generator with the square `square` for a `√` node; the caller answers for the square.
+    pub fn assume_square(&mut self, root: Id, square: Poly) {
+        let symbol = self.graph.ring.root("r", square);
+        self.values.insert(root, Poly::from(symbol));
     }
 
     /// The node as a polynomial in normal form.
