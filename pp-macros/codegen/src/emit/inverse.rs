@@ -43,7 +43,7 @@ fn single(model: &Model, solved: &Solved, deviation: Id, one: Option<&One>) -> T
     let room = one.filter(|one| solved.graph.constant_of(one.length_claim).is_none()).map(|one| {
         let statements = lets(&body.statements(&[one.length_claim]));
         let room = body.tokens(one.length_claim);
-        let least = proc_macro2::Literal::f64_unsuffixed(crate::solve::PARALLEL);
+        let least = parallel();
         quote! {
             #statements
             if !(#room > #least) {
@@ -123,7 +123,7 @@ fn pair(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
         quote!(|| !(#sine_squared >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE))
     });
     let capacity = graph.constant_of(two.capacity).is_none().then(|| {
-        let least = proc_macro2::Literal::f64_unsuffixed(crate::solve::PARALLEL);
+        let least = parallel();
         quote!(|| !(#capacity > #least))
     });
     let angle_name = |rotary: usize, branch: usize| {
@@ -194,7 +194,7 @@ pub(super) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, Token
         after.map(|node| body.tokens(node));
     let finite = finite(model);
     let capacity = solved.graph.constant_of(two.capacity).is_none().then(|| {
-        let least = proc_macro2::Literal::f64_unsuffixed(crate::solve::PARALLEL);
+        let least = parallel();
         quote!(!(#capacity > #least) ||)
     });
     let [first, second] = two.rotaries;
@@ -350,7 +350,7 @@ fn cone(
     let direction = tilt.direction.map(|node| body.tokens(node));
     let capacity = capacity.map(|(node, axis, held)| {
         let (node, letter) = (body.tokens(node), model.axes[axis].letter);
-        let least = proc_macro2::Literal::f64_unsuffixed(crate::solve::PARALLEL);
+        let least = parallel();
         quote! {
             if !(#node > #least) {
                 return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::Held {
@@ -375,6 +375,11 @@ fn cone(
             });
         }
     }
+}
+
+/// The bound below which directions count as parallel, as a literal.
+fn parallel() -> proc_macro2::Literal {
+    proc_macro2::Literal::f64_unsuffixed(crate::solve::PARALLEL)
 }
 
 fn inverse_places() -> Places<'static> {

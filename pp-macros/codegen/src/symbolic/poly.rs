@@ -53,11 +53,6 @@ impl Poly {
         }
     }
 
-    /// Symbols that occur.
-    pub fn symbols(&self) -> impl Iterator<Item = Symbol> + '_ {
-        self.terms.keys().flatten().map(|(symbol, _)| *symbol)
-    }
-
     /// Factors of the monomials.
     pub fn coefficients(&self) -> impl Iterator<Item = &Surd> + '_ {
         self.terms.values()
