@@ -10,4 +10,29 @@ machine! {
     d = (0, 0, d);
     dims = { d: 150.0 };
     limits = { B: 0..180, C: free };
+
+    // (6) and (7) are printed for any alpha. They are right at 45° only: for the paper's own B axis, (0, cos(alpha),
+    // sin(alpha)), sine and cosine of alpha change places.
+    verify "My et al., Deckel Maho DMU 70e, tool axis and eqs. (6)-(9), (11)-(13)" {
+        where alpha = -45 deg;
+        i = sin(B) * cos(C) / sqrt(2) + sin(C) * (1 - cos(B)) / 2;
+        j = sin(B) * sin(C) / sqrt(2) - cos(C) * (1 - cos(B)) / 2;
+        k = (1 + cos(B)) / 2;
+        B = acos((k - cos(alpha)^2) / sin(alpha)^2);
+        C = atan2(
+            -(j * sin(alpha) * sin(B) + i * sin(alpha) * cos(alpha) * (1 - cos(B))),
+            -i * sin(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B))
+        );
+        B = acos(2 * k - 1);
+        C = atan2(
+            (1 - k) * i + sqrt(2 * (k - k^2)) * j,
+            sqrt(2 * (k - k^2)) * i - (1 - k) * j
+        );
+        X = sqrt(2) / 2 * (d * sin(B) + x * sin(B) * sin(C) - y * sin(B) * cos(C) - z * sin(B))
+            + x * cos(B) * cos(C) + y * cos(B) * sin(C);
+        Y = sqrt(2) / 2 * (y * sin(B) * sin(C) + x * sin(B) * cos(C))
+            + (-x * cos(B) * sin(C) + y * cos(B) * cos(C) + z * cos(B) - d * cos(B) - x * sin(C) + y * cos(C) - z + d) / 2;
+        Z = sqrt(2) / 2 * (y * sin(B) * sin(C) + x * sin(B) * cos(C))
+            + (-x * cos(B) * sin(C) + y * cos(B) * cos(C) + z * cos(B) - d * cos(B) + x * sin(C) - y * cos(C) + z + d) / 2;
+    }
 }

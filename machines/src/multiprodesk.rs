@@ -8,4 +8,19 @@ machine! {
     chain: A Y | X Z;
     signs = { A: -, Y: - };
     limits = { A: free };
+
+    // (15) to (17) are printed with open constants a_i, b_i, c_i. Here the centre line of A stands at (y_a, z_a) =
+    // (-part_y, -part_z) in workpiece coordinates.
+    verify "Maletić and Živanović 2023, MultiProDesk A'Y'OXZ, eqs. (12)-(18)" {
+        i = 0;
+        j = sin(A);
+        k = cos(A);
+        x = X;
+        y = sin(A) * (Z + part_z) - cos(A) * (Y - part_y) - part_y;
+        z = sin(A) * (Y - part_y) + cos(A) * (Z + part_z) - part_z;
+        A = atan2(j, k);
+        X = x;
+        Y = sin(A) * (z + part_z) - cos(A) * (y + part_y) + part_y;
+        Z = cos(A) * (z + part_z) + sin(A) * (y + part_y) - part_z;
+    }
 }

@@ -9,4 +9,15 @@ machine! {
     d = (0, 0, d);
     dims = { d: 150.0 };
     limits = { B: -5..110, C: free };
+
+    verify "My et al., Spinner U5-620, tool axis and eqs. (1)-(5)" {
+        i = sin(B) * cos(C);
+        j = sin(B) * sin(C);
+        k = cos(B);
+        C = atan2(j, i);
+        B = acos(k);
+        X = x * cos(B) * cos(C) + y * cos(B) * sin(C) - z * sin(B) + d * sin(B);
+        Y = -x * sin(C) + y * cos(C);
+        Z = x * sin(B) * cos(C) + y * sin(B) * sin(C) + z * cos(B) - d * cos(B) + d;
+    }
 }

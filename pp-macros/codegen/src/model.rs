@@ -185,6 +185,16 @@ impl Model {
         }
     }
 
+    /// Symbols by which dimensions enter.
+    #[must_use]
+    pub fn dimension_symbols(&self) -> Vec<Symbol> {
+        let symbols = |dimension: &Dimension| match dimension.quantity {
+            Quantity::Length(symbol) => vec![symbol],
+            Quantity::Angle(sine, cosine) => vec![sine, cosine],
+        };
+        self.dimensions.iter().flat_map(symbols).collect()
+    }
+
     /// A point at which formulas can be compared by their values: all relations between symbols hold there.
     #[must_use]
     pub fn sample(&self) -> BTreeMap<Symbol, f64> {

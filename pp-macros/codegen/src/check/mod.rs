@@ -1,6 +1,6 @@
 //! Rules of the language: [`Declaration`] to [`Model`], collecting every mistake before giving up.
 
-mod quantity;
+pub(crate) mod quantity;
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -287,9 +287,7 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
     let mut dimensions: Vec<Dimension> = Vec::new();
     for Assign { key, value } in &declaration.dimensions {
         let name = &key.name;
-        let letter = LETTERS.contains(&name.as_str());
-        let reserved = letter || name.starts_with("r#") || RESERVED.contains(&name.as_str());
-        if reserved || syn::parse_str::<syn::Ident>(name).is_err() {
+        if is_reserved(name) || syn::parse_str::<syn::Ident>(name).is_err() {
             errors.push(
                 key.phrase,
                 format!("`{name}` cannot be the name of a dimension"),
@@ -319,6 +317,11 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
         dimensions.push(Dimension { name: name.clone(), default, quantity });
     }
     dimensions
+}
+
+/// Whether a name means something else in the language.
+pub(crate) fn is_reserved(name: &str) -> bool {
+    LETTERS.contains(&name) || name.starts_with("r#") || RESERVED.contains(&name)
 }
 
 /// What a length is called inside generated functions: its own name, unless that means something there.

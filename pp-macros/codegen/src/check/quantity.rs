@@ -11,7 +11,7 @@ use crate::syntax::{Expr, ExprKind, Unit};
 
 /// One mistake inside an expression.
 #[derive(Debug)]
-pub(super) struct Fault {
+pub(crate) struct Fault {
     phrase: Phrase,
     text: String,
     help: String,
@@ -20,11 +20,11 @@ pub(super) struct Fault {
 }
 
 impl Fault {
-    pub(super) fn new(phrase: Phrase, text: impl Into<String>, help: impl Into<String>) -> Self {
+    pub(crate) fn new(phrase: Phrase, text: impl Into<String>, help: impl Into<String>) -> Self {
         Self { phrase, text: text.into(), help: help.into(), silent: false }
     }
 
-    pub(super) fn report(self, errors: &mut Errors) {
+    pub(crate) fn report(self, errors: &mut Errors) {
         if !self.silent {
             errors.push(self.phrase, self.text, self.help);
         }
@@ -32,10 +32,10 @@ impl Fault {
 }
 
 /// Dimensions that expressions may name.
-pub(super) struct Names<'a> {
-    pub(super) dimensions: &'a [Dimension],
+pub(crate) struct Names<'a> {
+    pub(crate) dimensions: &'a [Dimension],
     /// Entries that could not be read; nothing more is said about them.
-    pub(super) unreadable: &'a [String],
+    pub(crate) unreadable: &'a [String],
 }
 
 impl Names<'_> {
@@ -55,7 +55,7 @@ impl Names<'_> {
 }
 
 /// A constant with at most one kind of unit: `-5`, `45 deg`, `3/2`.
-pub(super) fn number(expr: &Expr) -> Result<(BigRational, Option<Unit>), Fault> {
+pub(crate) fn number(expr: &Expr) -> Result<(BigRational, Option<Unit>), Fault> {
     let (value, unit) = constant(expr)?;
     match value.as_rational() {
         Some(value) if !to_f64(&value).is_finite() => Err(too_large(expr)),
@@ -69,7 +69,7 @@ fn too_large(expr: &Expr) -> Fault {
 }
 
 /// A constant without a unit.
-pub(super) fn ratio(expr: &Expr) -> Result<Surd, Fault> {
+pub(crate) fn ratio(expr: &Expr) -> Result<Surd, Fault> {
     match constant(expr)? {
         (value, None) => Ok(value),
         (_, Some(_)) => Err(Fault::new(
@@ -126,7 +126,7 @@ fn constant(expr: &Expr) -> Result<(Surd, Option<Unit>), Fault> {
 }
 
 /// A length in mm: numbers, lengths of `dims`, `+ - *` of them.
-pub(super) fn length(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<Poly, Fault> {
+pub(crate) fn length(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<Poly, Fault> {
     let (value, power) = measured(expr, names, ring)?;
     if !value.coefficients().all(|factor| factor.to_f64().is_finite()) {
         return Err(too_large(expr));
@@ -168,7 +168,7 @@ fn measured(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<(Poly, u32), 
 }
 
 /// Sine and cosine of an angle: degrees, angles of `dims`, sums and whole multiples of them.
-pub(super) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(Poly, Poly), Fault> {
+pub(crate) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(Poly, Poly), Fault> {
     match &expr.kind {
         ExprKind::Number(degrees, Some(Unit::Degree)) => Ok(turn_by(degrees, ring)),
         ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => Ok(turn_by(value, ring)),

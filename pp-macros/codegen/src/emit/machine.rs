@@ -165,14 +165,7 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
         }
         Orientation::Fixed { .. } => {}
     }
-    let dimensions: Vec<_> = model
-        .dimensions
-        .iter()
-        .flat_map(|dimension| match dimension.quantity {
-            Quantity::Length(symbol) => vec![symbol],
-            Quantity::Angle(sine, cosine) => vec![sine, cosine],
-        })
-        .collect();
+    let dimensions = model.dimension_symbols();
     let mut tests = TokenStream::new();
     for (node, least, meaning) in divisors {
         if solved.graph.constant_of(node).is_some() {

@@ -12,6 +12,7 @@ mod interpret;
 mod matrix;
 mod poly;
 mod ring;
+mod sign;
 mod surd;
 
 pub use graph::{Graph, Id, Node, V3};
@@ -19,4 +20,5 @@ pub use interpret::Interpreter;
 pub use matrix::{Matrix, P3, rotation, translation};
 pub use poly::{Poly, Symbol};
 pub use ring::Ring;
+pub use sign::{Sign, sign_of, zeros_of};
 pub use surd::{Surd, exact_sin_cos};

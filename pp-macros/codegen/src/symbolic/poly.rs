@@ -53,6 +53,17 @@ impl Poly {
         }
     }
 
+    /// Number of monomials.
+    #[must_use]
+    pub fn monomials(&self) -> usize {
+        self.terms.len()
+    }
+
+    /// Symbols that occur.
+    pub fn symbols(&self) -> impl Iterator<Item = Symbol> + '_ {
+        self.terms.keys().flatten().map(|(symbol, _)| *symbol)
+    }
+
     /// Factors of the monomials.
     pub fn coefficients(&self) -> impl Iterator<Item = &Surd> + '_ {
         self.terms.values()

@@ -83,6 +83,12 @@ impl Ring {
         &self.known[symbol.0 as usize].name
     }
 
+    /// Whether a reciprocal occurs.
+    #[must_use]
+    pub fn has_reciprocal(&self, poly: &Poly) -> bool {
+        poly.symbols().any(|symbol| self.known[symbol.0 as usize].divisor.is_some())
+    }
+
     /// Float value of a polynomial in constants; `None` if anything else occurs.
     #[must_use]
     pub fn value(&self, poly: &Poly) -> Option<f64> {
@@ -104,6 +110,16 @@ impl Ring {
             sum += product;
         }
         Some(sum)
+    }
+
+    /// Sum of the absolute values of all terms: what rounding is measured by.
+    pub fn magnitude(&self, poly: &Poly, of: &dyn Fn(Symbol) -> Option<f64>) -> Option<f64> {
+        let term = |(monomial, factor): (&Monomial, &Surd)| {
+            let mut single = Poly::zero();
+            single.add_term(monomial.clone(), factor.clone());
+            self.evaluate(&single, of).map(f64::abs)
+        };
+        poly.terms.iter().map(term).sum()
     }
 
     /// A polynomial as a person reads it; factors to nine digits.
@@ -182,6 +198,19 @@ impl Ring {
     /// ones in their divisors, so they are cleared last to first.
     #[must_use]
     pub fn is_zero(&self, poly: &Poly) -> bool {
+        self.clear(poly, |degree| degree).is_zero()
+    }
+
+    /// A polynomial of the same sign without reciprocals, wherever no divisor is zero.
+    ///
+    /// Rule `clear-even`: as `clear`, with an even power of the divisor.
+    #[must_use]
+    pub fn clear_even(&self, poly: &Poly) -> Poly {
+        self.clear(poly, |degree| degree.next_multiple_of(2))
+    }
+
+    /// `poly` times `d^power(degree)` for each reciprocal in it.
+    fn clear(&self, poly: &Poly, power: impl Fn(u32) -> u32) -> Poly {
         let mut rest = poly.clone();
         for (index, known) in self.known.iter().enumerate().rev() {
             let Some(divisor) = &known.divisor else { continue };
@@ -195,9 +224,12 @@ impl Ring {
             for power in 0..=degree {
                 cleared = &self.mul(&cleared, divisor) + &rest.coefficient(symbol, power);
             }
+            for _ in degree..power(degree) {
+                cleared = self.mul(&cleared, divisor);
+            }
             rest = cleared;
         }
-        rest.is_zero()
+        rest
     }
 
     fn free_name(&self, mut name: String) -> String {
@@ -219,7 +251,9 @@ impl Ring {
         (s, self.push(cosine, value.map(|v| v.1), Some(rest), None))
     }
 
-    fn square_of(&self, symbol: Symbol) -> Poly {
+    /// The square of a symbol in normal form: of a root its radicand.
+    #[must_use]
+    pub fn square_of(&self, symbol: Symbol) -> Poly {
         self.mul(&Poly::from(symbol), &Poly::from(symbol))
     }
 

@@ -8,6 +8,7 @@
 //! does not settle the matter (a radicand above the cube of the limit) there is no surd, and the caller takes an
 //! algebraic symbol with the root's square as its relation.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -100,24 +101,47 @@ impl Surd {
         if let Some(rational) = self.as_rational() {
             return Some(Self::from(rational.recip()));
         }
-        // self = a + √b·c with a and c free of √b: 1/self = (a - √b·c) / (a² - b·c²), one root less below.
+        // self = a + √b·c: 1/self = (a - √b·c) / (a² - b·c²), one root less below.
+        let (a, base, c) = self.split()?;
+        let b = Self::from(BigRational::from(BigInt::from(base.clone())));
+        let norm = &(&a * &a) - &(&b * &(&c * &c));
+        let conjugate = &a - &(&Self::term(base, BigRational::one()) * &c);
+        Some(&conjugate * &norm.inverse()?)
+    }
+
+    /// Exact sign: `a + √b·c` has the sign of both, or else that of the larger square.
+    #[must_use]
+    pub fn sign(&self) -> Ordering {
+        if let Some(rational) = self.as_rational() {
+            return rational.cmp(&BigRational::zero());
+        }
+        let Some((a, base, c)) = self.split() else { return Ordering::Equal };
+        let (first, second) = (a.sign(), c.sign());
+        if first == second || second == Ordering::Equal {
+            return first;
+        }
+        if first == Ordering::Equal {
+            return second;
+        }
+        let b = Self::from(BigRational::from(BigInt::from(base)));
+        let gap = &(&a * &a) - &(&b * &(&c * &c));
+        if gap.sign() == Ordering::Greater { first } else { second }
+    }
+
+    /// `a`, `b`, `c` with the number `a + √b·c`, `a` and `c` free of `√b`; `None` for a rational number.
+    fn split(&self) -> Option<(Self, BigUint, Self)> {
         let base = self.coprime_base().into_iter().next()?;
         let mut a = Self::zero();
         let mut c = Self::zero();
         for (radicand, factor) in &self.terms {
             let (quotient, remainder) = radicand.div_rem(&base);
-            let part = if remainder.is_zero() {
+            if remainder.is_zero() {
                 c.terms.insert(quotient, factor.clone());
-                continue;
             } else {
-                &mut a
-            };
-            part.terms.insert(radicand.clone(), factor.clone());
+                a.terms.insert(radicand.clone(), factor.clone());
+            }
         }
-        let b = Self::from(BigRational::from(BigInt::from(base.clone())));
-        let norm = &(&a * &a) - &(&b * &(&c * &c));
-        let conjugate = &a - &(&Self::term(base, BigRational::one()) * &c);
-        Some(&conjugate * &norm.inverse()?)
+        Some((a, base, c))
     }
 
     /// Nearest float.
@@ -344,6 +368,19 @@ mod tests {
         let inverse = number.inverse().expect("not zero");
         assert!((&number * &inverse).is_one());
         assert!(Surd::zero().inverse().is_none());
+    }
+
+    #[test]
+    fn sign_of_a_cancelling_sum_is_exact() {
+        let near = &Surd::ratio(577, 408) - &root(2);
+        assert_eq!(near.sign(), Ordering::Greater);
+        assert_eq!((-&near).sign(), Ordering::Less);
+        // (√2 + √3)² = 5 + 2√6: the digits of a float do not tell the two apart.
+        let sum = &root(2) + &root(3);
+        let five = &(&Surd::from(5) + &(&Surd::from(2) * &root(6))) - &(&sum * &sum);
+        assert_eq!(five.sign(), Ordering::Equal);
+        let close = &(&root(2) + &root(3)) - &Surd::ratio(3_146_264_370, 1_000_000_000);
+        assert_eq!(close.sign(), close.to_f64().partial_cmp(&0.0).expect("finite"));
     }
 
     #[test]

@@ -31,6 +31,30 @@ pub struct Declaration {
     pub limits: Vec<Assign<Limits>>,
     /// `speeds = { B: 3600 };`
     pub speeds: Vec<Assign<Expr>>,
+    /// `verify "source" { equations }`
+    pub verify: Vec<Verify>,
+}
+
+/// Equations to be proven.
+#[derive(Debug, Clone)]
+pub struct Verify {
+    /// Where they are printed.
+    pub source: String,
+    /// `where alpha = -45 deg;`
+    pub assumptions: Vec<Assign<Expr>>,
+    /// In their order.
+    pub equations: Vec<Equation>,
+}
+
+/// `left = right;`
+#[derive(Debug, Clone)]
+pub struct Equation {
+    /// Both sides.
+    pub phrase: Phrase,
+    /// In front of `=`.
+    pub left: Expr,
+    /// Behind it.
+    pub right: Expr,
 }
 
 /// A name and where it stands.

@@ -57,6 +57,91 @@ impl Expr {
     pub(super) fn parse(input: ParseStream<'_>, source: &Source) -> syn::Result<Self> {
         sum(input, source, 0)
     }
+
+    /// Whether a name occurs.
+    pub(crate) fn mentions(&self, wanted: &str) -> bool {
+        match &self.kind {
+            ExprKind::Number(..) => false,
+            ExprKind::Name(name) => name == wanted,
+            ExprKind::Neg(inner) | ExprKind::Power(inner, _) => inner.mentions(wanted),
+            ExprKind::Binary(left, _, right) => left.mentions(wanted) || right.mentions(wanted),
+            ExprKind::Call(_, arguments) => arguments.iter().any(|argument| argument.mentions(wanted)),
+        }
+    }
+
+    /// Largest product of nested exponents.
+    fn power(&self) -> u32 {
+        match &self.kind {
+            ExprKind::Number(..) | ExprKind::Name(_) => 1,
+            ExprKind::Neg(inner) => inner.power(),
+            ExprKind::Binary(left, _, right) => left.power().max(right.power()),
+            ExprKind::Power(base, exponent) => base.power().saturating_mul((*exponent).max(1)),
+            ExprKind::Call(_, arguments) => arguments.iter().map(Self::power).max().unwrap_or(1),
+        }
+    }
+}
+
+/// As the language writes it, with the parentheses that the reading needs and no others.
+impl std::fmt::Display for Expr {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.write(f, 0)
+    }
+}
+
+impl Expr {
+    /// `least`: 0 sums, 1 products, 2 unary minus, 3 powers' bases.
+    fn write(&self, f: &mut std::fmt::Formatter<'_>, least: u8) -> std::fmt::Result {
+        let strength = match &self.kind {
+            ExprKind::Binary(_, '+' | '-', _) => 0,
+            ExprKind::Binary(..) => 1,
+            ExprKind::Neg(_) => 2,
+            ExprKind::Power(..) => 3,
+            ExprKind::Number(..) | ExprKind::Name(_) | ExprKind::Call(..) => 4,
+        };
+        if strength < least {
+            f.write_str("(")?;
+        }
+        match &self.kind {
+            ExprKind::Number(value, unit) => {
+                write!(f, "{}", number_text(value))?;
+                f.write_str(match unit {
+                    Some(Unit::Degree) => " deg",
+                    Some(Unit::Millimetre) => " mm",
+                    None => "",
+                })?;
+            }
+            ExprKind::Name(name) => f.write_str(name)?,
+            ExprKind::Neg(inner) => {
+                f.write_str("-")?;
+                inner.write(f, 3)?;
+            }
+            ExprKind::Binary(left, operator, right) => {
+                left.write(f, strength)?;
+                write!(f, " {operator} ")?;
+                right.write(f, strength + 1)?;
+            }
+            ExprKind::Power(base, exponent) => {
+                base.write(f, 4)?;
+                write!(f, "^{exponent}")?;
+            }
+            ExprKind::Call(name, arguments) => {
+                write!(f, "{name}(")?;
+                for (place, argument) in arguments.iter().enumerate() {
+                    f.write_str(if place == 0 { "" } else { ", " })?;
+                    argument.write(f, 0)?;
+                }
+                f.write_str(")")?;
+            }
+        }
+        if strength < least { f.write_str(")") } else { Ok(()) }
+    }
+}
+
+/// Numbers are read from decimal digits; one with more digits than a float keeps its fraction.
+fn number_text(value: &BigRational) -> String {
+    let short = to_f64(value);
+    let text = format!("{short}");
+    if decimal(&text).as_ref() == Some(value) { text } else { value.to_string() }
 }
 
 fn sum(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Expr> {
@@ -113,7 +198,7 @@ fn power(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<E
         ExprKind::Number(value, None) if value.is_integer() => u32::try_from(value.to_integer()).ok(),
         _ => None,
     };
-    let Some(whole) = whole.filter(|n| *n <= LARGEST_POWER) else {
+    let Some(whole) = whole.filter(|n| n.saturating_mul(base.power()) <= LARGEST_POWER) else {
         let text = format!("an exponent is a whole number up to {LARGEST_POWER}\n\nhelp: write `a ^ 2`");
         return Err(syn::Error::new_spanned(exponent.phrase, text));
     };

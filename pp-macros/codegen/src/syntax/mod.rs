@@ -4,6 +4,6 @@ mod ast;
 mod expr;
 mod parse;
 
-pub use ast::{Assign, Axis, Base, Chain, Declaration, Direction, Limits, Offsets, Spot, Vector};
+pub use ast::{Assign, Axis, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, Spot, Vector, Verify};
 pub use expr::{Expr, ExprKind, Unit};
 pub use parse::parse;

@@ -6,7 +6,7 @@ use proc_macro2::{Span, TokenStream, TokenTree};
 use syn::parse::{ParseBuffer, ParseStream, Parser};
 use syn::{Token, token};
 
-use super::ast::{Assign, Base, Chain, Declaration, Direction, Limits, Offsets, Spot, Vector};
+use super::ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, Spot, Vector, Verify};
 use super::expr::Expr;
 use crate::report::{Errors, Phrase, Refused};
 
@@ -108,6 +108,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
         hold: Vec::new(),
         limits: Vec::new(),
         speeds: Vec::new(),
+        verify: Vec::new(),
     };
     let mut seen: Vec<Spot> = Vec::new();
     while !input.is_empty() {
@@ -132,7 +133,7 @@ fn field(
         let text = format!("unknown field `{}`\n\nhelp: the fields are {}", key.name, list_of(&FIELDS));
         return Err(syn::Error::new_spanned(key.phrase, text));
     }
-    if seen.iter().any(|known| known.name == key.name) {
+    if key.name != "verify" && seen.iter().any(|known| known.name == key.name) {
         errors.push(key.phrase, format!("`{}` is given twice", key.name), "join the two into one field");
     }
     seen.push(key.clone());
@@ -142,10 +143,9 @@ fn field(
             declaration.chain = Some(chain(input, source, key.phrase)?);
         }
         "verify" => {
-            return Err(syn::Error::new_spanned(
-                key.phrase,
-                "`verify` is not understood yet\n\nhelp: the identity of forward and inverse is proven without it",
-            ));
+            declaration.verify.push(verify(input, source, errors)?);
+            input.parse::<Option<Token![;]>>()?;
+            return Ok(());
         }
         name => {
             separator(input, '=', &format!("`{name}` is followed by `=`: `{name} = ...;`"))?;
@@ -187,7 +187,7 @@ fn skip_field(input: ParseStream<'_>) -> syn::Result<()> {
         input.parse::<TokenTree>()?;
         let ahead = input.fork();
         let starts_field = ahead.parse::<syn::Ident>().is_ok_and(|word| FIELDS.iter().any(|field| word == field))
-            && (ahead.peek(Token![=]) || ahead.peek(Token![:]));
+            && (ahead.peek(Token![=]) || ahead.peek(Token![:]) || ahead.peek(syn::LitStr));
         if starts_field {
             return Ok(());
         }
@@ -362,6 +362,50 @@ fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
     }
     input.parse::<Token![..]>()?;
     Ok(Limits::Range(Box::new((lower, Expr::parse(input, source)?))))
+}
+
+/// `"source" { equations }`. A statement that cannot be read is reported and left out; the others stay.
+fn verify(input: ParseStream<'_>, source: &Source, errors: &mut Errors) -> syn::Result<Verify> {
+    const FORM: &str = "write `verify \"paper, eqs. (1)-(5)\" { i = sin(B) * cos(C); ... }`";
+    if !input.peek(syn::LitStr) {
+        return Err(input.error(format!("expected the source of the equations in quotes\n\nhelp: {FORM}")));
+    }
+    let name = input.parse::<syn::LitStr>()?.value();
+    if !input.peek(token::Brace) {
+        return Err(input.error(format!("expected `{{`\n\nhelp: {FORM}")));
+    }
+    let content;
+    syn::braced!(content in input);
+    let mut block = Verify { source: name, assumptions: Vec::new(), equations: Vec::new() };
+    while !content.is_empty() {
+        if let Err(error) = statement(&content, source, &mut block) {
+            errors.push_syntax(source.next(), error);
+            while !content.is_empty() && !content.peek(Token![;]) {
+                content.parse::<TokenTree>()?;
+            }
+            content.parse::<Option<Token![;]>>()?;
+        }
+    }
+    Ok(block)
+}
+
+fn statement(content: ParseStream<'_>, source: &Source, block: &mut Verify) -> syn::Result<()> {
+    if content.peek(Token![where]) {
+        content.parse::<Token![where]>()?;
+        let key = source.spot(content, "a name\n\nhelp: write `where alpha = -45 deg;`")?;
+        separator(content, '=', "write `where alpha = -45 deg;`")?;
+        block.assumptions.push(Assign { key, value: Expr::parse(content, source)? });
+    } else {
+        let left = Expr::parse(content, source)?;
+        separator(content, '=', "an equation has two sides: `X = x * cos(C) + y * sin(C);`")?;
+        let right = Expr::parse(content, source)?;
+        block.equations.push(Equation { phrase: left.phrase.to(right.phrase), left, right });
+    }
+    if !content.peek(Token![;]) {
+        return Err(content.error("expected `;`\n\nhelp: end every equation with a semicolon; products are written with `*`"));
+    }
+    content.parse::<Token![;]>()?;
+    Ok(())
 }
 
 fn list_of(names: &[&str]) -> String {

@@ -1,0 +1,322 @@
+//! Whether an equation holds, and where.
+//!
+//! Both sides are polynomials in axis values, sines and cosines, in roots `r` with `r² = E` and reciprocals.
+//! - Numbers are equal if their difference has remainder zero.
+//! - Angles `L`, `R` with directions `(cL, sL)`, `(cR, sR)` are equal where `sin(L-R) = sL cR - cL sR` is zero and
+//!   `λ = cL cR + sL sR` is positive; for `asin(p)` and `acos(p)` on one side, where `p` is the sine or cosine of the other
+//!   and the other part has the sign that the function gives it.
+//! - `a + b r = 0` with `r >= 0` says the same as `a² - b² E = 0` and `-a b >= 0`. No root is ever extracted: the ring is no
+//!   domain of unique factors.
+//!
+//! "Somewhere" needs a witness: a rational point of the circles at which every condition holds.
+
+use std::collections::BTreeMap;
+
+use super::scope::{Angle, Inverse, Scope, Value, zero_as_angle};
+use crate::check::quantity::Fault;
+use crate::formula::Formula;
+use crate::model::{Kind, Quantity, to_f64};
+use crate::symbolic::{Poly, Sign, Symbol, sign_of, zeros_of};
+use crate::syntax::{Equation, Expr};
+
+/// Points that a witness is looked for among.
+const POINTS: usize = 4_000;
+
+/// What became of an equation.
+#[derive(Debug)]
+pub(super) enum Verdict {
+    /// It holds where all of these are true; everywhere if there are none.
+    Holds(Vec<Condition>),
+    /// The angles agree up to half a turn, and nowhere without it.
+    Opposite,
+    /// It is true at no pose at which its roots and conditions exist.
+    Nowhere,
+    /// It is false; the polynomial that should be zero.
+    False(Poly),
+}
+
+/// Where an equation holds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Condition {
+    /// `λ > 0`
+    Positive(Sign),
+    /// What stands under a root, or decides which root is right.
+    NotNegative(Sign),
+    /// A divisor, as factors.
+    NotZero(Vec<Poly>),
+}
+
+/// Decides an equation.
+pub(super) fn decide(scope: &mut Scope<'_>, equation: &Equation) -> Result<Verdict, Fault> {
+    scope.begin();
+    let left = scope.value(&equation.left)?;
+    let right = scope.value(&equation.right)?;
+    Decision { scope, expr: &equation.right, eliminated: Vec::new() }.equal(left, right, equation)
+}
+
+/// `a + b r = 0`, used to eliminate the root `r`.
+struct Eliminated {
+    root: Symbol,
+    a: Poly,
+    b: Poly,
+}
+
+struct Decision<'s, 'a, 'e> {
+    scope: &'s mut Scope<'a>,
+    /// Where messages point to.
+    expr: &'e Expr,
+    eliminated: Vec<Eliminated>,
+}
+
+/// Conditions as polynomials.
+#[derive(Default)]
+struct Claims {
+    positive: Vec<Poly>,
+    not_negative: Vec<Poly>,
+}
+
+impl Decision<'_, '_, '_> {
+    fn equal(mut self, left: Value, right: Value, equation: &Equation) -> Result<Verdict, Fault> {
+        let (gap, claims) = match (left, right) {
+            (Value::Number(left), Value::Number(right)) => (&left - &right, Claims::default()),
+            (left, right) => {
+                let (Some(left), Some(right)) = (zero_as_angle(&left), zero_as_angle(&right)) else {
+                    return Err(Fault::new(
+                        equation.phrase,
+                        "an angle on one side and a number on the other",
+                        "a rotary axis equals atan2, asin or acos of numbers, or a sum of angles",
+                    ));
+                };
+                self.angles(&left, &right)?
+            }
+        };
+        if !self.vanishes(gap.clone())? {
+            return Ok(Verdict::False(gap));
+        }
+        self.conclude(claims)
+    }
+
+    /// What has to vanish for two angles to be equal, and what has to be positive.
+    fn angles(&mut self, left: &Angle, right: &Angle) -> Result<(Poly, Claims), Fault> {
+        for (inverse, other) in [(&right.inverse, left), (&left.inverse, right)] {
+            let Some(inverse) = inverse else { continue };
+            let squares = [&other.cosine, &other.sine].map(|part| self.scope.ring.mul(part, part));
+            if other.inverse.is_some() || !self.scope.ring.is_zero(&(&(&squares[0] + &squares[1]) - &Poly::one())) {
+                continue;
+            }
+            let (gap, sign) = match inverse {
+                Inverse::Sine(part) => (part - &other.sine, other.cosine.clone()),
+                Inverse::Cosine(part, false) => (part - &other.cosine, other.sine.clone()),
+                Inverse::Cosine(part, true) => (part - &other.cosine, -&other.sine),
+            };
+            // Its root exists: what stands under it is the square of the other part.
+            self.scope.roots.clear();
+            return Ok((gap, Claims { not_negative: vec![sign], ..Claims::default() }));
+        }
+        let between = self.scope.sum(left, &right.clone().negated(), self.expr)?;
+        Ok((between.sine, Claims { positive: vec![between.cosine], ..Claims::default() }))
+    }
+
+    /// Whether a polynomial is zero on a part that `eliminated` describes.
+    fn vanishes(&mut self, poly: Poly) -> Result<bool, Fault> {
+        if self.scope.ring.is_zero(&poly) {
+            return Ok(true);
+        }
+        for root in self.scope.roots.clone().into_iter().rev() {
+            let (a, b) = (poly.coefficient(root, 0), poly.coefficient(root, 1));
+            if self.scope.ring.is_zero(&b) {
+                continue;
+            }
+            let radicand = self.scope.ring.square_of(root);
+            let squares = [self.times(&a, &a)?, self.times(&b, &b)?];
+            let product = self.times(&squares[1], &radicand)?;
+            self.scope.roots.retain(|known| *known != root);
+            self.eliminated.push(Eliminated { root, a, b });
+            return self.vanishes(&squares[0] - &product);
+        }
+        Ok(false)
+    }
+
+    fn conclude(&mut self, mut claims: Claims) -> Result<Verdict, Fault> {
+        for place in 0..self.eliminated.len() {
+            let Eliminated { a, b, .. } = &self.eliminated[place];
+            claims.not_negative.push(-&self.times(a, b)?);
+        }
+        for root in self.scope.roots.clone() {
+            claims.not_negative.push(self.scope.ring.square_of(root));
+        }
+        let angles = !claims.positive.is_empty();
+        let positive = self.resolved(claims.positive)?;
+        let not_negative = self.resolved(claims.not_negative)?;
+        if !self.has_witness(&positive, &not_negative) {
+            let opposite = angles && self.has_witness(&positive.iter().map(|poly| -poly).collect::<Vec<_>>(), &not_negative);
+            return Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere });
+        }
+        let circles = self.scope.circles();
+        let ring = &self.scope.ring;
+        let mut conditions: Vec<Condition> = Vec::new();
+        for poly in &positive {
+            let sign = sign_of(ring, poly, &circles);
+            if !sign.factors.is_empty() {
+                conditions.push(Condition::Positive(sign));
+            }
+        }
+        for poly in &not_negative {
+            let sign = sign_of(ring, poly, &circles);
+            if !sign.factors.is_empty() && !conditions.contains(&Condition::Positive(sign.clone())) {
+                conditions.push(Condition::NotNegative(sign));
+            }
+        }
+        for (divisor, _) in &self.scope.divisors {
+            let zeros = zeros_of(ring, divisor, &circles);
+            if !zeros.is_empty() {
+                conditions.push(Condition::NotZero(zeros));
+            }
+        }
+        let mut distinct: Vec<Condition> = Vec::new();
+        for condition in conditions {
+            if !distinct.contains(&condition) {
+                distinct.push(condition);
+            }
+        }
+        Ok(Verdict::Holds(distinct))
+    }
+
+    /// Polynomials of the same signs without the eliminated roots: with `r = -a/b`, `u + v r` has the sign of
+    /// `(u b - v a) b`.
+    fn resolved(&self, polys: Vec<Poly>) -> Result<Vec<Poly>, Fault> {
+        let mut resolved = Vec::new();
+        for mut poly in polys {
+            for Eliminated { root, a, b } in &self.eliminated {
+                let (u, v) = (poly.coefficient(*root, 0), poly.coefficient(*root, 1));
+                if v.is_zero() {
+                    continue;
+                }
+                let sum = &self.times(&u, b)? - &self.times(&v, a)?;
+                poly = self.times(&sum, b)?;
+            }
+            if !self.scope.ring.is_zero(&poly) {
+                resolved.push(poly);
+            }
+        }
+        Ok(resolved)
+    }
+
+    fn times(&self, a: &Poly, b: &Poly) -> Result<Poly, Fault> {
+        self.scope.times(a, b, self.expr)
+    }
+
+    /// Looks for a rational point at which all claims hold: by more than rounding where they are strict.
+    fn has_witness(&self, positive: &[Poly], not_negative: &[Poly]) -> bool {
+        let scope = &*self.scope;
+        let fixed = defaults(scope);
+        let symbols: Vec<Symbol> = {
+            let mut symbols: Vec<Symbol> =
+                scope.model.axes.iter().flat_map(|axis| [axis.word, axis.turn.0, axis.turn.1]).collect();
+            symbols.extend(scope.model.frame.part);
+            symbols.push(scope.model.frame.gauge);
+            symbols
+        };
+        let sines: BTreeMap<Symbol, Symbol> = scope.circles().into_iter().collect();
+        let mut state = 0x9e37_79b9_u64;
+        let mut next = |range: u64| {
+            // Any sequence will do that visits all quadrants; this one is the same in every build.
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) % range
+        };
+        (0..POINTS).any(|_| {
+            let mut point = fixed.clone();
+            for symbol in &symbols {
+                if point.contains_key(symbol) {
+                    continue;
+                }
+                match sines.get(symbol) {
+                    Some(cosine) => {
+                        // t = ±n/4 gives ((2t)/(1+t²), (1-t²)/(1+t²)), in all four quadrants.
+                        let t = (next(32) as f64 - 15.5) / 4.0;
+                        point.insert(*symbol, 2.0 * t / (1.0 + t * t));
+                        point.insert(*cosine, (1.0 - t * t) / (1.0 + t * t));
+                    }
+                    None => drop(point.insert(*symbol, next(400) as f64 - 199.5)),
+                }
+            }
+            self.follow(&mut point)
+                && positive.iter().all(|poly| self.is_positive(poly, &point, true))
+                && not_negative.iter().all(|poly| self.is_positive(poly, &point, false))
+        })
+    }
+
+    /// Adds the values of reciprocals and roots; false where one does not exist.
+    fn follow(&self, point: &mut BTreeMap<Symbol, f64>) -> bool {
+        let ring = &self.scope.ring;
+        let mut symbols: Vec<(Symbol, Option<&Poly>)> =
+            self.scope.divisors.iter().map(|(divisor, symbol)| (*symbol, Some(divisor))).collect();
+        symbols.extend(self.scope.roots.iter().map(|root| (*root, None)));
+        // One may contain an earlier one.
+        symbols.sort();
+        for (symbol, divisor) in symbols {
+            let radicand = divisor.cloned().unwrap_or_else(|| ring.square_of(symbol));
+            let value = ring.evaluate(&radicand, &|symbol| point.get(&symbol).copied()).unwrap_or(f64::NAN);
+            let value = if divisor.is_some() { value.recip() } else { value.sqrt() };
+            if !value.is_finite() {
+                return false;
+            }
+            point.insert(symbol, value);
+        }
+        true
+    }
+
+    fn is_positive(&self, poly: &Poly, point: &BTreeMap<Symbol, f64>, strictly: bool) -> bool {
+        let ring = &self.scope.ring;
+        let of = |symbol: Symbol| point.get(&symbol).copied();
+        let Some(value) = ring.evaluate(poly, &of) else { return false };
+        let size = ring.magnitude(poly, &of).unwrap_or(f64::INFINITY);
+        let rounding = 1e-9 * size;
+        if strictly { value > rounding } else { value >= -rounding }
+    }
+}
+
+/// Dimensions at their defaults, and what the block assumes.
+fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
+    let mut values = BTreeMap::new();
+    for dimension in &scope.model.dimensions {
+        let default = to_f64(&dimension.default);
+        match dimension.quantity {
+            Quantity::Length(symbol) => drop(values.insert(symbol, default)),
+            Quantity::Angle(sine, cosine) => {
+                let (s, c) = default.to_radians().sin_cos();
+                values.insert(sine, s);
+                values.insert(cosine, c);
+            }
+        }
+    }
+    for axis in scope.model.axes.iter().filter(|axis| axis.kind == Kind::Linear) {
+        if let Some(held) = &axis.held {
+            values.insert(axis.word, to_f64(held));
+        }
+    }
+    values
+}
+
+impl Condition {
+    /// As text in the names of the declaration: `sin B > 0`.
+    pub(super) fn text(&self, scope: &Scope<'_>) -> String {
+        let product = |factors: &[Poly], negative: bool| {
+            let factors: Vec<Formula> =
+                factors.iter().map(|factor| Formula::of_poly(scope.model, &scope.ring, factor)).collect();
+            let product = if factors.len() == 1 { factors[0].text() } else { Formula::Product(factors).text() };
+            (product, negative)
+        };
+        match self {
+            Self::Positive(sign) => {
+                let (product, negative) = product(&sign.factors, sign.negative);
+                format!("{product} {} 0", if negative { "<" } else { ">" })
+            }
+            Self::NotNegative(sign) => {
+                let (product, negative) = product(&sign.factors, sign.negative);
+                format!("{product} {} 0", if negative { "<=" } else { ">=" })
+            }
+            Self::NotZero(zeros) => format!("{} != 0", product(zeros, false).0),
+        }
+    }
+}

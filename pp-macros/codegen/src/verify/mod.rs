@@ -1,0 +1,258 @@
+//! `verify "source" { equations }`: equations as papers print them, decided against the chain.
+//!
+//! Every name except axis letters is replaced by the forward product; what remains is decided by remainders
+//! ([`decide`]). A false equation is answered with the formula that does follow, with the difference, and with the one
+//! small change that would make it true, if there is one ([`repair`]).
+
+mod decide;
+mod repair;
+mod scope;
+
+use std::collections::BTreeMap;
+
+use decide::{Condition, Verdict, decide};
+use scope::{Scope, Value};
+
+use crate::formula::Formula;
+use crate::model::{AxisId, Kind, Model};
+use crate::report::Errors;
+use crate::solve::{Orientation, Solved};
+use crate::symbolic::{Interpreter, Matrix, Poly, Ring, Sign, Surd, sign_of};
+use crate::syntax::{Equation, Expr, ExprKind, Verify};
+
+/// A block whose equations hold.
+#[derive(Debug, Clone)]
+pub struct Verified {
+    /// Where they are printed.
+    pub source: String,
+    /// `gauge = 0, part = 0`, or what the block states.
+    pub assumptions: Vec<String>,
+    /// In their order.
+    pub equations: Vec<Proven>,
+}
+
+/// An equation that holds.
+#[derive(Debug, Clone)]
+pub struct Proven {
+    /// As written.
+    pub left: Formula,
+    /// As written.
+    pub right: Formula,
+    /// Where it holds, as text; everywhere if empty.
+    pub holds: Vec<String>,
+    /// Divisors that contain nothing but dimensions: they must not be zero.
+    pub divisors: Vec<Poly>,
+}
+
+/// Decides all equations; a message for each that does not hold.
+pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mut Errors) -> Vec<Verified> {
+    if blocks.is_empty() {
+        return Vec::new();
+    }
+    let product = model.product();
+    let derived = Derived::new(model, solved);
+    blocks.iter().filter_map(|block| verify_block(block, model, &derived, &product, errors)).collect()
+}
+
+/// What the solver found, as polynomials.
+struct Derived {
+    /// With all symbols of the following.
+    ring: Ring,
+    /// Values of the solved linear axes.
+    linear: Vec<(AxisId, Poly)>,
+    /// First branch of the solved rotary axes.
+    rotary: Vec<(AxisId, Formula)>,
+    /// Positive on the first branch, negative on the second.
+    side: Option<Poly>,
+}
+
+impl Derived {
+    fn new(model: &Model, solved: &mut Solved) -> Self {
+        let rotary = crate::explain::rotary_formulas(model, solved);
+        let values = solved.position.values.clone();
+        let two = match &solved.orientation {
+            Orientation::Two(two) => Some((two.alpha, two.rotaries[1], two.first_is_plus)),
+            _ => None,
+        };
+        let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+        let linear = values.into_iter().map(|(axis, node)| (axis, reader.value(node))).collect();
+        // α1 s2 - α2 c2 has the sign of σ.
+        let side = two.map(|(alpha, second, first_is_plus)| {
+            let [sine_factor, cosine_factor] = alpha.map(|node| reader.value(node));
+            let (ring, cosine) = (reader.ring(), Poly::from(model.axes[second].turn.1));
+            let side = &ring.mul(&sine_factor, &model.joint_sine(second)) - &ring.mul(&cosine_factor, &cosine);
+            if first_is_plus { side } else { -&side }
+        });
+        Self { ring: reader.ring().clone(), linear, rotary, side }
+    }
+
+    /// The signs that tell the branches apart, at the assumptions of a block.
+    fn branches(&self, scope: &Scope<'_>) -> Vec<(Sign, &'static str)> {
+        let Some(side) = &self.side else { return Vec::new() };
+        let side = scope.ring.substitute(side, &scope.assumed);
+        if scope.ring.is_zero(&side) {
+            return Vec::new();
+        }
+        let sign = |side: &Poly| sign_of(&scope.ring, side, &scope.circles());
+        vec![(sign(&side), "the first branch"), (sign(&-&side), "the second branch")]
+    }
+
+    /// The value of a solved linear axis in x y z and the rotary axes, if it has no divisor.
+    fn linear(&self, scope: &Scope<'_>, left: &Expr) -> Option<Poly> {
+        let ExprKind::Name(name) = &left.kind else { return None };
+        let axis = scope.axis_named(name)?;
+        let (_, value) = self.linear.iter().find(|(known, _)| *known == axis)?;
+        let value = scope.ring.substitute(value, &scope.assumed);
+        (!self.ring.has_reciprocal(&value)).then_some(value)
+    }
+
+    /// The formula that follows from the chain for the left side, in the language of the macro.
+    fn formula(&self, scope: &Scope<'_>, left: &Expr) -> Option<String> {
+        let ExprKind::Name(name) = &left.kind else { return None };
+        if let Some(value) = self.linear(scope, left) {
+            return Some(Formula::of_poly(scope.model, &scope.ring, &value).source());
+        }
+        if let Some(axis) = scope.axis_named(name) {
+            return self.rotary.iter().find(|(known, _)| *known == axis).map(|(_, formula)| formula.source());
+        }
+        match scope.clone().value(left) {
+            Ok(Value::Number(value)) => Some(Formula::of_poly(scope.model, &scope.ring, &value).source()),
+            _ => None,
+        }
+    }
+}
+
+fn verify_block(
+    block: &Verify,
+    model: &Model,
+    derived: &Derived,
+    product: &Matrix,
+    errors: &mut Errors,
+) -> Option<Verified> {
+    let mut scope = match Scope::new(model, derived.ring.clone(), product, block) {
+        Ok(scope) => scope,
+        Err(faults) => {
+            faults.into_iter().for_each(|fault| fault.report(errors));
+            return None;
+        }
+    };
+    let branches = derived.branches(&scope);
+    let mut equations = Vec::new();
+    for equation in &block.equations {
+        match decide(&mut scope, equation) {
+            Ok(Verdict::Holds(conditions)) => equations.push(proven(&scope, equation, &conditions, &branches)),
+            Ok(verdict) => report(&scope, equation, &verdict, derived, errors),
+            Err(fault) => fault.report(errors),
+        }
+    }
+    let mut assumptions: Vec<String> = block
+        .assumptions
+        .iter()
+        .map(|assumption| format!("{} = {}", assumption.key.name, assumption.value))
+        .collect();
+    let zero = scope.unmentioned(block);
+    assumptions.extend(zero.iter().filter(|(name, _)| *name == "gauge").map(|_| "gauge = 0".to_string()));
+    let parts: Vec<&str> = zero.iter().map(|(name, _)| *name).filter(|name| *name != "gauge").collect();
+    match parts[..] {
+        [_, _, _] => assumptions.push("part = 0".into()),
+        _ => assumptions.extend(parts.iter().map(|name| format!("{name} = 0"))),
+    }
+    Some(Verified { source: block.source.clone(), assumptions, equations })
+}
+
+fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], branches: &[(Sign, &str)]) -> Proven {
+    let dimensions = scope.model.dimension_symbols();
+    let holds = conditions
+        .iter()
+        .map(|condition| {
+            let branch = match condition {
+                Condition::Positive(sign) | Condition::NotNegative(sign) => {
+                    branches.iter().find(|(known, _)| known == sign).map(|(_, name)| name)
+                }
+                Condition::NotZero(_) => None,
+            };
+            let text = condition.text(scope);
+            branch.map_or(text.clone(), |branch| format!("{text} ({branch})"))
+        })
+        .collect();
+    let divisors = scope.divisors.iter().map(|(divisor, _)| scope.ring.clear_even(divisor));
+    let divisors = divisors.filter(|divisor| divisor.symbols().all(|symbol| dimensions.contains(&symbol)));
+    Proven {
+        left: Formula::of_expr(&equation.left),
+        right: Formula::of_expr(&equation.right),
+        holds,
+        divisors: divisors.filter(|divisor| scope.ring.value(divisor).is_none()).collect(),
+    }
+}
+
+/// A message at an equation that does not hold.
+fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &Derived, errors: &mut Errors) {
+    let left = &equation.left;
+    match verdict {
+        Verdict::Holds(_) => {}
+        Verdict::Opposite => errors.push(
+            equation.phrase,
+            format!("this formula gives `{left} + 180 deg` at every pose"),
+            "change the sign of both arguments",
+        ),
+        Verdict::Nowhere => errors.push(
+            equation.phrase,
+            format!("this formula for `{left}` is right at no pose"),
+            "check the signs of roots and arguments",
+        ),
+        Verdict::False(gap) => {
+            let change = repair(scope, equation);
+            let (gap, missing) = difference(scope, equation, gap, derived);
+            let mut text = format!("this equation for `{left}` does not follow from the chain");
+            if let Some(derived) = derived.formula(scope, left) {
+                text += &format!("\n  derived:    {left} = {derived}");
+            }
+            text += &format!("\n  difference: {gap}");
+            let help = change.or(missing).unwrap_or_else(|| {
+                "no single change makes it true: compare `signs`, `d` and `axes` with the source, too".into()
+            });
+            errors.push(equation.phrase, text, help);
+        }
+    }
+}
+
+/// The first single change of the right side that makes an equation true.
+fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
+    repair::changes(&equation.right, scope.model).into_iter().find_map(|change| {
+        let changed = Equation { right: change.expr, ..equation.clone() };
+        let verdict = decide(&mut scope.clone(), &changed);
+        matches!(verdict, Ok(Verdict::Holds(_))).then_some(change.words)
+    })
+}
+
+/// What should be zero, as text; and a term that is missing on the right, if that is all.
+fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Derived) -> (String, Option<String>) {
+    if let Some(value) = derived.linear(scope, &equation.left) {
+        let mut free = scope.with_free_tip();
+        let mut linears = scope.model.axes.iter().filter(|axis| axis.kind == Kind::Linear);
+        let speaks_of_words = linears.any(|axis| equation.right.mentions(&axis.letter.to_string()));
+        if !speaks_of_words && let Ok(Value::Number(written)) = free.value(&equation.right) {
+            let gap = &value - &written;
+            let text = Formula::of_poly(scope.model, &free.ring, &gap).source();
+            return (text.clone(), missing_term(&gap, &text));
+        }
+    }
+    let text = Formula::of_poly(scope.model, &scope.ring, gap).source();
+    let missing = missing_term(gap, &text).filter(|_| is_scalar(scope, &equation.left));
+    (text, missing)
+}
+
+fn is_scalar(scope: &Scope<'_>, left: &Expr) -> bool {
+    matches!(scope.clone().value(left), Ok(Value::Number(_)))
+}
+
+fn missing_term(gap: &Poly, text: &str) -> Option<String> {
+    if gap.monomials() != 1 {
+        return None;
+    }
+    let negative = gap.coefficients().next().is_some_and(|factor| Surd::sign(factor).is_lt());
+    Some(match text.strip_prefix('-').filter(|_| negative) {
+        Some(rest) => format!("add `- {rest}`"),
+        None => format!("add `+ {text}`"),
+    })
+}

@@ -1,0 +1,136 @@
+//! One small change that makes a false equation true: the misprints of papers, and the slips of those who copy them.
+
+use crate::model::{Kind, Model};
+use crate::syntax::{Expr, ExprKind};
+
+/// An expression with one change, and the change in words.
+pub(super) struct Change {
+    pub(super) expr: Expr,
+    pub(super) words: String,
+    /// Order of trying: likelier slips first.
+    rank: u8,
+}
+
+/// All changes of an expression that are tried, the likeliest first.
+pub(super) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
+    let mut found = Vec::new();
+    at(expr, true, model, &mut found, &|inner| inner);
+    found.sort_by_key(|change| change.rank);
+    found
+}
+
+/// Collects the changes inside `expr`; `whole` puts it back into the equation.
+fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
+    let mut change = |rank: u8, new: Expr| {
+        let words = format!("write `{new}` in place of `{expr}`");
+        found.push(Change { expr: whole(new), words, rank });
+    };
+    let with = |kind: ExprKind| Expr { phrase: expr.phrase, kind };
+    match &expr.kind {
+        ExprKind::Name(name) => {
+            for other in alternatives(name, model) {
+                change(3, with(ExprKind::Name(other)));
+            }
+        }
+        ExprKind::Neg(inner) => change(1, (**inner).clone()),
+        ExprKind::Call(name, arguments) => {
+            if let Some((other, rank)) = other_function(name) {
+                change(rank, with(ExprKind::Call(other.into(), arguments.clone())));
+            }
+            if name == "atan2" && arguments.len() == 2 {
+                change(2, with(ExprKind::Call(name.clone(), vec![arguments[1].clone(), arguments[0].clone()])));
+            }
+        }
+        ExprKind::Binary(left, operator @ ('+' | '-'), right) => {
+            let (other, sign) = if *operator == '+' { ('-', '-') } else { ('+', '+') };
+            let term = |sign: char| format!("{sign} {right}");
+            found.push(Change {
+                expr: whole(with(ExprKind::Binary(left.clone(), other, right.clone()))),
+                words: format!("write `{}` in place of `{}`", term(sign), term(*operator)),
+                rank: 1,
+            });
+            found.push(Change {
+                expr: whole((**left).clone()),
+                words: format!("leave out `{}`", term(*operator)),
+                rank: 4,
+            });
+        }
+        ExprKind::Number(..) | ExprKind::Binary(..) | ExprKind::Power(..) => {}
+    }
+    let is_sum = matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _) | ExprKind::Neg(_));
+    if may_be_negated && !is_sum {
+        let negated = negated(expr);
+        found.push(Change {
+            words: format!("write `{negated}` in place of `{expr}`"),
+            expr: whole(negated),
+            rank: 1,
+        });
+    }
+    match &expr.kind {
+        ExprKind::Number(..) | ExprKind::Name(_) => {}
+        ExprKind::Neg(inner) => {
+            at(inner, false, model, found, &|new| whole(with(ExprKind::Neg(Box::new(new)))));
+        }
+        ExprKind::Power(base, exponent) => {
+            at(base, false, model, found, &|new| whole(with(ExprKind::Power(Box::new(new), *exponent))));
+        }
+        ExprKind::Binary(left, operator, right) => {
+            let first_term = matches!(operator, '+' | '-');
+            at(left, first_term, model, found, &|new| {
+                whole(with(ExprKind::Binary(Box::new(new), *operator, right.clone())))
+            });
+            at(right, false, model, found, &|new| {
+                whole(with(ExprKind::Binary(left.clone(), *operator, Box::new(new))))
+            });
+        }
+        ExprKind::Call(name, arguments) => {
+            for (place, argument) in arguments.iter().enumerate() {
+                let signed = !matches!(name.as_str(), "sin" | "cos");
+                at(argument, signed, model, found, &|new| {
+                    let mut arguments = arguments.clone();
+                    arguments[place] = new;
+                    whole(with(ExprKind::Call(name.clone(), arguments)))
+                });
+            }
+        }
+    }
+}
+
+/// `-e`, in front of the first factor.
+fn negated(expr: &Expr) -> Expr {
+    let kind = match &expr.kind {
+        ExprKind::Binary(left, operator @ ('*' | '/'), right) => {
+            ExprKind::Binary(Box::new(negated(left)), *operator, right.clone())
+        }
+        ExprKind::Neg(inner) => inner.kind.clone(),
+        _ => ExprKind::Neg(Box::new(expr.clone())),
+    };
+    Expr { phrase: expr.phrase, kind }
+}
+
+/// Names that stand in each other's place by mistake.
+fn alternatives(name: &str, model: &Model) -> Vec<String> {
+    let groups: [&[&str]; 2] = [&["x", "y", "z"], &["i", "j", "k"]];
+    let mut others: Vec<String> = groups
+        .iter()
+        .filter(|group| group.contains(&name))
+        .flat_map(|group| group.iter().map(ToString::to_string))
+        .collect();
+    let kind = |letter: &str| model.axes.iter().find(|axis| axis.letter.to_string() == letter).map(|axis| axis.kind);
+    if kind(name) == Some(Kind::Rotary) {
+        let rotaries = model.axes.iter().filter(|axis| axis.kind == Kind::Rotary);
+        others.extend(rotaries.map(|axis| axis.letter.to_string()));
+    }
+    others.retain(|other| other != name);
+    others
+}
+
+fn other_function(name: &str) -> Option<(&'static str, u8)> {
+    match name {
+        "sin" => Some(("cos", 0)),
+        "cos" => Some(("sin", 0)),
+        "asin" => Some(("acos", 2)),
+        "acos" => Some(("asin", 2)),
+        _ => None,
+    }
+}
