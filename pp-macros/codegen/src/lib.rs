@@ -6,6 +6,7 @@
 pub mod check;
 mod emit;
 pub mod explain;
+pub mod formula;
 pub mod model;
 pub mod proof;
 pub mod report;
