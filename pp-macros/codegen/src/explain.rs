@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::formula::Formula;
 use crate::emit::{Body, Count, Statement};
 use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
 use crate::solve::{Angle, Orientation, Solved, Two};
@@ -287,4 +288,18 @@ fn operations(solved: &Solved) -> String {
         many(products, "multiplication"),
         many(additions, "addition")
     )
+}
+
+/// `T = atan2(...)` of the first branch for every solved rotary axis.
+pub(crate) fn rotary_formulas(model: &Model, solved: &Solved) -> Vec<(usize, Formula)> {
+    let words = match &solved.orientation {
+        Orientation::Fixed { .. } => vec![],
+        Orientation::One(one) => vec![(one.rotary, one.word)],
+        Orientation::Two(two) => two.rotaries.into_iter().zip(two.answers[0].words).collect(),
+    };
+    let formula = |node: Id| Formula::of_node(model, &solved.graph, node, &Default::default());
+    words
+        .into_iter()
+        .map(|(axis, (sine, cosine))| (axis, Formula::call("atan2", [formula(sine), formula(cosine)])))
+        .collect()
 }

@@ -6,12 +6,14 @@
 pub mod check;
 mod emit;
 pub mod explain;
+pub mod formula;
 pub mod model;
 pub mod proof;
 pub mod report;
 pub mod solve;
 pub mod symbolic;
 pub mod syntax;
+pub mod verify;
 
 use proc_macro2::TokenStream;
 
@@ -54,6 +56,8 @@ pub fn generate(input: TokenStream, options: Options) -> Result<TokenStream, Ref
             unreachable!("an unproven claim has a message");
         }
     };
+    let verified = verify::verify(&declaration.verify, &model, &mut solved, &mut errors);
+    errors.propagate()?;
     let explanation = explain::explain(&model, &solved, proofs);
     Ok(emit::emit(&declaration, &model, &solved, &explanation, options))
 }

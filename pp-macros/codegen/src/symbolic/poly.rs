@@ -64,6 +64,11 @@ impl Poly {
         self.terms.keys().flatten().map(|(symbol, _)| *symbol)
     }
 
+    /// Monomials as powers of symbols, sorted by symbol, with their factors.
+    pub fn terms(&self) -> impl Iterator<Item = (&[(Symbol, u32)], &Surd)> + '_ {
+        self.terms.iter().map(|(monomial, factor)| (monomial.as_slice(), factor))
+    }
+
     /// Factors of the monomials.
     pub fn coefficients(&self) -> impl Iterator<Item = &Surd> + '_ {
         self.terms.values()

@@ -89,6 +89,23 @@ impl Ring {
         poly.symbols().any(|symbol| self.known[symbol.0 as usize].divisor.is_some())
     }
 
+    /// All symbols.
+    pub fn symbols(&self) -> impl Iterator<Item = Symbol> + use<> {
+        (0..self.known.len()).map(symbol_at)
+    }
+
+    /// What a symbol's square is rewritten to.
+    #[must_use]
+    pub fn square(&self, symbol: Symbol) -> Option<&Poly> {
+        self.known[symbol.0 as usize].square.as_ref()
+    }
+
+    /// What a reciprocal is the reciprocal of.
+    #[must_use]
+    pub fn divisor(&self, symbol: Symbol) -> Option<&Poly> {
+        self.known[symbol.0 as usize].divisor.as_ref()
+    }
+
     /// Float value of a polynomial in constants; `None` if anything else occurs.
     #[must_use]
     pub fn value(&self, poly: &Poly) -> Option<f64> {

@@ -80,6 +80,11 @@ impl Surd {
         }
     }
 
+    /// Square-free radicands with their factors, smallest radicand first.
+    pub fn terms(&self) -> impl Iterator<Item = (&BigUint, &BigRational)> + '_ {
+        self.terms.iter()
+    }
+
     /// True for the empty sum.
     #[must_use]
     pub fn is_zero(&self) -> bool {

@@ -18,7 +18,7 @@ use crate::model::{AxisId, Kind, Model};
 use crate::report::Errors;
 use crate::solve::{Orientation, Solved};
 use crate::symbolic::{Interpreter, Matrix, Poly, Ring, Sign, Surd, sign_of};
-use crate::syntax::{Equation, Expr, ExprKind, Verify};
+use crate::syntax::{Equation, Expr, ExprKind, Unit, Verify};
 
 /// A block whose equations hold.
 #[derive(Debug, Clone)]
@@ -178,8 +178,8 @@ fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], bran
     let divisors = scope.divisors.iter().map(|(divisor, _)| scope.ring.clear_even(divisor));
     let divisors = divisors.filter(|divisor| divisor.symbols().all(|symbol| dimensions.contains(&symbol)));
     Proven {
-        left: Formula::of_expr(&equation.left),
-        right: Formula::of_expr(&equation.right),
+        left: as_written(&equation.left),
+        right: as_written(&equation.right),
         holds,
         divisors: divisors.filter(|divisor| scope.ring.value(divisor).is_none()).collect(),
     }
@@ -255,4 +255,34 @@ fn missing_term(gap: &Poly, text: &str) -> Option<String> {
         Some(rest) => format!("add `- {rest}`"),
         None => format!("add `+ {text}`"),
     })
+}
+
+/// An expression as it is written.
+fn as_written(expr: &Expr) -> Formula {
+    let inner = |expr: &Expr| Box::new(as_written(expr));
+    match &expr.kind {
+        ExprKind::Number(value, Some(Unit::Degree)) => Formula::Degrees(value.clone()),
+        ExprKind::Number(value, _) => Formula::Number(Surd::from(value.clone())),
+        ExprKind::Name(name) => Formula::name(name),
+        ExprKind::Neg(negated) => Formula::Neg(inner(negated)),
+        ExprKind::Power(base, exponent) => Formula::Power(inner(base), *exponent),
+        ExprKind::Call(name, arguments) => Formula::call(name, arguments.iter().map(as_written)),
+        ExprKind::Binary(left, '/', right) => Formula::Quotient(inner(left), inner(right)),
+        ExprKind::Binary(left, operator, right) => {
+            let right = as_written(right);
+            let right = if *operator == '-' { Formula::Neg(Box::new(right)) } else { right };
+            match (as_written(left), operator) {
+                (Formula::Product(mut factors), '*') => {
+                    factors.push(right);
+                    Formula::Product(factors)
+                }
+                (left, '*') => Formula::Product(vec![left, right]),
+                (Formula::Sum(mut terms), _) => {
+                    terms.push(right);
+                    Formula::Sum(terms)
+                }
+                (left, _) => Formula::Sum(vec![left, right]),
+            }
+        }
+    }
 }
