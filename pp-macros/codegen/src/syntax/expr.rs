@@ -69,6 +69,24 @@ impl Expr {
         }
     }
 
+    /// The expression with some parts replaced, outermost first.
+    pub(crate) fn replace(&self, by: &dyn Fn(&Self) -> Option<Self>) -> Self {
+        if let Some(new) = by(self) {
+            return new;
+        }
+        let inner = |part: &Self| Box::new(part.replace(by));
+        let kind = match &self.kind {
+            ExprKind::Number(..) | ExprKind::Name(_) => self.kind.clone(),
+            ExprKind::Neg(part) => ExprKind::Neg(inner(part)),
+            ExprKind::Power(base, exponent) => ExprKind::Power(inner(base), *exponent),
+            ExprKind::Binary(left, operator, right) => ExprKind::Binary(inner(left), *operator, inner(right)),
+            ExprKind::Call(name, arguments) => {
+                ExprKind::Call(name.clone(), arguments.iter().map(|part| part.replace(by)).collect())
+            }
+        };
+        Self { phrase: self.phrase, kind }
+    }
+
     /// Largest product of nested exponents.
     fn power(&self) -> u32 {
         match &self.kind {

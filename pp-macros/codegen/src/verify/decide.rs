@@ -98,8 +98,8 @@ impl Decision<'_, '_, '_> {
 
     /// What has to vanish for two angles to be equal, and what has to be positive.
     fn angles(&mut self, left: &Angle, right: &Angle) -> Result<(Poly, Claims), Fault> {
-        for (inverse, other) in [(&right.inverse, left), (&left.inverse, right)] {
-            let Some(inverse) = inverse else { continue };
+        for (inverted, other) in [(right, left), (left, right)] {
+            let Some(inverse) = &inverted.inverse else { continue };
             let squares = [&other.cosine, &other.sine].map(|part| self.scope.ring.mul(part, part));
             if other.inverse.is_some() || !self.scope.ring.is_zero(&(&(&squares[0] + &squares[1]) - &Poly::one())) {
                 continue;
@@ -109,8 +109,11 @@ impl Decision<'_, '_, '_> {
                 Inverse::Cosine(part, false) => (part - &other.cosine, other.sine.clone()),
                 Inverse::Cosine(part, true) => (part - &other.cosine, -&other.sine),
             };
-            // Its root exists: what stands under it is the square of the other part.
-            self.scope.roots.clear();
+            // The root in its other part exists: what stands under it is the square of what it equals.
+            let own = |root: &Symbol| !gap.symbols().any(|symbol| symbol == *root);
+            let spent = if matches!(inverse, Inverse::Sine(_)) { &inverted.cosine } else { &inverted.sine };
+            let spent: Vec<Symbol> = spent.symbols().filter(own).collect();
+            self.scope.roots.retain(|root| !spent.contains(root));
             return Ok((gap, Claims { not_negative: vec![sign], ..Claims::default() }));
         }
         let between = self.scope.sum(left, &right.clone().negated(), self.expr)?;
@@ -119,6 +122,7 @@ impl Decision<'_, '_, '_> {
 
     /// Whether a polynomial is zero on a part that `eliminated` describes.
     fn vanishes(&mut self, poly: Poly) -> Result<bool, Fault> {
+        let poly = self.scope.ring.clear_even(&poly);
         if self.scope.ring.is_zero(&poly) {
             return Ok(true);
         }
@@ -152,6 +156,8 @@ impl Decision<'_, '_, '_> {
             let opposite = angles && self.has_witness(&positive.iter().map(|poly| -poly).collect::<Vec<_>>(), &not_negative);
             return Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere });
         }
+        let divisors: Vec<Poly> = self.scope.divisors.iter().map(|(divisor, _)| divisor.clone()).collect();
+        let divisors = self.resolved(divisors)?;
         let circles = self.scope.circles();
         let ring = &self.scope.ring;
         let mut conditions: Vec<Condition> = Vec::new();
@@ -167,7 +173,7 @@ impl Decision<'_, '_, '_> {
                 conditions.push(Condition::NotNegative(sign));
             }
         }
-        for (divisor, _) in &self.scope.divisors {
+        for divisor in &divisors {
             let zeros = zeros_of(ring, divisor, &circles);
             if !zeros.is_empty() {
                 conditions.push(Condition::NotZero(zeros));
@@ -186,7 +192,8 @@ impl Decision<'_, '_, '_> {
     /// `(u b - v a) b`.
     fn resolved(&self, polys: Vec<Poly>) -> Result<Vec<Poly>, Fault> {
         let mut resolved = Vec::new();
-        for mut poly in polys {
+        for poly in polys {
+            let mut poly = self.scope.ring.clear_even(&poly);
             for Eliminated { root, a, b } in &self.eliminated {
                 let (u, v) = (poly.coefficient(*root, 0), poly.coefficient(*root, 1));
                 if v.is_zero() {
@@ -251,7 +258,8 @@ impl Decision<'_, '_, '_> {
         let ring = &self.scope.ring;
         let mut symbols: Vec<(Symbol, Option<&Poly>)> =
             self.scope.divisors.iter().map(|(divisor, symbol)| (*symbol, Some(divisor))).collect();
-        symbols.extend(self.scope.roots.iter().map(|root| (*root, None)));
+        let eliminated = self.eliminated.iter().map(|eliminated| &eliminated.root);
+        symbols.extend(self.scope.roots.iter().chain(eliminated).map(|root| (*root, None)));
         // One may contain an earlier one.
         symbols.sort();
         for (symbol, divisor) in symbols {

@@ -207,7 +207,7 @@ fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &D
             if let Some(derived) = derived.formula(scope, left) {
                 text += &format!("\n  derived:    {left} = {derived}");
             }
-            text += &format!("\n  difference: {gap}");
+            text += &format!("\n  {gap}");
             let help = change.or(missing).unwrap_or_else(|| {
                 "no single change makes it true: compare `signs`, `d` and `axes` with the source, too".into()
             });
@@ -232,29 +232,29 @@ fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Deri
         let mut linears = scope.model.axes.iter().filter(|axis| axis.kind == Kind::Linear);
         let speaks_of_words = linears.any(|axis| equation.right.mentions(&axis.letter.to_string()));
         if !speaks_of_words && let Ok(Value::Number(written)) = free.value(&equation.right) {
-            let gap = &value - &written;
-            let text = Formula::of_poly(scope.model, &free.ring, &gap).source();
-            return (text.clone(), missing_term(&gap, &text));
+            let gap = Formula::of_poly(scope.model, &free.ring, &(&value - &written));
+            return (format!("difference: {}", gap.source()), missing_term(&gap));
         }
     }
-    let text = Formula::of_poly(scope.model, &scope.ring, gap).source();
-    let missing = missing_term(gap, &text).filter(|_| is_scalar(scope, &equation.left));
-    (text, missing)
+    let gap = Formula::of_poly(scope.model, &scope.ring, gap);
+    if is_number(scope, &equation.left) {
+        (format!("difference: {}", gap.source()), missing_term(&gap))
+    } else {
+        (format!("not zero:   {}", gap.source()), None)
+    }
 }
 
-fn is_scalar(scope: &Scope<'_>, left: &Expr) -> bool {
+fn is_number(scope: &Scope<'_>, left: &Expr) -> bool {
     matches!(scope.clone().value(left), Ok(Value::Number(_)))
 }
 
-fn missing_term(gap: &Poly, text: &str) -> Option<String> {
-    if gap.monomials() != 1 {
-        return None;
+/// The term that is missing, if the difference is no sum.
+fn missing_term(gap: &Formula) -> Option<String> {
+    match gap {
+        Formula::Sum(_) => None,
+        Formula::Neg(term) => Some(format!("add `- {}`", term.source())),
+        term => Some(format!("add `+ {}`", term.source())),
     }
-    let negative = gap.coefficients().next().is_some_and(|factor| Surd::sign(factor).is_lt());
-    Some(match text.strip_prefix('-').filter(|_| negative) {
-        Some(rest) => format!("add `- {rest}`"),
-        None => format!("add `+ {text}`"),
-    })
 }
 
 /// An expression as it is written.

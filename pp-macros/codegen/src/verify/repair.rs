@@ -15,8 +15,64 @@ pub(super) struct Change {
 pub(super) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
     let mut found = Vec::new();
     at(expr, true, model, &mut found, &|inner| inner);
+    throughout(expr, model, &mut found);
     found.sort_by_key(|change| change.rank);
     found
+}
+
+/// Changes of every place where a name stands: a source that counts it the other way round, or an angle from another
+/// direction.
+fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
+    let mut names = Vec::new();
+    collect(expr, &mut names);
+    let rotary = |name: &str| model.axes.iter().any(|axis| axis.kind == Kind::Rotary && axis.letter.to_string() == name);
+    for name in names {
+        let is_call = |call: &Expr, function: &str| match &call.kind {
+            ExprKind::Call(known, arguments) if known == function => {
+                matches!(&arguments[..], [argument] if matches!(&argument.kind, ExprKind::Name(n) if *n == name))
+            }
+            _ => false,
+        };
+        let other = |call: &Expr, function: &str| match &call.kind {
+            ExprKind::Call(_, arguments) => {
+                Some(Expr { phrase: call.phrase, kind: ExprKind::Call(function.into(), arguments.clone()) })
+            }
+            _ => None,
+        };
+        let exchanged = expr.replace(&|part| match (is_call(part, "sin"), is_call(part, "cos")) {
+            (true, _) => other(part, "cos"),
+            (_, true) => other(part, "sin"),
+            _ => None,
+        });
+        let words = format!("exchange `sin({name})` and `cos({name})` wherever they stand");
+        found.push(Change { expr: exchanged, words, rank: 6 });
+        let reversed = expr.replace(&|part| {
+            let name = matches!(&part.kind, ExprKind::Name(known) if *known == name);
+            name.then(|| Expr { phrase: part.phrase, kind: ExprKind::Neg(Box::new(part.clone())) })
+        });
+        let mut words = format!("it is true with `-{name}` for `{name}`: the source counts {name} the other way round");
+        if rotary(&name) {
+            words += &format!("; if the machine does, too, declare `signs = {{ {name}: - }};`");
+        }
+        found.push(Change { expr: reversed, words, rank: 6 });
+    }
+}
+
+fn collect(expr: &Expr, names: &mut Vec<String>) {
+    match &expr.kind {
+        ExprKind::Number(..) => {}
+        ExprKind::Name(name) => {
+            if !names.contains(name) {
+                names.push(name.clone());
+            }
+        }
+        ExprKind::Neg(inner) | ExprKind::Power(inner, _) => collect(inner, names),
+        ExprKind::Binary(left, _, right) => {
+            collect(left, names);
+            collect(right, names);
+        }
+        ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| collect(argument, names)),
+    }
 }
 
 /// Collects the changes inside `expr`; `whole` puts it back into the equation.
@@ -29,7 +85,7 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
     match &expr.kind {
         ExprKind::Name(name) => {
             for other in alternatives(name, model) {
-                change(3, with(ExprKind::Name(other)));
+                change(4, with(ExprKind::Name(other)));
             }
         }
         ExprKind::Neg(inner) => change(1, (**inner).clone()),
@@ -38,7 +94,7 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
                 change(rank, with(ExprKind::Call(other.into(), arguments.clone())));
             }
             if name == "atan2" && arguments.len() == 2 {
-                change(2, with(ExprKind::Call(name.clone(), vec![arguments[1].clone(), arguments[0].clone()])));
+                change(3, with(ExprKind::Call(name.clone(), vec![arguments[1].clone(), arguments[0].clone()])));
             }
         }
         ExprKind::Binary(left, operator @ ('+' | '-'), right) => {
@@ -52,7 +108,7 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
             found.push(Change {
                 expr: whole((**left).clone()),
                 words: format!("leave out `{}`", term(*operator)),
-                rank: 4,
+                rank: 5,
             });
         }
         ExprKind::Number(..) | ExprKind::Binary(..) | ExprKind::Power(..) => {}
@@ -63,7 +119,7 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
         found.push(Change {
             words: format!("write `{negated}` in place of `{expr}`"),
             expr: whole(negated),
-            rank: 1,
+            rank: 2,
         });
     }
     match &expr.kind {
@@ -129,8 +185,8 @@ fn other_function(name: &str) -> Option<(&'static str, u8)> {
     match name {
         "sin" => Some(("cos", 0)),
         "cos" => Some(("sin", 0)),
-        "asin" => Some(("acos", 2)),
-        "acos" => Some(("asin", 2)),
+        "asin" => Some(("acos", 3)),
+        "acos" => Some(("asin", 3)),
         _ => None,
     }
 }

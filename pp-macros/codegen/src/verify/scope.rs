@@ -409,13 +409,14 @@ impl<'a> Scope<'a> {
     }
 
     fn root(&mut self, radicand: Poly, expr: &Expr) -> Result<Poly, Fault> {
-        if let Some(number) = radicand.as_number() {
-            if number.sign().is_lt() {
-                return Err(Fault::new(expr.phrase, "the root of a negative number", "check the signs under the root"));
-            }
-            if let Some(root) = number.sqrt() {
-                return Ok(Poly::from(root));
-            }
+        let number = radicand.as_number();
+        if number.as_ref().is_some_and(|number| number.sign().is_lt())
+            || self.ring.value(&radicand).is_some_and(|value| value < 0.0)
+        {
+            return Err(Fault::new(expr.phrase, "the root of a negative number", "check the signs under the root"));
+        }
+        if let Some(root) = number.and_then(|number| number.sqrt()) {
+            return Ok(Poly::from(root));
         }
         let known = self.roots.iter().find(|root| self.ring.square_of(**root) == radicand).copied();
         let root = known.unwrap_or_else(|| {
