@@ -55,6 +55,6 @@ pub fn generate(input: TokenStream, options: Options) -> Result<TokenStream, Ref
             unreachable!("an unproven claim has a message");
         }
     };
-    let explanation = explain::explain(&model, &solved, proofs);
+    let explanation = explain::explain(&model, &solved, proofs, &[]);
     Ok(emit::emit(&declaration, &model, &solved, &explanation, options))
 }
