@@ -210,16 +210,7 @@ impl<T: Table> Machine for Reference<T> {
     const AXES: &'static [Axis] = T::AXES;
     const DIMENSIONS: &'static [Dimension] = &[];
     const HELD: T::Axes = T::HELD;
-    const EXPLANATION: &'static Explanation = &Explanation {
-        chain: &[],
-        formulas: &[],
-        branches: &[],
-        singular_set: &[],
-        reachable: &[],
-        degenerate: &[],
-        operations: "",
-        proofs: &[],
-    };
+    const EXPLANATION: &'static Explanation = &Explanation::EMPTY;
 
     fn dimension(&self, index: usize) -> f64 {
         panic!("there is no dimension {index}")

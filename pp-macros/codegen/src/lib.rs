@@ -58,6 +58,6 @@ pub fn generate(input: TokenStream, options: Options) -> Result<TokenStream, Ref
     };
     let verified = verify::verify(&declaration.verify, &model, &mut solved, &mut errors);
     errors.propagate()?;
-    let explanation = explain::explain(&model, &solved, proofs);
+    let explanation = explain::explain(&model, &solved, proofs, &verified);
     Ok(emit::emit(&declaration, &model, &solved, &explanation, options))
 }

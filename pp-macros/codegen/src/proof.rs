@@ -199,7 +199,8 @@ fn prove_answer(model: &Model, solved: &mut Solved, two: &Two, answer: &Answer) 
     for axis in two.rotaries {
         on_circle(model, &reader, axis, &words)?;
     }
-    let claim = format!("{letters} turn the tool to (i, j, k), branch {}", if answer.plus { "+" } else { "-" });
+    let branch = if answer.plus == two.first_is_plus { "first" } else { "second" };
+    let claim = format!("{letters} turn the tool to (i, j, k), {branch} branch");
     // R1 R2 t = a, shown as R2 t = R1⁻¹ a, and likewise for what is held: far fewer products of sines.
     let after = two.rotaries[0] + 1;
     let tool = model.product_of((after..model.axes.len()).map(|axis| model.joint(axis)));

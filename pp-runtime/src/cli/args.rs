@@ -24,8 +24,16 @@ pub(super) enum Command {
     Post(PostArgs),
     /// Print a configuration file that holds every default
     Config,
-    /// Print how the kinematics of this machine were derived
-    Explain,
+    /// Print how the kinematics of this machine were derived, and a jog sheet
+    Explain(ExplainArgs),
+}
+
+/// Arguments of `explain`.
+#[derive(Debug, Args)]
+pub(super) struct ExplainArgs {
+    /// Write a LaTeX document instead of text
+    #[arg(long)]
+    pub(super) latex: bool,
 }
 
 /// Arguments of `post`.

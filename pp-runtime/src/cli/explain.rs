@@ -1,32 +1,58 @@
-//! The derivation of a machine's kinematics as a page of text.
+//! The derivation of a machine's kinematics as a page of text, or as a LaTeX document.
 
 use std::io::{self, Write};
 
-use crate::kinematics::{Explanation, Machine};
+use crate::kinematics::Machine;
 
-/// Writes what is known about the kinematics of `M`.
-pub(super) fn explain<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
-    let Explanation { chain, formulas, branches, singular_set, reachable, degenerate, operations, proofs } =
-        M::EXPLANATION;
+/// Writes what is known about the kinematics of `M` as text.
+pub(super) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}: derivation of the kinematics; formulas in millimetres and radians", M::NAME)?;
-    for (title, lines) in [
-        ("Chain", chain),
-        ("Formulas, in the order of evaluation", formulas),
-        ("Branches, in their order", branches),
-        ("Where a rotary axis is free", singular_set),
-        ("Tool axes within reach", reachable),
-        ("Where the linear axes cannot move the tip in every direction", degenerate),
-        ("Operations of one inverse", &[*operations].as_slice()),
-        ("Proven when this machine was compiled", proofs),
-    ] {
-        let lines: Vec<&str> = lines.iter().copied().filter(|line| !line.is_empty()).collect();
-        if lines.is_empty() {
+    for (title, section) in M::EXPLANATION.sections() {
+        if section.text.is_empty() {
             continue;
         }
         writeln!(out, "\n{title}")?;
-        for line in lines {
-            writeln!(out, "    {line}")?;
+        for line in section.text {
+            if line.is_empty() {
+                writeln!(out)?;
+            } else {
+                writeln!(out, "    {line}")?;
+            }
         }
     }
     Ok(())
+}
+
+/// Formulas stand in paragraphs, so that TeX breaks long ones at a sign.
+const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage[margin=22mm]{geometry}
+\usepackage{amsmath}
+\usepackage{amssymb}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt}
+\setcounter{MaxMatrixCols}{12}
+\binoppenalty=100
+\relpenalty=500
+\raggedright
+\raggedbottom
+";
+
+/// Writes the same as a complete LaTeX document.
+pub(super) fn latex<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
+    let name = M::NAME.replace('_', r"\_");
+    writeln!(out, "{PREAMBLE}\\begin{{document}}\n")?;
+    writeln!(out, "{{\\Large {name}: derivation of the kinematics}}\n")?;
+    writeln!(out, "Formulas in millimetres and radians.")?;
+    for (title, section) in M::EXPLANATION.sections() {
+        if section.latex.is_empty() {
+            continue;
+        }
+        writeln!(out, "\n\\section*{{{title}}}")?;
+        for paragraph in section.latex {
+            writeln!(out, "\n{paragraph}")?;
+        }
+    }
+    writeln!(out, "\n\\end{{document}}")
 }

@@ -103,12 +103,13 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
     };
     let format = match &command {
         Command::Post(args) => args.message_format,
-        Command::Config | Command::Explain => MessageFormat::Human,
+        Command::Config | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
         Command::Post(args) => post_file::<M>(&args, &mut streams, post),
         Command::Config => print(&mut streams, |out| out.write_all(config::print::<M>().as_bytes())),
-        Command::Explain => print(&mut streams, explain::explain::<M>),
+        Command::Explain(args) if args.latex => print(&mut streams, explain::latex::<M>),
+        Command::Explain(_) => print(&mut streams, explain::text::<M>),
     };
     result.unwrap_or_else(|failure| {
         if !matches!(failure, Failure::Said) {

@@ -417,6 +417,17 @@ fn explain_prints_what_the_machine_knows_and_no_empty_headings() {
     assert!(outcome.output.starts_with("Sample"), "{}", outcome.output);
     assert!(outcome.output.contains("\n    C B | X Y Z\n"), "{}", outcome.output);
     assert!(!outcome.output.contains("Proven"), "{}", outcome.output);
+    assert!(outcome.output.lines().all(|line| line == line.trim_end()), "{}", outcome.output);
+}
+
+#[test]
+fn explain_writes_a_whole_latex_document() {
+    let outcome = run_with(&["explain", "--latex"], b"", &never);
+    assert_eq!(outcome.status, Status::Done);
+    assert!(outcome.output.starts_with("\\documentclass"), "{}", outcome.output);
+    assert!(outcome.output.contains("\n\\section*{Chain}\n\n$C$ $B$ $X$ $Y$ $Z$\n"), "{}", outcome.output);
+    assert!(outcome.output.ends_with("\n\\end{document}\n"), "{}", outcome.output);
+    assert!(!outcome.output.contains("Proven"), "{}", outcome.output);
 }
 
 #[test]

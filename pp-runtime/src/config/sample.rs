@@ -3,7 +3,7 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{
-    Axis, AxisKind, Dimension, DimensionKind, Explanation, Invalid, Joint, Limits, Machine, Pose, Side, Sign,
+    Axis, AxisKind, Dimension, DimensionKind, Explanation, Invalid, Joint, Limits, Machine, Pose, Section, Side, Sign,
     Solutions, Unreachable,
 };
 
@@ -46,14 +46,9 @@ impl Machine for Sample {
     ];
     const HELD: Self::Axes = [0.0; 5];
     const EXPLANATION: &'static Explanation = &Explanation {
-        chain: &["C B | X Y Z"],
-        formulas: &["w = k", "B = atan2(sqrt(i^2 + j^2), k)"],
-        branches: &["sin B >= 0", "sin B <= 0"],
-        singular_set: &["i = j = 0: C is free"],
-        reachable: &["every tool axis"],
-        degenerate: &[],
-        operations: "2 atan2, 1 sqrt",
-        proofs: &[],
+        chain: Section { text: &["C B | X Y Z", "", "tool axis (0, 0, 1)"], latex: &["$C$ $B$ $X$ $Y$ $Z$"] },
+        formulas: Section { text: &["B = atan2(√(i² + j²), k)"], latex: &[r"$B = \arccos k$"] },
+        ..Explanation::EMPTY
     };
 
     fn dimension(&self, index: usize) -> f64 {

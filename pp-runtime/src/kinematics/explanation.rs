@@ -1,22 +1,77 @@
-//! What the generator knows about a machine, in words.
+//! What the generator knows about a machine, for people.
 
-/// Derivation of a machine's kinematics as text; every line stands for itself.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// One section of an [`Explanation`], twice: as text and as LaTeX.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Section {
+    /// Lines of at most 96 columns, except where a single name or number is longer.
+    pub text: &'static [&'static str],
+    /// Paragraphs; they need the packages `amsmath` and `amssymb`.
+    pub latex: &'static [&'static str],
+}
+
+impl Section {
+    /// A section with nothing in it.
+    pub const EMPTY: Self = Self { text: &[], latex: &[] };
+}
+
+/// Derivation of a machine's kinematics.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Explanation {
-    /// The chain as declared, with signs and directions.
-    pub chain: &'static [&'static str],
-    /// The solved formulas, in the order of evaluation: those of the code.
-    pub formulas: &'static [&'static str],
+    /// The chain as declared: directions, centre lines, signs, tool axis.
+    pub chain: Section,
+    /// The elementary matrices of the joints, and their product.
+    pub matrices: Section,
+    /// The pose as a function of the axis values.
+    pub forward: Section,
+    /// The axis values as functions of the pose, branch by branch.
+    pub formulas: Section,
     /// The branches in their order.
-    pub branches: &'static [&'static str],
+    pub branches: Section,
     /// Where the tool axis leaves a rotary free.
-    pub singular_set: &'static [&'static str],
+    pub singular_set: Section,
     /// Tool axes that can be reached.
-    pub reachable: &'static [&'static str],
+    pub reachable: Section,
     /// Where the linear axes cannot move the tip in every direction.
-    pub degenerate: &'static [&'static str],
-    /// Operations of one call of the inverse kinematics, all branches.
-    pub operations: &'static str,
+    pub degenerate: Section,
     /// Claims proven when the machine was compiled.
-    pub proofs: &'static [&'static str],
+    pub proofs: Section,
+    /// Operations of one call of the inverse kinematics, all branches.
+    pub operations: Section,
+    /// What must visibly move which way at the machine, to be ticked off.
+    pub jog_sheet: Section,
+}
+
+impl Explanation {
+    /// Nothing is known.
+    pub const EMPTY: Self = Self {
+        chain: Section::EMPTY,
+        matrices: Section::EMPTY,
+        forward: Section::EMPTY,
+        formulas: Section::EMPTY,
+        branches: Section::EMPTY,
+        singular_set: Section::EMPTY,
+        reachable: Section::EMPTY,
+        degenerate: Section::EMPTY,
+        proofs: Section::EMPTY,
+        operations: Section::EMPTY,
+        jog_sheet: Section::EMPTY,
+    };
+
+    /// All sections with their titles, in the order of reading.
+    #[must_use]
+    pub const fn sections(&self) -> [(&'static str, &Section); 11] {
+        [
+            ("Chain", &self.chain),
+            ("Elementary matrices and their product", &self.matrices),
+            ("Forward kinematics", &self.forward),
+            ("Inverse kinematics", &self.formulas),
+            ("Branches, in their order", &self.branches),
+            ("Where a rotary axis is free", &self.singular_set),
+            ("Tool axes within reach", &self.reachable),
+            ("Where the linear axes cannot move the tip in every direction", &self.degenerate),
+            ("Proven when this machine was compiled", &self.proofs),
+            ("Operations of one inverse", &self.operations),
+            ("Jog sheet", &self.jog_sheet),
+        ]
+    }
 }

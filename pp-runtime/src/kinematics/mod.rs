@@ -9,7 +9,7 @@ pub mod math;
 mod refusal;
 mod solutions;
 
-pub use explanation::Explanation;
+pub use explanation::{Explanation, Section};
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
 pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, Solution, Solutions};

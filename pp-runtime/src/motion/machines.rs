@@ -8,17 +8,6 @@ use crate::kinematics::{
     Solutions, Unreachable, math,
 };
 
-const NOTHING: Explanation = Explanation {
-    chain: &[],
-    formulas: &[],
-    branches: &[],
-    singular_set: &[],
-    reachable: &[],
-    degenerate: &[],
-    operations: "",
-    proofs: &[],
-};
-
 const fn axis(letter: char, side: Side, limits: Option<Limits>) -> Axis {
     let kind = if matches!(letter, 'A' | 'B' | 'C') { AxisKind::Rotary } else { AxisKind::Linear };
     Axis { letter, kind, side, sign: Sign::Plus, limits, speed: None, held: false }
@@ -132,7 +121,7 @@ macro_rules! by_hand {
             const AXES: &'static [Axis] = $axes;
             const DIMENSIONS: &'static [Dimension] = &[];
             const HELD: [f64; $count] = [0.0; $count];
-            const EXPLANATION: &'static Explanation = &NOTHING;
+            const EXPLANATION: &'static Explanation = &Explanation::EMPTY;
             fn dimension(&self, _: usize) -> f64 {
                 unreachable!("no dimensions")
             }

@@ -179,7 +179,7 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
         let statements = body.statements(&[node]);
         let (lets, value) = (super::body::lets(&statements), body.tokens(node));
         let prelude = prelude(model, &inputs, Places::default());
-        let written = crate::explain::in_words(model, &Body::new(&solved.graph, &[node]).expression(node));
+        let written = crate::explain::in_words(model, &solved.graph, node);
         let least = float(least);
         tests.extend(quote! {
             {

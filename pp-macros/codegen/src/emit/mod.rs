@@ -16,7 +16,7 @@ use crate::model::Model;
 use crate::solve::Solved;
 use crate::syntax::Declaration;
 
-pub(crate) use body::{Body, Count, Statement};
+pub(crate) use body::Count;
 
 /// Variables of the generated functions; nothing else may have these names there.
 pub(crate) const LOCALS: &[&str] = &[

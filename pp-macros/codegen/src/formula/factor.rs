@@ -74,7 +74,10 @@ impl Writer<'_> {
                 Formula::Product(inner) => factors.extend(inner),
                 Formula::Neg(inner) => {
                     number = -&number;
-                    factors.push(*inner);
+                    match *inner {
+                        Formula::Product(inner) => factors.extend(inner),
+                        other => factors.push(other),
+                    }
                 }
                 other => factors.push(other),
             }
@@ -102,7 +105,7 @@ impl Writer<'_> {
             });
         }
         let common: Monomial = common.unwrap_or_default().into_iter().collect();
-        let number = common_number(terms);
+        let number = common_number(&terms.values().collect::<Vec<_>>());
         let inverse = number.inverse().expect("a common factor is not zero");
         let rest: Terms =
             terms.iter().map(|(monomial, factor)| (divided(monomial, &common), factor * &inverse)).collect();
@@ -240,13 +243,21 @@ impl Writer<'_> {
         best
     }
 
-    /// Where a term stands in a sum: by its names, numbers last where there are names.
+    /// Where a term stands in a sum: by its names. A number stands behind lengths, and in front of sines and cosines;
+    /// beside `i j k` it is `1 - k`, but `2 k - 1`.
     fn key(&self, monomial: &Monomial, among: &Terms) -> Vec<usize> {
-        let named = |monomial: &Monomial| monomial.iter().any(|(symbol, _)| !self.names.is_turn(*symbol));
         let mut key: Vec<usize> = monomial.iter().map(|(symbol, _)| self.names.place(*symbol)).collect();
         key.sort_unstable();
-        if !named(monomial) && among.keys().any(named) {
-            key.insert(0, usize::MAX);
+        if monomial.iter().all(|(symbol, _)| self.names.is_turn(*symbol)) {
+            let mut symbols = among.keys().flatten().map(|(symbol, _)| *symbol);
+            let length = symbols.clone().any(|symbol| !self.names.is_factor(symbol));
+            let turns = symbols.all(|symbol| self.names.is_turn(symbol));
+            let like =
+                |factor: &Surd| among.len() == 2 && among.values().all(|other| other == factor || *other == -factor);
+            let first = |factor: &Surd| !is_negative(factor) || like(factor);
+            if length || !(turns || among.get(monomial).is_some_and(first)) {
+                key.insert(0, usize::MAX);
+            }
         }
         key
     }
@@ -316,6 +327,14 @@ fn unit() -> Terms {
     Terms::from([(Monomial::new(), Surd::one())])
 }
 
+fn is_plain(formula: &Formula) -> bool {
+    match formula {
+        Formula::Name(_) => true,
+        Formula::Neg(inner) => is_plain(inner),
+        _ => false,
+    }
+}
+
 fn is_sine(formula: &Formula) -> bool {
     match formula {
         Formula::Power(base, _) => is_sine(base),
@@ -330,15 +349,14 @@ fn is_negative(number: &Surd) -> bool {
 
 /// A positive number that all factors share: one root, the common divisor of what is above it, the common multiple of
 /// what is below it.
-fn common_number(terms: &Terms) -> Surd {
-    let mut factors = terms.values();
-    let Some(first) = factors.next() else { return Surd::one() };
-    if terms.len() == 1 || factors.all(|factor| factor == first || *factor == -first) {
+pub(crate) fn common_number(factors: &[&Surd]) -> Surd {
+    let Some((&first, others)) = factors.split_first() else { return Surd::one() };
+    if others.iter().all(|factor| *factor == first || **factor == -first) {
         return if is_negative(first) { -first } else { first.clone() };
     }
     let mut radicand = None;
     let (mut above, mut below) = (BigInt::zero(), BigInt::one());
-    for factor in terms.values() {
+    for factor in factors {
         let mut parts = factor.terms();
         let (Some((root, rational)), None) = (parts.next(), parts.next()) else { return Surd::one() };
         if *radicand.get_or_insert(root) != root {
@@ -347,13 +365,13 @@ fn common_number(terms: &Terms) -> Surd {
         above = above.gcd(rational.numer());
         below = below.lcm(rational.denom());
     }
-    let rational = BigRational::new(above.abs(), below.clone());
     let plain = |(_, rational): (_, &BigRational)| rational.abs().is_one();
     // x + 3/2 is not (2 x + 3)/2.
-    let spoiled = !below.is_one() && terms.values().flat_map(Surd::terms).any(plain);
+    let spoiled = !below.is_one() && factors.iter().flat_map(|factor| factor.terms()).any(plain);
     if spoiled || above.bits().max(below.bits()) > DIGITS {
         return Surd::one();
     }
+    let rational = BigRational::new(above.abs(), below);
     let root = radicand.map(|root| BigRational::from(BigInt::from(root.clone())));
     let root = root.and_then(|root| Surd::sqrt_of_rational(&root)).unwrap_or_else(Surd::one);
     &Surd::from(rational) * &root
@@ -368,6 +386,13 @@ fn joined(mut parts: Vec<Part>) -> Formula {
             Formula::Sum(inner) => terms.extend(inner),
             other => terms.push(other),
         }
+    }
+    // `d - part_z`: a sum of plain names begins with what is added.
+    if terms.iter().all(is_plain)
+        && let Some(index) = terms.iter().position(|term| !matches!(term, Formula::Neg(_)))
+    {
+        let first = terms.remove(index);
+        terms.insert(0, first);
     }
     if terms.len() == 1 { terms.remove(0) } else { Formula::Sum(terms) }
 }

@@ -12,6 +12,7 @@ use num_rational::BigRational;
 
 use crate::model::{Model, to_f64};
 use crate::symbolic::{Graph, Id, Poly, Ring, Surd};
+pub(crate) use factor::common_number;
 pub use node::Known;
 
 /// An expression as a person writes it.

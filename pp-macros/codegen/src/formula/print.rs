@@ -292,7 +292,7 @@ fn latex_name(name: &str) -> String {
     let word = |part: &str| {
         if GREEK.contains(&part) {
             format!("\\{part}")
-        } else if part.chars().count() > 1 {
+        } else if part.chars().count() > 1 && part.chars().any(|character| !character.is_ascii_digit()) {
             format!("\\mathit{{{part}}}")
         } else {
             part.to_string()

@@ -49,6 +49,8 @@ pub struct One {
     pub deviation: Id,
     /// The root whose exact value on the cone is `length_claim`.
     pub length: Id,
+    /// What sine and cosine of the word have in common, `1 / length`.
+    pub inverse: Id,
     /// `|n×t|²`, the exact value of `length` on the cone.
     pub length_claim: Id,
     /// The angle to the rotary, wanted and reached.
@@ -91,6 +93,8 @@ pub struct Two {
     pub rim: Id,
     /// Set where the first angle is normalised by its own length: that root; its exact value is `spread`.
     pub length: Option<Id>,
+    /// A positive factor that sine and cosine of the first angle have in common.
+    pub inverse: Id,
     /// The branches in their order.
     pub answers: [Answer; 2],
     /// The formulas where the hot path ends: pole, rim, beyond the rim.
@@ -235,6 +239,7 @@ fn one(
         word: (s, c),
         deviation,
         length,
+        inverse,
         length_claim: square,
         tilt: Tilt { wanted: (wanted_sine, along), between: (zero, one), tool: (radius, level), direction },
     }))
@@ -420,6 +425,7 @@ fn two(
         height,
         rim,
         length,
+        inverse,
         answers,
         edge,
         has_pole: pole != Pole::Elsewhere,

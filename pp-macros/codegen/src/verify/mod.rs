@@ -68,7 +68,7 @@ struct Derived {
 
 impl Derived {
     fn new(model: &Model, solved: &mut Solved) -> Self {
-        let rotary = crate::explain::rotary_formulas(model, solved);
+        let rotary = Vec::new();
         let values = solved.position.values.clone();
         let two = match &solved.orientation {
             Orientation::Two(two) => Some((two.alpha, two.rotaries[1], two.first_is_plus)),

@@ -1,0 +1,270 @@
+//! The jog sheet: what must visibly move which way for a positive word.
+//!
+//! A proof cannot catch a sign that was declared wrongly: the formulas follow from it. So each axis is moved alone at
+//! the machine and compared with a sentence. The sentences are computed from the chain: a positive word with sign `+`
+//! moves the tool relative to the workpiece along the direction, or right-handed about it (ISO 841). Hence what carries
+//! the tool moves with the direction, and what carries the workpiece moves against it. Directions are turned by the held
+//! axes between the axis and the bed.
+
+use num_traits::Zero;
+
+use super::page::{Section, line};
+use crate::model::{Axis, AxisId, Kind, Model, Side, to_f64};
+use crate::symbolic::{P3, Poly};
+
+type V = [f64; 3];
+
+/// Angles to jog by, largest first; degrees.
+const ANGLES: [f64; 6] = [90.0, 45.0, 30.0, 10.0, 5.0, 1.0];
+
+/// Distances to jog by, largest first; mm.
+const DISTANCES: [f64; 5] = [100.0, 50.0, 10.0, 5.0, 1.0];
+
+/// Cosine above which a direction counts as along another: 3 degrees.
+const ALONG: f64 = 0.998_6;
+
+/// Components below this share of a direction are left out of its words.
+const FAINT: f64 = 0.2;
+
+/// From here on a marker faces another way; below it leans. Degrees.
+const TURNED: f64 = 80.0;
+
+/// One line for every axis of the chain, held ones included.
+pub(super) fn sheet(model: &Model) -> Section {
+    let machine = Machine::of(model);
+    let mut section = Section::default();
+    section.say("No proof finds a sign that was declared wrongly. Jog each axis alone from zero, all others at zero,");
+    section.say("and tick what moves as stated. A line that is not true is a wrong sign: correct it before you cut.");
+    section.say("You stand in front of the machine: X to the right (+X), Y away from you (+Y), Z up (+Z).");
+    section.say(&format!(
+        "With all axes at zero the tool points {}. {}",
+        heading(minus(machine.tool)),
+        if machine.tool[2].abs() < ALONG {
+            "If Z of your machine is not up, go by the letters in brackets."
+        } else {
+            "If your spindle is horizontal, Z is not up: go by the letters in brackets."
+        }
+    ));
+    if model.axes.iter().any(|axis| axis.held.is_some()) {
+        section.say("Held axes stand at their defaults while the others are jogged.");
+    }
+    section.gap();
+    for id in 0..model.axes.len() {
+        let sentence = machine.sentence(id);
+        section.line(line("").both("[ ] ", "$\\square$ ").say(&sentence));
+    }
+    section
+}
+
+/// A chain as numbers, at the defaults of dimensions and held axes.
+struct Machine<'a> {
+    model: &'a Model,
+    directions: Vec<V>,
+    tool: V,
+}
+
+impl<'a> Machine<'a> {
+    fn of(model: &'a Model) -> Self {
+        let mut model_at_defaults = model.clone();
+        let defaults = model_at_defaults.defaults();
+        let ring = &model_at_defaults.ring;
+        let number = |poly: &Poly| ring.value(&ring.substitute(poly, &defaults)).unwrap_or_default();
+        let vector = |vector: &P3| vector.each_ref().map(number);
+        let declared: Vec<V> = model.axes.iter().map(|axis| vector(&axis.direction)).collect();
+        let mut machine = Self { model, directions: declared.clone(), tool: vector(&model.tool_axis) };
+        for (id, axis) in model.axes.iter().enumerate() {
+            // As the bed sees it: what stands between the axis and the bed has turned it, against the word in the table.
+            let between: Vec<AxisId> = match axis.side {
+                Side::Workpiece => {
+                    (id + 1..model.axes.len()).filter(|other| model.axes[*other].side == Side::Workpiece).collect()
+                }
+                Side::Tool => (0..id).rev().filter(|other| model.axes[*other].side == Side::Tool).collect(),
+            };
+            let turned = between.into_iter().fold(declared[id], |direction, other| {
+                turn(declared[other], machine.held_angle(other) * machine.visible(other), direction)
+            });
+            machine.directions[id] = turned;
+        }
+        let head = (0..model.axes.len()).rev().filter(|id| model.axes[*id].side == Side::Tool);
+        machine.tool =
+            head.fold(machine.tool, |tool, id| turn(declared[id], machine.held_angle(id) * machine.visible(id), tool));
+        machine
+    }
+
+    /// Default of a held rotary, degrees; zero for others.
+    fn held_angle(&self, id: AxisId) -> f64 {
+        let axis = &self.model.axes[id];
+        match (&axis.held, axis.kind) {
+            (Some(value), Kind::Rotary) => to_f64(value),
+            _ => 0.0,
+        }
+    }
+
+    /// `1` if what the axis carries moves along its direction for a positive word, `-1` if against it.
+    fn visible(&self, id: AxisId) -> f64 {
+        let Axis { side, reversed, .. } = &self.model.axes[id];
+        if (*side == Side::Tool) == *reversed { -1.0 } else { 1.0 }
+    }
+
+    fn sentence(&self, id: AxisId) -> String {
+        let axis = &self.model.axes[id];
+        let held = if axis.held.is_some() { " (held)" } else { "" };
+        match axis.kind {
+            Kind::Linear => {
+                let value = distance(axis);
+                let thing = if axis.side == Side::Workpiece { "table" } else { "spindle" };
+                let way = scaled(self.directions[id], self.visible(id));
+                format!("{}+{value}{held}: the {thing} moves {}", axis.letter, heading(way))
+            }
+            Kind::Rotary => {
+                let value = angle(axis);
+                format!("{}{value:+}{held}: {}", axis.letter, self.turning(id, value * self.visible(id)))
+            }
+        }
+    }
+
+    /// What is seen when the axis turns by `degrees`, right-handed about its direction.
+    fn turning(&self, id: AxisId, degrees: f64) -> String {
+        let about = self.directions[id];
+        let table = self.model.axes[id].side == Side::Workpiece;
+        let thing = if table { "table" } else { "spindle head" };
+        let markers = if table { self.table_markers() } else { self.head_markers() };
+        let moved: Vec<(&(String, V), V, f64)> = markers
+            .iter()
+            .map(|marker| {
+                let after = turn(about, degrees, marker.1);
+                (marker, after, dot(marker.1, after).clamp(-1.0, 1.0).acos().to_degrees())
+            })
+            .collect();
+        // What moves most, then what ends nearest a coordinate direction, then in the order of the list.
+        let rank = |(_, after, angle): &(&(String, V), V, f64)| {
+            let nearest = after.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+            (angle.round(), (nearest * 100.0).round())
+        };
+        let best = moved.iter().fold(&moved[0], |best, marker| if rank(marker) > rank(best) { marker } else { best });
+        let sense = sense(about, degrees).map(|sense| format!("the {thing} turns {sense}; ")).unwrap_or_default();
+        let mut sentence = format!("{sense}{}", shown(best));
+        // About an inclined axis one marker leaves the rest to the imagination.
+        if sense.is_empty() && best.0.0 != moved[0].0.0 && moved[0].2 > 1.0 {
+            sentence += &format!("; {}", shown(&moved[0]));
+        }
+        sentence
+    }
+
+    fn table_markers(&self) -> Vec<(String, V)> {
+        vec![
+            ("the table's top, which faced up (+Z),".into(), [0.0, 0.0, 1.0]),
+            ("the side that faced you (-Y)".into(), [0.0, -1.0, 0.0]),
+            ("the side that faced right (+X)".into(), [1.0, 0.0, 0.0]),
+        ]
+    }
+
+    fn head_markers(&self) -> Vec<(String, V)> {
+        let points = minus(self.tool);
+        vec![
+            (format!("the tool, which pointed {},", heading(points)), points),
+            ("the side of the head that faced you (-Y)".into(), [0.0, -1.0, 0.0]),
+            ("the side of the head that faced right (+X)".into(), [1.0, 0.0, 0.0]),
+            ("the side of the head that faced up (+Z)".into(), [0.0, 0.0, 1.0]),
+        ]
+    }
+}
+
+/// What a marker does.
+fn shown(((name, before), after, angle): &(&(String, V), V, f64)) -> String {
+    let tool = name.starts_with("the tool");
+    if *angle >= TURNED {
+        let verb = if tool { "points" } else { "faces" };
+        return format!("{name} now {verb} {}", heading(*after)).replace("faces towards you", "faces you");
+    }
+    // The way it went, square to where it was.
+    let along = dot(*before, *after);
+    let across: V = std::array::from_fn(|index| after[index] - along * before[index]);
+    let length = dot(across, across).sqrt();
+    if length < 1e-9 {
+        return format!("{name} stays");
+    }
+    let way = in_words(scaled(across, length.recip()), LEANING);
+    let verb = if tool { "has swung" } else { "now leans" };
+    format!("{name} {verb} {angle:.0} degrees {way}")
+}
+
+/// Clockwise or not, seen from where an operator can look; for coordinate directions only.
+fn sense(about: V, degrees: f64) -> Option<String> {
+    // The eye is above, in front (looking along +Y), or on the right.
+    let views = [("above", [0.0, 0.0, 1.0]), ("the front", [0.0, -1.0, 0.0]), ("the right", [1.0, 0.0, 0.0])];
+    views.into_iter().find_map(|(from, to_the_eye)| {
+        let along = dot(about, to_the_eye);
+        // Right-handed about what points at the eye is counterclockwise.
+        let word = if along * degrees > 0.0 { "counterclockwise" } else { "clockwise" };
+        (along.abs() > ALONG).then(|| format!("{word} seen from {from}"))
+    })
+}
+
+/// The largest round angle inside the travel, negative if there is no room for a positive one.
+fn angle(axis: &Axis) -> f64 {
+    let Some((lower, upper)) = &axis.limits else { return ANGLES[0] };
+    let (lower, upper) = (to_f64(lower), to_f64(upper));
+    let largest = |room: f64| ANGLES.into_iter().find(|angle| *angle <= room);
+    largest(upper).or_else(|| largest(-lower).map(|angle| -angle)).unwrap_or(1.0)
+}
+
+/// The largest round distance that half the travel has room for; limits of linear axes are machine coordinates.
+fn distance(axis: &Axis) -> f64 {
+    let Some((lower, upper)) = &axis.limits else { return DISTANCES[0] };
+    let span = upper - lower;
+    if span.is_zero() {
+        return DISTANCES[4];
+    }
+    let room = to_f64(&span) / 2.0;
+    DISTANCES.into_iter().find(|distance| *distance <= room).unwrap_or(DISTANCES[4])
+}
+
+/// Words for both ways along X, Y and Z.
+type Words = [[&'static str; 2]; 3];
+
+const HEADING: Words = [["right", "left"], ["away from you", "towards you"], ["up", "down"]];
+
+const LEANING: Words = [["to the right", "to the left"], ["away from you", "towards you"], ["upwards", "downwards"]];
+
+fn heading(direction: V) -> String {
+    in_words(direction, HEADING)
+}
+
+/// A direction in words, with its letters in brackets.
+fn in_words(direction: V, words: Words) -> String {
+    let letter = |index: usize| format!("{}{}", if direction[index] < 0.0 { '-' } else { '+' }, ['X', 'Y', 'Z'][index]);
+    let word = |index: usize| words[index][usize::from(direction[index] < 0.0)];
+    let mut parts: Vec<usize> = (0..3).filter(|index| direction[*index].abs() > FAINT).collect();
+    // The largest first; equal ones in the order X Y Z.
+    parts.sort_by(|a, b| (direction[*b].abs() * 100.0).round().total_cmp(&(direction[*a].abs() * 100.0).round()));
+    if let Some(main) = parts.first().copied().filter(|main| direction[*main].abs() > ALONG) {
+        return format!("{} ({})", word(main), letter(main));
+    }
+    let words: Vec<&str> = parts.iter().map(|index| word(*index)).collect();
+    let letters: Vec<String> = parts.iter().map(|index| letter(*index)).collect();
+    format!("{} ({})", words.join(" and "), letters.join(" "))
+}
+
+fn dot(a: V, b: V) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn scaled(v: V, by: f64) -> V {
+    v.map(|part| part * by)
+}
+
+fn minus(v: V) -> V {
+    scaled(v, -1.0)
+}
+
+/// Right-handed turn about a unit vector (Rodrigues).
+fn turn(about: V, degrees: f64, v: V) -> V {
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    let along = dot(about, v) * (1.0 - cosine);
+    std::array::from_fn(|index| {
+        let (next, last) = ((index + 1) % 3, (index + 2) % 3);
+        let across = about[next] * v[last] - about[last] * v[next];
+        v[index] * cosine + across * sine + about[index] * along
+    })
+}

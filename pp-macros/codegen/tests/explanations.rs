@@ -1,0 +1,162 @@
+//! What a machine says about itself.
+
+use pp_codegen::check::check;
+use pp_codegen::explain::{Explanation, explain};
+use pp_codegen::proof::prove;
+use pp_codegen::report::Errors;
+use pp_codegen::solve::solve;
+use pp_codegen::syntax::parse;
+
+fn explained(text: &str) -> Explanation {
+    let tokens = format!("pub struct M; {text}").parse().expect("Rust tokens");
+    let mut errors = Errors::default();
+    let declaration = parse(tokens, &mut errors).expect("syntax");
+    let (mut model, _) = check(&declaration, &mut errors).expect("rules");
+    let mut solved = solve(&mut model).expect("a solvable chain");
+    let proofs = prove(&model, &mut solved).expect("proven");
+    explain(&model, &solved, proofs, &[])
+}
+
+/// The lines to be ticked off, each in one piece.
+fn jogs(text: &str) -> Vec<String> {
+    let sheet = explained(text).jog_sheet.text.join("\n").replace("\n    ", " ");
+    sheet.lines().filter_map(|line| line.strip_prefix("[ ] ")).map(ToString::to_string).collect()
+}
+
+// Expectations are written by hand, from the right-hand rule and ISO 841: + moves the tool relative to the workpiece,
+// so a table moves the other way.
+
+#[test]
+fn the_spinner_is_jogged_table_against_the_word() {
+    assert_eq!(
+        jogs("chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 }; limits = { B: -5..110, C: free };"),
+        [
+            "C+90: the table turns clockwise seen from above; the side that faced you (-Y) now faces left (-X)",
+            "B+90: the table turns counterclockwise seen from the front; the table's top, which faced up (+Z), now faces left (-X)",
+            "X+100: the spindle moves right (+X)",
+            "Y+100: the spindle moves away from you (+Y)",
+            "Z+100: the spindle moves up (+Z)",
+        ]
+    );
+}
+
+#[test]
+fn lola_is_jogged_head_with_the_word() {
+    assert_eq!(
+        jogs("chain: X | Y Z B A;"),
+        [
+            "X+100: the table moves left (-X)",
+            "Y+100: the spindle moves away from you (+Y)",
+            "Z+100: the spindle moves up (+Z)",
+            "B+90: the spindle head turns clockwise seen from the front; the tool, which pointed down (-Z), now points left (-X)",
+            "A+90: the spindle head turns counterclockwise seen from the right; the tool, which pointed down (-Z), now points away from you (+Y)",
+        ]
+    );
+}
+
+#[test]
+fn an_inclined_table_is_jogged_by_two_markers() {
+    // Half the way to the paper's 90° tilt at B180: the right side comes up to the back, the top leans over to the left.
+    assert_eq!(
+        jogs("chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y }; limits = { B: 0..180, C: free };")[..2],
+        [
+            "C+90: the table turns clockwise seen from above; the side that faced you (-Y) now faces left (-X)",
+            "B+90: the side that faced right (+X) now faces away from you and up (+Y +Z); the table's top, which faced up (+Z), \
+             now leans 60 degrees to the left and towards you (-X -Y)",
+        ]
+    );
+}
+
+#[test]
+fn multiprodesk_is_jogged_table_with_the_word() {
+    assert_eq!(
+        jogs("chain: A Y | X Z; signs = { A: -, Y: - };"),
+        [
+            "A+90: the table turns counterclockwise seen from the right; the table's top, which faced up (+Z), now faces you (-Y)",
+            "Y+100: the table moves away from you (+Y)",
+            "X+100: the spindle moves right (+X)",
+            "Z+100: the spindle moves up (+Z)",
+        ]
+    );
+}
+
+#[test]
+fn a_horizontal_tool_points_into_the_machine() {
+    let text = "chain: B X | Y Z A; tool_axis = (0, -1, 0);";
+    assert_eq!(
+        jogs(text),
+        [
+            "B+90: the table turns counterclockwise seen from the front; the table's top, which faced up (+Z), now faces left (-X)",
+            "X+100: the table moves left (-X)",
+            "Y+100: the spindle moves away from you (+Y)",
+            "Z+100: the spindle moves up (+Z)",
+            "A+90: the spindle head turns counterclockwise seen from the right; the tool, which pointed away from you (+Y), now points up (+Z)",
+        ]
+    );
+    let sheet = explained(text).jog_sheet.text.join("\n");
+    assert!(sheet.contains("With all axes at zero the tool points away from you (+Y)."), "{sheet}");
+}
+
+#[test]
+fn a_flipped_sign_changes_its_sentence_and_no_other() {
+    for chain in ["C B | X Y Z", "X | Y Z B A", "A Y | X Z", "C X | B Y Z"] {
+        let right = jogs(&format!("chain: {chain};"));
+        for (index, letter) in chain.split_whitespace().filter(|word| *word != "|").enumerate() {
+            let wrong = jogs(&format!("chain: {chain}; signs = {{ {letter}: - }};"));
+            for (place, (right, wrong)) in right.iter().zip(&wrong).enumerate() {
+                assert_eq!(right != wrong, place == index, "{chain}, {letter}: {right} / {wrong}");
+            }
+        }
+    }
+}
+
+#[test]
+fn jogs_stay_inside_the_travel_and_turn_back_where_there_is_no_other_way() {
+    let first = |limits: &str| jogs(&format!("chain: C B | X Y Z; limits = {{ {limits} }};"));
+    assert!(first("B: -5..60")[1].starts_with("B+45: "));
+    assert_eq!(
+        first("B: -110..0.5")[1],
+        "B-90: the table turns clockwise seen from the front; the table's top, which faced up (+Z), now faces right (+X)"
+    );
+    assert_eq!(
+        first("B: -5..12")[1],
+        "B+10: the table turns counterclockwise seen from the front; the table's top, which faced up (+Z), now leans 10 degrees to the left (-X)"
+    );
+    assert!(first("X: -30..30")[2].starts_with("X+10: "));
+}
+
+#[test]
+fn held_axes_are_jogged_too_and_turn_what_they_carry() {
+    let jogs = jogs("chain: C W B | X Y Z A; hold = { W: 0, A: 90 };");
+    assert_eq!(jogs[1], "W+100 (held): the table moves down (-Z)");
+    assert!(jogs[6].starts_with("A+90 (held): "), "{jogs:?}");
+    // A half turn of C in front of B turns the direction of B round.
+    let turned = self::jogs("chain: B C | X Y Z A; hold = { C: 180 };");
+    assert!(turned[0].starts_with("B+90: the table turns clockwise seen from the front"), "{turned:?}");
+}
+
+#[test]
+fn lines_of_text_are_short() {
+    for text in [
+        "chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y };",
+        "chain: C B | X Y Z; axes = { B: (1, 2, 3), C: (3, 5, 8) };",
+    ] {
+        let explanation = explained(text);
+        let sections = [
+            explanation.chain,
+            explanation.matrices,
+            explanation.forward,
+            explanation.formulas,
+            explanation.branches,
+            explanation.singular_set,
+            explanation.reachable,
+            explanation.degenerate,
+            explanation.proofs,
+            explanation.operations,
+            explanation.jog_sheet,
+        ];
+        for line in sections.iter().flat_map(|section| &section.text) {
+            assert!(line.chars().count() <= 96, "{line}");
+        }
+    }
+}
