@@ -433,13 +433,6 @@ mod tests {
     }
 
     #[test]
-    fn rotaries_may_share_components() {
-        let (mut solved, general) = general("C: Rx(a) * Ry(b) * Z, B: Rz(a) * Rx(b) * Y");
-        let Orientation::Two(two) = solved.orientation.clone() else { unreachable!("two rotaries") };
-        assert!(prove_two(&general.expect("products"), &mut solved, &two).is_ok());
-    }
-
-    #[test]
     fn numbers_and_single_angles_stay_as_they_are() {
         assert!(general("B: Rx(a) * Y").1.is_none());
         assert!(general("B: Rx(-45 deg) * Y").1.is_none());
