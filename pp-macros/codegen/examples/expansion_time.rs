@@ -4,7 +4,7 @@
 
 use std::time::Instant;
 
-const DECLARATIONS: [(&str, &str); 11] = [
+const DECLARATIONS: [(&str, &str); 14] = [
     ("Spinner U5-620", "chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 };"),
     ("DMU 70e", "chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y }; d = (0, 0, d); dims = { d: 150.0 };"),
     ("LOLA X'OYZBA", "chain: X | Y Z B A;"),
@@ -16,6 +16,20 @@ const DECLARATIONS: [(&str, &str); 11] = [
         "two angles in each rotary",
         "chain: C B | X Y Z; axes = { C: Ry(e1) * Rx(e2) * Z, B: Rz(e3) * Rx(e4) * Y };
          dims = { e1: 0.01 deg, e2: -0.02 deg, e3: 0.03 deg, e4: 0.01 deg };",
+    ),
+    (
+        "two angles in each rotary, first inclined",
+        "chain: X Y Z | C B; axes = { C: Rx(a1) * Ry(a2) * Z, B: Rx(b1) * Rz(b2) * Y };
+         dims = { a1: 0.01 deg, a2: -0.02 deg, b1: 0.03 deg, b2: 0.01 deg };",
+    ),
+    (
+        "two angles shared by both rotaries",
+        "chain: C B | X Y Z; axes = { C: Rx(a) * Ry(b) * Z, B: Rz(a) * Rx(b) * Y }; dims = { a: 1 deg, b: 2 deg };",
+    ),
+    (
+        "two angles in both rotaries and the tool",
+        "chain: C B | X Y Z; axes = { C: Rx(a) * Ry(b) * Z, B: Rx(a) * Ry(b) * Y };
+         tool_axis = Rx(a) * Ry(b) * Z; dims = { a: 0.01 deg, b: -0.02 deg };",
     ),
     (
         "an angle in each of three directions",

@@ -4,12 +4,9 @@
 
 use std::collections::BTreeMap;
 
-use num_bigint::BigInt;
-use num_integer::Integer;
 use num_rational::BigRational;
-use num_traits::ToPrimitive;
 
-use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, exact_sin_cos, rotation, translation};
+use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, rotation, translation, turn_by};
 
 /// Place of an axis in the chain, from the workpiece.
 pub type AxisId = usize;
@@ -251,32 +248,6 @@ impl Model {
         let wanted = move |axis: &Axis| axis.kind == kind && axis.held.is_none();
         self.axes.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(id, _)| id)
     }
-}
-
-/// Sine and cosine of a fixed angle: exact for multiples of 15°, else constants with a float value.
-///
-/// Angles that differ by quarter turns, or add up to one, share their constants: `sin 123° = cos 33°` is exact.
-pub fn turn_by(degrees: &BigRational, ring: &mut Ring) -> (Poly, Poly) {
-    if let Some((sine, cosine)) = exact_sin_cos(degrees) {
-        return (Poly::from(sine), Poly::from(cosine));
-    }
-    let whole = |value: i64| BigRational::from(BigInt::from(value));
-    let quarters = (degrees / whole(90)).floor();
-    let rest = degrees - &quarters * whole(90);
-    let complement = rest > whole(45);
-    let base = if complement { whole(90) - rest } else { rest };
-    let (mut sine, mut cosine) = {
-        let (sine, cosine) = ring.fixed_sin_cos(to_f64(&base));
-        (Poly::from(sine), Poly::from(cosine))
-    };
-    if complement {
-        std::mem::swap(&mut sine, &mut cosine);
-    }
-    let quarter = quarters.to_integer().mod_floor(&BigInt::from(4));
-    for _ in 0..quarter.to_u8().unwrap_or_default() {
-        (sine, cosine) = (cosine, -&sine);
-    }
-    (sine, cosine)
 }
 
 /// Nearest float of a rational.

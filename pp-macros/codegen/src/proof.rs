@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 
 use crate::model::{AxisId, Kind, Model};
 use crate::solve::{Answer, One, Orientation, Solved, Two};
-use crate::symbolic::{Id, Interpreter, Matrix, P3, Poly, Ring, Symbol};
+use crate::symbolic::{Graph, Id, Interpreter, Matrix, Node, P3, Poly, Ring, Symbol, V3};
 
 /// Proves a solved machine.
 ///
@@ -36,10 +36,11 @@ pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> 
         Orientation::One(one) => claims.push(prove_one(model, solved, &product, one)?),
         Orientation::Two(two) => {
             prove_lengths(model, solved, two)?;
-            for answer in &two.answers {
-                claims.push(prove_answer(model, solved, two, answer)?);
-            }
-            claims.push(prove_edge(model, solved, &product, two)?);
+            let general = General::of(model, solved).and_then(|general| prove_two(&general, solved, two).ok());
+            claims.extend(match general {
+                Some(claims) => claims,
+                None => prove_two(&General::written_out(model), solved, two)?,
+            });
         }
     }
     Ok(claims)
@@ -47,7 +48,7 @@ pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> 
 
 /// What `joint` answers is the declaration, and the joint with `-q` undoes the joint.
 fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
-    let (directions, centres) = (solved.directions.clone(), solved.centres.clone());
+    let (directions, centres, tool_axis) = (solved.directions.clone(), solved.centres.clone(), solved.tool_axis);
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
     for (id, axis) in model.axes.iter().enumerate() {
         let letter = axis.letter;
@@ -61,6 +62,10 @@ fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
             let value = reader.value(node);
             holds(&reader, &value, expected, &claim)?;
         }
+    }
+    for (node, expected) in tool_axis.into_iter().zip(&model.tool_axis) {
+        let value = reader.value(node);
+        holds(&reader, &value, expected, "the tool axis is as declared")?;
     }
     Ok(())
 }
@@ -184,9 +189,110 @@ fn lengths_hold(reader: &mut Interpreter<'_>, two: &Two) -> bool {
     two.length.is_none_or(|length| reader.claim(length, &spread))
 }
 
-fn prove_answer(model: &Model, solved: &mut Solved, two: &Two, answer: &Answer) -> Result<String, String> {
+/// A machine of which only this is known: its rotary axes and its tool axis are unit vectors.
+///
+/// Directions that are products of sines of dimensions make long polynomials. What holds with a symbol for each of their
+/// components and `n_z² = 1 - n_x² - n_y²` alone holds for every unit vector, hence for the declared ones.
+struct General {
+    model: Model,
+    /// Nodes of components, and their symbols.
+    known: Vec<(Id, Poly)>,
+}
+
+impl General {
+    /// The machine itself, every direction as declared.
+    fn written_out(model: &Model) -> Self {
+        Self { model: model.clone(), known: Vec::new() }
+    }
+
+    /// With symbols for the directions that are products; `None` if there is none, or if one is no unit vector. `joints`
+    /// has shown that the nodes are the declaration.
+    fn of(model: &Model, solved: &mut Solved) -> Option<Self> {
+        let mut general = Self::written_out(model);
+        let graph = &mut solved.graph;
+        let rotaries = model.axes.iter().zip(&solved.directions).filter(|(axis, _)| axis.kind == Kind::Rotary);
+        let directions = rotaries.map(|(axis, nodes)| (&axis.direction, *nodes));
+        for (direction, nodes) in directions.chain([(&model.tool_axis, solved.tool_axis)]) {
+            if !graph.ring.is_zero(&(&graph.ring.dot(direction, direction) - &Poly::one())) {
+                return None;
+            }
+            disguise(graph, direction, nodes, &mut general.known);
+        }
+        let replace = |direction: &mut P3, nodes: V3| {
+            *direction =
+                std::array::from_fn(|index| in_disguise(graph, &direction[index], nodes[index], &general.known));
+        };
+        general
+            .model
+            .axes
+            .iter_mut()
+            .zip(&solved.directions)
+            .for_each(|(axis, nodes)| replace(&mut axis.direction, *nodes));
+        replace(&mut general.model.tool_axis, solved.tool_axis);
+        general.model.ring = solved.graph.ring.clone();
+        (!general.known.is_empty()).then_some(general)
+    }
+
+    fn reader<'a>(&self, graph: &'a mut Graph, inputs: BTreeMap<Symbol, Poly>) -> Interpreter<'a> {
+        let mut reader = Interpreter::new(graph, inputs);
+        for (node, value) in &self.known {
+            reader.assume(*node, value.clone());
+        }
+        reader
+    }
+}
+
+/// Makes symbols for the components of a unit vector that are products; numbers and single sines stay what they are.
+fn disguise(graph: &mut Graph, direction: &P3, nodes: V3, known: &mut Vec<(Id, Poly)>) {
+    let is_product = |node: &Id| !matches!(graph.node(*node), Node::Constant(_) | Node::Input(_));
+    let nodes_without_sign = nodes.map(|node| unsigned(graph, node).0);
+    let fresh: Vec<Id> = nodes_without_sign
+        .into_iter()
+        .filter(|node| is_product(node) && known.iter().all(|(other, _)| other != node))
+        .collect();
+    let Some((last, free)) = fresh.split_last() else { return };
+    let alone = nodes_without_sign.iter().all(|node| node == last || graph.constant_of(*node).is_some());
+    if alone || free.contains(last) {
+        return;
+    }
+    known.extend(free.iter().map(|node| (*node, Poly::from(graph.ring.symbol("component")))));
+    let others = (0..3).filter(|index| nodes_without_sign[*index] != *last);
+    let others: Vec<Poly> = others.map(|index| in_disguise(graph, &direction[index], nodes[index], known)).collect();
+    let square = others.iter().fold(Poly::one(), |rest, part| &rest - &graph.ring.mul(part, part));
+    known.push((*last, Poly::from(graph.ring.root("component", square))));
+}
+
+/// The symbol of a component, or the component itself.
+fn in_disguise(graph: &Graph, component: &Poly, node: Id, known: &[(Id, Poly)]) -> Poly {
+    let (node, minus) = unsigned(graph, node);
+    match known.iter().find(|(other, _)| *other == node) {
+        Some((_, value)) if minus => -value,
+        Some((_, value)) => value.clone(),
+        None => component.clone(),
+    }
+}
+
+/// The node without its sign, and whether that is minus.
+fn unsigned(graph: &Graph, node: Id) -> (Id, bool) {
+    match *graph.node(node) {
+        Node::Neg(inner) => (inner, true),
+        _ => (node, false),
+    }
+}
+
+fn prove_two(general: &General, solved: &mut Solved, two: &Two) -> Result<Vec<String>, String> {
+    let mut claims = Vec::new();
+    for answer in &two.answers {
+        claims.push(prove_answer(general, solved, two, answer)?);
+    }
+    claims.push(prove_edge(general, solved, two)?);
+    Ok(claims)
+}
+
+fn prove_answer(general: &General, solved: &mut Solved, two: &Two, answer: &Answer) -> Result<String, String> {
+    let model = &general.model;
     let letters = model.letters(two.rotaries);
-    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    let mut reader = general.reader(&mut solved.graph, BTreeMap::new());
     // `prove_lengths` has shown these two.
     let (capacity, height) = (reader.value(two.capacity), reader.value(two.height));
     let square = &capacity - &reader.ring().mul(&height, &height);
@@ -222,14 +328,15 @@ fn prove_answer(model: &Model, solved: &mut Solved, two: &Two, answer: &Answer) 
     Ok(claim)
 }
 
-fn prove_edge(model: &Model, solved: &mut Solved, product: &Matrix, two: &Two) -> Result<String, String> {
+fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<String, String> {
+    let model = &general.model;
     let [first, second] = two.rotaries;
     let edge = &two.edge;
     let height = Poly::from(edge.height);
-    let capacity = Interpreter::new(&mut solved.graph, BTreeMap::new()).value(two.capacity);
+    let capacity = general.reader(&mut solved.graph, BTreeMap::new()).value(two.capacity);
     let radicand = &capacity - &solved.graph.ring.mul(&height, &height);
     let root = Poly::from(solved.graph.ring.root("edge", radicand));
-    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::from([(edge.root, root)]));
+    let mut reader = general.reader(&mut solved.graph, BTreeMap::from([(edge.root, root)]));
     let mut words = turns(model, &mut reader, &[second], &[edge.second]);
     on_circle(model, &reader, second, &words)?;
     let (sine, cosine) = model.axes[first].turn;
@@ -237,7 +344,7 @@ fn prove_edge(model: &Model, solved: &mut Solved, product: &Matrix, two: &Two) -
     words.insert(cosine, Poly::one());
 
     let ring = reader.ring().clone();
-    let reached = product.turn(&model.tool_axis, &ring).map(|part| ring.substitute(&part, &words));
+    let reached = model.product().turn(&model.tool_axis, &ring).map(|part| ring.substitute(&part, &words));
     let before = model.product_of((0..first).map(|axis| model.joint(axis)));
     let direction = before.turn(&model.axes[first].direction, &ring);
     let wanted = model.frame.axis.map(Poly::from);
@@ -299,4 +406,36 @@ fn cross(a: &P3, b: &P3, ring: &Ring) -> P3 {
         let (next, last) = ((index + 1) % 3, (index + 2) % 3);
         &ring.mul(&a[next], &b[last]) - &ring.mul(&a[last], &b[next])
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn general(axes: &str) -> (Solved, Option<General>) {
+        let text = format!("pub struct M; chain: C B | X Y Z; axes = {{ {axes} }}; dims = {{ a: 1 deg, b: 2 deg }};");
+        let mut errors = crate::report::Errors::default();
+        let declaration = crate::syntax::parse(text.parse().expect("tokens"), &mut errors).expect("syntax");
+        let (mut model, _) = crate::check::check(&declaration, &mut errors).expect("rules");
+        let mut solved = crate::solve::solve(&mut model).expect("solvable");
+        let general = General::of(&model, &mut solved);
+        (solved, general)
+    }
+
+    #[test]
+    fn directions_that_are_products_need_to_be_unit_vectors_and_no_more() {
+        let (mut solved, general) = general("C: Rx(a) * Ry(b) * Z");
+        let Orientation::Two(two) = solved.orientation.clone() else { unreachable!("two rotaries") };
+        let mut general = general.expect("products");
+        assert!(prove_two(&general, &mut solved, &two).is_ok());
+        // Nor does one vector stand for another.
+        general.known[0].1 = -&general.known[0].1;
+        assert!(prove_two(&general, &mut solved, &two).is_err());
+    }
+
+    #[test]
+    fn numbers_and_single_angles_stay_as_they_are() {
+        assert!(general("B: Rx(a) * Y").1.is_none());
+        assert!(general("B: Rx(-45 deg) * Y").1.is_none());
+    }
 }

@@ -454,3 +454,236 @@ chain: C B | X Y Z;
 ",
     );
 }
+
+#[test]
+fn arithmetic_that_gives_no_number_is_refused() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+dims = { a: d, b: 5 / 0, c: 5mm + 3deg, e: 2mm * 3mm, f: (2 deg) ^ 2, g: sqrt(2), h: 1 / 2mm };
+//          ^ `d` is not a number
+// help: only numbers can stand here, such as `150.0` or `45 deg`
+//                    ^ division by zero
+//                          ^^^^^^^^^^ these units do not go together
+// help: use the same unit on both sides
+//                                         ^^^^^^^^^ these units do not go together
+//                                                       ^^^^^^^^^^^ these units do not go together
+//                                                                       ^^^^^^^ this needs a plain number
+// help: write it in decimal digits
+//                                                                                   ^^^^^^^ these units do not go together
+hold = { C: sqrt(0 - 2), B: sin(1) }; speeds = { X: sqrt(4 deg) };
+//          ^^^^^^^^^^^ `sqrt` takes a rational number that is not negative
+// help: for example `sqrt(2)/2`
+//                          ^^^^^^ only `sqrt` of a number is known here
+//                                                  ^^^^^^^^^^^ these units do not go together
+",
+    );
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+d = (1 / 0, 2 deg, 3);
+//       ^ division by zero
+// help: give a divisor that is not zero
+//          ^^^^^ an angle where a length is needed
+// help: components of `d` are lengths in mm
+tool_axis = (0, 1mm, 1);
+//              ^^^ a component of a direction has no unit
+// help: write plain numbers: `(0, 1, -0.5)`
+",
+    );
+}
+
+#[test]
+fn turns_take_angles_only() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+dims = { alpha: 5 deg };
+axes = { C: Rx(5mm) * Z, B: Ry(alpha / 2) * Y, X: Rz(0.5 * alpha) * X, Y: Rz(lost) * Y };
+//             ^^^ a length where an angle is needed
+// help: write `45 deg`
+//                             ^^^^^^^^^ this is not an angle
+// help: write degrees or an angle of `dims`: `Rx(-45 deg)`, `Rx(alpha)`
+//                                                   ^^^ an angle is multiplied by a whole number only
+// help: write `2 * alpha`
+//                                                                           ^^^^ `lost` is not a dimension
+",
+    );
+}
+
+#[test]
+fn an_axis_value_has_the_unit_of_its_axis() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+limits = { B: 0..5mm, X: -1 deg..1 };
+//               ^^^ a length for a rotary axis
+// help: rotary axes count in degrees, linear axes in mm
+//                       ^^^^^^ an angle for a linear axis
+",
+    );
+}
+
+#[test]
+fn d_without_a_rotary_is_refused() {
+    check_errors(
+        "pub struct M;
+chain: X Y | Z;
+d = (0, 0, 10);
+//  ^^^^^^^^^^ `d` is given, but the chain has no rotary axis
+// help: leave `d` out
+",
+    );
+}
+
+#[test]
+fn a_dimension_that_nobody_declared_is_offered() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+d = (0, 0, height);
+//         ^^^^^^ `height` is not a dimension
+// help: declare it: `dims = { height: 100.0 };`
+",
+    );
+}
+
+#[test]
+fn literals_of_rust_that_are_no_numbers_are_refused() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+dims = { a: \"5\", b: 1e999, c: 1e9999999999 };
+//          ^^^ `\"5\"` is not a number here
+// help: write a decimal number such as 150.0, with `deg` or `mm` behind it if it needs a unit
+//                  ^^^^^ `1e999` is not a number here
+//                            ^^^^^^^^^^^^ `1e9999999999` is not a number here
+",
+    );
+    let digits = "1".repeat(401);
+    check_errors(&format!(
+        "pub struct M;
+chain: C B | X Y Z;
+dims = {{ a: {digits} }};
+//          {} `{digits}` is not a number here
+// help: write at most 400 digits
+",
+        "^".repeat(401)
+    ));
+}
+
+#[test]
+fn expressions_end_where_they_should() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+dims = { a: 2 ^ 65, b: 2 ^ 1.5, c: (1 2), e: };
+//              ^^ an exponent is a whole number up to 64
+// help: write `a ^ 2`
+//                         ^^^ an exponent is a whole number up to 64
+//                                    ^ expected `)`
+// help: close the parenthesis
+//                                           ^ unexpected end of input, expected a number or a dimension
+// help: for example `150.0`, `45 deg` or `d + 10`
+",
+    );
+    let open = "(".repeat(70);
+    let close = ")".repeat(70);
+    check_errors(&format!(
+        "pub struct M;
+chain: C B | X Y Z;
+dims = {{ a: {open}1{close} }};
+//          {}^ nested too deeply
+// help: at most 64 parentheses may be open
+",
+        " ".repeat(65)
+    ));
+}
+
+#[test]
+fn the_chain_takes_a_colon() {
+    check_errors(
+        "pub struct M;
+chain = C B | X Y Z;
+//    ^ expected `:`
+// help: `chain` is followed by a colon: `chain: C B | X Y Z;`
+",
+    );
+}
+
+#[test]
+fn entries_are_asked_for_in_braces() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+  d: (0, 0, 0);
+// ^ expected `=`
+// help: `d` is followed by `=`: `d = ...;`
+signs = C: -;
+//      ^ expected `{`
+// help: write `{ NAME: value, NAME: value }`
+dims = { d = 5, 7: 3, e: 1 2 };
+//         ^ expected `:`
+// help: write `NAME: value`
+//              ^ expected a name
+// help: write `NAME: value`
+//                         ^ expected `,`
+// help: separate the entries with commas
+hold = { C: 0 }
+limits = { C: free };
+//^^^^ expected `;`
+// help: end the field `hold` with a semicolon
+",
+    );
+}
+
+#[test]
+fn directions_are_vectors_or_turned_coordinates() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+axes = { C: Q, B: Rx * Y, X: Rx(1 deg), Y: Rx(1 deg, 2 deg) * Y, Z: 5 };
+//          ^ `Q` is not a direction
+// help: use X, Y, Z, a vector, and turns Rx(...), Ry(...), Rz(...) in front of them
+//                   ^ expected `(`
+// help: write `Rx(45 deg) * Y`
+//                                    ^ expected `*`
+// help: say what is turned: `Rx(...) * Y`
+//                                                 ^ expected `)`
+// help: a turn has one angle
+//                                                                  ^ expected a direction
+// help: write a turned coordinate such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`
+d = { C: 5, B: (1 2 3) };
+//       ^ expected `(`
+// help: write three components: `(0, 0, 150.0)`
+//                ^ expected `,`
+// help: separate the components with commas
+",
+    );
+}
+
+#[test]
+fn travel_is_written_with_two_dots() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+limits = { B: 5, C: 0..=5, X: 0...5 };
+//             ^ expected `..`
+// help: write the travel as `-5..110`, or `free`
+//                   ^ expected `..`
+// help: the travel is inclusive as it is: `-5..110`
+//                             ^ expected `..`
+",
+    );
+}
+
+#[test]
+fn a_field_begins_with_its_name() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z; 5 = 3;
+//                  ^ expected a field
+// help: the fields are `chain`, `d`, `signs`, `axes`, `dims`, `tool_axis`, `hold`, `limits`, `speeds`, `verify`
+",
+    );
+}

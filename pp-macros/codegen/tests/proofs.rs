@@ -43,6 +43,9 @@ proven! {
     one_inclined_rotary: "chain: B | X Y Z; axes = { B: (0, 1, 1) };";
     no_rotary: "chain: X Y | Z;";
     inclined_by_a_dimension: "chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg };";
+    inclined_by_two_dimensions: "chain: C B | X Y Z; axes = { B: Rz(a) * Rx(b) * Y }; dims = { a: 1 deg, b: 2 deg };";
+    inclined_together_by_two_dimensions: "chain: C B | X Y Z; axes = { C: Rx(a) * Ry(b) * Z, B: Rx(a) * Ry(b) * Y };
+        tool_axis = Rx(a) * Ry(b) * Z; dims = { a: 1 deg, b: 2 deg };";
     inclined_by_fifty_degrees: "chain: C B | X Y Z; axes = { B: Rx(-50 deg) * Y };";
     inclined_head: "chain: X Y Z | C B; axes = { B: Rx(45 deg) * Y }; signs = { B: - };";
     slanted_linear: "chain: C B | X Y Z; axes = { Y: (0, 1, -0.5) };";
@@ -123,7 +126,7 @@ fn second_branch_of_an_orthogonal_machine_needs_no_atan2_of_its_own() {
 fn outputs(solved: &mut Solved) -> Vec<&mut Id> {
     let mut list: Vec<&mut Id> = solved.forward.tip.iter_mut().chain(&mut solved.forward.axis).collect();
     list.extend(solved.position.values.iter_mut().map(|(_, node)| node));
-    list.extend(solved.directions.iter_mut().chain(&mut solved.centres).flatten());
+    list.extend(solved.directions.iter_mut().chain(&mut solved.centres).chain([&mut solved.tool_axis]).flatten());
     match &mut solved.orientation {
         Orientation::Fixed { .. } => {}
         Orientation::One(one) => list.extend([&mut one.word.0, &mut one.word.1]),

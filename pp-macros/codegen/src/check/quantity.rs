@@ -4,9 +4,9 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::model::{Dimension, Quantity, to_f64, turn_by};
+use crate::model::{Dimension, Quantity, to_f64};
 use crate::report::{Errors, Phrase};
-use crate::symbolic::{Poly, Ring, Surd};
+use crate::symbolic::{Poly, Ring, Surd, angle_sum, turn_by};
 use crate::syntax::{Expr, ExprKind, Unit};
 
 /// One mistake inside an expression.
@@ -188,7 +188,7 @@ pub(crate) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(
         ExprKind::Binary(left, operator @ ('+' | '-'), right) => {
             let (a, (s, c)) = (angle(left, names, ring)?, angle(right, names, ring)?);
             let s = if *operator == '+' { s } else { -&s };
-            Ok(sum_of_angles(&a, &(s, c), ring))
+            Ok(angle_sum(&a, &(s, c), ring))
         }
         ExprKind::Binary(left, '*', right) => {
             let (factor, turned) = if ratio(left).is_ok() { (left, right) } else { (right, left) };
@@ -203,7 +203,7 @@ pub(crate) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(
             };
             let step = if times < 0 { (-&turn.0, turn.1) } else { turn };
             let start = (Poly::zero(), Poly::one());
-            Ok((0..times.abs()).fold(start, |sum, _| sum_of_angles(&sum, &step, ring)))
+            Ok((0..times.abs()).fold(start, |sum, _| angle_sum(&sum, &step, ring)))
         }
         _ => Err(Fault::new(
             expr.phrase,
@@ -211,11 +211,4 @@ pub(crate) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(
             "write degrees or an angle of `dims`: `Rx(-45 deg)`, `Rx(alpha)`",
         )),
     }
-}
-
-/// Rule `angle-sum`.
-fn sum_of_angles(a: &(Poly, Poly), b: &(Poly, Poly), ring: &Ring) -> (Poly, Poly) {
-    let sine = &ring.mul(&a.0, &b.1) + &ring.mul(&a.1, &b.0);
-    let cosine = &ring.mul(&a.1, &b.1) - &ring.mul(&a.0, &b.0);
-    (sine, cosine)
 }

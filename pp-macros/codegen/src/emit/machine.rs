@@ -9,8 +9,7 @@ use super::body::Body;
 use super::names::{Places, prelude};
 use crate::explain::Explanation;
 use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
-use crate::solve::{Orientation, PARALLEL, Solved};
-use crate::symbolic::Id;
+use crate::solve::{SideCondition, Solved};
 use crate::syntax::Declaration;
 
 /// The struct with its documentation and its defaults.
@@ -146,28 +145,12 @@ pub(super) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
     }
 }
 
-/// Divisors of the proofs that depend on dimensions alone.
+/// Divisors that depend on dimensions alone.
 fn conditions(model: &Model, solved: &Solved) -> TokenStream {
-    let mut divisors: Vec<(Id, f64, &str)> =
-        vec![(solved.position.determinant, 1e-9, "the linear axes cannot move the tip in every direction")];
-    match &solved.orientation {
-        Orientation::Two(two) => divisors.push((
-            two.capacity,
-            PARALLEL,
-            "the rotary axes are parallel to each other or to the tool, so the tool cannot tilt",
-        )),
-        Orientation::One(one) => {
-            divisors.push((
-                one.length_claim,
-                PARALLEL,
-                "the rotary axis is parallel to the tool, so it cannot tilt it",
-            ));
-        }
-        Orientation::Fixed { .. } => {}
-    }
     let dimensions = model.dimension_symbols();
     let mut tests = TokenStream::new();
-    for (node, least, meaning) in divisors {
+    for SideCondition { divisor: node, zero, meaning } in &solved.conditions {
+        let node = *node;
         if solved.graph.constant_of(node).is_some() {
             continue;
         }
@@ -180,7 +163,7 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
         let (lets, value) = (super::body::lets(&statements), body.tokens(node));
         let prelude = prelude(model, &inputs, Places::default());
         let written = crate::explain::in_words(model, &solved.graph, node);
-        let least = float(least);
+        let least = float(*zero);
         tests.extend(quote! {
             {
                 #prelude

@@ -45,6 +45,19 @@ pub struct Solved {
     pub centres: Vec<V3>,
     /// Tool axis with all axes at zero.
     pub tool_axis: V3,
+    /// What must not be zero.
+    pub conditions: Vec<SideCondition>,
+}
+
+/// A divisor of the formulas or of a proof.
+#[derive(Debug, Clone)]
+pub struct SideCondition {
+    /// Its value.
+    pub divisor: Id,
+    /// Absolute values up to this count as zero.
+    pub zero: f64,
+    /// What it means if it is zero.
+    pub meaning: String,
 }
 
 /// Solves a machine.
@@ -73,7 +86,29 @@ pub fn solve(model: &mut Model) -> Result<Solved, Vec<Refusal>> {
     let directions = axes.clone().map(|axis| chain.direction(axis)).collect();
     let centres = axes.map(|axis| chain.joint_centre(axis)).collect();
     let tool_axis = chain.tool_axis();
-    Ok(Solved { graph: chain.graph, forward, orientation, position, directions, centres, tool_axis })
+    let conditions = conditions(&orientation, &position);
+    Ok(Solved { graph: chain.graph, forward, orientation, position, directions, centres, tool_axis, conditions })
+}
+
+/// Divisors of the closed forms.
+fn conditions(orientation: &Orientation, position: &Position) -> Vec<SideCondition> {
+    let condition = |divisor, zero, meaning: &str| SideCondition { divisor, zero, meaning: meaning.into() };
+    let mut conditions =
+        vec![condition(position.determinant, 1e-9, "the linear axes cannot move the tip in every direction")];
+    match orientation {
+        Orientation::Fixed { .. } => {}
+        Orientation::One(one) => conditions.push(condition(
+            one.length_claim,
+            PARALLEL,
+            "the rotary axis is parallel to the tool, so it cannot tilt it",
+        )),
+        Orientation::Two(two) => conditions.push(condition(
+            two.capacity,
+            PARALLEL,
+            "the rotary axes are parallel to each other or to the tool, so the tool cannot tilt",
+        )),
+    }
+    conditions
 }
 
 /// A model with the graph that its formulas go into.

@@ -238,7 +238,7 @@ impl Graph {
 
     /// `a / b`
     pub fn div(&mut self, a: Id, b: Id) -> Id {
-        if let Some(divisor) = self.constant_of(b).cloned() {
+        if let Some(divisor) = self.constant_of(b).filter(|divisor| !divisor.is_zero()).cloned() {
             let inverse = match divisor.as_number().and_then(|number| number.inverse()) {
                 Some(inverse) => Poly::from(inverse),
                 None => Poly::from(self.ring.reciprocal("reciprocal", divisor)),
@@ -246,7 +246,7 @@ impl Graph {
             let inverse = self.constant(inverse);
             return self.mul(a, inverse);
         }
-        if self.is_zero(a) {
+        if self.is_zero(a) && !self.is_zero(b) {
             return a;
         }
         match (self.node(a), self.node(b)) {
@@ -266,7 +266,7 @@ impl Graph {
 
     /// `√a`
     pub fn sqrt(&mut self, a: Id) -> Id {
-        let Some(radicand) = self.constant_of(a).cloned() else {
+        let Some(radicand) = self.constant_of(a).filter(|_| !self.is_negative(a)).cloned() else {
             return self.intern(Node::Sqrt(a));
         };
         let root = match radicand.as_number().and_then(|number| number.sqrt()) {

@@ -1,13 +1,12 @@
 //! Symbols with their relations, and arithmetic modulo these.
 //!
-//! Three rules rewrite, each to a polynomial of lower degree in the leading symbol:
-//! - `square`: `cos² → 1 - sin²`, `k² → 1 - i² - j²`, `root² → radicand`;
-//! - `clear`: a polynomial with `1/d` in it is zero exactly if it is zero times a power of `d`;
-//! - numbers are added and multiplied exactly.
-//!
-//! The leading symbols of the squares are distinct, hence coprime: remainder 0 decides equality, never sampling.
+//! Squares rewrite (rules `circle`, `unit-vector`, `root`), each to a polynomial of lower degree in the leading symbol;
+//! the leading symbols are distinct, hence coprime: remainder 0 decides equality, never sampling. Reciprocals are
+//! multiplied out first (rule `clear`).
 
 use std::collections::BTreeMap;
+
+use num_rational::BigRational;
 
 use super::poly::{Monomial, Poly, Symbol};
 use super::surd::Surd;
@@ -22,6 +21,8 @@ struct Known {
     square: Option<Poly>,
     /// `symbol · divisor = 1`.
     divisor: Option<Poly>,
+    /// Set for the sine of a fixed angle, whose cosine is the next symbol: its degrees.
+    angle: Option<BigRational>,
 }
 
 /// Symbols and relations.
@@ -37,31 +38,34 @@ impl Ring {
         self.push(name, None, None, None)
     }
 
-    /// A pair (sine, cosine) of an unknown angle.
+    /// A pair (sine, cosine) of an unknown angle: rule `circle`.
     pub fn sin_cos(&mut self, sine: impl Into<String>, cosine: impl Into<String>) -> (Symbol, Symbol) {
         let (sine, cosine) = (self.free_name(sine.into()), self.free_name(cosine.into()));
         self.circle(sine, cosine, None)
     }
 
     /// A pair (sine, cosine) of a fixed angle that has no exact value here. The same angle gives the same pair.
-    pub fn fixed_sin_cos(&mut self, degrees: f64) -> (Symbol, Symbol) {
-        let (sine, cosine) = (format!("sin {degrees}°"), format!("cos {degrees}°"));
-        if let Some(index) = self.known.iter().position(|known| known.name == sine) {
+    pub fn fixed_sin_cos(&mut self, degrees: &BigRational) -> (Symbol, Symbol) {
+        if let Some(index) = self.known.iter().position(|known| known.angle.as_ref() == Some(degrees)) {
             return (symbol_at(index), symbol_at(index + 1));
         }
-        self.circle(sine, cosine, Some(degrees.to_radians().sin_cos()))
+        let value = Surd::from(degrees.clone()).to_f64();
+        let (sine, cosine) = (self.free_name(format!("sin {value}°")), self.free_name(format!("cos {value}°")));
+        let pair = self.circle(sine, cosine, Some(value.to_radians().sin_cos()));
+        self.known[pair.0.0 as usize].angle = Some(degrees.clone());
+        pair
     }
 
-    /// A unit vector `(i, j, k)`.
+    /// A unit vector `(i, j, k)`: rule `unit-vector`.
     pub fn unit_vector(&mut self, names: [&str; 3]) -> [Symbol; 3] {
         let [i, j] = [self.symbol(names[0]), self.symbol(names[1])];
         let rest = &(&Poly::one() - &self.square_of(i)) - &self.square_of(j);
         [i, j, self.push(names[2].into(), None, Some(rest), None)]
     }
 
-    /// A root: its square is `radicand`.
+    /// A root, whose square is `radicand`: rule `root`.
     ///
-    /// A constant has one root: asking again gives the same symbol.
+    /// Rule `one-root`: a constant has one root, so asking again gives the same symbol.
     pub fn root(&mut self, name: impl Into<String>, radicand: Poly) -> Symbol {
         let value = self.value(&radicand).map(f64::sqrt);
         let same = |known: &Known| known.value.is_some() && known.square.as_ref() == Some(&radicand);
@@ -258,7 +262,7 @@ impl Ring {
 
     fn push(&mut self, name: String, value: Option<f64>, square: Option<Poly>, divisor: Option<Poly>) -> Symbol {
         let symbol = symbol_at(self.known.len());
-        self.known.push(Known { name, value, square, divisor });
+        self.known.push(Known { name, value, square, divisor, angle: None });
         symbol
     }
 
@@ -274,7 +278,7 @@ impl Ring {
         self.mul(&Poly::from(symbol), &Poly::from(symbol))
     }
 
-    /// Rule `square`, applied until no leading symbol has a power above 1.
+    /// Rules `circle`, `unit-vector` and `root`, applied until no leading symbol has a power above 1.
     fn add_reduced(&self, sum: &mut Poly, monomial: Monomial, factor: &Surd) {
         let leading = monomial.iter().position(|(s, power)| *power >= 2 && self.known[s.0 as usize].square.is_some());
         let Some(position) = leading else {

@@ -57,7 +57,7 @@ impl Surd {
         if value.is_negative() {
             return None;
         }
-        // √(p/q) = √(p·q) / q
+        // Rule `square-out-of-root`, with √(p/q) = √(p·q) / q.
         let radicand = (value.numer() * value.denom()).magnitude().clone();
         let (outside, inside) = split_square(radicand)?;
         let factor = BigRational::new(outside.into(), value.denom().clone());
@@ -106,7 +106,7 @@ impl Surd {
         if let Some(rational) = self.as_rational() {
             return Some(Self::from(rational.recip()));
         }
-        // self = a + √b·c: 1/self = (a - √b·c) / (a² - b·c²), one root less below.
+        // Rule `conjugate`: self = a + √b·c with a and c free of √b: 1/self = (a - √b·c) / (a² - b·c²), one root less below.
         let (a, base, c) = self.split()?;
         let b = Self::from(BigRational::from(BigInt::from(base.clone())));
         let norm = &(&a * &a) - &(&b * &(&c * &c));
@@ -297,7 +297,7 @@ impl Mul for &Surd {
                     product.add_term(n * m, p * q);
                     continue;
                 }
-                // √n·√m = gcd·√(n/gcd · m/gcd), square-free again.
+                // Rule `product-of-roots`: gcd·√(n/gcd · m/gcd), square-free again.
                 let common = n.gcd(m);
                 let rest = (n / &common) * (m / &common);
                 product.add_term(rest, p * q * BigRational::from(BigInt::from(common)));
@@ -307,7 +307,7 @@ impl Mul for &Surd {
     }
 }
 
-/// Sine and cosine of an angle in degrees, where both are surds: multiples of 15°.
+/// Rule `exact-sine`: sine and cosine of an angle in degrees, where both are surds, at multiples of 15°.
 #[must_use]
 pub fn exact_sin_cos(degrees: &BigRational) -> Option<(Surd, Surd)> {
     let steps = degrees / BigRational::from(BigInt::from(15));

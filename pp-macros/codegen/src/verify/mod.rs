@@ -16,7 +16,7 @@ use scope::{Scope, Value};
 use crate::formula::Formula;
 use crate::model::{AxisId, Kind, Model};
 use crate::report::Errors;
-use crate::solve::{Orientation, Solved};
+use crate::solve::{Orientation, SideCondition, Solved};
 use crate::symbolic::{Interpreter, Matrix, Poly, Ring, Sign, Surd, sign_of};
 use crate::syntax::{Equation, Expr, ExprKind, Unit, Verify};
 
@@ -40,8 +40,8 @@ pub struct Proven {
     pub right: Formula,
     /// Where it holds, as text; everywhere if empty.
     pub holds: Vec<String>,
-    /// Divisors that contain nothing but dimensions: they must not be zero.
-    pub divisors: Vec<Poly>,
+    /// What must not be zero and contains nothing but dimensions.
+    divisors: Vec<Poly>,
 }
 
 /// Decides all equations; a message for each that does not hold.
@@ -51,7 +51,18 @@ pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mu
     }
     let product = model.product();
     let derived = Derived::new(model, solved);
-    blocks.iter().filter_map(|block| verify_block(block, model, &derived, &product, errors)).collect()
+    let verified: Vec<Verified> =
+        blocks.iter().filter_map(|block| verify_block(block, model, &derived, &product, errors)).collect();
+    for Verified { source, equations, .. } in &verified {
+        for divisor in equations.iter().flat_map(|equation| &equation.divisors) {
+            let divisor = solved.graph.declared(divisor);
+            if !solved.conditions.iter().any(|known| known.divisor == divisor) {
+                let meaning = format!("equations of \"{source}\" divide by it");
+                solved.conditions.push(SideCondition { divisor, zero: 1e-9, meaning });
+            }
+        }
+    }
+    verified
 }
 
 /// What the solver found, as polynomials.
@@ -175,13 +186,15 @@ fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], bran
             branch.map_or(text.clone(), |branch| format!("{text} ({branch})"))
         })
         .collect();
-    let divisors = scope.divisors.iter().map(|(divisor, _)| scope.ring.clear_even(divisor));
-    let divisors = divisors.filter(|divisor| divisor.symbols().all(|symbol| dimensions.contains(&symbol)));
+    let divisors = conditions.iter().flat_map(|condition| match condition {
+        Condition::NotZero(zeros) => zeros.clone(),
+        _ => Vec::new(),
+    });
     Proven {
         left: as_written(&equation.left),
         right: as_written(&equation.right),
         holds,
-        divisors: divisors.filter(|divisor| scope.ring.value(divisor).is_none()).collect(),
+        divisors: divisors.filter(|divisor| divisor.symbols().all(|symbol| dimensions.contains(&symbol))).collect(),
     }
 }
 
@@ -267,16 +280,16 @@ fn as_written(expr: &Expr) -> Formula {
         ExprKind::Neg(negated) => Formula::Neg(inner(negated)),
         ExprKind::Power(base, exponent) => Formula::Power(inner(base), *exponent),
         ExprKind::Call(name, arguments) => Formula::call(name, arguments.iter().map(as_written)),
-        ExprKind::Binary(left, '/', right) => Formula::Quotient(inner(left), inner(right)),
+        ExprKind::Binary(left, '/', right) => match as_written(left) {
+            Formula::Neg(left) => Formula::Neg(Box::new(Formula::Quotient(left, inner(right)))),
+            left => Formula::Quotient(Box::new(left), inner(right)),
+        },
         ExprKind::Binary(left, operator, right) => {
             let right = as_written(right);
             let right = if *operator == '-' { Formula::Neg(Box::new(right)) } else { right };
             match (as_written(left), operator) {
-                (Formula::Product(mut factors), '*') => {
-                    factors.push(right);
-                    Formula::Product(factors)
-                }
-                (left, '*') => Formula::Product(vec![left, right]),
+                (Formula::Neg(left), '*') => Formula::Neg(Box::new(product(*left, right))),
+                (left, '*') => product(left, right),
                 (Formula::Sum(mut terms), _) => {
                     terms.push(right);
                     Formula::Sum(terms)
@@ -284,5 +297,15 @@ fn as_written(expr: &Expr) -> Formula {
                 (left, _) => Formula::Sum(vec![left, right]),
             }
         }
+    }
+}
+
+fn product(left: Formula, right: Formula) -> Formula {
+    match left {
+        Formula::Product(mut factors) => {
+            factors.push(right);
+            Formula::Product(factors)
+        }
+        left => Formula::Product(vec![left, right]),
     }
 }

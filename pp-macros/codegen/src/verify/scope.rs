@@ -6,8 +6,8 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::check::quantity::{self, Fault, Names};
-use crate::model::{AxisId, Kind, Model, Quantity, turn_by};
-use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol};
+use crate::model::{AxisId, Kind, Model, Quantity};
+use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, turn_by};
 use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
 
 /// Products of more monomials than this are not multiplied out: no paper prints one.
