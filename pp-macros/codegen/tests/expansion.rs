@@ -55,6 +55,23 @@ fn two_dimensions_never_share_a_local_variable() {
     let text = expand(
         "pub struct M; chain: C B | X Y Z; axes = { B: Rx(a) * Y, C: Ry(dim_a) * Z }; dims = { a: 10 deg, dim_a: 40 deg };",
     );
-    assert!(text.contains("(sin_dim_a , cos_dim_a) = math :: sin_cos (self . a)"), "{text}");
-    assert!(text.contains("(sin_dim_a_ , cos_dim_a_) = math :: sin_cos (self . dim_a)"), "{text}");
+    assert!(text.contains("(sin_a , cos_a) = math :: sin_cos (self . a)"), "{text}");
+    assert!(text.contains("(sin_dim_a , cos_dim_a) = math :: sin_cos (self . dim_a)"), "{text}");
+}
+
+#[test]
+fn a_dimension_never_shares_a_local_variable_with_an_axis() {
+    let text = expand(
+        "pub struct M; chain: C B | X Y Z; axes = { C: Rx(b) * Z }; d = (word_x, sin_b, angle_b_1);
+         dims = { sin_b: 4, b: 30 deg, word_x: 5, angle_b_1: 6 };",
+    );
+    let axis = "(sin_b__ , cos_b_) = math :: sin_cos (axes [1usize])";
+    for line in [
+        "let sin_b = self . sin_b",
+        "(sin_b_ , cos_b) = math :: sin_cos (self . b)",
+        axis,
+        "let word_x_ = axes [2usize]",
+    ] {
+        assert!(text.contains(line), "{line} in {text}");
+    }
 }

@@ -307,9 +307,7 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
             }
         };
         let quantity = if unit == Some(Unit::Degree) {
-            // `sin_b` is the sine of axis B.
-            let stem = if ["a", "b", "c"].contains(&name.as_str()) { format!("dim_{name}") } else { name.clone() };
-            let (sine, cosine) = ring.sin_cos(format!("sin_{stem}"), format!("cos_{stem}"));
+            let (sine, cosine) = ring.sin_cos(format!("sin_{name}"), format!("cos_{name}"));
             Quantity::Angle(sine, cosine)
         } else {
             Quantity::Length(ring.symbol(local_name(name)))
@@ -324,11 +322,10 @@ pub(crate) fn is_reserved(name: &str) -> bool {
     LETTERS.contains(&name) || name.starts_with("r#") || RESERVED.contains(&name)
 }
 
-/// What a length is called inside generated functions: its own name, unless that means something there.
+/// What a length is called inside generated functions: its own name, unless that is a variable there. The ring keeps
+/// all other names apart.
 fn local_name(name: &str) -> String {
-    let means_something = crate::emit::LOCALS.contains(&name)
-        || ["sin_", "cos_", "word_", "angle_"].iter().any(|prefix| name.starts_with(prefix));
-    if means_something { format!("dim_{name}") } else { name.to_string() }
+    if crate::emit::LOCALS.contains(&name) { format!("dim_{name}") } else { name.to_string() }
 }
 
 fn axis(

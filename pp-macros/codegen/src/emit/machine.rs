@@ -41,11 +41,11 @@ pub(super) fn item(
         #(#attributes)*
         #(#[doc = #doc])*
         #visibility struct #name {
-            #(#[doc = #field_docs] pub #fields: f64,)*
+            #(#[doc = #field_docs] pub #fields: ::core::primitive::f64,)*
             /// Part zero from the table's reference point, along the table's directions, mm.
-            pub part_origin: ::pp_runtime::nalgebra::Vector3<f64>,
+            pub part_origin: ::pp_runtime::nalgebra::Vector3<::core::primitive::f64>,
             /// Gauge line to tool tip, mm.
-            pub gauge_length: f64,
+            pub gauge_length: ::core::primitive::f64,
         }
 
         #(#configured)*

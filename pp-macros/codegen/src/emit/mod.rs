@@ -75,6 +75,8 @@ pub(crate) fn emit(
         // Digits of declared angles and directions are what they are.
         #[allow(deprecated, clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
+            // Whatever these mean around the declaration.
+            use ::core::primitive::{f64, str, usize};
             use ::pp_runtime::kinematics::math;
 
             /// What the kinematics share; a trait, so that no method of the user can clash with it.

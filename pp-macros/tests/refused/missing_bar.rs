@@ -1,0 +1,6 @@
+pp_runtime::machine! {
+    pub struct Table;
+    chain: C B X Y Z;
+}
+
+fn main() {}
