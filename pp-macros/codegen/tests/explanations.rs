@@ -127,7 +127,7 @@ fn jogs_stay_inside_the_travel_and_turn_back_where_there_is_no_other_way() {
 
 #[test]
 fn held_axes_are_jogged_too_and_turn_what_they_carry() {
-    let jogs = jogs("chain: C W B | X Y Z A; hold = { W: 0, A: 90 };");
+    let jogs = jogs("chain: C W B | X Y Z A; hold = { W: 0, A: 30 };");
     assert_eq!(jogs[1], "W+100 (held): the table moves down (-Z)");
     assert!(jogs[6].starts_with("A+90 (held): "), "{jogs:?}");
     // A half turn of C in front of B turns the direction of B round.

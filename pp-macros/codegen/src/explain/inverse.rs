@@ -93,11 +93,9 @@ fn angle(graph: &mut Graph, word: [Signed; 2], root: Option<(Id, &Poly)>) -> Opt
     // Terms without the root get plain numbers first.
     let rooted = |powers: &[(Symbol, u32)]| powers.iter().any(|(symbol, _)| graph.ring.name(*symbol) == "r");
     let terms: Vec<_> = parts.iter().flat_map(Poly::terms).collect();
-    let factors = |keep: &dyn Fn(&[(Symbol, u32)]) -> bool| -> Vec<&Surd> {
-        terms.iter().filter(|(powers, _)| keep(powers)).map(|(_, factor)| *factor).collect()
-    };
-    let plain = factors(&|powers| !rooted(powers));
-    let number = common_number(if plain.is_empty() { factors(&|_| true) } else { plain }.as_slice());
+    let all: Vec<&Surd> = terms.iter().map(|(_, factor)| *factor).collect();
+    let plain: Vec<&Surd> = terms.iter().filter(|(powers, _)| !rooted(powers)).map(|(_, factor)| *factor).collect();
+    let number = common_number(if plain.is_empty() { &all } else { &plain });
     let inverse = number.inverse().unwrap_or_else(Surd::one);
     Some(parts.map(|part| part.scaled(&inverse)))
 }
@@ -141,7 +139,7 @@ fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {
             if short { replaced(formula, &root) } else { formula }
         })
         .collect();
-    if formulas.iter().any(|formula| mentions_root(formula)) {
+    if formulas.iter().any(mentions_root) {
         section.equations(&[(Formula::name("r"), root)]);
     }
     for (title, branch) in ["first branch:", "second branch:"].into_iter().zip(formulas.chunks(2)) {
@@ -326,7 +324,7 @@ pub(super) fn branches(model: &Model, solved: &Solved) -> Section {
             line(title).math(&quantity).say(" ").both(sign, if sign == ">=" { "$\\geq$" } else { "$\\leq$" }).say(" 0"),
         );
     }
-    section.say("Where the tool axis is on the edge of what can be reached both are one.");
+    section.line(line("Where ").math(&quantity).say(" = 0 both are one."));
     section
 }
 
