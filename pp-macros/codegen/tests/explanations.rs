@@ -1,20 +1,25 @@
 //! What a machine says about itself.
 
 use pp_codegen::check::check;
-use pp_codegen::explain::{Explanation, explain};
+use pp_codegen::explain::{Equation, Explanation, Verified, explain};
+use pp_codegen::formula::Formula;
 use pp_codegen::proof::prove;
 use pp_codegen::report::Errors;
 use pp_codegen::solve::solve;
 use pp_codegen::syntax::parse;
 
 fn explained(text: &str) -> Explanation {
+    explained_with(text, &[])
+}
+
+fn explained_with(text: &str, verified: &[Verified]) -> Explanation {
     let tokens = format!("pub struct M; {text}").parse().expect("Rust tokens");
     let mut errors = Errors::default();
     let declaration = parse(tokens, &mut errors).expect("syntax");
     let (mut model, _) = check(&declaration, &mut errors).expect("rules");
     let mut solved = solve(&mut model).expect("a solvable chain");
     let proofs = prove(&model, &mut solved).expect("proven");
-    explain(&model, &solved, proofs, &[])
+    explain(&model, &solved, proofs, verified)
 }
 
 /// The lines to be ticked off, each in one piece.
@@ -127,7 +132,7 @@ fn jogs_stay_inside_the_travel_and_turn_back_where_there_is_no_other_way() {
 
 #[test]
 fn held_axes_are_jogged_too_and_turn_what_they_carry() {
-    let jogs = jogs("chain: C W B | X Y Z A; hold = { W: 0, A: 90 };");
+    let jogs = jogs("chain: C W B | X Y Z A; hold = { W: 0, A: 30 };");
     assert_eq!(jogs[1], "W+100 (held): the table moves down (-Z)");
     assert!(jogs[6].starts_with("A+90 (held): "), "{jogs:?}");
     // A half turn of C in front of B turns the direction of B round.
@@ -159,4 +164,16 @@ fn lines_of_text_are_short() {
             assert!(line.chars().count() <= 96, "{line}");
         }
     }
+}
+
+#[test]
+fn proven_equations_name_their_source_and_where_they_hold() {
+    let [b, k] = ["B", "k"].map(Formula::name);
+    let equation = Equation { left: b, right: Formula::call("acos", [k]), holds: vec!["sin B >= 0".into()] };
+    let verified =
+        Verified { source: "A paper, eq. (2)".into(), assumptions: "with part = 0".into(), equations: vec![equation] };
+    let proofs = explained_with("chain: C B | X Y Z;", &[verified]).proofs;
+    let last = proofs.text.len() - 3;
+    assert_eq!(proofs.text[last..], ["A paper, eq. (2) (with part = 0):", "B = acos(k)", "    holds where sin B >= 0"]);
+    assert_eq!(proofs.latex[proofs.latex.len() - 2], r"$\displaystyle B = \arccos(k)$");
 }

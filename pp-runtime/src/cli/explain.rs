@@ -26,6 +26,7 @@ pub(super) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
 /// Formulas stand in paragraphs, so that TeX breaks long ones at a sign.
 const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
+\IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
 \usepackage[utf8]{inputenc}
 \usepackage[margin=22mm]{geometry}
 \usepackage{amsmath}

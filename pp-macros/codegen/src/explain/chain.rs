@@ -102,30 +102,31 @@ fn turn(model: &Model, id: AxisId, name: &Formula, section: &mut Section) {
     let centre = Formula::name(format!("c_{letter}"));
     let word = Formula::name(letter.to_string());
     let word = if axis.reversed { word.negated() } else { word };
-    let about = line("Rot(");
+    let turning = Formula::name(format!("R_{letter}"));
     let about = match coordinate(&axis.direction) {
-        Some((name, false)) => about.math(&Formula::name(name)),
-        Some((name, true)) => about.math(&Formula::name(name).negated()),
-        None => about.vector(&vector(model, &axis.direction)),
+        Some((name, false)) => line("").math(&Formula::name(name)),
+        Some((name, true)) => line("").math(&Formula::name(name).negated()),
+        None => line("").vector(&vector(model, &axis.direction)),
     };
-    let about = about.say(", ").math(&word).say(")");
+    let moved = |by: &Formula| line("Trans(").math(by).say(")");
     section.line(
         line("")
             .math(name)
-            .say(" = Trans(")
-            .math(&centre)
-            .say(") ")
-            .append(&about)
-            .say(" Trans(")
-            .math(&centre.clone().negated())
-            .say("), ")
+            .say(" = ")
+            .append(&moved(&centre))
+            .say(" ")
+            .math(&turning)
+            .say(" ")
+            .append(&moved(&centre.clone().negated()))
+            .say(", ")
             .math(&centre)
             .say(" = ")
             .vector(&vector(model, &model.centre(id))),
     );
+    section.line(line("").math(&turning).say(" = Rot(").append(&about).say(", ").math(&word).say("):"));
     let turn = rotation(&axis.direction, &model.joint_sine(id), &Poly::from(axis.turn.1), &model.ring);
     section.gap();
-    section.matrix(&Formula::name(format!("R_{letter}")), &entries(model, &turn), &format!("R_{letter}"));
+    section.matrix(&turning, &entries(model, &turn), &format!("R_{letter}"));
     section.gap();
 }
 

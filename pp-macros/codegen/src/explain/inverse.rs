@@ -48,6 +48,13 @@ fn is_readable(parts: &[Poly; 2]) -> bool {
     parts.iter().all(|part| part.coefficients().count() <= LONGEST)
 }
 
+/// Whether a reciprocal of what is no number is in it.
+fn is_divided(graph: &Graph, poly: &Poly) -> bool {
+    let unknown = |symbol: Symbol| graph.ring.value(&Poly::from(symbol)).is_none();
+    let mut symbols = poly.terms().flat_map(|(powers, _)| powers).map(|(symbol, _)| *symbol);
+    symbols.any(|symbol| graph.ring.divisor(symbol).is_some() && unknown(symbol))
+}
+
 /// A node without a sign and without a positive factor or divisor.
 type Signed = (bool, Id);
 
@@ -82,22 +89,15 @@ fn angle(graph: &mut Graph, word: [Signed; 2], root: Option<(Id, &Poly)>) -> Opt
         let value = reader.value(node);
         if minus { -&value } else { value }
     });
-    let divided = |poly: &Poly| {
-        poly.terms().flat_map(|(powers, _)| powers).any(|(symbol, _)| {
-            graph.ring.divisor(*symbol).is_some() && graph.ring.value(&Poly::from(*symbol)).is_none()
-        })
-    };
-    if parts.iter().any(divided) {
+    if parts.iter().any(|part| is_divided(graph, part)) {
         return None;
     }
     // Terms without the root get plain numbers first.
     let rooted = |powers: &[(Symbol, u32)]| powers.iter().any(|(symbol, _)| graph.ring.name(*symbol) == "r");
     let terms: Vec<_> = parts.iter().flat_map(Poly::terms).collect();
-    let factors = |keep: &dyn Fn(&[(Symbol, u32)]) -> bool| -> Vec<&Surd> {
-        terms.iter().filter(|(powers, _)| keep(powers)).map(|(_, factor)| *factor).collect()
-    };
-    let plain = factors(&|powers| !rooted(powers));
-    let number = common_number(if plain.is_empty() { factors(&|_| true) } else { plain }.as_slice());
+    let all: Vec<&Surd> = terms.iter().map(|(_, factor)| *factor).collect();
+    let plain: Vec<&Surd> = terms.iter().filter(|(powers, _)| !rooted(powers)).map(|(_, factor)| *factor).collect();
+    let number = common_number(if plain.is_empty() { &all } else { &plain });
     let inverse = number.inverse().unwrap_or_else(Surd::one);
     Some(parts.map(|part| part.scaled(&inverse)))
 }
@@ -141,7 +141,7 @@ fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {
             if short { replaced(formula, &root) } else { formula }
         })
         .collect();
-    if formulas.iter().any(|formula| mentions_root(formula)) {
+    if formulas.iter().any(mentions_root) {
         section.equations(&[(Formula::name("r"), root)]);
     }
     for (title, branch) in ["first branch:", "second branch:"].into_iter().zip(formulas.chunks(2)) {
@@ -160,7 +160,8 @@ fn replaced(formula: Formula, root: &Formula) -> Formula {
         Formula::Neg(inner) => Formula::Neg(Box::new(replaced(*inner, root))),
         Formula::Sum(parts) => Formula::Sum(all(parts)),
         Formula::Product(parts) => Formula::Product(all(parts)),
-        Formula::Call(function, parts) => Formula::Call(function, all(parts)),
+        // An angle may be called r.
+        Formula::Call(function, parts) if function != "sin" && function != "cos" => Formula::Call(function, all(parts)),
         Formula::Quotient(above, below) => {
             Formula::Quotient(Box::new(replaced(*above, root)), Box::new(replaced(*below, root)))
         }
@@ -172,6 +173,7 @@ fn mentions_root(formula: &Formula) -> bool {
     match formula {
         Formula::Name(name) => name == "r",
         Formula::Number(_) | Formula::Degrees(_) => false,
+        Formula::Call(function, _) if function == "sin" || function == "cos" => false,
         Formula::Neg(inner) | Formula::Power(inner, _) => mentions_root(inner),
         Formula::Sum(parts) | Formula::Product(parts) | Formula::Call(_, parts) => parts.iter().any(mentions_root),
         Formula::Quotient(above, below) => mentions_root(above) || mentions_root(below),
@@ -255,14 +257,7 @@ fn linear(model: &Model, solved: &Solved, section: &mut Section) {
     let determinant = reader.value(position.determinant);
     let divided = found.iter().any(|(_, divided, _)| *divided);
     let mut polys = found.iter().map(|(_, _, poly)| poly).chain([&determinant]);
-    let long = polys.any(|poly| {
-        let reciprocal = |powers: &[(Symbol, u32)]| {
-            powers.iter().any(|(symbol, _)| {
-                graph.ring.divisor(*symbol).is_some() && graph.ring.value(&Poly::from(*symbol)).is_none()
-            })
-        };
-        poly.coefficients().count() > LONGEST || poly.terms().any(|(powers, _)| reciprocal(powers))
-    });
+    let long = polys.any(|poly| poly.coefficients().count() > LONGEST || is_divided(&graph, poly));
     if long {
         let values: Vec<Id> = position.values.iter().map(|(_, node)| *node).collect();
         let known = steps(model, &solved.graph, &values, section);
@@ -326,7 +321,7 @@ pub(super) fn branches(model: &Model, solved: &Solved) -> Section {
             line(title).math(&quantity).say(" ").both(sign, if sign == ">=" { "$\\geq$" } else { "$\\leq$" }).say(" 0"),
         );
     }
-    section.say("Where the tool axis is on the edge of what can be reached both are one.");
+    section.line(line("Where ").math(&quantity).say(" = 0 both are one."));
     section
 }
 

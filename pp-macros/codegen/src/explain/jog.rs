@@ -33,18 +33,17 @@ const TURNED: f64 = 80.0;
 pub(super) fn sheet(model: &Model) -> Section {
     let machine = Machine::of(model);
     let mut section = Section::default();
-    section.say("No proof finds a sign that was declared wrongly. Jog each axis alone from zero, all others at zero,");
-    section.say("and tick what moves as stated. A line that is not true is a wrong sign: correct it before you cut.");
+    section.say(
+        "No proof finds a sign that was declared wrongly. Jog each axis alone from zero, and tick what moves as stated; \
+         a line that is not true is a wrong sign, to be corrected before the first cut.",
+    );
     section.say("You stand in front of the machine: X to the right (+X), Y away from you (+Y), Z up (+Z).");
-    section.say(&format!(
-        "With all axes at zero the tool points {}. {}",
-        heading(minus(machine.tool)),
-        if machine.tool[2].abs() < ALONG {
-            "If Z of your machine is not up, go by the letters in brackets."
-        } else {
-            "If your spindle is horizontal, Z is not up: go by the letters in brackets."
-        }
-    ));
+    section.say(&format!("With all axes at zero the tool points {}.", heading(minus(machine.tool))));
+    section.say(if machine.tool[2].abs() < ALONG {
+        "Where Z is not up on your machine, go by the letters in brackets."
+    } else {
+        "With a horizontal spindle Z is not up: go by the letters in brackets."
+    });
     if model.axes.iter().any(|axis| axis.held.is_some()) {
         section.say("Held axes stand at their defaults while the others are jogged.");
     }

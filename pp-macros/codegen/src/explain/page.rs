@@ -200,8 +200,11 @@ fn place_to_break(text: &[char], indent: usize, formula: bool) -> Option<usize> 
 /// Words for LaTeX.
 pub(super) fn escaped(words: &str) -> String {
     let mut text = String::new();
+    let mut before = ' ';
     for character in words.chars() {
         match character {
+            // A minus, no hyphen.
+            '-' if !before.is_alphabetic() => text += "$-$",
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
                 text.push('\\');
                 text.push(character);
@@ -221,6 +224,7 @@ pub(super) fn escaped(words: &str) -> String {
             '"' => text += "''",
             other => text.push(other),
         }
+        before = character;
     }
     text
 }
@@ -244,5 +248,6 @@ mod tests {
     fn words_of_a_person_are_no_commands_of_latex() {
         assert_eq!(escaped("50% of $x_1 & {a}"), r"50\% of \$x\_1 \& \{a\}");
         assert_eq!(escaped(r"\input"), r"\textbackslash{}input");
+        assert_eq!(escaped("left-hand (-X)"), "left-hand ($-$X)");
     }
 }

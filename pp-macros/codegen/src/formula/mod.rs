@@ -1,7 +1,7 @@
 //! Expressions as a person writes them: in the names of the declaration, factored, as text, as source and as LaTeX.
 //!
-//! A formula is for reading. What decides is a [`Poly`](crate::symbolic::Poly), what computes is a
-//! [`Graph`](crate::symbolic::Graph); both can be turned into a formula.
+//! A formula is for reading. What decides is a [`Poly`], what computes is a
+//! [`Graph`]; both can be turned into a formula.
 
 mod factor;
 mod names;
