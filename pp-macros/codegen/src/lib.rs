@@ -18,7 +18,12 @@ pub mod verify;
 use proc_macro2::TokenStream;
 
 pub use emit::Options;
+use explain::Explanation;
+use model::Model;
 use report::{Errors, Refused};
+use solve::Solved;
+use syntax::Declaration;
+use verify::Verified;
 
 /// Expands the inside of `machine! { ... }`: the machine, or one `compile_error!` for each mistake.
 #[must_use]
@@ -32,18 +37,46 @@ pub fn expand_with(input: TokenStream, options: Options) -> TokenStream {
     generate(input, options).unwrap_or_else(|refused| refused.to_compile_error())
 }
 
-/// The pipeline: parse, check, solve, prove, emit.
+/// Everything known about a machine that compiles.
+#[derive(Debug)]
+pub struct Compiled {
+    /// Without syntax.
+    pub model: Model,
+    /// Its formulas, proven.
+    pub solved: Solved,
+    /// Equations of sources, proven.
+    pub verified: Vec<Verified>,
+    /// For people.
+    pub explanation: Explanation,
+}
+
+/// The pipeline: parse, check, solve, prove, verify, emit.
 ///
 /// # Errors
 /// Every mistake of the declaration.
 pub fn generate(input: TokenStream, options: Options) -> Result<TokenStream, Refused> {
     let mut errors = Errors::default();
     let declaration = syntax::parse(input, &mut errors)?;
-    let (mut model, spots) = check::check(&declaration, &mut errors)?;
+    let machine = compile_declaration(&declaration, &mut errors)?;
+    Ok(emit::emit(&declaration, &machine.model, &machine.solved, &machine.explanation, options))
+}
+
+/// The pipeline without its last step.
+///
+/// # Errors
+/// Every mistake of the declaration.
+pub fn compile(input: TokenStream) -> Result<Compiled, Refused> {
+    let mut errors = Errors::default();
+    let declaration = syntax::parse(input, &mut errors)?;
+    compile_declaration(&declaration, &mut errors)
+}
+
+fn compile_declaration(declaration: &Declaration, errors: &mut Errors) -> Result<Compiled, Refused> {
+    let (mut model, spots) = check::check(declaration, errors)?;
     let mut solved = match solve::solve(&mut model) {
         Ok(solved) => solved,
         Err(refusals) => {
-            check::report(&refusals, &model, &spots, &mut errors);
+            check::report(&refusals, &model, &spots, errors);
             errors.propagate()?;
             unreachable!("a refusal has a message");
         }
@@ -51,13 +84,13 @@ pub fn generate(input: TokenStream, options: Options) -> Result<TokenStream, Ref
     let proofs = match proof::prove(&model, &mut solved) {
         Ok(proofs) => proofs,
         Err(claim) => {
-            check::unproven(&claim, &spots, &mut errors);
+            check::unproven(&claim, &spots, errors);
             errors.propagate()?;
             unreachable!("an unproven claim has a message");
         }
     };
-    let verified = verify::verify(&declaration.verify, &model, &mut solved, &mut errors);
+    let verified = verify::verify(&declaration.verify, &model, &mut solved, errors);
     errors.propagate()?;
     let explanation = explain::explain(&model, &solved, proofs, &verified);
-    Ok(emit::emit(&declaration, &model, &solved, &explanation, options))
+    Ok(Compiled { model, solved, verified, explanation })
 }

@@ -1,25 +1,11 @@
 //! What a machine says about itself.
 
-use pp_codegen::check::check;
-use pp_codegen::explain::{Equation, Explanation, Verified, explain};
-use pp_codegen::formula::Formula;
-use pp_codegen::proof::prove;
-use pp_codegen::report::Errors;
-use pp_codegen::solve::solve;
-use pp_codegen::syntax::parse;
+use pp_codegen::compile;
+use pp_codegen::explain::Explanation;
 
 fn explained(text: &str) -> Explanation {
-    explained_with(text, &[])
-}
-
-fn explained_with(text: &str, verified: &[Verified]) -> Explanation {
     let tokens = format!("pub struct M; {text}").parse().expect("Rust tokens");
-    let mut errors = Errors::default();
-    let declaration = parse(tokens, &mut errors).expect("syntax");
-    let (mut model, _) = check(&declaration, &mut errors).expect("rules");
-    let mut solved = solve(&mut model).expect("a solvable chain");
-    let proofs = prove(&model, &mut solved).expect("proven");
-    explain(&model, &solved, proofs, verified)
+    compile(tokens).unwrap_or_else(|refused| panic!("{text}: {refused:?}")).explanation
 }
 
 /// The lines to be ticked off, each in one piece.
@@ -168,12 +154,11 @@ fn lines_of_text_are_short() {
 
 #[test]
 fn proven_equations_name_their_source_and_where_they_hold() {
-    let [b, k] = ["B", "k"].map(Formula::name);
-    let equation = Equation { left: b, right: Formula::call("acos", [k]), holds: vec!["sin B >= 0".into()] };
-    let verified =
-        Verified { source: "A paper, eq. (2)".into(), assumptions: "with part = 0".into(), equations: vec![equation] };
-    let proofs = explained_with("chain: C B | X Y Z;", &[verified]).proofs;
+    let machine = "chain: C B | X Y Z; verify \"A paper, eq. (2)\" { B = acos(k); }";
+    let proofs = explained(machine).proofs;
     let last = proofs.text.len() - 3;
-    assert_eq!(proofs.text[last..], ["A paper, eq. (2) (with part = 0):", "B = acos(k)", "    holds where sin B >= 0"]);
+    let expected =
+        ["A paper, eq. (2), with gauge = 0, part = 0:", "B = acos(k)", "    holds where sin B >= 0 (the first branch)"];
+    assert_eq!(proofs.text[last..], expected);
     assert_eq!(proofs.latex[proofs.latex.len() - 2], r"$\displaystyle B = \arccos(k)$");
 }

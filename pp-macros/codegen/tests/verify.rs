@@ -1,22 +1,13 @@
 //! Equations of the papers are proven, their misprints are not, and no slip of a sign or of a function passes unseen.
 
-use pp_codegen::check::check;
-use pp_codegen::report::Errors;
-use pp_codegen::solve::solve;
-use pp_codegen::syntax::parse;
-use pp_codegen::verify::verify;
+use pp_codegen::compile;
 
 /// One equation with what is shown of it, or the messages of its refusal.
 fn outcome(machine: &str, assumptions: &str, equation: &str) -> Result<String, Vec<String>> {
     let tokens = format!("pub struct M; {machine} verify \"here\" {{ {assumptions} {equation}; }}");
     let tokens = tokens.parse().unwrap_or_else(|error| panic!("{equation}: {error}"));
-    let mut errors = Errors::default();
-    let declaration = parse(tokens, &mut errors).expect("syntax");
-    let (mut model, _) = check(&declaration, &mut errors).expect("rules");
-    let mut solved = solve(&mut model).expect("a solvable chain");
-    let verified = verify(&declaration.verify, &model, &mut solved, &mut errors);
-    match errors.propagate() {
-        Ok(()) => Ok(verified[0].equations[0].holds.join(", ")),
+    match compile(tokens) {
+        Ok(machine) => Ok(machine.verified[0].equations[0].holds.join(", ")),
         Err(refused) => Err(refused.0.iter().map(ToString::to_string).collect()),
     }
 }
@@ -195,7 +186,9 @@ fn no_slip_of_a_sign_or_a_function_passes_with_the_same_explanation() {
                 count += 1;
                 if let Ok(found) = outcome(paper.machine, paper.assumptions, &mutant) {
                     other_branch += 1;
-                    if &found == holds { println!("`{mutant}` passes for `{equation}`"); }
+                    if &found == holds {
+                        println!("`{mutant}` passes for `{equation}`");
+                    }
                 }
             }
         }
@@ -232,8 +225,11 @@ fn show() {
         (&MULTIPRODESK, "A = atan2(-j, -k)"),
         (&MULTIPRODESK, "A = acos(k)"),
         (&INCLINED, "B = acos((k - cos(alpha)^2) / sin(alpha)^2)"),
-        (&INCLINED, "C = atan2(-(j * sin(alpha) * sin(B) + i * sin(alpha) * cos(alpha) * (1 - cos(B))), \
-             -i * sin(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)))"),
+        (
+            &INCLINED,
+            "C = atan2(-(j * sin(alpha) * sin(B) + i * sin(alpha) * cos(alpha) * (1 - cos(B))), \
+             -i * sin(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)))",
+        ),
         (&INCLINED, "i = cos(alpha) * sin(B) * cos(C)"),
         (&INCLINED, "j = cos(alpha) * sin(B) * cos(C)"),
     ] {

@@ -402,7 +402,9 @@ fn statement(content: ParseStream<'_>, source: &Source, block: &mut Verify) -> s
         block.equations.push(Equation { phrase: left.phrase.to(right.phrase), left, right });
     }
     if !content.peek(Token![;]) {
-        return Err(content.error("expected `;`\n\nhelp: end every equation with a semicolon; products are written with `*`"));
+        return Err(
+            content.error("expected `;`\n\nhelp: end every equation with a semicolon; products are written with `*`")
+        );
     }
     content.parse::<Token![;]>()?;
     Ok(())

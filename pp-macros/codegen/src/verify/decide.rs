@@ -153,7 +153,8 @@ impl Decision<'_, '_, '_> {
         let positive = self.resolved(claims.positive)?;
         let not_negative = self.resolved(claims.not_negative)?;
         if !self.has_witness(&positive, &not_negative) {
-            let opposite = angles && self.has_witness(&positive.iter().map(|poly| -poly).collect::<Vec<_>>(), &not_negative);
+            let opposite =
+                angles && self.has_witness(&positive.iter().map(|poly| -poly).collect::<Vec<_>>(), &not_negative);
             return Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere });
         }
         let divisors: Vec<Poly> = self.scope.divisors.iter().map(|(divisor, _)| divisor.clone()).collect();

@@ -156,11 +156,8 @@ fn verify_block(
             Err(fault) => fault.report(errors),
         }
     }
-    let mut assumptions: Vec<String> = block
-        .assumptions
-        .iter()
-        .map(|assumption| format!("{} = {}", assumption.key.name, assumption.value))
-        .collect();
+    let mut assumptions: Vec<String> =
+        block.assumptions.iter().map(|assumption| format!("{} = {}", assumption.key.name, assumption.value)).collect();
     let zero = scope.unmentioned(block);
     assumptions.extend(zero.iter().filter(|(name, _)| *name == "gauge").map(|_| "gauge = 0".to_string()));
     let parts: Vec<&str> = zero.iter().map(|(name, _)| *name).filter(|name| *name != "gauge").collect();

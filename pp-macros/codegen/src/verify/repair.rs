@@ -25,7 +25,8 @@ pub(super) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
 fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
     let mut names = Vec::new();
     collect(expr, &mut names);
-    let rotary = |name: &str| model.axes.iter().any(|axis| axis.kind == Kind::Rotary && axis.letter.to_string() == name);
+    let rotary =
+        |name: &str| model.axes.iter().any(|axis| axis.kind == Kind::Rotary && axis.letter.to_string() == name);
     for name in names {
         let is_call = |call: &Expr, function: &str| match &call.kind {
             ExprKind::Call(known, arguments) if known == function => {
@@ -116,11 +117,7 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
     let is_sum = matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _) | ExprKind::Neg(_));
     if may_be_negated && !is_sum {
         let negated = negated(expr);
-        found.push(Change {
-            words: format!("write `{negated}` in place of `{expr}`"),
-            expr: whole(negated),
-            rank: 2,
-        });
+        found.push(Change { words: format!("write `{negated}` in place of `{expr}`"), expr: whole(negated), rank: 2 });
     }
     match &expr.kind {
         ExprKind::Number(..) | ExprKind::Name(_) => {}

@@ -214,7 +214,11 @@ impl<'a> Scope<'a> {
             None => Err(Fault::new(
                 expr.phrase,
                 format!("`{name}` means nothing in `verify`"),
-                format!("known are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z, and names that a `where` gives", self.letters(), self.dimensions()),
+                format!(
+                    "known are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z, and names that a `where` gives",
+                    self.letters(),
+                    self.dimensions()
+                ),
             )),
         }
     }
