@@ -1,7 +1,7 @@
 //! Every refusal of the language: its text, the words it underlines, its remedy.
 //!
 //! Expectations stand inside the declaration: a comment line with `^` under the words and the message behind them, and
-//! perhaps `help:` on the next comment line.
+//! perhaps more lines of it behind `|` and its `help:` on the next comment lines.
 
 use pp_codegen::{Options, generate};
 
@@ -23,6 +23,11 @@ fn check_errors(declaration: &str) {
             code_line = index + 1;
             continue;
         };
+        if let Some(more) = comment.trim_start().strip_prefix("| ") {
+            let last: &mut Message = expected.last_mut().expect("a message goes on");
+            last.text += &format!("\n{more}");
+            continue;
+        }
         if let Some(help) = comment.trim_start().strip_prefix("help: ") {
             helps.push((expected.len() - 1, help.to_string()));
             continue;
@@ -31,7 +36,7 @@ fn check_errors(declaration: &str) {
         let end = start + line[start..].chars().take_while(|c| *c == '^').count();
         let text = line[end..].trim().to_string();
         // `//^` underlines from the margin.
-        let start = if start == 2 { 0 } else { start };
+        let (start, end) = if start == 2 { (0, if end == 3 { 1 } else { end }) } else { (start, end) };
         expected.push(Message { line: code_line, columns: (start, end), text });
     }
     let tokens = declaration.parse().expect("the declaration is Rust tokens");
@@ -684,6 +689,198 @@ fn a_field_begins_with_its_name() {
 chain: C B | X Y Z; 5 = 3;
 //                  ^ expected a field
 // help: the fields are `chain`, `d`, `signs`, `axes`, `dims`, `tool_axis`, `hold`, `limits`, `speeds`, `verify`
+",
+    );
+}
+
+/// (12) of Maletić and Živanović 2023 as printed: it contradicts their (9).
+#[test]
+fn a_cosine_that_became_a_sine_is_named() {
+    check_errors(
+        "pub struct Lola;
+chain: X | Y Z B A;
+verify \"LOLA, eq. (12) as printed\" {
+    X = x + gauge * sin(B) * sin(A);
+//  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `X` does not follow from the chain
+//  |   derived:    X = x + gauge * sin(B) * cos(A)
+//  |   difference: -gauge * (sin(A) - cos(A)) * sin(B)
+// help: write `cos(A)` in place of `sin(A)`
+}
+",
+    );
+}
+
+/// (4) of My et al. with the minus that one copy lost.
+#[test]
+fn a_lost_sign_is_named() {
+    check_errors(
+        "pub struct Spinner;
+chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 };
+verify \"Spinner U5-620, eq. (4) with the lost sign\" {
+    Y = x * sin(C) + y * cos(C);
+//  ^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `Y` does not follow from the chain
+//  |   derived:    Y = -x * sin(C) + y * cos(C)
+//  |   difference: -2 * x * sin(C)
+// help: write `-x * sin(C)` in place of `x * sin(C)`
+}
+",
+    );
+}
+
+/// (6) and (7) of My et al. as printed contradict their own `R_alpha` of (10).
+#[test]
+fn an_angle_measured_from_another_direction_is_named() {
+    check_errors(
+        "pub struct Dmu;
+chain: C B | X Y Z; axes = { B: Rx(alpha) * Y }; dims = { alpha: -45 deg };
+verify \"DMU 70e, eqs. (6) and (7) as printed\" {
+    B = acos((k - cos(alpha)^2) / sin(alpha)^2);
+//  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `B` does not follow from the chain
+//  |   not zero:   -(1 - 2 * sin(alpha)^2) * (1 - cos(B)) * sin(alpha)^2
+// help: exchange `sin(alpha)` and `cos(alpha)` wherever they stand
+    C = atan2(-(j * sin(alpha) * sin(B) + i * sin(alpha) * cos(alpha) * (1 - cos(B))), -i * sin(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)));
+//  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `C` does not follow from the chain
+//  |   not zero:   (sin(alpha) + cos(alpha)) * (1 - cos(B)) * cos(alpha) * sin(B) * sin(alpha)
+// help: no single change makes it true: compare `signs`, `d` and `axes` with the source, too
+}
+",
+    );
+}
+
+#[test]
+fn a_missing_term_is_found() {
+    check_errors(
+        "pub struct Spinner;
+chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 };
+verify \"from memory\" {
+    Z = x * sin(B) * cos(C) + y * sin(B) * sin(C) + z * cos(B) + d;
+//  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `Z` does not follow from the chain
+//  |   derived:    Z = (x * cos(C) + y * sin(C)) * sin(B) + (z - d) * cos(B) + d
+//  |   difference: -d * cos(B)
+// help: add `- d * cos(B)`
+}
+",
+    );
+}
+
+#[test]
+fn an_axis_that_the_source_counts_the_other_way_round_is_named() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+verify \"a control whose B turns the other way\" {
+    Z = -x * sin(B) * cos(C) - y * sin(B) * sin(C) + z * cos(B);
+//  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `Z` does not follow from the chain
+//  |   derived:    Z = (x * cos(C) + y * sin(C)) * sin(B) + z * cos(B)
+//  |   difference: 2 * (x * cos(C) + y * sin(C)) * sin(B)
+// help: it is true with `-B` for `B`: the source counts B the other way round; if the machine does, too, declare `signs = { B: - };`
+}
+",
+    );
+}
+
+#[test]
+fn a_formula_that_is_right_on_no_branch_is_refused() {
+    check_errors(
+        "pub struct M;
+chain: A | X Y Z;
+verify \"half a turn off\" {
+    A = atan2(j, -k);
+//  ^^^^^^^^^^^^^^^^ this formula gives `A + 180 deg` at every pose
+// help: change the sign of both arguments
+    A = acos(k + 2 - 2 * k);
+//  ^^^^^^^^^^^^^^^^^^^^^^^ this equation for `A` does not follow from the chain
+//  |   derived:    A = atan2(-j, k)
+//  |   not zero:   2 * (1 - cos(A))
+}
+",
+    );
+}
+
+#[test]
+fn names_and_kinds_of_an_equation_are_checked() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z; dims = { d: 1, alpha: 45 deg };
+verify \"kinds\" {
+    i = sin(X);
+//          ^ `X` is not an angle
+    i = sin(B) + q;
+//               ^ `q` means nothing in `verify`
+// help: known are x y z i j k, the axes C B X Y Z, d, alpha, gauge, part_x, part_y, part_z, and names that a `where` gives
+    B = 2 * k;
+//  ^^^^^^^^^ an angle on one side and a number on the other
+    X = 2 * B;
+//  ^^^^^^^^^ an angle on one side and a number on the other
+    X = B + 1;
+//      ^^^^^ an angle and a number do not add up
+    X = B * d;
+//      ^^^^^ an angle is multiplied by a whole number only
+    X = B / 2;
+//      ^^^^^ an angle is added, subtracted, or multiplied by a whole number
+    k = sqrt(C);
+//           ^ `C` is an angle where a number is needed
+    k = tan(B);
+//      ^^^^^^ `tan` is not a function of `verify`
+    k = cos(B, C);
+//      ^^^^^^^^^ `cos` takes one argument, found 2
+    B = atan2(k);
+//      ^^^^^^^^ `atan2` takes two arguments, found 1
+    k = sqrt(1 - 2);
+//           ^^^^^ the root of a negative number
+    k = 1 / (i^2 + j^2 + k^2 - 1);
+//          ^^^^^^^^^^^^^^^^^^^^^ `i^2 + j^2 + k^2 - 1` is zero at every pose of this machine
+    k = (x + y + z + d)^64;
+//      ^^^^^^^^^^^^^^^^^^ this is too large to be decided
+}
+",
+    );
+}
+
+#[test]
+fn assumptions_of_a_block_are_checked() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z; dims = { d: 1, alpha: 45 deg };
+verify \"assumptions\" {
+    where alpha = 3;
+//                ^ an angle needs its unit
+    where d = 1; where d = 2;
+//                     ^ `d` is assumed twice
+    where B = 0 deg;
+//        ^ `B` cannot be assumed
+    where x = 1;
+//        ^ `x` cannot be assumed
+    where gauge = q;
+//                ^ `q` is not a dimension
+    k = cos(B);
+}
+",
+    );
+}
+
+#[test]
+fn the_form_of_a_block_is_explained() {
+    check_errors(
+        "pub struct M;
+chain: C B | X Y Z;
+verify \"form\" {
+    k cos(B);
+//    ^^^ expected `=`
+// help: an equation has two sides: `X = x * cos(C) + y * sin(C);`
+    k = cos(B) sin(C);
+//             ^^^ expected `;`
+// help: end every equation with a semicolon; products are written with `*`
+    where = 3;
+//        ^ expected a name
+// help: write `where alpha = -45 deg;`
+    where alpha 3;
+//              ^ expected `=`
+    k = cos(B)
+}
+//^ unexpected end of input, expected `;`
+verify { k = cos(B); }
+//     ^ expected the source of the equations in quotes
 ",
     );
 }

@@ -108,6 +108,35 @@ fn atan2(model: &Model, graph: &Graph, [sine, cosine]: &[Poly; 2]) -> Formula {
 
 fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {
     section.say("Rotary axes from the tool axis (i, j, k):");
+    let Some(Closed { radicand, branches }) = closed(model, solved, two) else {
+        let words = two.rotaries.into_iter().zip(two.answers[0].words).collect::<Vec<_>>();
+        section.say("first branch, step by step:");
+        in_steps(model, solved, &words, section);
+        section.say("second branch: the same with -root for root");
+        return;
+    };
+    let short = radicand.size() <= SHORT;
+    let root = Formula::call("sqrt", [radicand]);
+    let branches = branches.map(|branch| branch.map(|formula| if short { replaced(formula, &root) } else { formula }));
+    if branches.iter().flatten().any(mentions_root) {
+        section.equations(&[(Formula::name("r"), root)]);
+    }
+    for (title, branch) in ["first branch:", "second branch:"].into_iter().zip(branches) {
+        section.say(title);
+        let equations: Vec<(Formula, Formula)> =
+            two.rotaries.into_iter().map(|axis| letter(model, axis)).zip(branch).collect();
+        section.equations(&equations);
+    }
+}
+
+/// Both angles of both branches, over the root `r` of one radicand.
+struct Closed {
+    radicand: Formula,
+    branches: [[Formula; 2]; 2],
+}
+
+/// `None` if they are too long to be read in one line.
+fn closed(model: &Model, solved: &Solved, two: &Two) -> Option<Closed> {
     let mut graph = solved.graph.clone();
     // r² = D - w², whatever way the code takes to it.
     let square = {
@@ -116,39 +145,32 @@ fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {
         let square = reader.ring().mul(&height, &height);
         &capacity - &square
     };
-    let mut found = Vec::new();
-    for answer in &two.answers {
-        let words = [(answer.words[0], two.inverse), (answer.words[1], two.capacity)];
-        for (word, common) in words {
-            let word = stripped(&graph, word, common);
-            found.push(angle(&mut graph, word, Some((two.root, &square))).filter(is_readable));
-        }
-    }
-    let Some(found) = found.into_iter().collect::<Option<Vec<[Poly; 2]>>>() else {
-        let words = two.rotaries.into_iter().zip(two.answers[0].words).collect::<Vec<_>>();
-        section.say("first branch, step by step:");
-        in_steps(model, solved, &words, section);
-        section.say("second branch: the same with -root for root");
-        return;
+    let mut formula = |word: (Id, Id), common: Id| {
+        let word = stripped(&graph, word, common);
+        let parts = angle(&mut graph, word, Some((two.root, &square))).filter(is_readable)?;
+        Some(atan2(model, &graph, &parts))
     };
-    let radicand = Formula::of_poly(model, &graph.ring, &square);
-    let root = Formula::call("sqrt", [radicand.clone()]);
-    let short = radicand.size() <= SHORT;
-    let formulas: Vec<Formula> = found
-        .iter()
-        .map(|parts| {
-            let formula = atan2(model, &graph, parts);
-            if short { replaced(formula, &root) } else { formula }
-        })
-        .collect();
-    if formulas.iter().any(mentions_root) {
-        section.equations(&[(Formula::name("r"), root)]);
-    }
-    for (title, branch) in ["first branch:", "second branch:"].into_iter().zip(formulas.chunks(2)) {
-        section.say(title);
-        let equations: Vec<(Formula, Formula)> =
-            two.rotaries.into_iter().map(|axis| letter(model, axis)).zip(branch.iter().cloned()).collect();
-        section.equations(&equations);
+    let [first, second] = two
+        .answers
+        .map(|answer| Some([formula(answer.words[0], two.inverse)?, formula(answer.words[1], two.capacity)?]));
+    Some(Closed { branches: [first?, second?], radicand: Formula::of_poly(model, &graph.ring, &square) })
+}
+
+/// `T = atan2(...)` of the first branch for each solved rotary axis, where that is no longer than a line.
+pub(crate) fn first_branch(model: &Model, solved: &Solved) -> Vec<(AxisId, Formula)> {
+    match &solved.orientation {
+        Orientation::Fixed { .. } => Vec::new(),
+        Orientation::One(one) => {
+            let mut graph = solved.graph.clone();
+            let word = stripped(&graph, one.word, one.inverse);
+            let parts = angle(&mut graph, word, None).filter(is_readable);
+            parts.map(|parts| (one.rotary, atan2(model, &graph, &parts))).into_iter().collect()
+        }
+        Orientation::Two(two) => {
+            let Some(Closed { radicand, branches: [first, _] }) = closed(model, solved, two) else { return Vec::new() };
+            let root = Formula::call("sqrt", [radicand]);
+            two.rotaries.into_iter().zip(first.map(|formula| replaced(formula, &root))).collect()
+        }
     }
 }
 

@@ -13,6 +13,7 @@ use crate::model::Model;
 use crate::solve::Solved;
 use crate::symbolic::{Graph, Id};
 use crate::verify::{Proven, Verified};
+pub(crate) use inverse::first_branch;
 pub use page::Section;
 use page::line;
 

@@ -6,7 +6,7 @@ use num_rational::BigRational;
 
 use super::Formula;
 use crate::model::{Model, Quantity};
-use crate::symbolic::{Ring, Symbol};
+use crate::symbolic::{Poly, Ring, Symbol};
 
 /// Names of symbols, and the order in which a person writes them.
 pub(super) struct Names<'a> {
@@ -68,7 +68,8 @@ impl<'a> Names<'a> {
         if let Some((function, degrees)) = fixed_angle(name) {
             return Formula::call(function, [Formula::Degrees(degrees)]);
         }
-        if let Some(radicand) = self.ring.square(symbol) {
+        let constant = self.ring.value(&Poly::from(symbol)).is_some();
+        if let (true, Some(radicand)) = (constant, self.ring.square(symbol)) {
             return Formula::call("sqrt", [Formula::of_poly(self.model, self.ring, radicand)]);
         }
         if let Some(divisor) = self.ring.divisor(symbol) {

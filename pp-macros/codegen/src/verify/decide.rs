@@ -158,7 +158,7 @@ impl Decision<'_, '_, '_> {
             return Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere });
         }
         let divisors: Vec<Poly> = self.scope.divisors.iter().map(|(divisor, _)| divisor.clone()).collect();
-        let divisors = self.resolved(divisors)?;
+        let divisors = divisors.into_iter().map(|divisor| self.norm(divisor)).collect::<Result<Vec<_>, Fault>>()?;
         let circles = self.scope.circles();
         let ring = &self.scope.ring;
         let mut conditions: Vec<Condition> = Vec::new();
@@ -208,6 +208,21 @@ impl Decision<'_, '_, '_> {
             }
         }
         Ok(resolved)
+    }
+
+    /// A polynomial without roots that is zero wherever this one is: `u + v r` is a factor of `u² - v² E`.
+    fn norm(&self, poly: Poly) -> Result<Poly, Fault> {
+        let mut norm = self.scope.ring.clear_even(&poly);
+        let eliminated = self.eliminated.iter().map(|eliminated| &eliminated.root);
+        for root in self.scope.roots.iter().chain(eliminated) {
+            let (u, v) = (norm.coefficient(*root, 0), norm.coefficient(*root, 1));
+            if !v.is_zero() {
+                let radicand = self.scope.ring.square_of(*root);
+                let squares = [self.times(&u, &u)?, self.times(&v, &v)?];
+                norm = self.scope.ring.clear_even(&(&squares[0] - &self.times(&squares[1], &radicand)?));
+            }
+        }
+        Ok(norm)
     }
 
     fn times(&self, a: &Poly, b: &Poly) -> Result<Poly, Fault> {

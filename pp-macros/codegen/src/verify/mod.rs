@@ -13,6 +13,7 @@ use std::collections::BTreeMap;
 use decide::{Condition, Verdict, decide};
 use scope::{Scope, Value};
 
+use crate::explain::first_branch;
 use crate::formula::Formula;
 use crate::model::{AxisId, Kind, Model};
 use crate::report::Errors;
@@ -79,7 +80,7 @@ struct Derived {
 
 impl Derived {
     fn new(model: &Model, solved: &mut Solved) -> Self {
-        let rotary = Vec::new();
+        let rotary = first_branch(model, solved);
         let values = solved.position.values.clone();
         let two = match &solved.orientation {
             Orientation::Two(two) => Some((two.alpha, two.rotaries[1], two.first_is_plus)),
@@ -246,7 +247,8 @@ fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Deri
             return (format!("difference: {}", gap.source()), missing_term(&gap));
         }
     }
-    let gap = Formula::of_poly(scope.model, &scope.ring, gap);
+    // Where it is zero counts, not by what it is divided.
+    let gap = Formula::of_poly(scope.model, &scope.ring, &scope.ring.clear_even(gap));
     if is_number(scope, &equation.left) {
         (format!("difference: {}", gap.source()), missing_term(&gap))
     } else {

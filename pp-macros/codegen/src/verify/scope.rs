@@ -6,6 +6,7 @@ use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
 use crate::check::quantity::{self, Fault, Names};
+use crate::formula::Formula;
 use crate::model::{AxisId, Kind, Model, Quantity};
 use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, turn_by};
 use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
@@ -422,15 +423,14 @@ impl<'a> Scope<'a> {
         if let Some(root) = number.and_then(|number| number.sqrt()) {
             return Ok(Poly::from(root));
         }
-        let known = self.roots.iter().find(|root| self.ring.square_of(**root) == radicand).copied();
-        let root = known.unwrap_or_else(|| {
-            let number = self.roots.len() + 1;
-            let root = self.ring.root(format!("root_{number}"), radicand.clone());
-            if self.ring.value(&radicand).is_none() {
-                self.roots.push(root);
-            }
-            root
-        });
+        if let Some(known) = self.roots.iter().find(|root| self.ring.square_of(**root) == radicand) {
+            return Ok(Poly::from(*known));
+        }
+        let name = format!("sqrt({})", Formula::of_poly(self.model, &self.ring, &radicand).source());
+        let root = self.ring.root(name, radicand.clone());
+        if self.ring.value(&radicand).is_none() {
+            self.roots.push(root);
+        }
         Ok(Poly::from(root))
     }
 
