@@ -42,9 +42,53 @@ use proc_macro::TokenStream;
 /// | `hold = { W: 0, A: 0 };` | axes that exist but are not solved for, with their default values in mm and degrees | none |
 /// | `limits = { B: -5..110, C: free };` | travel in mm and degrees, inclusive | `free` |
 /// | `speeds = { B: 3600, X: 30000 };` | largest axis speeds, deg/min and mm/min | unlimited |
+/// | `verify "source" { i = sin(B) * cos(C); }` | equations to be proven, see below; any number of blocks | none |
 ///
 /// Zero position: with all axes at zero the tool tip stands on the workpiece origin, so with all rotary axes at zero the
 /// linear axes are the CL coordinates, up to signs and directions.
+///
+/// # Equations to be proven
+///
+/// A paper, a control's manual or your own notes say what the formulas of the machine are. Write them down as they are
+/// printed; the machine compiles only if they follow from its chain.
+///
+/// ```
+/// pp_runtime::machine! {
+///     /// Both rotary axes in the head.
+///     pub struct Lola;
+///     chain: X | Y Z B A;
+///
+///     verify "Maletić and Živanović 2023, eqs. (8)-(14)" {
+///         i = sin(B) * cos(A);
+///         j = -sin(A);
+///         k = cos(B) * cos(A);
+///         A = asin(-j);
+///         B = atan2(i, k);
+///         X = x + gauge * sin(B) * cos(A);
+///     }
+/// }
+/// ```
+///
+/// - Names: `x y z i j k` of the CL data, axis letters, dimensions, `gauge` (the gauge length), `part_x part_y part_z` (the
+///   part origin). Set-up symbols that a block does not mention are zero in it.
+/// - Functions: sin, cos, asin, acos, atan2, sqrt. Products are written with `*`; `^` takes a whole exponent and binds
+///   tighter than a minus. Numbers are exact: `1/2`, `sqrt(2)/2`, `0.25`, `90 deg`.
+/// - `where alpha = -45 deg;` gives a value to a dimension, a set-up symbol or a held axis, or introduces a name of the
+///   block.
+///
+/// Every equation is decided exactly: both sides become polynomials in axis values, sines and cosines, and their
+/// difference must vanish. Angles are compared modulo a full turn. A formula that holds on one branch only is accepted
+/// with its condition ("holds where sin B >= 0"), which the type's documentation shows; a divisor made of dimensions is
+/// tested by `validate`. A false equation is an error at that equation, with the formula that does follow:
+///
+/// ```compile_fail
+/// pp_runtime::machine! {
+///     pub struct Lola;
+///     chain: X | Y Z B A;
+///     // Printed with sin(A); the message says: write `cos(A)` in place of `sin(A)`.
+///     verify "eq. (12) as printed" { X = x + gauge * sin(B) * sin(A); }
+/// }
+/// ```
 ///
 /// # What comes out
 ///
