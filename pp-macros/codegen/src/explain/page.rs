@@ -201,8 +201,10 @@ fn place_to_break(text: &[char], indent: usize, formula: bool) -> Option<usize> 
 pub(super) fn escaped(words: &str) -> String {
     let mut text = String::new();
     let mut before = ' ';
-    for character in words.chars() {
+    for character in words.replace("<=", "≤").replace(">=", "≥").replace("!=", "≠").chars() {
         match character {
+            // Equations (6)-(9).
+            '-' if before == ')' => text += "--",
             // A minus, no hyphen.
             '-' if !before.is_alphabetic() => text += "$-$",
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
@@ -220,6 +222,7 @@ pub(super) fn escaped(words: &str) -> String {
             '·' => text += "$\\cdot$",
             '≥' => text += "$\\geq$",
             '≤' => text += "$\\leq$",
+            '≠' => text += "$\\neq$",
             '²' => text += "$^{2}$",
             '"' => text += "''",
             other => text.push(other),
