@@ -16,7 +16,10 @@ use proptest::test_runner::TestRunner;
 
 const WORD_CASES: u32 = 8000;
 const DECLARATION_CASES: u32 = 4000;
-const CHAINS: usize = 500;
+const CHAINS: usize = 800;
+
+/// So many of them have to be proven; the others deserve their refusals.
+const PROVEN: usize = 500;
 
 /// What comes out is a Rust file, or nothing but `compile_error!`.
 fn expands_to_rust(text: &str) -> Result<(), TestCaseError> {
@@ -241,5 +244,5 @@ fn random_chains_are_proven_or_refused_by_name() {
         times[CHAINS * 19 / 20].0,
         texts[index]
     );
-    assert!(outcomes["proven"] > CHAINS / 2, "{outcomes:?}");
+    assert!(outcomes["proven"] >= PROVEN, "{outcomes:?}");
 }
