@@ -120,7 +120,7 @@ const ORDERS: [Order; 5] = [
             (
                 "C = atan2(cos(alpha) * sin(B) * j - sin(alpha) * cos(alpha) * (1 - cos(B)) * i, \
                  cos(alpha) * sin(B) * i + sin(alpha) * cos(alpha) * (1 - cos(B)) * j)",
-                "",
+                "(1 - cos B) cos alpha · (2 - (1 - cos B) cos² alpha) != 0",
             ),
             ("B = acos((k - sin(alpha)^2) / cos(alpha)^2)", "sin B >= 0 (the first branch), cos alpha != 0"),
         ],
