@@ -92,7 +92,7 @@ const INCLINED: Paper = Paper {
         (
             "C = atan2(cos(alpha) * sin(B) * j - sin(alpha) * cos(alpha) * (1 - cos(B)) * i, \
              cos(alpha) * sin(B) * i + sin(alpha) * cos(alpha) * (1 - cos(B)) * j)",
-            "",
+            "(1 - cos B) cos alpha · (2 - (1 - cos B) cos² alpha) != 0",
         ),
     ],
 };
@@ -106,7 +106,7 @@ const INCLINED_AS_PRINTED: Paper = Paper {
         (
             "C = atan2(-(j * sin(alpha) * sin(B) + i * sin(alpha) * cos(alpha) * (1 - cos(B))), \
              -i * sin(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)))",
-            "",
+            "sin alpha · (1 - cos B) (1 - (1/2) (1 - cos B) sin² alpha) != 0",
         ),
     ],
 };
@@ -137,6 +137,46 @@ fn every_equation_of_the_papers_is_proven_where_it_holds() {
             let found = outcome(paper.machine, paper.assumptions, equation);
             assert_eq!(found, Ok(holds.to_string()), "{equation}");
         }
+    }
+}
+
+/// What a hostile author writes: with SPINNER's chain, and what becomes of it (`None`: refused).
+const HOSTILE: &[(&str, Option<&str>)] = &[
+    // Both arguments are zero, always or at some poses.
+    ("C = atan2(0, 0)", None),
+    ("C = atan2(0 * j, 0 * i)", None),
+    ("C = atan2(j - sin(B) * sin(C), i - sin(B) * cos(C))", None),
+    ("C = atan2(j * sin(B), i * sin(B))", Some("sin B != 0")),
+    ("C = atan2(d^2 * j, d^2 * i)", Some("sin B > 0 (the first branch), d != 0")),
+    ("C = atan2(d * j, d * i)", Some("d sin B > 0")),
+    ("C = atan2(j * (1 - k), i * (1 - k))", Some("sin B > 0 (the first branch)")),
+    ("2 * C = atan2(2 * i * j, i^2 - j^2)", Some("sin B != 0")),
+    // A root whose factor vanishes on a whole part still has to exist there.
+    ("0 = (sqrt(sin(B)^2) - sin(B)) * sqrt(i)", Some("cos C sin B >= 0, sin B >= 0 (the first branch)")),
+    // Conditions that only meet at their edges.
+    ("i = sin(B) * cos(C) + 0 * sqrt(sin(C) - sin(B)) + 0 * sqrt(sin(B) - sin(C))", None),
+    ("i = sin(B) * cos(C) + 0 * sqrt(X - Y) + 0 * sqrt(Y - X)", None),
+    // Divisors that are zero and do not look so.
+    ("i + 0 / (sin(20 deg) - 2 * sin(10 deg) * cos(10 deg)) = i", None),
+    ("0 = 0 * cos(atan2(i * sin(B) / sin(B) - i, 0))", None),
+    // A trifle below zero is below zero.
+    ("0 = 0 * sqrt(1 - 1.000000000000001 * sin(B))", Some("1 - 1 sin B >= 0")),
+    ("0 = 0 * sqrt(1 - sin(B))", Some("")),
+    // True, and found to be true.
+    ("acos(k) = atan2(sqrt(1 - k^2), k)", Some("")),
+    ("asin(k) = 90 deg - acos(k)", Some("")),
+    ("acos(-k) = 180 deg - acos(k)", Some("")),
+    ("sqrt(i) * sqrt(j) = sqrt(i * j)", Some("cos C sin B >= 0, sin C sin B >= 0")),
+    ("C = acos(i / sqrt(i^2 + j^2))", Some("sin C >= 0, sin B >= 0 (the first branch), sin B != 0")),
+    ("sqrt(3 - 2 * sqrt(2)) = sqrt(2) - 1", Some("")),
+    ("sqrt(3 - 2 * sqrt(2)) = 1 - sqrt(2)", None),
+];
+
+#[test]
+fn hostile_equations_hold_where_it_is_said_or_are_refused() {
+    for (equation, holds) in HOSTILE {
+        let found = outcome(SPINNER.machine, "", equation);
+        assert_eq!(found.as_deref().ok(), *holds, "{equation}: {found:?}");
     }
 }
 

@@ -47,5 +47,5 @@ pub use interpret::Interpreter;
 pub use matrix::{Matrix, P3, rotation, translation};
 pub use poly::{Poly, Symbol};
 pub use ring::Ring;
-pub use sign::{Sign, sign_of, zeros_of};
+pub use sign::{Sign, hidden_zeros_of, sign_of, zeros_of};
 pub use surd::{Surd, exact_sin_cos};

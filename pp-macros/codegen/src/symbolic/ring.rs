@@ -23,6 +23,8 @@ struct Known {
     divisor: Option<Poly>,
     /// Set for the sine of a fixed angle, whose cosine is the next symbol: its degrees.
     angle: Option<BigRational>,
+    /// Set for a root: it is never negative.
+    root: bool,
 }
 
 /// Symbols and relations.
@@ -72,7 +74,15 @@ impl Ring {
         if let (Some(_), Some(index)) = (value, self.known.iter().position(same)) {
             return symbol_at(index);
         }
-        self.push(name.into(), value, Some(radicand), None)
+        let root = self.push(name.into(), value, Some(radicand), None);
+        self.known[root.0 as usize].root = true;
+        root
+    }
+
+    /// Whether a symbol is a root.
+    #[must_use]
+    pub fn is_root(&self, symbol: Symbol) -> bool {
+        self.known[symbol.0 as usize].root
     }
 
     /// A reciprocal: times `divisor` it is 1.
@@ -262,7 +272,7 @@ impl Ring {
 
     fn push(&mut self, name: String, value: Option<f64>, square: Option<Poly>, divisor: Option<Poly>) -> Symbol {
         let symbol = symbol_at(self.known.len());
-        self.known.push(Known { name, value, square, divisor, angle: None });
+        self.known.push(Known { name, value, square, divisor, angle: None, root: false });
         symbol
     }
 

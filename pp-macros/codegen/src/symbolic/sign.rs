@@ -1,11 +1,12 @@
 //! The sign of a polynomial, as a product of factors that a person can check.
 //!
 //! Only what is *shown* depends on this module: which formula is right is decided by remainders, and on which part it is
-//! right is the polynomial given here. Four rules, none changes the sign:
+//! right is the polynomial given here. Five rules, none changes the sign:
 //! - `clear-even`: a reciprocal is cleared by an even power of its divisor;
 //! - `content`: positive numbers and even powers are left out;
 //! - `factor`: `sin T`, `cos T`, `1 ± sin T` and `1 ± cos T` are divided out where they divide exactly; the last two are
 //!   never negative;
+//! - `root`: a root is never negative;
 //! - `vertices`: a polynomial of first degree in each of several bounded quantities takes its extremes at their bounds.
 
 use std::cmp::Ordering;
@@ -34,11 +35,36 @@ pub fn sign_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Sign {
     let mut factors: Vec<Poly> =
         list.into_iter().filter(|factor| factor.odd && !factor.bounded).map(|factor| factor.poly).collect();
     match bounds(ring, &rest, circles) {
-        Some(Ordering::Less) => negative = !negative,
+        Some(Bounds { negative: true, .. }) => negative = !negative,
         Some(_) => {}
         None => factors.push(rest),
     }
     Sign { negative, factors }
+}
+
+/// What makes a polynomial zero where its [`Sign`] does not: factors of even powers, and those that are never negative.
+///
+/// Left out is what vanishes only where a factor of the sign does: `1 ± cos T` beside `sin T`, `1 ± sin T` beside `cos T`.
+#[must_use]
+pub fn hidden_zeros_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Vec<Poly> {
+    let Factors { list, rest, .. } = factorise(ring, poly, circles);
+    let shown: Vec<&Poly> =
+        list.iter().filter(|factor| factor.odd && !factor.bounded).map(|factor| &factor.poly).collect();
+    let hidden = list.iter().filter(|factor| !shown.contains(&&factor.poly)).map(|factor| &factor.poly);
+    let implied = |zero: &Poly| {
+        circles.iter().any(|&(sine, cosine)| {
+            divisors(sine, cosine).iter().any(|(divisor, bounded)| {
+                let [_, of_sine, _] = divisor.parts;
+                let partner = Poly::from(if of_sine == 0 { sine } else { cosine });
+                *bounded && divisor.poly() == *zero && list.iter().any(|factor| factor.poly == partner)
+            })
+        })
+    };
+    let mut zeros: Vec<Poly> = hidden.filter(|zero| !implied(zero)).cloned().collect();
+    if let Some(Bounds { touches_zero: true, .. }) = bounds(ring, &rest, circles) {
+        zeros.push(rest);
+    }
+    zeros
 }
 
 /// What makes a polynomial zero: it is where one of these is, and nowhere else.
@@ -100,7 +126,8 @@ fn without_content(ring: &Ring, poly: &Poly, factors: &mut Factors) -> Poly {
         let own = Poly::from(symbol);
         match ring.value(&own) {
             Some(value) => factors.negative ^= value < 0.0 && power % 2 == 1,
-            None => factors.list.push(Factor { poly: own, odd: power % 2 == 1, bounded: false }),
+            // Rule `root`: a root is never negative.
+            None => factors.list.push(Factor { poly: own, odd: power % 2 == 1, bounded: ring.is_root(symbol) }),
         }
     }
     // The leading number becomes ±1 if all are rational multiples of it; then the first term is made positive.
@@ -192,15 +219,26 @@ fn divide_by_univariate(poly: &Poly, x: Symbol, divisor: &[i64]) -> Option<Poly>
     left.iter().all(Poly::is_zero).then_some(quotient)
 }
 
-/// Rule `vertices`: `Greater` if never negative, `Less` if never positive.
+/// What the rule `vertices` finds.
+struct Bounds {
+    /// Never positive; otherwise never negative.
+    negative: bool,
+    /// Zero at a vertex: it may be zero somewhere.
+    touches_zero: bool,
+}
+
+/// Rule `vertices`: nothing if the sign changes, or is not known not to.
 ///
 /// Every power of a sine or cosine counts as a quantity of its own, even powers between 0 and 1, odd ones between -1
-/// and 1: that looks at more points than there are, so what holds for them holds.
-fn bounds(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Option<Ordering> {
+/// and 1: that looks at more points than there are, so what holds for them holds. The sums are exact unless constants
+/// without an exact value occur.
+fn bounds(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Option<Bounds> {
     let round: BTreeSet<Symbol> = circles.iter().flat_map(|(s, c)| [*s, *c]).collect();
     let mut quantities: Vec<(Symbol, u32)> = Vec::new();
+    let mut exact = true;
     for &(symbol, power) in poly.terms.keys().flatten() {
         if ring.value(&Poly::from(symbol)).is_some() {
+            exact = false;
             continue;
         }
         if !round.contains(&symbol) {
@@ -213,33 +251,35 @@ fn bounds(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Option<Orde
     if quantities.len() > MOST_BOUNDS {
         return None;
     }
-    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    let mut signs = BTreeSet::new();
     for vertex in 0..1_u32 << quantities.len() {
         let mut sum = 0.0;
+        let mut exact_sum = Surd::zero();
         for (monomial, factor) in &poly.terms {
-            let mut product = factor.to_f64();
+            let mut value = 1.0;
             for (symbol, power) in monomial {
-                product *= match quantities.iter().position(|known| known == &(*symbol, *power)) {
+                value *= match quantities.iter().position(|known| known == &(*symbol, *power)) {
                     Some(place) if vertex & (1 << place) != 0 => 1.0,
                     Some(_) if power % 2 == 0 => 0.0,
                     Some(_) => -1.0,
                     None => ring.value(&Poly::from(*symbol))?.powi((*power).cast_signed()),
                 };
             }
-            sum += product;
+            sum += value * factor.to_f64();
+            if exact && value > 0.0 {
+                exact_sum = &exact_sum + factor;
+            } else if exact && value < 0.0 {
+                exact_sum = &exact_sum - factor;
+            }
         }
-        // Rounding of a sum that is exactly zero.
-        let sum = if sum.abs() < 1e-12 { 0.0 } else { sum };
-        least = least.min(sum);
-        most = most.max(sum);
+        // Rounding of a sum that is exactly zero, where no exact value is at hand.
+        let inexact = if sum.abs() < 1e-12 { Ordering::Equal } else { sum.total_cmp(&0.0) };
+        signs.insert(if exact { exact_sum.sign() } else { inexact });
+        if signs.contains(&Ordering::Less) && signs.contains(&Ordering::Greater) {
+            return None;
+        }
     }
-    if least >= 0.0 {
-        Some(Ordering::Greater)
-    } else if most <= 0.0 {
-        Some(Ordering::Less)
-    } else {
-        None
-    }
+    Some(Bounds { negative: signs.contains(&Ordering::Less), touches_zero: signs.contains(&Ordering::Equal) })
 }
 
 #[cfg(test)]
@@ -279,6 +319,37 @@ mod tests {
         assert_eq!(sign_of(&ring, &sum, &[pair]).factors, std::slice::from_ref(&sum));
         let positive = &sum + &Poly::from(3);
         assert_eq!(sign_of(&ring, &positive, &[pair]).factors, []);
+    }
+
+    #[test]
+    fn a_sum_that_dips_below_zero_by_a_trifle_stays() {
+        let Circle { ring, pair, s, .. } = circle();
+        let trifle = Surd::ratio(1_000_000_000_000_001, 1_000_000_000_000_000);
+        let sum = &Poly::one() - &s.scaled(&trifle);
+        assert_eq!(sign_of(&ring, &sum, &[pair]).factors, [sum]);
+    }
+
+    #[test]
+    fn a_root_has_no_sign() {
+        let Circle { mut ring, pair, s, .. } = circle();
+        let r = Poly::from(ring.root("r", &Poly::one() + &s));
+        let product = ring.mul(&r, &s);
+        assert_eq!(sign_of(&ring, &product, &[pair]).factors, [s]);
+        assert_eq!(hidden_zeros_of(&ring, &product, &[pair]), [r]);
+    }
+
+    #[test]
+    fn zeros_without_a_sign_are_not_lost() {
+        let Circle { ring, pair, s, c } = circle();
+        let [one, two] = [1, 2].map(Poly::from);
+        // s² (2 + c): zero with s, where the sign says nothing; 2 + c is never zero.
+        let square = ring.mul(&ring.mul(&s, &s), &(&two + &c));
+        assert_eq!(sign_of(&ring, &square, &[pair]).factors, []);
+        assert_eq!(hidden_zeros_of(&ring, &square, &[pair]), [s.clone()]);
+        // 1 - c is zero only where s is.
+        let product = ring.mul(&s, &(&one - &c));
+        assert_eq!(hidden_zeros_of(&ring, &product, &[pair]), []);
+        assert_eq!(hidden_zeros_of(&ring, &(&one - &c), &[pair]), [&one - &c]);
     }
 
     #[test]

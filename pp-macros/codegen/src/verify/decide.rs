@@ -16,11 +16,14 @@ use super::scope::{Angle, Inverse, Scope, Value, zero_as_angle};
 use crate::check::quantity::Fault;
 use crate::formula::Formula;
 use crate::model::{Kind, Quantity, to_f64};
-use crate::symbolic::{Poly, Sign, Symbol, sign_of, zeros_of};
+use crate::symbolic::{Poly, Ring, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
 use crate::syntax::{Equation, Expr};
 
 /// Points that a witness is looked for among.
 const POINTS: usize = 4_000;
+
+/// Share of the sum of all terms that is taken for rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// What became of an equation.
 #[derive(Debug)]
@@ -110,7 +113,7 @@ impl Decision<'_, '_, '_> {
                 Inverse::Cosine(part, true) => (part - &other.cosine, -&other.sine),
             };
             // The root in its other part exists: what stands under it is the square of what it equals.
-            let own = |root: &Symbol| !gap.symbols().any(|symbol| symbol == *root);
+            let own = |root: &Symbol| !gap.symbols().chain(sign.symbols()).any(|symbol| symbol == *root);
             let spent = if matches!(inverse, Inverse::Sine(_)) { &inverted.cosine } else { &inverted.sine };
             let spent: Vec<Symbol> = spent.symbols().filter(own).collect();
             self.scope.roots.retain(|root| !spent.contains(root));
@@ -122,10 +125,13 @@ impl Decision<'_, '_, '_> {
 
     /// Whether a polynomial is zero on a part that `eliminated` describes.
     fn vanishes(&mut self, poly: Poly) -> Result<bool, Fault> {
+        self.scope.affordable(&poly, self.expr)?;
         let poly = self.scope.ring.clear_even(&poly);
         if self.scope.ring.is_zero(&poly) {
             return Ok(true);
         }
+        // A root may stand under a later one.
+        self.scope.roots.sort();
         for root in self.scope.roots.clone().into_iter().rev() {
             let (a, b) = (poly.coefficient(root, 0), poly.coefficient(root, 1));
             if self.scope.ring.is_zero(&b) {
@@ -143,22 +149,31 @@ impl Decision<'_, '_, '_> {
 
     fn conclude(&mut self, mut claims: Claims) -> Result<Verdict, Fault> {
         for place in 0..self.eliminated.len() {
-            let Eliminated { a, b, .. } = &self.eliminated[place];
+            let Eliminated { root, a, b } = &self.eliminated[place];
             claims.not_negative.push(-&self.times(a, b)?);
+            // b² E = a² says that E is not negative, unless b vanishes on a whole part, as `√(s²) - s` does.
+            if b.symbols().any(|symbol| self.scope.ring.is_root(symbol)) {
+                claims.not_negative.push(self.scope.ring.square_of(*root));
+            }
         }
         for root in self.scope.roots.clone() {
             claims.not_negative.push(self.scope.ring.square_of(root));
         }
         let angles = !claims.positive.is_empty();
         let positive = self.resolved(claims.positive)?;
-        let not_negative = self.resolved(claims.not_negative)?;
+        if positive.iter().any(|poly| self.scope.ring.is_zero(poly)) {
+            // Both arguments of an atan2 are zero.
+            return Ok(Verdict::Nowhere);
+        }
+        let mut not_negative = self.resolved(claims.not_negative)?;
+        not_negative.retain(|poly| !self.scope.ring.is_zero(poly));
         if !self.has_witness(&positive, &not_negative) {
             let opposite =
                 angles && self.has_witness(&positive.iter().map(|poly| -poly).collect::<Vec<_>>(), &not_negative);
             return Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere });
         }
         let divisors: Vec<Poly> = self.scope.divisors.iter().map(|(divisor, _)| divisor.clone()).collect();
-        let divisors = divisors.into_iter().map(|divisor| self.norm(divisor)).collect::<Result<Vec<_>, Fault>>()?;
+        let divisors = divisors.iter().map(|divisor| self.norm(divisor)).collect::<Result<Vec<_>, Fault>>()?;
         let circles = self.scope.circles();
         let ring = &self.scope.ring;
         let mut conditions: Vec<Condition> = Vec::new();
@@ -166,6 +181,15 @@ impl Decision<'_, '_, '_> {
             let sign = sign_of(ring, poly, &circles);
             if !sign.factors.is_empty() {
                 conditions.push(Condition::Positive(sign));
+            }
+            // `resolved` has multiplied by these.
+            let factors = self.eliminated.iter().flat_map(|eliminated| zeros_of(ring, &eliminated.b, &circles));
+            let factors: Vec<Poly> = factors.collect();
+            let mut zeros = hidden_zeros_of(ring, poly, &circles);
+            zeros.retain(|zero| !factors.contains(zero));
+            if !zeros.is_empty() {
+                let zeros = zeros.iter().map(|zero| self.norm(zero)).collect::<Result<Vec<_>, Fault>>()?;
+                conditions.push(Condition::NotZero(zeros));
             }
         }
         for poly in &not_negative {
@@ -203,21 +227,22 @@ impl Decision<'_, '_, '_> {
                 let sum = &self.times(&u, b)? - &self.times(&v, a)?;
                 poly = self.times(&sum, b)?;
             }
-            if !self.scope.ring.is_zero(&poly) {
-                resolved.push(poly);
-            }
+            resolved.push(poly);
         }
         Ok(resolved)
     }
 
     /// A polynomial without roots that is zero wherever this one is: `u + v r` is a factor of `u² - v² E`.
-    fn norm(&self, poly: Poly) -> Result<Poly, Fault> {
-        let mut norm = self.scope.ring.clear_even(&poly);
-        let eliminated = self.eliminated.iter().map(|eliminated| &eliminated.root);
-        for root in self.scope.roots.iter().chain(eliminated) {
-            let (u, v) = (norm.coefficient(*root, 0), norm.coefficient(*root, 1));
+    fn norm(&self, poly: &Poly) -> Result<Poly, Fault> {
+        let mut norm = self.scope.ring.clear_even(poly);
+        let eliminated = self.eliminated.iter().map(|eliminated| eliminated.root);
+        let mut roots: Vec<Symbol> = self.scope.roots.iter().copied().chain(eliminated).collect();
+        roots.sort();
+        // A root may stand under a later one.
+        for root in roots.into_iter().rev() {
+            let (u, v) = (norm.coefficient(root, 0), norm.coefficient(root, 1));
             if !v.is_zero() {
-                let radicand = self.scope.ring.square_of(*root);
+                let radicand = self.scope.ring.square_of(root);
                 let squares = [self.times(&u, &u)?, self.times(&v, &v)?];
                 norm = self.scope.ring.clear_even(&(&squares[0] - &self.times(&squares[1], &radicand)?));
             }
@@ -249,18 +274,20 @@ impl Decision<'_, '_, '_> {
         };
         (0..POINTS).any(|_| {
             let mut point = fixed.clone();
-            for symbol in &symbols {
+            for (place, symbol) in symbols.iter().enumerate() {
                 if point.contains_key(symbol) {
                     continue;
                 }
+                // Each symbol has a grid of its own: what is equal at a point is so for a reason.
+                let offset = place as f64 / 64.0 + 1.0 / 128.0;
                 match sines.get(symbol) {
                     Some(cosine) => {
-                        // t = ±n/4 gives ((2t)/(1+t²), (1-t²)/(1+t²)), in all four quadrants.
-                        let t = (next(32) as f64 - 15.5) / 4.0;
+                        // t = n/4 gives ((2t)/(1+t²), (1-t²)/(1+t²)), in all four quadrants.
+                        let t = (next(32) as f64 - 16.0 + offset) / 4.0;
                         point.insert(*symbol, 2.0 * t / (1.0 + t * t));
                         point.insert(*cosine, (1.0 - t * t) / (1.0 + t * t));
                     }
-                    None => drop(point.insert(*symbol, next(400) as f64 - 199.5)),
+                    None => drop(point.insert(*symbol, next(400) as f64 - 200.0 + offset)),
                 }
             }
             self.follow(&mut point)
@@ -280,8 +307,13 @@ impl Decision<'_, '_, '_> {
         symbols.sort();
         for (symbol, divisor) in symbols {
             let radicand = divisor.cloned().unwrap_or_else(|| ring.square_of(symbol));
-            let value = ring.evaluate(&radicand, &|symbol| point.get(&symbol).copied()).unwrap_or(f64::NAN);
-            let value = if divisor.is_some() { value.recip() } else { value.sqrt() };
+            let Some((value, rounding)) = value_at(ring, &radicand, point) else { return false };
+            let value = match divisor {
+                Some(_) if value.abs() <= rounding => return false,
+                Some(_) => value.recip(),
+                None if value.abs() <= rounding => 0.0,
+                None => value.sqrt(),
+            };
             if !value.is_finite() {
                 return false;
             }
@@ -291,13 +323,15 @@ impl Decision<'_, '_, '_> {
     }
 
     fn is_positive(&self, poly: &Poly, point: &BTreeMap<Symbol, f64>, strictly: bool) -> bool {
-        let ring = &self.scope.ring;
-        let of = |symbol: Symbol| point.get(&symbol).copied();
-        let Some(value) = ring.evaluate(poly, &of) else { return false };
-        let size = ring.magnitude(poly, &of).unwrap_or(f64::INFINITY);
-        let rounding = 1e-9 * size;
+        let Some((value, rounding)) = value_at(&self.scope.ring, poly, point) else { return false };
         if strictly { value > rounding } else { value >= -rounding }
     }
+}
+
+/// The value of a polynomial, and what it may be wrong by.
+fn value_at(ring: &Ring, poly: &Poly, point: &BTreeMap<Symbol, f64>) -> Option<(f64, f64)> {
+    let of = |symbol: Symbol| point.get(&symbol).copied();
+    Some((ring.evaluate(poly, &of)?, ROUNDING * ring.magnitude(poly, &of)?))
 }
 
 /// Dimensions at their defaults, and what the block assumes.

@@ -21,6 +21,9 @@ use crate::solve::{Orientation, SideCondition, Solved};
 use crate::symbolic::{Interpreter, Matrix, Poly, Ring, Sign, Surd, sign_of};
 use crate::syntax::{Equation, Expr, ExprKind, Unit, Verify};
 
+/// Products of monomials that the search for a remedy may take: an equation of a paper needs a hundredth of it.
+const MOST_REPAIR_WORK: usize = 50_000;
+
 /// A block whose equations hold.
 #[derive(Debug, Clone)]
 pub struct Verified {
@@ -229,11 +232,19 @@ fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &D
 
 /// The first single change of the right side that makes an equation true.
 fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
-    repair::changes(&equation.right, scope.model).into_iter().find_map(|change| {
+    let mut work = 0;
+    for change in repair::changes(&equation.right, scope.model) {
+        let mut scope = scope.clone();
         let changed = Equation { right: change.expr, ..equation.clone() };
-        let verdict = decide(&mut scope.clone(), &changed);
-        matches!(verdict, Ok(Verdict::Holds(_))).then_some(change.words)
-    })
+        if let Ok(Verdict::Holds(_)) = decide(&mut scope, &changed) {
+            return Some(change.words);
+        }
+        work += scope.work.get();
+        if work > MOST_REPAIR_WORK {
+            break;
+        }
+    }
+    None
 }
 
 /// What should be zero, as text; and a term that is missing on the right, if that is all.
@@ -264,6 +275,7 @@ fn is_number(scope: &Scope<'_>, left: &Expr) -> bool {
 fn missing_term(gap: &Formula) -> Option<String> {
     match gap {
         Formula::Sum(_) => None,
+        Formula::Neg(term) if matches!(**term, Formula::Sum(_)) => None,
         Formula::Neg(term) => Some(format!("add `- {}`", term.source())),
         term => Some(format!("add `+ {}`", term.source())),
     }

@@ -117,7 +117,9 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
     let is_sum = matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _) | ExprKind::Neg(_));
     if may_be_negated && !is_sum {
         let negated = negated(expr);
-        found.push(Change { words: format!("write `{negated}` in place of `{expr}`"), expr: whole(negated), rank: 2 });
+        // Papers print the sign inside an inverse function.
+        let rank = if matches!(&expr.kind, ExprKind::Call(name, _) if is_inverse(name)) { 3 } else { 2 };
+        found.push(Change { words: format!("write `{negated}` in place of `{expr}`"), expr: whole(negated), rank });
     }
     match &expr.kind {
         ExprKind::Number(..) | ExprKind::Name(_) => {}
@@ -176,6 +178,10 @@ fn alternatives(name: &str, model: &Model) -> Vec<String> {
     }
     others.retain(|other| other != name);
     others
+}
+
+fn is_inverse(function: &str) -> bool {
+    matches!(function, "atan2" | "asin" | "acos")
 }
 
 fn other_function(name: &str) -> Option<(&'static str, u8)> {

@@ -1,5 +1,6 @@
 //! What the names of an equation stand for, and the value of an expression.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
@@ -13,6 +14,12 @@ use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
 
 /// Products of more monomials than this are not multiplied out: no paper prints one.
 const MOST_MONOMIALS: usize = 200_000;
+
+/// Products of monomials that one equation may take: a second or two.
+const MOST_WORK: usize = 50_000;
+
+/// Monomials that a polynomial may have when all divisors are multiplied out, before like ones are added.
+const MOST_CLEARED: usize = 20_000;
 
 /// Largest power of one divisor.
 const MOST_DIVISIONS: u32 = 8;
@@ -58,6 +65,8 @@ pub(super) struct Scope<'a> {
     /// Divisors and roots of the equation at hand.
     pub(super) divisors: Vec<(Poly, Symbol)>,
     pub(super) roots: Vec<Symbol>,
+    /// Products of monomials so far.
+    pub(super) work: Cell<usize>,
 }
 
 impl<'a> Scope<'a> {
@@ -72,6 +81,7 @@ impl<'a> Scope<'a> {
             axis: product.turn(&model.tool_axis, &model.ring),
             divisors: Vec::new(),
             roots: Vec::new(),
+            work: Cell::new(0),
         };
         let mut faults = Vec::new();
         for (place, assumption) in block.assumptions.iter().enumerate() {
@@ -114,6 +124,7 @@ impl<'a> Scope<'a> {
     pub(super) fn begin(&mut self) {
         self.divisors.clear();
         self.roots.clear();
+        self.work.set(0);
     }
 
     /// Pairs (sine, cosine) of all unknown angles.
@@ -405,12 +416,28 @@ impl<'a> Scope<'a> {
 
     /// Product, unless it is too large to be anybody's formula.
     pub(super) fn times(&self, a: &Poly, b: &Poly, expr: &Expr) -> Result<Poly, Fault> {
-        if a.monomials() * b.monomials() > MOST_MONOMIALS {
+        let work = a.monomials() * b.monomials();
+        self.work.set(self.work.get() + work);
+        if work > MOST_MONOMIALS || self.work.get() > MOST_WORK {
             return Err(too_large(expr));
         }
         let product = self.ring.mul(a, b);
-        let divided = self.divisors.iter().any(|(_, symbol)| product.degree(*symbol) > MOST_DIVISIONS);
-        if divided { Err(too_large(expr)) } else { Ok(product) }
+        self.affordable(&product, expr)?;
+        Ok(product)
+    }
+
+    /// Refuses a polynomial that would grow beyond reason when it is multiplied by its divisors.
+    pub(super) fn affordable(&self, poly: &Poly, expr: &Expr) -> Result<(), Fault> {
+        let mut size = poly.monomials();
+        for (divisor, symbol) in &self.divisors {
+            let degree = poly.degree(*symbol);
+            let growth = divisor.monomials().checked_pow(degree).unwrap_or(usize::MAX);
+            size = size.saturating_mul(growth);
+            if degree > MOST_DIVISIONS {
+                return Err(too_large(expr));
+            }
+        }
+        if size > MOST_CLEARED { Err(too_large(expr)) } else { Ok(()) }
     }
 
     fn root(&mut self, radicand: Poly, expr: &Expr) -> Result<Poly, Fault> {
@@ -423,14 +450,15 @@ impl<'a> Scope<'a> {
         if let Some(root) = number.and_then(|number| number.sqrt()) {
             return Ok(Poly::from(root));
         }
+        if self.ring.is_zero(&radicand) {
+            return Ok(Poly::zero());
+        }
         if let Some(known) = self.roots.iter().find(|root| self.ring.square_of(**root) == radicand) {
             return Ok(Poly::from(*known));
         }
-        let name = format!("sqrt({})", Formula::of_poly(self.model, &self.ring, &radicand).source());
-        let root = self.ring.root(name, radicand.clone());
-        if self.ring.value(&radicand).is_none() {
-            self.roots.push(root);
-        }
+        let name = format!("sqrt({})", self.formula(&radicand).source());
+        let root = self.ring.root(name, radicand);
+        self.roots.push(root);
         Ok(Poly::from(root))
     }
 
@@ -444,6 +472,15 @@ impl<'a> Scope<'a> {
             return Err(Fault::new(
                 expr.phrase,
                 format!("`{expr}` is zero at every pose of this machine"),
+                "nothing can be divided by it",
+            ));
+        }
+        if let (Some(value), Some(size)) = (self.ring.value(&divisor), self.ring.magnitude(&divisor, &|_| None))
+            && value.abs() <= 1e-12 * size
+        {
+            return Err(Fault::new(
+                expr.phrase,
+                format!("`{expr}` is a constant that cannot be told from zero"),
                 "nothing can be divided by it",
             ));
         }
