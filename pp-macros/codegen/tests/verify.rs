@@ -237,6 +237,59 @@ fn no_slip_of_a_sign_or_a_function_passes_with_the_same_explanation() {
     assert!(count > 300);
 }
 
+/// What a help makes of an equation: every place where its words fit.
+fn remedied(equation: &str, help: &str) -> Vec<String> {
+    let bare = |text: &str| text.replace(' ', "");
+    // As messages write it: without spare parentheses.
+    let tokens = format!("pub struct M; verify \"here\" {{ {equation}; }}").parse().expect("tokens");
+    let declaration = pp_codegen::syntax::parse(tokens, &mut pp_codegen::report::Errors::default());
+    let Ok(declaration) = declaration else { panic!("{equation} cannot be read") };
+    let equation = &declaration.verify[0].equations[0];
+    let (left, right) = (bare(&equation.left.to_string()), bare(&equation.right.to_string()));
+    let quoted: Vec<String> = help.split('`').skip(1).step_by(2).map(bare).collect();
+    let places = |from: &str, to: &str| {
+        let at = right.match_indices(from).map(|(place, _)| place);
+        at.map(|place| format!("{left} = {}{to}{}", &right[..place], &right[place + from.len()..])).collect()
+    };
+    match &quoted[..] {
+        [to, from] if help.starts_with("write") => places(from, to),
+        [from] if help.starts_with("leave out") => places(from, ""),
+        [term] if help.starts_with("add") => vec![format!("{left} = {right}{term}")],
+        [sine, cosine] if help.starts_with("exchange") => {
+            let exchanged = right.replace(sine, "#").replace(cosine, sine).replace('#', cosine);
+            vec![format!("{left} = {exchanged}")]
+        }
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn a_help_makes_the_equation_true() {
+    let mut helped = 0;
+    for paper in PAPERS {
+        for (equation, _) in paper.equations {
+            for mutant in mutants(equation) {
+                let Err(messages) = outcome(paper.machine, paper.assumptions, &mutant) else { continue };
+                let help = messages[0].split("help: ").nth(1).expect("a help");
+                let remedied = remedied(&mutant, help);
+                if remedied.is_empty() {
+                    assert!(
+                        ["no single change", "it is true with", "check the signs", "change the sign"]
+                            .iter()
+                            .any(|known| help.starts_with(known)),
+                        "{mutant}: {help}"
+                    );
+                    continue;
+                }
+                let is_true = |equation: &String| outcome(paper.machine, paper.assumptions, equation).is_ok();
+                assert!(remedied.iter().any(is_true), "{mutant}: {help}");
+                helped += 1;
+            }
+        }
+    }
+    assert!(helped > 250, "{helped}");
+}
+
 /// More equations that hold, in forms that no paper prints.
 #[test]
 fn roots_quotients_and_sums_of_angles_hold_where_they_should() {
@@ -247,7 +300,7 @@ fn roots_quotients_and_sums_of_angles_hold_where_they_should() {
         ("C = atan2(-j, -i)", "sin B < 0 (the second branch)"),
         ("C + B = atan2(j, i) + acos(k)", "sin B > 0 (the first branch)"),
         ("C - 90 deg = atan2(-i, j)", "sin B > 0 (the first branch)"),
-        ("2 * C = atan2(2 * i * j, i^2 - j^2)", ""),
+        ("2 * C = atan2(2 * i * j, i^2 - j^2)", "sin B != 0"),
         ("C = atan2(j / sin(B), i / sin(B))", "sin B != 0"),
         ("C = asin(j / sqrt(1 - k^2))", "cos C >= 0, sin B >= 0 (the first branch), sin B != 0"),
         ("cos(B) = k", ""),

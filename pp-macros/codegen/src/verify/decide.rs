@@ -360,8 +360,7 @@ impl Condition {
     /// As text in the names of the declaration: `sin B > 0`.
     pub(super) fn text(&self, scope: &Scope<'_>) -> String {
         let product = |factors: &[Poly], negative: bool| {
-            let factors: Vec<Formula> =
-                factors.iter().map(|factor| Formula::of_poly(scope.model, &scope.ring, factor)).collect();
+            let factors: Vec<Formula> = factors.iter().map(|factor| scope.formula(factor)).collect();
             let product = if factors.len() == 1 { factors[0].text() } else { Formula::Product(factors).text() };
             (product, negative)
         };

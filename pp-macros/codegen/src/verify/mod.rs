@@ -1,8 +1,8 @@
 //! `verify "source" { equations }`: equations as papers print them, decided against the chain.
 //!
 //! Every name except axis letters is replaced by the forward product; what remains is decided by remainders
-//! ([`decide`]). A false equation is answered with the formula that does follow, with the difference, and with the one
-//! small change that would make it true, if there is one ([`repair`]).
+//! (`decide`). A false equation is answered with the formula that does follow, with the difference, and with the one
+//! small change that would make it true, if there is one (`repair`).
 
 mod decide;
 mod repair;
@@ -125,13 +125,13 @@ impl Derived {
     fn formula(&self, scope: &Scope<'_>, left: &Expr) -> Option<String> {
         let ExprKind::Name(name) = &left.kind else { return None };
         if let Some(value) = self.linear(scope, left) {
-            return Some(Formula::of_poly(scope.model, &scope.ring, &value).source());
+            return Some(scope.formula(&value).source());
         }
         if let Some(axis) = scope.axis_named(name) {
             return self.rotary.iter().find(|(known, _)| *known == axis).map(|(_, formula)| formula.source());
         }
         match scope.clone().value(left) {
-            Ok(Value::Number(value)) => Some(Formula::of_poly(scope.model, &scope.ring, &value).source()),
+            Ok(Value::Number(value)) => Some(scope.formula(&value).source()),
             _ => None,
         }
     }
@@ -254,12 +254,12 @@ fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Deri
         let mut linears = scope.model.axes.iter().filter(|axis| axis.kind == Kind::Linear);
         let speaks_of_words = linears.any(|axis| equation.right.mentions(&axis.letter.to_string()));
         if !speaks_of_words && let Ok(Value::Number(written)) = free.value(&equation.right) {
-            let gap = Formula::of_poly(scope.model, &free.ring, &(&value - &written));
+            let gap = free.formula(&(&value - &written));
             return (format!("difference: {}", gap.source()), missing_term(&gap));
         }
     }
     // Where it is zero counts, not by what it is divided.
-    let gap = Formula::of_poly(scope.model, &scope.ring, &scope.ring.clear_even(gap));
+    let gap = scope.formula(&scope.ring.clear_even(gap));
     if is_number(scope, &equation.left) {
         (format!("difference: {}", gap.source()), missing_term(&gap))
     } else {

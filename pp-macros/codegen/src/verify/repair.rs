@@ -79,7 +79,10 @@ fn collect(expr: &Expr, names: &mut Vec<String>) {
 /// Collects the changes inside `expr`; `whole` puts it back into the equation.
 fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
     let mut change = |rank: u8, new: Expr| {
-        let words = format!("write `{new}` in place of `{expr}`");
+        // A sum that stands in the place of a factor keeps its parentheses.
+        let sum = |expr: &Expr| matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _));
+        let text = if sum(&new) && !sum(expr) { format!("({new})") } else { new.to_string() };
+        let words = format!("write `{text}` in place of `{expr}`");
         found.push(Change { expr: whole(new), words, rank });
     };
     let with = |kind: ExprKind| Expr { phrase: expr.phrase, kind };

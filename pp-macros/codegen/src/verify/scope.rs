@@ -15,6 +15,9 @@ use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
 /// Products of more monomials than this are not multiplied out: no paper prints one.
 const MOST_MONOMIALS: usize = 200_000;
 
+/// Sums of more terms are not shown: nobody reads them, and factoring them takes long.
+const MOST_TERMS: usize = 100;
+
 /// Products of monomials that one equation may take: a second or two.
 const MOST_WORK: usize = 50_000;
 
@@ -438,6 +441,14 @@ impl<'a> Scope<'a> {
             }
         }
         if size > MOST_CLEARED { Err(too_large(expr)) } else { Ok(()) }
+    }
+
+    /// A polynomial as a person writes it; of one that nobody would read, only its size.
+    pub(super) fn formula(&self, poly: &Poly) -> Formula {
+        match poly.monomials() {
+            terms if terms > MOST_TERMS => Formula::Sum(vec![Formula::name(format!("a sum of {terms} terms"))]),
+            _ => Formula::of_poly(self.model, &self.ring, poly),
+        }
     }
 
     fn root(&mut self, radicand: Poly, expr: &Expr) -> Result<Poly, Fault> {
