@@ -8,17 +8,25 @@
 //! first. What is not understood is refused, never skipped: it might move the tool. The same bytes give the same events
 //! and diagnostics, whatever the size of the reads, so a file may be read twice.
 
+mod arcs;
 mod args;
 mod axis;
+mod change;
+mod circle;
 mod comment;
+mod cycle;
 mod fault;
 mod frame;
+mod holes;
 mod interpret;
 mod lexer;
 mod number;
+mod options;
 mod parse;
+mod path;
 pub mod record;
 mod spindle;
+mod spline;
 mod tools;
 mod vector;
 mod words;
@@ -26,25 +34,23 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+pub use arcs::{ArcVote, Sense};
 pub use frame::Frame;
+pub use holes::CycleArg;
+pub use options::{ClPoint, FeedLabel, Frames, Insert, Options};
 pub use record::Record;
+pub use words::{list as list_words, not_inert};
 
 use crate::diag::{Diagnostic, Severity};
-use crate::program::{Event, Location, Units};
+use crate::program::{Event, Location, Spline, Units};
 use fault::{Fault, Faults, Span};
-use interpret::{Interpreter, Pending};
+use interpret::{Interpreter, Meant, Pending};
 use lexer::{Beginning, Kind, Lexer, Statement};
+use spline::Curve;
 use std::io::{self, Read};
 
 /// Cutters that are all smaller than this, in a file whose millimetres are only claimed, are inches.
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
-
-/// What the caller knows about the file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Options {
-    /// Unit of a file that does not state one (`--units`).
-    pub units: Option<Units>,
-}
 
 /// The CAM system that wrote a file, by the evidence in it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -60,6 +66,32 @@ pub enum Dialect {
     Creo,
     /// SolidWorks CAM: `UNIT/`, `CSYS/`, `TRNTYP/`, `CSI_`.
     SolidWorks,
+    /// ISO 4343; no evidence tells, it must be given.
+    Iso,
+}
+
+impl Dialect {
+    /// Names as on the command line.
+    pub const NAMES: [(&'static str, Dialect); 5] = [
+        ("nx", Dialect::Nx),
+        ("catia", Dialect::Catia),
+        ("creo", Dialect::Creo),
+        ("solidworks", Dialect::SolidWorks),
+        ("iso", Dialect::Iso),
+    ];
+
+    /// For people.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Dialect::Generic => "no CAM system that is known here",
+            Dialect::Nx => "NX",
+            Dialect::Catia => "CATIA",
+            Dialect::Creo => "Creo",
+            Dialect::SolidWorks => "SolidWorks CAM",
+            Dialect::Iso => "ISO 4343",
+        }
+    }
 }
 
 /// Reads CL data and returns its events one by one.
@@ -85,8 +117,8 @@ impl<R: Read> Reader<R> {
     /// A reader of `input`; nothing is read yet.
     pub fn new(input: R, options: Options) -> Self {
         Reader {
-            lexer: Lexer::new(input),
-            interpreter: Interpreter::new(options.units),
+            lexer: Lexer::new(input, options.columns),
+            interpreter: Interpreter::new(options),
             matrix: comment::Matrix::default(),
             faults: Faults::default(),
             progress: Progress::Unread,
@@ -101,7 +133,7 @@ impl<R: Read> Reader<R> {
     /// [`failed`](Self::failed) then.
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
         let (location, pending) = loop {
-            if let Some(event) = self.interpreter.queue.pop()
+            if let Some(event) = self.interpreter.queue.pop_front()
                 && !self.faults.failed()
             {
                 break event;
@@ -121,9 +153,15 @@ impl<R: Read> Reader<R> {
         };
         let event = match pending {
             Pending::Plain(event) => event,
-            Pending::Name(at) => Event::Name(text(at)),
-            Pending::Operation(at) => Event::Operation(text(at)),
-            Pending::Message(at) => Event::Message(text(at)),
+            Pending::Text(Meant::Name, at) => Event::Name(text(at)),
+            Pending::Text(Meant::MachineName, at) => Event::MachineName(text(at)),
+            Pending::Text(Meant::Operation, at) => Event::Operation(text(at)),
+            Pending::Text(Meant::Message, at) => Event::Message(text(at)),
+            Pending::Text(Meant::Insert, at) => Event::Insert(text(at)),
+            Pending::Spline => {
+                let Curve { knots, points, axis, feed, .. } = &self.interpreter.complete;
+                Event::Spline(Spline { knots, points, axis: *axis, feed: *feed })
+            }
         };
         Ok(Some((location, event)))
     }
@@ -157,6 +195,21 @@ impl<R: Read> Reader<R> {
     /// The workpiece frame: the first frame stated so far.
     pub fn frame(&self) -> Option<&Frame> {
         self.interpreter.workpiece.frame()
+    }
+
+    /// What the arcs read so far say about their sense.
+    pub fn arcs(&self) -> ArcVote {
+        self.interpreter.votes.count(self.interpreter.options.circle_sense.is_some())
+    }
+
+    /// How many frames that differ were stated so far.
+    pub fn different_frames(&self) -> usize {
+        self.interpreter.workpiece.different()
+    }
+
+    /// Whether the CAM system asks for inverse-time feed.
+    pub fn asks_for_inverse_time(&self) -> bool {
+        self.interpreter.inverse_time
     }
 
     /// How many frames were stated so far, equal ones included.
@@ -210,19 +263,24 @@ impl<R: Read> Reader<R> {
                 self.records += 1;
                 self.matrix.abandon();
                 let here = self.lexer.locate(statement, 0).0;
-                let taken = parse::goto(text).and_then(|point| self.interpreter.go_to(&point, here));
+                let point = match parse::goto(text) {
+                    Err(fault) if parse::is_list(&fault) => return self.read_record(statement, here),
+                    point => point,
+                };
+                let taken = point.and_then(|point| {
+                    if self.interpreter.curve_open {
+                        self.interpreter.take(&Record::Goto(point), here)
+                    } else {
+                        self.interpreter.go_to(&point, here)
+                    }
+                });
                 return taken.unwrap_or_else(|fault| self.faults.add(fault, statement, &self.lexer));
             }
             Kind::Code => {
                 self.records += 1;
                 self.matrix.abandon();
                 self.interpreter.suspect(parse::dialect(text));
-                let mut lines = self.lexer.joined_lines(statement);
-                parse::parse(text).and_then(|record| {
-                    let lost = |(offset, line)| parse::swallowed(text, offset, line);
-                    let lost = if parse::takes_anything(&record) { lines.find_map(lost) } else { None };
-                    lost.map_or(Ok(record), Err)
-                })
+                return self.read_record(statement, self.lexer.locate(statement, 0).0);
             }
             Kind::Comment => {
                 self.interpreter.suspect(comment::dialect(text));
@@ -250,11 +308,32 @@ impl<R: Read> Reader<R> {
         }
     }
 
+    /// Any statement that is no comment.
+    fn read_record(&mut self, statement: &Statement, here: Location) {
+        let text = self.lexer.text(statement);
+        let mut lines = self.lexer.joined_lines(statement);
+        let record = parse::parse(text, &self.interpreter.options.inert).and_then(|record| {
+            let lost = |(offset, line)| parse::swallowed(text, offset, line);
+            let lost = if parse::takes_anything(&record) { lines.find_map(lost) } else { None };
+            lost.map_or(Ok(record), Err)
+        });
+        if let Err(fault) = record.and_then(|record| self.interpreter.take(&record, here)) {
+            self.faults.add(fault, statement, &self.lexer);
+        }
+        for warning in self.interpreter.warnings.drain(..) {
+            self.faults.add(warning, statement, &self.lexer);
+        }
+    }
+
     /// What can be said only of the whole file.
     fn finish(&mut self) {
         self.progress = Progress::Done;
-        let reading = &mut self.interpreter;
-        reading.finish();
+        let unfinished = self.interpreter.finish();
+        if let (Err(fault), Some(statement)) = (unfinished, &self.statement) {
+            self.faults.add(fault, statement, &self.lexer);
+        }
+        self.count_votes();
+        let reading = &self.interpreter;
         if reading.normalised > 0 {
             let text = format!(
                 "{} tool axes are off from length 1 by more than 0.00001 and were normalised; this is the first",
@@ -278,5 +357,26 @@ impl<R: Read> Reader<R> {
             self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text, help);
         }
         self.faults.conclude();
+    }
+
+    /// Compares the sense of the arcs with the lines around them.
+    fn count_votes(&mut self) {
+        if self.interpreter.options.circle_sense.is_some() {
+            return;
+        }
+        for (location, against, decided) in self.interpreter.votes.contradictions() {
+            let majority = 2 * against > decided;
+            let severity = if majority { Severity::Error } else { Severity::Warning };
+            let text = format!(
+                "{against} of {decided} arcs whose neighbours decide run the other way than the form of CIRCLE says; \
+                 this is the first"
+            );
+            let help = if majority {
+                "give `--circle-sense cw` or `ccw` if the CAM system has another habit"
+            } else {
+                "a cusp, if the path really turns back here"
+            };
+            self.faults.add_about_file(severity, location, text, help);
+        }
     }
 }

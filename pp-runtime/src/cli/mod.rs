@@ -18,6 +18,7 @@ use std::io::{self, BufWriter, IsTerminal as _, Read, Seek as _, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use crate::cl;
 use crate::config::{self, Config};
 use crate::control::Control;
 use crate::diag::Severity;
@@ -103,12 +104,13 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
     };
     let format = match &command {
         Command::Post(args) => args.message_format,
-        Command::Config | Command::Explain => MessageFormat::Human,
+        Command::Config | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
         Command::Post(args) => post_file::<M>(&args, &mut streams, post),
         Command::Config => print(&mut streams, |out| out.write_all(config::print::<M>().as_bytes())),
-        Command::Explain => print(&mut streams, explain::explain::<M>),
+        Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
+        Command::Explain(_) => print(&mut streams, explain::explain::<M>),
     };
     result.unwrap_or_else(|failure| {
         if !matches!(failure, Failure::Said) {
