@@ -371,6 +371,12 @@ impl Interpreter {
         }
     }
 
+    /// Whether the next GOTO is a motion and nothing waits in front of it.
+    #[inline]
+    pub(super) fn is_straight(&self) -> bool {
+        self.plain && self.held.is_none() && self.queue.is_empty()
+    }
+
     /// Whether a GOTO has nothing to do with circles, curves, cycles, votes and changes of coordinates.
     pub(super) fn note_state(&mut self) {
         self.plain = self.circle.is_none()

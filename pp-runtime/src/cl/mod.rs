@@ -141,6 +141,12 @@ impl<R: Read> Reader<R> {
             match self.progress {
                 Progress::Unread => self.begin()?,
                 Progress::Reading => match self.lexer.next()? {
+                    // Nearly every statement: a point, and an event that waits for nothing.
+                    Some(statement) if self.is_plain_goto(&statement) => {
+                        if let Some(found) = self.read_goto(&statement) {
+                            return Ok(Some(found));
+                        }
+                    }
                     Some(statement) => self.read(&statement),
                     None => self.finish(),
                 },
@@ -254,28 +260,34 @@ impl<R: Read> Reader<R> {
         Ok(())
     }
 
+    fn is_plain_goto(&self, statement: &Statement) -> bool {
+        statement.kind == Kind::Code && self.interpreter.is_straight() && parse::is_goto(self.lexer.text(statement))
+    }
+
+    /// A GOTO while nothing is open and nothing waits: the same as the long way, without a queue.
+    fn read_goto(&mut self, statement: &Statement) -> Option<(Location, Event<'static>)> {
+        self.records += 1;
+        self.matrix.abandon();
+        let here = self.lexer.locate(statement, 0).0;
+        match parse::goto(self.lexer.text(statement)).and_then(|point| self.interpreter.straight(&point, here)) {
+            Ok(motion) if !self.faults.failed() => Some((here, Event::Move(motion))),
+            Ok(_) => None,
+            Err(fault) if parse::is_list(&fault) => {
+                self.statement = Some(*statement);
+                self.read_record(statement, here);
+                None
+            }
+            Err(fault) => {
+                self.faults.add(fault, statement, &self.lexer);
+                None
+            }
+        }
+    }
+
     fn read(&mut self, statement: &Statement) {
         self.statement = Some(*statement);
         let text = self.lexer.text(statement);
         let record = match statement.kind {
-            Kind::Code if parse::is_goto(text) => {
-                // Nearly every statement: the same as below, without moving a record of any size about.
-                self.records += 1;
-                self.matrix.abandon();
-                let here = self.lexer.locate(statement, 0).0;
-                let point = match parse::goto(text) {
-                    Err(fault) if parse::is_list(&fault) => return self.read_record(statement, here),
-                    point => point,
-                };
-                let taken = point.and_then(|point| {
-                    if self.interpreter.curve_open {
-                        self.interpreter.take(&Record::Goto(point), here)
-                    } else {
-                        self.interpreter.go_to(&point, here)
-                    }
-                });
-                return taken.unwrap_or_else(|fault| self.faults.add(fault, statement, &self.lexer));
-            }
             Kind::Code => {
                 self.records += 1;
                 self.matrix.abandon();

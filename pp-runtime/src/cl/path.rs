@@ -16,17 +16,26 @@ impl Interpreter {
     /// GOTO.
     #[inline]
     pub(super) fn go_to(&mut self, point: &Point, here: Location) -> Result<(), Fault> {
-        let (pose, normalised) = self.pose(point)?;
-        self.count_normalised(normalised, here);
         if self.plain {
-            self.motions += 1;
-            let rapid = std::mem::take(&mut self.rapid);
-            self.line_from = if rapid { None } else { self.here.map(|pose| pose.tip) };
-            self.here = Some(pose);
-            self.emit(here, Event::Move(Move { pose, rapid, feed: self.feed }));
+            let motion = self.straight(point, here)?;
+            self.emit(here, Event::Move(motion));
             return Ok(());
         }
+        let (pose, normalised) = self.pose(point)?;
+        self.count_normalised(normalised, here);
         self.move_to(pose, point.at, here)
+    }
+
+    /// GOTO while nothing is open.
+    #[inline]
+    pub(super) fn straight(&mut self, point: &Point, here: Location) -> Result<Move, Fault> {
+        let (pose, normalised) = self.pose(point)?;
+        self.count_normalised(normalised, here);
+        self.motions += 1;
+        let rapid = std::mem::take(&mut self.rapid);
+        self.line_from = if rapid { None } else { self.here.map(|pose| pose.tip) };
+        self.here = Some(pose);
+        Ok(Move { pose, rapid, feed: self.feed })
     }
 
     /// A motion to a pose in the workpiece frame, whatever is open.

@@ -305,3 +305,210 @@ pub(super) fn distance_to(plane: &crate::program::Plane, tip: &Point3<f64>, axis
     let along = axis.dot(&plane.normal);
     (along > 1e-3).then(|| (plane.distance - tip.coords.dot(&plane.normal)) / along)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::Dwell;
+
+    const AT: Location = Location { line: 1, column: 1 };
+
+    fn up(tip: [f64; 3]) -> Pose {
+        Pose { tip: Point3::from(tip), axis: Vector3::z_axis() }
+    }
+
+    /// The motions of some events, as tip and rapid, and every other event.
+    fn expanded(config: &Config, events: &[Event<'_>]) -> Result<(Vec<([f64; 3], bool)>, Vec<String>), Diagnostic> {
+        let mut expander = Expander::new(config);
+        let (mut motions, mut others) = (Vec::new(), Vec::new());
+        for event in events {
+            expander.event(AT, event, &mut |_, event| -> Result<(), Diagnostic> {
+                match event {
+                    Event::Move(motion) => motions.push((motion.pose.tip.into(), motion.rapid)),
+                    other => others.push(format!("{other:?}")),
+                }
+                Ok(())
+            })?;
+        }
+        Ok((motions, others))
+    }
+
+    fn go(tip: [f64; 3]) -> Event<'static> {
+        Event::Move(Move { pose: up(tip), rapid: false, feed: None })
+    }
+
+    fn arc(start: [f64; 3], end: [f64; 3], angle: f64) -> Event<'static> {
+        let (start, end) = (up(start), up(end));
+        Event::Arc(Arc { start, end, centre: Point3::origin(), normal: Vector3::z_axis(), angle, feed: None })
+    }
+
+    /// Distance of a point from the line between two others.
+    fn off_line(point: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
+        let (p, a, b) = (Point3::from(point), Point3::from(from), Point3::from(to));
+        let t = ((p - a).dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+        (p - (a + (b - a) * t)).norm()
+    }
+
+    #[test]
+    fn chords_leave_a_helix_by_the_tolerance_at_most_and_not_by_much_less() {
+        use std::f64::consts::TAU;
+        for tolerance in [0.001, 0.01, 0.1] {
+            let config = Config { tolerance, ..Config::default() };
+            let angle = 2.25 * TAU;
+            let events = [go([20.0, 0.0, 0.0]), arc([20.0, 0.0, 0.0], [0.0, 20.0, -9.0], angle)];
+            let (motions, _) = expanded(&config, &events).expect("faithful");
+            assert_eq!(motions.last().map(|(tip, _)| *tip), Some([0.0, 20.0, -9.0]), "the end is exact");
+            let mut most: f64 = 0.0;
+            for step in 0..=20_000 {
+                let part = f64::from(step) / 20_000.0;
+                let (sine, cosine) = (angle * part).sin_cos();
+                let on_helix = [20.0 * cosine, 20.0 * sine, -9.0 * part];
+                let index = (part * (motions.len() - 1) as f64).floor() as usize;
+                let index = index.min(motions.len() - 2);
+                most = most.max(off_line(on_helix, motions[index].0, motions[index + 1].0));
+            }
+            assert!(most <= tolerance * 1.000_001 && most > 0.9 * tolerance, "{most} for {tolerance}");
+        }
+    }
+
+    #[test]
+    fn a_radius_that_changes_within_the_tolerance_leaves_both_ends_exact() {
+        let events = [go([20.0, 0.0, 0.0]), arc([20.0, 0.0, 0.0], [0.0, 20.004, 0.0], 0.25 * std::f64::consts::TAU)];
+        let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
+        assert_eq!(motions.last().map(|(tip, _)| *tip), Some([0.0, 20.004, 0.0]));
+        let middle = Vector3::from(motions[motions.len() / 2].0).norm();
+        assert!((20.0005..20.0035).contains(&middle), "{middle}");
+    }
+
+    #[test]
+    fn chords_leave_a_curve_by_the_tolerance_at_most() {
+        let points: Vec<Point3<f64>> = [[0.0, 0.0], [5.0, 12.0], [14.0, -8.0], [20.0, 9.0], [31.0, 2.0]]
+            .iter()
+            .map(|p| Point3::new(p[0], p[1], 1.0))
+            .collect();
+        let knots = [0.0, 0.0, 0.0, 0.0, 0.4, 1.0, 1.0, 1.0, 1.0];
+        let spline = Event::Spline(Spline { knots: &knots, points: &points, axis: Vector3::z_axis(), feed: None });
+        let (motions, _) = expanded(&Config::default(), &[go([0.0, 0.0, 1.0]), spline]).expect("faithful");
+        assert_eq!(motions.last().map(|(tip, _)| *tip), Some([31.0, 2.0, 1.0]));
+        // The curve by its basis functions (Cox and de Boor), which share no code with the polar form.
+        fn basis(knots: &[f64], index: usize, degree: usize, t: f64) -> f64 {
+            if degree == 0 {
+                return f64::from(u8::from(knots[index] <= t && t < knots[index + 1]));
+            }
+            let share = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };
+            share(t - knots[index], knots[index + degree] - knots[index]) * basis(knots, index, degree - 1, t)
+                + share(knots[index + degree + 1] - t, knots[index + degree + 1] - knots[index + 1])
+                    * basis(knots, index + 1, degree - 1, t)
+        }
+        for step in 0..2000 {
+            let t = f64::from(step) / 2000.0;
+            let mut at = Vector3::zeros();
+            for (index, point) in points.iter().enumerate() {
+                at += point.coords * basis(&knots, index, 3, t);
+            }
+            let nearest =
+                motions.windows(2).map(|pair| off_line(at.into(), pair[0].0, pair[1].0)).fold(f64::MAX, f64::min);
+            assert!(nearest <= 0.01, "{nearest} at {t}");
+        }
+        assert!(motions.len() < 100, "{}", motions.len());
+    }
+
+    fn hole(top: [f64; 3], drilling: Drilling, back_to: f64, dwell: Option<Dwell>) -> Event<'static> {
+        Event::Hole(Hole { top: up(top), depth: 5.0, clearance: 2.0, back_to, drilling, feed: None, dwell })
+    }
+
+    fn heights(motions: &[([f64; 3], bool)]) -> Vec<(f64, bool)> {
+        motions.iter().map(|(tip, rapid)| ((tip[2] * 1e9).round() / 1e9, *rapid)).collect()
+    }
+
+    #[test]
+    fn a_hole_is_drilled_at_feed_and_left_at_rapid() {
+        let dwell = Some(Dwell::Seconds(1.0));
+        let events = [go([0.0, 0.0, 9.0]), hole([1.0, 0.0, 0.0], Drilling::Drill, 2.0, dwell)];
+        let (motions, others) = expanded(&Config::default(), &events).expect("faithful");
+        assert_eq!(heights(&motions[1..]), [(9.0, true), (2.0, true), (-5.0, false), (2.0, true)]);
+        assert_eq!(others, ["Delay(Seconds(1.0))"]);
+        let ream = [go([0.0, 0.0, 9.0]), hole([1.0, 0.0, 0.0], Drilling::Ream, 9.0, None)];
+        let (motions, _) = expanded(&Config::default(), &ream).expect("faithful");
+        assert_eq!(heights(&motions[1..]), [(9.0, true), (2.0, true), (-5.0, false), (2.0, false), (9.0, true)]);
+    }
+
+    #[test]
+    fn deep_holes_are_cleared_after_each_step_and_chips_broken_without() {
+        let peck = Drilling::Peck { first: 3.0, later: 1.5 };
+        let (motions, _) = expanded(&Config::default(), &[go([1.0, 0.0, 2.0]), hole([1.0, 0.0, 0.0], peck, 2.0, None)])
+            .expect("faithful");
+        let expected = [
+            (2.0, true),
+            (-3.0, false),
+            (2.0, true),
+            (-2.5, true),
+            (-4.5, false),
+            (2.0, true),
+            (-4.0, true),
+            (-5.0, false),
+            (2.0, true),
+        ];
+        assert_eq!(heights(&motions[1..]), expected);
+        let chip = Drilling::ChipBreak { step: 2.0, back: Some(0.3) };
+        let (motions, _) = expanded(&Config::default(), &[go([1.0, 0.0, 2.0]), hole([1.0, 0.0, 0.0], chip, 2.0, None)])
+            .expect("faithful");
+        let expected =
+            [(2.0, true), (-2.0, false), (-1.7, true), (-4.0, false), (-3.7, true), (-5.0, false), (2.0, true)];
+        assert_eq!(heights(&motions[1..]), expected);
+    }
+
+    #[test]
+    fn the_tool_lifts_before_it_goes_over_to_a_higher_hole() {
+        let events = [
+            go([0.0, 0.0, 1.0]),
+            hole([5.0, 0.0, 10.0], Drilling::Drill, 2.0, None),
+            hole([9.0, 0.0, 0.0], Drilling::Drill, 2.0, None),
+        ];
+        let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
+        let tips: Vec<[f64; 3]> = motions.iter().map(|(tip, _)| *tip).collect();
+        assert_eq!(tips[1..3], [[0.0, 0.0, 12.0], [5.0, 0.0, 12.0]]);
+        assert_eq!(tips[5..7], [[9.0, 0.0, 12.0], [9.0, 0.0, 2.0]]);
+    }
+
+    #[test]
+    fn what_only_a_cycle_of_the_control_can_do_is_refused() {
+        let tap = hole([0.0; 3], Drilling::Tap { pitch: Some(1.0) }, 2.0, None);
+        assert!(expanded(&Config::default(), &[tap]).expect_err("refused").text.contains("a thread needs"));
+        let dust = hole([0.0; 3], Drilling::Peck { first: 1e-6, later: 1e-6 }, 2.0, None);
+        assert!(expanded(&Config::default(), &[dust]).expect_err("refused").text.contains("more than 10000 steps"));
+    }
+
+    #[test]
+    fn an_arc_behind_a_stop_begins_with_the_way_back_to_its_start() {
+        let events = [go([20.0, 0.0, 0.0]), Event::Stop, arc([20.0, 0.0, 0.0], [0.0, 20.0, 0.0], 1.57)];
+        let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
+        assert_eq!(motions[1], ([20.0, 0.0, 0.0], false));
+    }
+
+    #[test]
+    fn lintol_narrows_the_tolerance_and_widens_it_only_if_allowed() {
+        let count = |config: &Config, stated: Option<f64>| {
+            let start = [20.0, 0.0, 0.0];
+            let events = [go(start), Event::Tolerance(stated), arc(start, [0.0, 20.0, 0.0], 1.57)];
+            expanded(config, &events).expect("faithful").0.len()
+        };
+        let config = Config::default();
+        let usual = count(&config, None);
+        assert!(count(&config, Some(0.001)) > 2 * usual);
+        assert_eq!(count(&config, Some(1.0)), usual);
+        assert!(count(&Config { allow_lintol: true, ..config }, Some(1.0)) < usual);
+    }
+
+    #[test]
+    fn the_tool_of_the_configuration_is_called_where_the_cl_data_calls_none() {
+        let mut config = Config::default();
+        config.defaults.tool = Some(7);
+        let (_, others) = expanded(&config, &[go([0.0; 3]), go([1.0, 0.0, 0.0])]).expect("faithful");
+        assert_eq!(others.len(), 1);
+        assert!(others[0].contains("number: 7"), "{others:?}");
+        let called = Event::Tool(ToolCall { number: 3, ..ToolCall::default() });
+        let (_, others) = expanded(&config, &[called, go([0.0; 3])]).expect("faithful");
+        assert_eq!(others.len(), 1);
+    }
+}

@@ -3,6 +3,7 @@
 mod faults;
 mod input;
 mod meaning;
+mod path;
 
 use super::{Options, Reader};
 use crate::diag::{Diagnostic, Severity};
