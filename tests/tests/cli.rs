@@ -241,7 +241,9 @@ fn bad_arguments_are_status_2() {
 
 #[test]
 fn help_and_version_are_no_mistakes() {
-    for arguments in [&["--help"] as &[&str], &["post", "--help"], &["--version"], &["config"], &["explain"]] {
+    for arguments in
+        [&["--help"] as &[&str], &["post", "--help"], &["--version"], &["config"], &["explain"], &["explain", "--cl"]]
+    {
         let run = Shop::new().run(arguments);
         assert_eq!((run.status, run.errors.as_str()), (0, ""), "{arguments:?}");
         assert!(!run.output.is_empty(), "{arguments:?}");
@@ -293,7 +295,10 @@ fn bad_cl_data_is_rejected_with_its_place() {
     assert_rejected(line("GOTO/nan,2,3"), "part.cls:6:6: error: `nan` is not a number");
     assert_rejected(line("GOTO/1,inf,3"), "part.cls:6:8: error: `inf` is not a number");
     assert_rejected(line("GOTO/1,2,-Infinity"), "part.cls:6:10: error: `-Infinity` is not a number");
-    assert_rejected(line("CIRCLE/0,0,0,0,0,1,5\nGOTO/1,2,3"), "part.cls:6:1: error: CIRCLE is not understood yet");
+    assert_rejected(
+        line("COPY/1\nGOTO/1,2,3"),
+        "part.cls:6:1: error: COPY is refused: it changes the coordinates of everything behind it",
+    );
 }
 
 #[test]
@@ -329,7 +334,7 @@ fn a_table_that_tilts_one_way_refuses_a_cut_through_the_vertical() {
 
 #[test]
 fn every_line_of_json_is_an_object_with_place_and_severity() {
-    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nCIRCLE/0,0,0,0,0,1,5\n"));
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nCOPY/1\n"));
     let run = shop.run(&["post", "part.cls", "--message-format", "json", "-o", "part.nc"]);
     assert_eq!(run.status, 1);
     let parse =

@@ -317,8 +317,11 @@ mod tests {
         Pose { tip: Point3::from(tip), axis: Vector3::z_axis() }
     }
 
-    /// The motions of some events, as tip and rapid, and every other event.
-    fn expanded(config: &Config, events: &[Event<'_>]) -> Result<(Vec<([f64; 3], bool)>, Vec<String>), Diagnostic> {
+    /// Tip and rapid.
+    type Motion = ([f64; 3], bool);
+
+    /// The motions of some events, and every other event.
+    fn expanded(config: &Config, events: &[Event<'_>]) -> Result<(Vec<Motion>, Vec<String>), Diagnostic> {
         let mut expander = Expander::new(config);
         let (mut motions, mut others) = (Vec::new(), Vec::new());
         for event in events {
@@ -417,7 +420,7 @@ mod tests {
         Event::Hole(Hole { top: up(top), depth: 5.0, clearance: 2.0, back_to, drilling, feed: None, dwell })
     }
 
-    fn heights(motions: &[([f64; 3], bool)]) -> Vec<(f64, bool)> {
+    fn heights(motions: &[Motion]) -> Vec<(f64, bool)> {
         motions.iter().map(|(tip, rapid)| ((tip[2] * 1e9).round() / 1e9, *rapid)).collect()
     }
 
