@@ -27,6 +27,7 @@ mod path;
 pub mod record;
 mod spindle;
 mod spline;
+mod subprogram;
 mod tools;
 mod vector;
 mod words;
@@ -48,6 +49,7 @@ use interpret::{Interpreter, Meant, Pending};
 use lexer::{Beginning, Kind, Lexer, Statement};
 use spline::Curve;
 use std::io::{self, Read};
+use subprogram::{Kept, Subprograms};
 
 /// Cutters that are all smaller than this, in a file whose millimetres are only claimed, are inches.
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
@@ -104,6 +106,9 @@ pub struct Reader<R> {
     records: u64,
     /// The statement whose bytes the waiting events point into.
     statement: Option<Statement>,
+    subprograms: Subprograms,
+    /// The statement of a subprogram whose bytes the waiting events point into, instead.
+    kept: Option<Kept>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -124,6 +129,8 @@ impl<R: Read> Reader<R> {
             progress: Progress::Unread,
             records: 0,
             statement: None,
+            subprograms: Subprograms::default(),
+            kept: None,
         }
     }
 
@@ -140,6 +147,7 @@ impl<R: Read> Reader<R> {
             }
             match self.progress {
                 Progress::Unread => self.begin()?,
+                Progress::Reading if self.subprograms.is_running() => self.run_kept(),
                 Progress::Reading => match self.lexer.next()? {
                     // Nearly every statement: a point, and an event that waits for nothing.
                     Some(statement) if self.is_plain_goto(&statement) => {
@@ -153,9 +161,10 @@ impl<R: Read> Reader<R> {
                 Progress::Done => return Ok(None),
             }
         };
-        let text = |at: Span| match &self.statement {
-            Some(statement) => &self.lexer.text(statement)[at.start..at.end],
-            None => &[],
+        let text = |at: Span| match (&self.kept, &self.statement) {
+            (Some(kept), _) => &self.subprograms.text(kept)[at.start..at.end],
+            (None, Some(statement)) => &self.lexer.text(statement)[at.start..at.end],
+            (None, None) => &[],
         };
         let event = match pending {
             Pending::Plain(event) => event,
@@ -261,7 +270,10 @@ impl<R: Read> Reader<R> {
     }
 
     fn is_plain_goto(&self, statement: &Statement) -> bool {
-        statement.kind == Kind::Code && self.interpreter.is_straight() && parse::is_goto(self.lexer.text(statement))
+        statement.kind == Kind::Code
+            && self.interpreter.is_straight()
+            && !self.subprograms.is_open()
+            && parse::is_goto(self.lexer.text(statement))
     }
 
     /// A GOTO while nothing is open and nothing waits: the same as the long way, without a queue.
@@ -274,6 +286,7 @@ impl<R: Read> Reader<R> {
             Ok(_) => None,
             Err(fault) if parse::is_list(&fault) => {
                 self.statement = Some(*statement);
+                self.kept = None;
                 self.read_record(statement, here);
                 None
             }
@@ -286,6 +299,7 @@ impl<R: Read> Reader<R> {
 
     fn read(&mut self, statement: &Statement) {
         self.statement = Some(*statement);
+        self.kept = None;
         let text = self.lexer.text(statement);
         let record = match statement.kind {
             Kind::Code => {
@@ -329,7 +343,23 @@ impl<R: Read> Reader<R> {
             let lost = if parse::takes_anything(&record) { lines.find_map(lost) } else { None };
             lost.map_or(Ok(record), Err)
         });
-        if let Err(fault) = record.and_then(|record| self.interpreter.take(&record, here)) {
+        let taken = record.and_then(|record| match record {
+            Record::EndSubprogram if self.subprograms.end() => Ok(()),
+            Record::DefineSubprogram(number) => {
+                self.subprograms.define(number).map_err(|why| sub_fault(Span::WHOLE, why))
+            }
+            _ if self.subprograms.is_open() => match self.subprograms.keep(text, here) {
+                true => Ok(()),
+                false => Err(sub_fault(Span::WHOLE, "the subprograms of this file are too long")),
+            },
+            Record::EndSubprogram => Err(sub_fault(Span::WHOLE, "ENDSUB without DEFSUB")),
+            Record::CallSubprogram { number, at } => {
+                let ready = self.interpreter.take(&record, here);
+                ready.and_then(|()| self.subprograms.call(number).map_err(|why| sub_fault(at, why)))
+            }
+            record => self.interpreter.take(&record, here),
+        });
+        if let Err(fault) = taken {
             self.faults.add(fault, statement, &self.lexer);
         }
         for warning in self.interpreter.warnings.drain(..) {
@@ -337,11 +367,37 @@ impl<R: Read> Reader<R> {
         }
     }
 
+    /// The next statement of a subprogram that is called.
+    fn run_kept(&mut self) {
+        let Some(kept) = self.subprograms.next() else { return };
+        self.kept = Some(kept);
+        let text = self.subprograms.text(&kept);
+        let place = |at: Span| {
+            let column = u32::try_from(at.start).unwrap_or(u32::MAX);
+            let location = Location { column: kept.location.column.saturating_add(column), ..kept.location };
+            (location, text.len().saturating_sub(at.start))
+        };
+        let taken = parse::parse(text, &self.interpreter.options.inert).and_then(|record| match record {
+            Record::CallSubprogram { at, .. } => {
+                Err(sub_fault(at, "a subprogram that calls another one is not understood"))
+            }
+            record => self.interpreter.take(&record, kept.location),
+        });
+        for fault in taken.err().into_iter().chain(self.interpreter.warnings.drain(..)) {
+            let (location, left) = place(fault.at);
+            self.faults.add_at(fault, location, left);
+        }
+    }
+
     /// What can be said only of the whole file.
     fn finish(&mut self) {
         self.progress = Progress::Done;
         let unfinished = self.interpreter.finish();
-        if let (Err(fault), Some(statement)) = (unfinished, &self.statement) {
+        let unfinished = unfinished.err().or_else(|| {
+            let open = self.subprograms.is_open();
+            open.then(|| sub_fault(Span::WHOLE, "the file ends inside a subprogram"))
+        });
+        if let (Some(fault), Some(statement)) = (unfinished, &self.statement) {
             self.faults.add(fault, statement, &self.lexer);
         }
         self.count_votes();
@@ -391,4 +447,8 @@ impl<R: Read> Reader<R> {
             self.faults.add_about_file(severity, location, text, help);
         }
     }
+}
+
+fn sub_fault(at: Span, why: &str) -> Fault {
+    Fault::new("subprogram", at, why, "DEFSUB/n stands before CALSUB/n, with ENDSUB behind the last record")
 }

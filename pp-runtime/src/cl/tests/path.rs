@@ -477,3 +477,33 @@ fn a_spindle_speed_that_rounds_to_nothing_is_refused() {
     refused("SPINDL/    0.3980,RPM,CLW\nGOTO/0,0,0\n", "1:12+6 a spindle speed of 0.398 rev/min rounds to 0");
     assert_eq!(errors("SPINDL/.5,RPM,CLW\nGOTO/0,0,0\n"), [""; 0]);
 }
+
+#[test]
+fn a_subprogram_is_done_where_it_is_called() {
+    let text = "DEFSUB/1\nGODLTA/1,0,0\nPPRINT there\nENDSUB\nGOTO/0,0,0\nCALSUB/1\nGOTO/0,5,0\nCALSUB/1\n";
+    let found = events(text);
+    assert_eq!(
+        found,
+        [
+            "5:1 feed 0 0 0 axis 0 0 1 None",
+            "2:1 feed 1 0 0 axis 0 0 1 None",
+            "3:1 message there",
+            "7:1 feed 0 5 0 axis 0 0 1 None",
+            "2:1 feed 1 5 0 axis 0 0 1 None",
+            "3:1 message there",
+        ]
+    );
+    refused("GOTO/0,0,0\nCALSUB/2\n", "2:8+1 this subprogram is not defined before it is called");
+    refused("GOTO/0,0,0\nDEFSUB/2\nGOTO/1,0,0\n", "3:1+10 the file ends inside a subprogram");
+    refused("GOTO/0,0,0\nENDSUB\n", "2:1+6 ENDSUB without DEFSUB");
+    refused(
+        "DEFSUB/1\nCALSUB/1\nENDSUB\nGOTO/0,0,0\nCALSUB/1\n",
+        "2:8+1 a subprogram that calls another one is not understood",
+    );
+    refused("DEFSUB/1\nENDSUB\nDEFSUB/1\nENDSUB\nGOTO/0,0,0\n", "3:1+8 this subprogram is defined twice");
+    refused("DEFSUB/1\n  GOTO/1,2\nENDSUB\nGOTO/0,0,0\n", "2:8+3 GOTO needs 3 or 6 numbers, found 2");
+    refused(
+        "DEFSUB/1\n  GODLTA/1\nENDSUB\nCALSUB/1\nGOTO/0,0,0\n",
+        "2:10+1 GODLTA counts from where the tool stands, and nothing before it says where that is",
+    );
+}
