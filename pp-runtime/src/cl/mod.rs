@@ -31,6 +31,7 @@ mod subprogram;
 mod tools;
 mod vector;
 mod words;
+mod write;
 
 #[cfg(test)]
 mod tests;

@@ -478,6 +478,11 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// A block as it stands: where the machine is behind it, and in which state, nobody knows.
     fn raw(&mut self, at: Location, text: &[u8], sink: &mut impl Sink) -> Planned {
+        if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
+            let fault =
+                Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");
+            return Err(stop(at, fault.help("write it in plain letters, digits and signs, or `--insert comment`")));
+        }
         self.begin(at, true, sink)?;
         self.cancel_inverse_time(sink)?;
         sink.step(&Step::Raw { text })?;

@@ -1023,6 +1023,14 @@ fn nc_text_and_codes_leave_nothing_in_force() {
 }
 
 #[test]
+fn nc_text_that_is_not_ascii_is_refused() {
+    for text in [&b"G0 X\xff"[..], b"G0\tX1", b""] {
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(text)];
+        assert!(run::<Cb>(&config(), &events).error().text.contains("not ASCII"));
+    }
+}
+
+#[test]
 fn cutter_compensation_and_a_forced_sense_of_rotation_are_refused() {
     let before = [tool(1), spindle(), feed([0.0; 3], UP)];
     let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());

@@ -4,6 +4,7 @@ mod faults;
 mod input;
 mod meaning;
 mod path;
+mod round_trip;
 
 use super::{Options, Reader};
 use crate::diag::{Diagnostic, Severity};
