@@ -75,10 +75,11 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     let ArcVote { arcs, agree, against, given } = survey.arcs;
     let decided = agree + against;
     if arcs > 0 {
+        let arcs = super::counted(arcs, "arc");
         list.push(match (given, decided) {
-            (true, _) => format!("{arcs} arcs, their sense as given"),
-            (false, 0) => format!("{arcs} arcs, sense by form only, 0 arcs confirmed"),
-            (false, decided) => format!("{arcs} arcs, {agree} of {decided} decided arcs agree with their form"),
+            (true, _) => format!("{arcs}, their sense as given"),
+            (false, 0) => format!("{arcs}, sense by form only, 0 arcs confirmed"),
+            (false, decided) => format!("{arcs}, {agree} of {decided} decided arcs agree with their form"),
         });
     }
     if survey.frames > 1 {
