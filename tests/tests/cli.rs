@@ -412,3 +412,36 @@ fn a_named_pipe_is_read_like_a_file() {
     assert_eq!(text.replace("(CL FILE pipe.cls)", "(CL FILE part.cls)"), expected);
     assert_eq!(shop.names(), ["part.cls", "part.nc", "pipe.cls"]);
 }
+
+#[test]
+fn options_say_how_the_cl_data_is_read() {
+    let shop = Shop::with(format!("{HEAD}AICC/ON\nINSERT/STOCK X1\nGOTO/1,2,3\nCIRCLE/0,2,3,0,0,1\nGOTO/0,3,3\n"));
+    let all =
+        ["--inert", "AICC", "--insert", "comment", "--tolerance", "0.1", "--circle-sense", "ccw", "--dialect", "iso"];
+    let run = shop.run(&[&["post", "part.cls", "-o", "part.nc"], &all[..]].concat());
+    assert_eq!(run.status, 0, "{}", run.errors);
+    let program = String::from_utf8(shop.read("part.nc")).expect("ASCII");
+    for line in [
+        "(words passed over as inert: AICC)",
+        "(STOCK X1)",
+        "(CL data of ISO 4343, as given)",
+        "(1 arc, their sense as given)",
+    ] {
+        assert!(program.contains(line), "{line} is missing in\n{program}");
+    }
+    let run = shop.run(&["post", "part.cls", "--inert", "LOOP"]);
+    assert_eq!(run.status, 2);
+    assert!(run.errors.contains("LOOP cannot be inert: it may repeat motion"), "{}", run.errors);
+    assert_eq!(shop.run(&["post", "part.cls", "--tolerance", "0"]).status, 2);
+    assert_eq!(shop.run(&["post", "part.cls", "--insert", "comment", "--allow-insert"]).status, 2);
+}
+
+#[test]
+fn every_word_is_listed() {
+    let shop = Shop::with("");
+    let run = shop.run(&["explain", "--cl"]);
+    let text = String::from_utf8(run.output).expect("ASCII");
+    for line in ["    GOTO/x,y,z[,i,j,k]; /x,y,z / x,y,z ..", "    PAINT", "    LOOP        it may repeat motion"] {
+        assert!(text.lines().any(|found| found == line), "{line} is missing in\n{text}");
+    }
+}
