@@ -2,7 +2,8 @@
 
 use super::args::{Arg, Args};
 use super::fault::{Fault, quoted};
-use super::parse::{argument_not_yet, feed_unit, needed};
+use super::forms::feed_unit;
+use super::parse::{argument_not_yet, needed};
 use super::record::{Cycle, CycleKind, CycleState, MOST_POSITIONAL, Record, Return};
 
 /// Reads all arguments.

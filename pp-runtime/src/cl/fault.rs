@@ -106,7 +106,7 @@ impl Faults {
         let help = match fault.help {
             Help::Text(text) => text,
             Help::NearestTo(word) => match words::nearest(&word) {
-                Some(known) => format!("did you mean {known}? If it is known to move nothing: `--inert {word}`"),
+                Some(known) => format!("did you mean {known}?"),
                 None if word.is_empty() => "check whether this is CL data".into(),
                 None => format!("if it is known to move nothing, delete it or give `--inert {word}`"),
             },

@@ -2,7 +2,8 @@
 //!
 //! Modal here: the units of the file, the tool axis, the feed, a RAPID that waits for its motion, the cutter that waits
 //! for its tool, changes of coordinates, a circle, a curve or a cycle that is open. A tool's event is held back until the
-//! next event, because Creo gives the diameter behind it. Motion is in `path`.
+//! next event, because Creo gives the diameter behind it. Motion is in `path`,
+//! units, feeds and tools in `state`.
 
 use std::collections::VecDeque;
 
@@ -13,25 +14,15 @@ use super::change::{Changes, Rigid, same_direction};
 use super::fault::{Fault, Span};
 use super::frame::{Frame, Workpiece};
 use super::holes::Definition;
-use super::options::{ClPoint, FeedLabel, Frames, Insert, Options};
-use super::record::{Cutter, FeedUnit, FrameRecord, Point, Record, Text, Tool};
+use super::options::{ClPoint, Frames, Options};
+use super::record::{Cutter, FrameRecord, Point, Record, Text};
 use super::spline::Curve;
-use super::vector;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
-use crate::program::{Dwell, Event, Feed, Location, Move, Plane, ToolCall, Units};
-
-/// Feeds below this are feeds in another unit.
-const SLOWEST_FEED_MM_PER_MIN: f64 = 0.1;
-
-/// Feeds above this are feeds per minute with another label: even a large face mill stays below a fifth of it.
-const LARGEST_FEED_MM_PER_REV: f64 = 100.0;
+use crate::program::{Event, Feed, Location, Move, Plane, ToolCall, Units};
 
 /// A kilometre: no machine goes there, and words of an NC program would overflow.
 const LARGEST_COORDINATE_MM: f64 = 1e6;
-
-/// Nobody waits longer on purpose, seconds.
-const LONG_DELAY: f64 = 10.0;
 
 /// What a text is for.
 #[derive(Debug, Clone, Copy)]
@@ -74,20 +65,20 @@ pub(super) struct CycleInForce {
 #[derive(Debug, Default)]
 pub(super) struct Interpreter {
     pub(super) options: Options,
-    found_units: Option<(Units, Location)>,
-    units_missed: bool,
+    pub(super) found_units: Option<(Units, Location)>,
+    pub(super) units_missed: bool,
     found_dialect: Dialect,
     pub(super) axis: ModalAxis,
     pub(super) rapid: bool,
     pub(super) feed: Option<Feed>,
-    cutter_of_next: Option<Cutter>,
-    held: Option<ToolCall>,
-    held_at: Location,
+    pub(super) cutter_of_next: Option<Cutter>,
+    pub(super) held: Option<ToolCall>,
+    pub(super) held_at: Location,
     pub(super) last_tool: Option<ToolCall>,
     pub(super) workpiece: Workpiece,
     world: bool,
     /// The tool axis of the CSYS in force.
-    setup: Option<UnitVector3<f64>>,
+    pub(super) setup: Option<UnitVector3<f64>>,
     pub(super) changes: Changes,
     pub(super) clearance: Option<Plane>,
     pub(super) circle: Option<arcs::Pending>,
@@ -288,7 +279,7 @@ impl Interpreter {
         }
     }
 
-    fn let_go(&mut self) {
+    pub(super) fn let_go(&mut self) {
         if let Some(tool) = self.held.take() {
             self.last_tool = Some(tool);
             self.queue.push_back((self.held_at, Pending::Plain(Event::Tool(tool))));
@@ -306,7 +297,7 @@ impl Interpreter {
         self.queue.push_back((here, event));
     }
 
-    fn emit_text(&mut self, here: Location, meant: Meant, text: Text<'_>) {
+    pub(super) fn emit_text(&mut self, here: Location, meant: Meant, text: Text<'_>) {
         self.push(here, Pending::Text(meant, text.at));
     }
 
@@ -389,155 +380,6 @@ impl Interpreter {
             && self.options.cl_point_of.is_empty();
     }
 
-    /// Millimetres in one unit of the file, for the number at `at`. Missing units are reported once.
-    pub(super) fn millimetres(&mut self, at: Span) -> Result<f64, Fault> {
-        match self.units() {
-            Some(units) => Ok(units.in_mm()),
-            None if self.units_missed => Ok(1.0),
-            None => {
-                self.units_missed = true;
-                Err(Fault::new(
-                    "units",
-                    at,
-                    "the file does not say its unit: no UNITS/MM, UNITS/INCH or UNIT/.. stands before this number",
-                    "give `--units mm` or `--units in`, as the part is modelled",
-                ))
-            }
-        }
-    }
-
-    fn take_units(&mut self, units: Units, here: Location) -> Result<(), Fault> {
-        if let Some((before, line)) = self.found_units {
-            if before != units {
-                return Err(Fault::new(
-                    "units",
-                    Span::WHOLE,
-                    format!("the unit changes in the middle of the file; line {} says another one", line.line),
-                    "write the whole file in one unit",
-                ));
-            }
-            return Ok(());
-        }
-        self.found_units = Some((units, here));
-        if self.options.units.is_some_and(|given| given != units) {
-            return Err(Fault::new(
-                "units",
-                Span::WHOLE,
-                "the file says another unit than `--units`",
-                "leave `--units` out if the file is right",
-            ));
-        }
-        Ok(())
-    }
-
-    pub(super) fn feed_of(&mut self, value: f64, unit: FeedUnit, at: Span, unit_at: Span) -> Result<Feed, Fault> {
-        let of_file = self.millimetres(at)?;
-        let in_millimetres = matches!(unit, FeedUnit::MillimetresPerMinute | FeedUnit::MillimetresPerRevolution);
-        let doubtful = in_millimetres && self.units() == Some(Units::Inches);
-        let label = if doubtful { self.options.feed_label } else { FeedLabel::Trust };
-        if label == FeedLabel::Refuse {
-            return Err(Fault::new(
-                "feed unit",
-                unit_at,
-                "a feed in mm stands in a file in inch; such labels are often wrong",
-                "have the CAM system write IPM or IPR, or say what it is: `[cl] feed_label = \"trust\"` or \"file-units\"",
-            ));
-        }
-        let millimetre = if label == FeedLabel::FileUnits { of_file } else { 1.0 };
-        let inch = Units::Inches.in_mm();
-        let feed = match unit {
-            FeedUnit::PerMinute => Feed::PerMinute(value * of_file),
-            FeedUnit::PerRevolution => Feed::PerRevolution(value * of_file),
-            FeedUnit::MillimetresPerMinute => Feed::PerMinute(value * millimetre),
-            FeedUnit::MillimetresPerRevolution => Feed::PerRevolution(value * millimetre),
-            FeedUnit::InchesPerMinute => Feed::PerMinute(value * inch),
-            FeedUnit::InchesPerRevolution => Feed::PerRevolution(value * inch),
-        };
-        match feed {
-            _ if value <= 0.0 => Err(Fault::new(
-                "feed",
-                at,
-                format!("the feed {value} is not above 0"),
-                "set a feed for every cutting move in the CAM system",
-            )),
-            Feed::PerMinute(speed) if speed < SLOWEST_FEED_MM_PER_MIN => Err(Fault::new(
-                "feed",
-                at,
-                format!("a feed of {speed:.4} mm/min is not plausible"),
-                "check the unit of the file and of the feed",
-            )),
-            Feed::PerRevolution(feed) if feed > LARGEST_FEED_MM_PER_REV => Err(Fault::new(
-                "feed",
-                at,
-                format!("a feed of {feed} mm per revolution is not plausible"),
-                "check the unit of the feed: IPM, MMPM and PERMIN count per minute",
-            )),
-            _ if !value.is_finite() || value > LARGEST_COORDINATE_MM => {
-                Err(Fault::new("feed", at, format!("the feed {value} is not plausible"), "check the exponent"))
-            }
-            feed => Ok(feed),
-        }
-    }
-
-    fn in_millimetres(&mut self, cutter: Cutter, here: Location) -> Result<Cutter, Fault> {
-        let unit = self.millimetres(Span::WHOLE)?;
-        let diameter = cutter.diameter * unit;
-        let corner_radius = cutter.corner_radius.map(|radius| radius * unit);
-        if diameter > 0.0 {
-            let cutters = self.cutters.get_or_insert(Cutters { largest_mm: 0.0, first: here });
-            cutters.largest_mm = cutters.largest_mm.max(diameter);
-        }
-        Ok(Cutter { diameter, corner_radius })
-    }
-
-    fn begin_operation(&mut self) {
-        self.axis.begin_operation();
-        self.setup = None;
-        // Rapids and lines of another operation say nothing about an arc.
-        self.line_from = None;
-        self.votes.settle(None);
-    }
-
-    fn call_tool(&mut self, tool: &Tool, here: Location) -> Result<(), Fault> {
-        let length = match tool.length {
-            Some(length) => Some(length * self.millimetres(Span::WHOLE)?),
-            None => None,
-        };
-        self.let_go();
-        self.begin_operation();
-        let mut call = ToolCall { number: tool.number, length, offset: tool.offset, ..ToolCall::default() };
-        if let Some(cutter) = self.cutter_of_next.take() {
-            call.diameter = Some(cutter.diameter);
-            call.corner_radius = cutter.corner_radius;
-        } else if let Some(same) = self.last_tool.filter(|last| last.number == tool.number) {
-            // CATIA calls a tool again for each operation and describes it once.
-            (call.diameter, call.corner_radius) = (same.diameter, same.corner_radius);
-        }
-        self.held = Some(call);
-        self.held_at = here;
-        Ok(())
-    }
-
-    /// SET/OFSETL.
-    fn take_length_offset(&mut self, register: u32, at: Span) -> Result<(), Fault> {
-        let fault = |text: &str, help: &str| Err(Fault::new("length offset", at, text, help));
-        if register == 0 {
-            return fault("length offset 0 would switch the length offset off", "give a register above 0");
-        }
-        match &mut self.held {
-            Some(tool) if tool.offset.is_none_or(|offset| offset == register) => {
-                tool.offset = Some(register);
-                Ok(())
-            }
-            Some(_) => fault("two different length offsets for one tool", "give one register"),
-            None if self.last_tool.is_some_and(|tool| tool.offset.unwrap_or(tool.number) == register) => Ok(()),
-            None => fault(
-                "the length offset changes away from the tool's call",
-                "give it behind LOADTL or LOAD/TOOL: a change in the cut would move the tool",
-            ),
-        }
-    }
-
     fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), Fault> {
         let unit = self.units().map_or(1.0, Units::in_mm);
         let frame = Frame::new(record, unit, here)?;
@@ -590,106 +432,6 @@ impl Interpreter {
                 Ok(Some(by.map(|value| value * unit)))
             }
         }
-    }
-
-    fn delay(&mut self, dwell: Dwell, at: Span, here: Location) {
-        if let Dwell::Seconds(seconds) = dwell
-            && seconds > LONG_DELAY
-        {
-            self.warnings.push(
-                Fault::new(
-                    "long wait",
-                    at,
-                    format!("a wait of {seconds} seconds"),
-                    "DELAY counts seconds: check whether turns or milliseconds were meant",
-                )
-                .warning(),
-            );
-        }
-        self.emit(here, Event::Delay(dwell));
-    }
-
-    fn take_tolerance(&mut self, value: Option<f64>, at: Span, here: Location) -> Result<(), Fault> {
-        let unit = self.millimetres(at)?;
-        if value.is_some_and(|value| value <= 0.0) {
-            return Err(Fault::new("LINTOL", at, "a tolerance is above 0", "LINTOL/OFF takes it back"));
-        }
-        self.emit(here, Event::Tolerance(value.map(|value| value * unit)));
-        Ok(())
-    }
-
-    fn take_clearance(&mut self, normal: [f64; 3], distance: f64, at: Span, here: Location) -> Result<(), Fault> {
-        let unit = self.millimetres(at)?;
-        let length = vector::length(normal);
-        if length < 1e-9 {
-            return Err(Fault::new("CLEARP", at, "the normal of this plane is 0, 0, 0", "write CLEARP/XYPLAN,z"));
-        }
-        let normal = normal.map(|value| value / length);
-        let distance = distance * unit / length;
-        let point = self.changes.point(Point3::from(normal.map(|value| value * distance)));
-        let normal = self.changes.direction(UnitVector3::new_normalize(Vector3::from(normal)));
-        let plane = Plane { normal, distance: point.coords.dot(&normal) };
-        self.clearance = Some(plane);
-        self.emit(here, Event::ClearancePlane(plane));
-        Ok(())
-    }
-
-    fn insert(&mut self, text: Text<'_>, here: Location) -> Result<(), Fault> {
-        let stop = text.bytes.len() >= 4
-            && text.bytes[..4].eq_ignore_ascii_case(b"STOP")
-            && text.bytes.get(4).is_none_or(|byte| !byte.is_ascii_alphanumeric());
-        if stop && self.options.insert_stop {
-            self.emit(here, Event::Stop);
-            self.emit_text(here, Meant::Message, text);
-            return Ok(());
-        }
-        if stop && self.options.insert != Insert::Refuse {
-            return Err(Fault::new(
-                "INSERT",
-                text.at,
-                "INSERT/STOP may be a stop that is needed",
-                "`[cl] insert_stop = true` makes it STOP",
-            ));
-        }
-        match self.options.insert {
-            Insert::Comment => self.emit_text(here, Meant::Message, text),
-            Insert::Write => {
-                self.here = None;
-                self.line_from = None;
-                self.emit_text(here, Meant::Insert, text);
-            }
-            Insert::Refuse => {
-                return Err(Fault::new(
-                    "INSERT",
-                    text.at,
-                    "INSERT is refused: it writes NC text that the postprocessor cannot see into",
-                    "`--insert comment` writes it as a comment, `--allow-insert` as it stands",
-                ));
-            }
-        }
-        Ok(())
-    }
-
-    fn code(&mut self, letter: u8, number: u32, at: Span, here: Location) -> Result<(), Fault> {
-        let (word, key, allowed) = match letter {
-            b'M' => ("AUXFUN", "auxfun", &self.options.auxfun),
-            _ => ("PREFUN", "prefun", &self.options.prefun),
-        };
-        if !allowed.contains(&number) {
-            return Err(Fault::new(
-                word,
-                at,
-                format!(
-                    "{word} is refused: it writes {}{number}, which the postprocessor cannot see into",
-                    char::from(letter)
-                ),
-                format!("if the control is to have it, allow it: `[cl] {key} = [{number}]`"),
-            ));
-        }
-        self.here = None;
-        self.line_from = None;
-        self.emit(here, Event::Code { letter, number });
-        Ok(())
     }
 
     /// A cycle or a circle that is open allows few records.

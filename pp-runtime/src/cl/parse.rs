@@ -6,11 +6,10 @@
 use super::Dialect;
 use super::args::{Arg, Args, skip_blanks};
 use super::fault::{Fault, Help, Span, quoted};
-use super::record::{AxisPlane, FeedUnit, FrameRecord, Numbers, Point, Record, Text};
+use super::record::{FrameRecord, Numbers, Point, Record, Text};
 use super::words::{Use, Word, look_up};
-use super::{circle, cycle, spindle, tools, vector};
+use super::{circle, cycle, forms, spindle, tools, vector};
 use crate::diag::Severity;
-use crate::program::{Compensation, Coolant, Dwell, Rotation, Turning, Units};
 
 /// Reads one statement that is no comment. `text` is not empty; the words of `inert` are passed over, unless they are
 /// read or would move what follows.
@@ -126,9 +125,9 @@ fn modelled<'a>(word: Word, name: &'static str, text: &'a [u8], word_at: Span) -
             Record::Knots(numbers_of(text, args.all()))
         }
         Word::Cycle => cycle::parse(name, &mut args)?,
-        Word::Origin => Record::Origin(shift(name, &mut args)?),
-        Word::Trans => Record::Translation { by: shift(name, &mut args)?, at: args.all() },
-        Word::Tracut => transformation(name, &mut args)?,
+        Word::Origin => Record::Origin(forms::shift(name, &mut args)?),
+        Word::Trans => Record::Translation { by: forms::shift(name, &mut args)?, at: args.all() },
+        Word::Tracut => forms::transformation(name, &mut args)?,
         Word::Rapid => Record::Rapid,
         Word::Stop => Record::Stop,
         Word::Opstop => Record::OptionalStop,
@@ -143,7 +142,7 @@ fn modelled<'a>(word: Word, name: &'static str, text: &'a [u8], word_at: Span) -
             }
             Record::Rewind
         }
-        Word::Units => Record::Units(units(name, &mut args)?),
+        Word::Units => Record::Units(forms::units(name, &mut args)?),
         Word::Loadtl => Record::Tool(tools::call(name, &mut args)?),
         Word::Load => {
             keyword(name, &mut args, "TOOL")?;
@@ -158,23 +157,23 @@ fn modelled<'a>(word: Word, name: &'static str, text: &'a [u8], word_at: Span) -
         Word::Tldata => return tools::data(name, &mut args),
         Word::Multax => Record::MultiAxis(match args.next()? {
             None => true,
-            Some(arg) => on_or_off(name, arg)?,
+            Some(arg) => forms::on_or_off(name, arg)?,
         }),
-        Word::Inverse => Record::InverseTime(on_or_off(name, needed(name, &mut args)?)?),
-        Word::Fedrat => feed(name, &mut args)?,
+        Word::Inverse => Record::InverseTime(forms::on_or_off(name, needed(name, &mut args)?)?),
+        Word::Fedrat => forms::feed(name, &mut args)?,
         Word::Spindl => Record::Spindle(spindle::parse(name, &mut args)?),
-        Word::Coolnt => Record::Coolant(coolant(needed(name, &mut args)?)?),
-        Word::Cutcom => compensation(name, &mut args)?,
-        Word::Delay => delay(name, &mut args)?,
+        Word::Coolnt => Record::Coolant(forms::coolant(needed(name, &mut args)?)?),
+        Word::Cutcom => forms::compensation(name, &mut args)?,
+        Word::Delay => forms::delay(name, &mut args)?,
         Word::Lintol => {
             let arg = needed(name, &mut args)?;
             let value = if arg.is("OFF") { None } else { Some(arg.number()?) };
             Record::Tolerance { value, at: arg.at }
         }
-        Word::Clearp => clearance_plane(name, &mut args)?,
-        Word::Rotabl => Record::Turning(turning_sense(name, &mut args)?),
-        Word::Auxfun => code(b'M', name, &mut args)?,
-        Word::Prefun => code(b'G', name, &mut args)?,
+        Word::Clearp => forms::clearance_plane(name, &mut args)?,
+        Word::Rotabl => Record::Turning(forms::turning_sense(name, &mut args)?),
+        Word::Auxfun => forms::code(b'M', name, &mut args)?,
+        Word::Prefun => forms::code(b'G', name, &mut args)?,
         Word::Machin => return machine_name(name, text, &mut args),
         Word::Defsub => Record::DefineSubprogram(needed(name, &mut args)?.integer()?),
         Word::Calsub => {
@@ -270,133 +269,6 @@ fn goto_or_list<'a>(name: &'static str, text: &'a [u8], args: &mut Args<'_>) -> 
 
 fn numbers_of(text: &[u8], at: Span) -> Numbers<'_> {
     Numbers { bytes: &text[at.start..at.end], at }
-}
-
-/// `x,y,z`, or `NOMORE` or `0` for none.
-fn shift(name: &'static str, args: &mut Args<'_>) -> Result<Option<[f64; 3]>, Fault> {
-    if is_cancel(args)? { Ok(None) } else { exactly(name, args).map(Some) }
-}
-
-fn transformation<'a>(name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {
-    let at = args.all();
-    if is_cancel(args)? {
-        return Ok(Record::Transformation { matrix: None, at });
-    }
-    Ok(Record::Transformation { matrix: Some(exactly(name, args)?), at })
-}
-
-/// `NOMORE` or a single 0; takes it if so.
-fn is_cancel(args: &mut Args<'_>) -> Result<bool, Fault> {
-    let mut ahead = args.clone();
-    let Some(first) = ahead.next()? else { return Ok(false) };
-    let none = first.is("NOMORE") || (first.looks_numeric() && first.number()?.abs() < f64::MIN_POSITIVE);
-    let cancels = none && ahead.next()?.is_none();
-    if cancels {
-        *args = ahead;
-    }
-    Ok(cancels)
-}
-
-fn on_or_off(name: &'static str, arg: Arg<'_>) -> Result<bool, Fault> {
-    if arg.is("ON") {
-        Ok(true)
-    } else if arg.is("OFF") {
-        Ok(false)
-    } else {
-        Err(argument_not_yet(name, arg))
-    }
-}
-
-fn compensation<'a>(name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {
-    const SIDES: [(&str, Compensation); 4] = [
-        ("OFF", Compensation::Off),
-        ("ON", Compensation::On),
-        ("LEFT", Compensation::Left),
-        ("RIGHT", Compensation::Right),
-    ];
-    let first = needed(name, args)?;
-    let found = SIDES.iter().find(|(word, _)| first.is(word)).map(|(_, side)| *side);
-    let side = found.ok_or_else(|| argument_not_yet(name, first))?;
-    let (mut register, mut plane) = (None, None);
-    while side != Compensation::Off
-        && let Some(arg) = args.next()?
-    {
-        let known = AxisPlane::WORDS.iter().find(|(word, _)| arg.is(word)).map(|(_, plane)| *plane);
-        if arg.looks_numeric() && register.is_none() {
-            register = Some(arg.integer()?);
-        } else if known.is_some() && plane.is_none() {
-            plane = known;
-        } else {
-            return Err(argument_not_yet(name, arg));
-        }
-    }
-    Ok(Record::Compensation { side, register, plane })
-}
-
-fn delay<'a>(name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {
-    let arg = needed(name, args)?;
-    let value = arg.number()?;
-    if value < 0.0 {
-        return Err(Fault::new("DELAY", arg.at, "a wait is not negative", "write DELAY/seconds"));
-    }
-    let dwell = match args.next()? {
-        None => Dwell::Seconds(value),
-        Some(word) if word.is("REV") => Dwell::Revolutions(value),
-        Some(word) => return Err(argument_not_yet(name, word)),
-    };
-    Ok(Record::Delay { dwell, at: arg.at })
-}
-
-fn clearance_plane<'a>(name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {
-    let at = args.all();
-    let first = needed(name, args)?;
-    if let Some((_, plane)) = AxisPlane::WORDS.iter().find(|(word, _)| first.is(word)) {
-        let distance = needed(name, args)?.number()?;
-        return Ok(Record::ClearancePlane { normal: plane.normal(), distance, at });
-    }
-    let mut numbers = [first.number()?, 0.0, 0.0, 0.0];
-    for place in &mut numbers[1..] {
-        *place = needed(name, args)?.number()?;
-    }
-    let [a, b, c, distance] = numbers;
-    Ok(Record::ClearancePlane { normal: [a, b, c], distance, at })
-}
-
-fn turning_sense(name: &'static str, args: &mut Args<'_>) -> Result<Turning, Fault> {
-    let arg = needed(name, args)?;
-    if arg.is("SHORT") {
-        return Ok(Turning::Shortest);
-    }
-    if arg.is("NEXT") {
-        let sense = needed(name, args)?;
-        if sense.is("CLW") {
-            return Ok(Turning::Next(Rotation::Clockwise));
-        }
-        if sense.is("CCLW") {
-            return Ok(Turning::Next(Rotation::CounterClockwise));
-        }
-        return Err(argument_not_yet(name, sense));
-    }
-    // An empty place is the nearer fault.
-    while args.next()?.is_some() {}
-    Err(Fault::new(
-        name,
-        args.all(),
-        "ROTABL moves the table itself, which the postprocessor does from the tool axis",
-        "have the CAM system give the tool axis with i, j, k; ROTABL/SHORT and ROTABL/NEXT,CLW are read",
-    ))
-}
-
-fn code<'a>(letter: u8, name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {
-    let arg = needed(name, args)?;
-    let number = arg.integer()?;
-    if let Some(when) = args.next()?
-        && !when.is("NOW")
-        && !when.is("NEXT")
-    {
-        return Err(argument_not_yet(name, when));
-    }
-    Ok(Record::Code { letter, number, at: arg.at })
 }
 
 /// The name up to the first comma; the other arguments are the postprocessor's own.
@@ -499,67 +371,6 @@ fn frame_from_two_axes(n: &[f64; 9], at: Span) -> FrameRecord {
 pub(super) fn frame_from_rows(n: &[f64; 12], at: Span) -> FrameRecord {
     let column = |i: usize| [n[i], n[4 + i], n[8 + i]];
     FrameRecord { axes: [column(0), column(1), column(2)], origin: column(3), at }
-}
-
-fn units(name: &'static str, args: &mut Args<'_>) -> Result<Units, Fault> {
-    let arg = needed(name, args)?;
-    if arg.is("MM") {
-        Ok(Units::Millimetres)
-    } else if arg.is("INCH") || arg.is("INCHES") || arg.is("IN") {
-        Ok(Units::Inches)
-    } else {
-        Err(Fault::new("unit", arg.at, format!("{} is not a unit known here", quoted(arg.text)), "write MM or INCH"))
-    }
-}
-
-fn feed<'a>(name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {
-    let first = needed(name, args)?;
-    if first.is("RAPID") {
-        return Ok(Record::Rapid);
-    }
-    if first.is("INVERS") {
-        let how = needed(name, args)?;
-        return if how.is("AUTO") { Ok(Record::InverseTime(true)) } else { Err(argument_not_yet(name, how)) };
-    }
-    let second = args.next()?;
-    let (number, word) = if first.looks_numeric() {
-        (first, second)
-    } else if feed_unit(first).is_some() {
-        (second.ok_or_else(|| wrong_count(name, "a number", 0, args))?, Some(first))
-    } else {
-        return Err(argument_not_yet(name, first));
-    };
-    let value = number.number()?;
-    let unit = match word {
-        None => FeedUnit::PerMinute,
-        Some(word) => feed_unit(word).ok_or_else(|| argument_not_yet(name, word))?,
-    };
-    Ok(Record::Feed { value, unit, at: number.at, unit_at: word.map_or(number.at, |word| word.at) })
-}
-
-pub(super) fn feed_unit(arg: Arg<'_>) -> Option<FeedUnit> {
-    const UNITS: [(&str, FeedUnit); 6] = [
-        ("MMPM", FeedUnit::MillimetresPerMinute),
-        ("MMPR", FeedUnit::MillimetresPerRevolution),
-        ("IPM", FeedUnit::InchesPerMinute),
-        ("IPR", FeedUnit::InchesPerRevolution),
-        ("PERMIN", FeedUnit::PerMinute),
-        ("PERREV", FeedUnit::PerRevolution),
-    ];
-    UNITS.iter().find(|(word, _)| arg.is(word)).map(|(_, unit)| *unit)
-}
-
-fn coolant(arg: Arg<'_>) -> Result<Coolant, Fault> {
-    const KINDS: [(&str, Coolant); 6] = [
-        ("ON", Coolant::On),
-        ("OFF", Coolant::Off),
-        ("FLOOD", Coolant::Flood),
-        ("MIST", Coolant::Mist),
-        ("THRU", Coolant::Through),
-        ("AIR", Coolant::Air),
-    ];
-    let kind = KINDS.iter().find(|(word, _)| arg.is(word)).map(|(_, kind)| *kind);
-    kind.ok_or_else(|| argument_not_yet("COOLNT", arg))
 }
 
 /// The next argument, which the record cannot do without.
