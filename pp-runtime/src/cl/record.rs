@@ -191,7 +191,7 @@ impl CycleKind {
 pub enum Return {
     /// RTRCTO,AUTO: to the level before the cycle.
     Auto,
-    /// RTRCTO,v[,MANUAL] or RETURN,v: to this level.
+    /// `RTRCTO,v[,MANUAL]` or `RETURN,v`: to this level.
     Level(f64),
 }
 
