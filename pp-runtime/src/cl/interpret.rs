@@ -315,9 +315,6 @@ impl Interpreter {
         }
         let (axis, normalised) = self.axis.at_point(point.axis, point.at)?;
         let pose = Pose { tip: Point3::new(x, y, z), axis };
-        if self.plain {
-            return Ok((pose, normalised));
-        }
         if let (Some(setup), Some(given)) = (self.setup, point.axis)
             && !same_direction(&setup, given)
         {
@@ -327,6 +324,9 @@ impl Interpreter {
                 "this tool axis contradicts the third column of CSYS",
                 "under one CSYS the tool keeps its direction: check the set-up in the CAM system",
             ));
+        }
+        if self.plain {
+            return Ok((pose, normalised));
         }
         Ok((Pose { tip: self.changes.point(pose.tip), axis: self.changes.direction(axis) }, normalised))
     }
@@ -375,7 +375,6 @@ impl Interpreter {
             && !self.cycle.active
             && !self.votes.waits()
             && self.changes.none()
-            && self.setup.is_none()
             && self.options.cl_point == ClPoint::Tip
             && self.options.cl_point_of.is_empty();
     }
