@@ -8,8 +8,8 @@ use super::Dialect;
 use super::args::{Args, skip_blanks};
 use super::fault::{Fault, Span};
 use super::number;
-use super::parse::{arguments, exactly};
-use super::record::{FrameRecord, Record};
+use super::parse::{arguments, exactly, frame_from_rows};
+use super::record::Record;
 use super::tools::cutter;
 
 /// Comment lines behind `$$*CATIA0` that may stand in front of the matrix.
@@ -91,17 +91,10 @@ fn of_creo(text: &[u8]) -> Result<Record<'static>, Fault> {
     }
     if text[start..end].eq_ignore_ascii_case(b"CSYS") {
         let mut args: Args<'_> = arguments("CSYS", text, word_at)?;
-        let mut numbers = [0.0; 12];
-        exactly("CSYS", &mut args, &mut numbers)?;
+        let numbers = exactly("CSYS", &mut args)?;
         return Ok(Record::Frame(frame_from_rows(&numbers, args.all())));
     }
     Ok(Record::Inert)
-}
-
-/// Rows of a 3×4 matrix: the axes stand in its first three columns, the origin in the fourth.
-fn frame_from_rows(n: &[f64; 12], at: Span) -> FrameRecord {
-    let column = |i: usize| [n[i], n[4 + i], n[8 + i]];
-    FrameRecord { axes: [column(0), column(1), column(2)], origin: column(3), at }
 }
 
 /// Whether the text is four numbers with blanks between them and nothing else.

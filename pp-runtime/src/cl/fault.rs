@@ -42,11 +42,17 @@ pub(super) struct Fault {
     pub(super) at: Span,
     pub(super) text: String,
     pub(super) help: Help,
+    pub(super) severity: Severity,
 }
 
 impl Fault {
     pub(super) fn new(kind: &'static str, at: Span, text: impl Into<String>, help: impl Into<String>) -> Self {
-        Fault { kind, at, text: text.into(), help: Help::Text(help.into()) }
+        Fault { kind, at, text: text.into(), help: Help::Text(help.into()), severity: Severity::Error }
+    }
+
+    /// The same as a remark.
+    pub(super) fn warning(self) -> Self {
+        Fault { severity: Severity::Warning, ..self }
     }
 }
 
@@ -88,19 +94,25 @@ impl Faults {
     #[cold]
     pub(super) fn add<R: Read>(&mut self, fault: Fault, statement: &Statement, lexer: &Lexer<R>) {
         let (location, left_on_line) = lexer.locate(statement, fault.at.start);
+        self.add_at(fault, location, left_on_line);
+    }
+
+    /// Takes the fault of a statement whose text goes on for so many bytes on its line.
+    pub(super) fn add_at(&mut self, fault: Fault, location: Location, left_on_line: usize) {
         let length = fault.at.end.saturating_sub(fault.at.start).min(left_on_line).max(1);
-        if !self.is_shown(fault.kind, Severity::Error, location) {
+        if !self.is_shown(fault.kind, fault.severity, location) {
             return;
         }
         let help = match fault.help {
             Help::Text(text) => text,
             Help::NearestTo(word) => match words::nearest(&word) {
                 Some(known) => format!("did you mean {known}?"),
-                None => "delete the record if it is known to move nothing, or have the CAM system leave it out".into(),
+                None if word.is_empty() => "check whether this is CL data".into(),
+                None => format!("if it is known to move nothing, delete it or give `--inert {word}`"),
             },
         };
         self.diagnostics.push(Diagnostic {
-            severity: Severity::Error,
+            severity: fault.severity,
             location,
             length: u32::try_from(length).unwrap_or(u32::MAX),
             text: fault.text,

@@ -1,9 +1,11 @@
 //! Where the output frame lies in the model, and whether it stays there.
 //!
 //! The numbers of CL data are already in that frame, so the first frame *is* the workpiece frame and is only reported.
-//! A later one that differs would put every further point elsewhere: it is refused, never ignored.
+//! A later one that differs would put every further point elsewhere: it is mapped, given a work offset of its own, or
+//! refused, never ignored.
 
 use super::fault::{Fault, Span};
+use super::options::Frames;
 use super::record::FrameRecord;
 use super::vector::{cross, distance, dot, length};
 use crate::program::Location;
@@ -44,45 +46,84 @@ impl Frame {
         Ok(Frame { location, origin: record.origin.map(|value| value * unit), axes: record.axes })
     }
 
-    fn is_same(&self, other: &Frame) -> bool {
+    pub(super) fn is_same(&self, other: &Frame) -> bool {
         distance(self.origin, other.origin) <= SAME_ORIGIN_MM
             && (0..3).all(|i| distance(self.axes[i], other.axes[i]) <= SAME_AXES)
     }
 }
 
-/// The frame of the workpiece, once stated.
+/// More different frames than a file may have.
+const MOST_FRAMES: usize = 100;
+
+/// The frames of a file; the first is that of the workpiece.
 #[derive(Debug, Default)]
 pub(super) struct Workpiece {
-    frame: Option<Frame>,
+    /// Frames that differ, in the order of their first statement.
+    frames: Vec<Frame>,
+    /// Index of the one in force.
+    current: usize,
     stated: u64,
 }
 
 impl Workpiece {
     pub(super) fn frame(&self) -> Option<&Frame> {
-        self.frame.as_ref()
+        self.frames.first()
     }
 
     pub(super) fn stated(&self) -> u64 {
         self.stated
     }
 
-    pub(super) fn take(&mut self, frame: Frame, at: Span) -> Result<(), Fault> {
+    /// Different frames stated so far.
+    pub(super) fn different(&self) -> usize {
+        self.frames.len()
+    }
+
+    /// Number of the frame in force, from 1.
+    pub(super) fn number(&self) -> u32 {
+        u32::try_from(self.current + 1).unwrap_or(u32::MAX)
+    }
+
+    /// The first frame and the one in force.
+    pub(super) fn main_and_current(&self) -> Option<(&Frame, &Frame)> {
+        Some((self.frames.first()?, self.frames.get(self.current)?))
+    }
+
+    /// Takes a frame; answers whether another one is in force now.
+    pub(super) fn take(&mut self, frame: Frame, at: Span, frames: Frames) -> Result<bool, Fault> {
         self.stated += 1;
-        match &self.frame {
-            None => self.frame = Some(frame),
-            Some(first) if first.is_same(&frame) => {}
-            Some(first) => {
+        let Some(first) = self.frames.first() else {
+            self.frames.push(frame);
+            return Ok(false);
+        };
+        if !first.is_same(&frame) && frames == Frames::Refuse {
+            return Err(Fault::new(
+                "second frame",
+                at,
+                format!(
+                    "the frame in line {} differs from the workpiece frame in line {}",
+                    frame.location.line, first.location.line
+                ),
+                "`--frames main` maps it into the first, `--frames offset` gives it a work offset of its own; or write \
+                 one file for each frame",
+            ));
+        }
+        let known = self.frames.iter().position(|known| known.is_same(&frame));
+        let index = match known {
+            Some(index) => index,
+            None if self.frames.len() < MOST_FRAMES => {
+                self.frames.push(frame);
+                self.frames.len() - 1
+            }
+            None => {
                 return Err(Fault::new(
                     "second frame",
                     at,
-                    format!(
-                        "the frame in line {} differs from the workpiece frame in line {}",
-                        frame.location.line, first.location.line
-                    ),
-                    "write one file for each frame, or let all operations use one coordinate system",
+                    format!("the file states more than {MOST_FRAMES} different frames"),
+                    "write one file for each set-up",
                 ));
             }
-        }
-        Ok(())
+        };
+        Ok(std::mem::replace(&mut self.current, index) != index)
     }
 }

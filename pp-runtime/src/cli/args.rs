@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
-use crate::config::{Config, Units};
+use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
+use crate::config::{Config, TOLERANCE, Units};
 use crate::control::{self, CONTROLS, Control};
 
 /// Turns CL data (APT/CLS) into a program for one machine.
@@ -32,8 +33,11 @@ pub(super) enum Command {
 #[derive(Debug, Args)]
 pub(super) struct ExplainArgs {
     /// Write a LaTeX document instead of text
-    #[arg(long)]
+    #[arg(long, conflicts_with = "cl")]
     pub(super) latex: bool,
+    /// Print what becomes of each word of CL data instead
+    #[arg(long)]
+    pub(super) cl: bool,
 }
 
 /// Arguments of `post`.
@@ -57,6 +61,36 @@ pub(super) struct PostArgs {
     /// Unit of the program; without it that of the CL data
     #[arg(long, value_enum)]
     pub(super) output_units: Option<UnitsName>,
+    /// How far the chords of arcs and curves may leave them, mm
+    #[arg(long, value_name = "MM", value_parser = tolerance)]
+    pub(super) tolerance: Option<f64>,
+    /// LINTOL of the CL data may be wider than the tolerance
+    #[arg(long)]
+    pub(super) allow_lintol: bool,
+    /// CAM system that wrote the CL data where it does not tell, or tells wrongly
+    #[arg(long, value_enum)]
+    pub(super) dialect: Option<DialectName>,
+    /// Columns of a line that count
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=4096))]
+    pub(super) columns: Option<u32>,
+    /// Pass this word of the CL data over; may be repeated
+    #[arg(long, value_name = "WORD", value_parser = inert)]
+    pub(super) inert: Vec<String>,
+    /// What to do with a frame that differs from the first
+    #[arg(long, value_enum)]
+    pub(super) frames: Option<FramesName>,
+    /// Sense of every CIRCLE about its axis, whatever its form says
+    #[arg(long, value_enum)]
+    pub(super) circle_sense: Option<SenseName>,
+    /// What to do with INSERT
+    #[arg(long, value_enum)]
+    pub(super) insert: Option<InsertName>,
+    /// Write INSERT as NC text that nobody checks
+    #[arg(long, conflicts_with = "insert")]
+    pub(super) allow_insert: bool,
+    /// Write FROM as the first approach
+    #[arg(long, value_enum)]
+    pub(super) from: Option<FromName>,
     /// Number the blocks
     #[arg(long)]
     pub(super) line_numbers: bool,
@@ -81,6 +115,23 @@ impl PostArgs {
             config.output_units = Some(units.into());
             config.given.insert("output_units");
         }
+        if let Some(tolerance) = self.tolerance {
+            config.tolerance = tolerance;
+            config.given.insert("tolerance");
+        }
+        config.allow_lintol |= self.allow_lintol;
+        let cl = &mut config.cl;
+        cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
+        cl.columns = self.columns.or(cl.columns);
+        cl.inert.extend(self.inert.iter().cloned());
+        cl.frames = self.frames.map_or(cl.frames, Into::into);
+        cl.circle_sense = self.circle_sense.map(Into::into).or(cl.circle_sense);
+        cl.insert = match (self.insert, self.allow_insert) {
+            (_, true) => Insert::Write,
+            (Some(InsertName::Comment), false) => Insert::Comment,
+            (None, false) => cl.insert,
+        };
+        cl.from_move |= self.from.is_some();
         if self.line_numbers {
             config.program.line_numbers.get_or_insert(Config::LINE_NUMBER_STEP);
             config.given.insert("program.line_numbers");
@@ -94,6 +145,101 @@ fn control_name(control: &dyn Control) -> &'static str {
 
 fn control_names() -> PossibleValuesParser {
     PossibleValuesParser::new(CONTROLS.iter().map(|control| control_name(*control)))
+}
+
+/// A word that may be declared inert.
+fn inert(word: &str) -> Result<String, String> {
+    match not_inert(word) {
+        Some(why) => Err(why),
+        None => Ok(word.to_ascii_uppercase()),
+    }
+}
+
+/// A tolerance in mm.
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    if TOLERANCE.contains(&value) {
+        Ok(value)
+    } else {
+        Err(format!("between {} and {} mm", TOLERANCE.start(), TOLERANCE.end()))
+    }
+}
+
+/// CAM systems on the command line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum DialectName {
+    /// Siemens NX
+    Nx,
+    /// CATIA
+    Catia,
+    /// PTC Creo
+    Creo,
+    /// SolidWorks CAM
+    Solidworks,
+    /// ISO 4343
+    Iso,
+}
+
+impl From<DialectName> for Dialect {
+    fn from(name: DialectName) -> Self {
+        match name {
+            DialectName::Nx => Self::Nx,
+            DialectName::Catia => Self::Catia,
+            DialectName::Creo => Self::Creo,
+            DialectName::Solidworks => Self::SolidWorks,
+            DialectName::Iso => Self::Iso,
+        }
+    }
+}
+
+/// What becomes of a second frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum FramesName {
+    /// Mapped into the first
+    Main,
+    /// A work offset of its own
+    Offset,
+}
+
+impl From<FramesName> for Frames {
+    fn from(name: FramesName) -> Self {
+        match name {
+            FramesName::Main => Self::Main,
+            FramesName::Offset => Self::Offset,
+        }
+    }
+}
+
+/// Sense of circles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum SenseName {
+    /// Clockwise
+    Cw,
+    /// Counter-clockwise
+    Ccw,
+}
+
+impl From<SenseName> for Sense {
+    fn from(name: SenseName) -> Self {
+        match name {
+            SenseName::Cw => Self::Clockwise,
+            SenseName::Ccw => Self::CounterClockwise,
+        }
+    }
+}
+
+/// What becomes of INSERT.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum InsertName {
+    /// Written as a comment
+    Comment,
+}
+
+/// What becomes of FROM.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum FromName {
+    /// Written as the first approach
+    Move,
 }
 
 /// Unit of length on the command line.

@@ -5,13 +5,14 @@
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
 
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use serde::Serialize;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::program::Location;
 
 use super::args::MessageFormat;
-use super::excerpt::{Excerpt, excerpts, visible};
+use super::excerpt::{Excerpt, WIDTH, excerpts, visible};
 
 /// Diagnostics of one kind that are shown to a person; the rest is counted.
 const SHOWN_OF_A_KIND: usize = 20;
@@ -116,12 +117,27 @@ impl<'a> Messages<'a> {
 
     fn show(&mut self, file: &str, diagnostic: &Diagnostic, excerpt: Option<&Excerpt>) {
         self.line(&headline(file, diagnostic));
-        if let Some(Excerpt { text, indent, marked }) = excerpt {
-            self.line(&format!("    {text}"));
-            self.line(&format!("    {:indent$}{}", "", "^".repeat(*marked)));
-        }
-        if let Some(help) = &diagnostic.help {
-            self.line(&format!("    help: {help}"));
+        let help: Option<String> = diagnostic.help.as_deref().map(|help| help.chars().map(visible).collect());
+        let help = help.map(|help| Level::HELP.message(help));
+        let Some(Excerpt { text, indent, marked }) = excerpt else {
+            let body = help.map(|help| render(Group::with_level(Level::HELP).element(help)));
+            return body.into_iter().for_each(|body| self.block(&body));
+        };
+        let at = |character: usize| text.char_indices().nth(character).map_or(text.len(), |(byte, _)| byte);
+        let level = if diagnostic.severity == Severity::Error { Level::ERROR } else { Level::WARNING };
+        // A number that does not fit is not the number of a line.
+        let line = usize::try_from(diagnostic.location.line).unwrap_or_default();
+        let snippet = Snippet::source(text.as_str())
+            .line_start(line)
+            .annotation(AnnotationKind::Primary.span(at(*indent)..at(indent + marked)));
+        let group = Group::with_level(level).element(snippet).elements(help);
+        self.block(&render(group));
+    }
+
+    /// Lines that are fit to be shown.
+    fn block(&mut self, text: &str) {
+        for line in text.lines() {
+            let _ = writeln!(self.out, "{}", line.trim_end());
         }
     }
 
@@ -134,6 +150,11 @@ impl<'a> Messages<'a> {
         let text: String = text.chars().map(visible).collect();
         let _ = writeln!(self.out, "{text}");
     }
+}
+
+/// The line, what is marked in it, and the remedy, without colours.
+fn render(group: Group<'_>) -> String {
+    Renderer::plain().term_width(WIDTH + 40).render(&[group])
 }
 
 /// How often something was found.

@@ -4,6 +4,7 @@
 //! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
 //! writes angles in degrees. Nothing here plans or writes a motion.
 
+mod cl;
 mod machine;
 mod print;
 mod read;
@@ -15,18 +16,28 @@ mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::cl as reading;
 use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
 pub use crate::program::Units;
 pub use machine::Travel;
 pub use print::print;
+pub(crate) use read::TOLERANCE;
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Config {
     /// Unit of the CL data where it does not say so itself; `None` (default): it must say so.
     pub cl_units: Option<Units>,
+    /// How the CL data is read; its unit stands in `cl_units`.
+    pub cl: reading::Options,
+    /// Work offsets of frames of the CL data other than the first, by number; default none.
+    pub frames: BTreeMap<u32, String>,
+    /// How far chords may leave arcs and curves, mm; default 0.01.
+    pub tolerance: f64,
+    /// LINTOL may be wider than that; default false.
+    pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
     pub output_units: Option<Units>,
     /// Part zero from the table's reference point along the table's directions, mm; default 0, 0, 0.
@@ -111,6 +122,10 @@ pub struct Defaults {
     pub rotation: Option<Rotation>,
     /// The kind that COOLNT/ON means; default [`Coolant::Flood`]. Never `On` or `Off`.
     pub coolant: Coolant,
+    /// The tool of CL data that calls none before it moves; default none.
+    pub tool: Option<u32>,
+    /// How far above the bottom a rapid ends in a hole that is drilled in steps, mm; default 0.5.
+    pub peck_gap: f64,
 }
 
 /// How to get away from the part.
@@ -170,12 +185,16 @@ impl Default for Config {
     fn default() -> Self {
         Self {
             cl_units: None,
+            cl: reading::Options::default(),
+            frames: BTreeMap::new(),
+            tolerance: 0.01,
+            allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],
             work_offset: "G54".to_owned(),
             machine_zero: BTreeMap::new(),
             tools: BTreeMap::new(),
-            defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood },
+            defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 },
             retract: Retract { position: 0.0, distance: None },
             approach: Approach { distance: 50.0 },
             park: BTreeMap::new(),

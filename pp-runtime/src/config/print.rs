@@ -40,6 +40,8 @@ units = "mm"
 
 # Unit of CL data that does not state its own. Without it such data is refused.
 # e.g. cl_units = "mm"
+# The point that the CL data programs: "tip", or "centre" of the corner radius.
+#cl_point = "tip"
 # Unit of the program. Without it that of the CL data.
 # e.g. output_units = "mm"
 
@@ -61,6 +63,8 @@ units = "mm"
 # Retract before STOP and OPSTOP.
 #stop_retract = {stop_retract}
 
+# How far the chords of arcs and curves may leave them.
+#tolerance = {tolerance}
 # How far the control may leave the programmed path where it blends blocks.
 #path_tolerance = {path_tolerance}
 # Wait for the spindle, seconds.
@@ -79,6 +83,7 @@ units = "mm"
         index_angle = degrees(config.index_angle),
         reorient_speed = degrees(config.reorient_speed),
         stop_retract = config.stop_retract,
+        tolerance = number(config.tolerance),
         path_tolerance = number(config.path_tolerance),
         spindle_dwell = number(config.spindle_dwell),
         table_check = config.table_check,
@@ -103,6 +108,42 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. direction = "CLW"
 # What COOLNT/ON means: "flood", "mist", "through" or "air".
 #coolant = "{coolant}"
+# The tool of CL data that calls none before it moves. Without it such data is refused.
+# e.g. tool = 1
+# How far above the bottom a rapid ends in a hole that is drilled in steps.
+#peck_gap = {peck_gap}
+
+# How the CL data is read; `explain --cl` lists its words.
+[cl]
+# CAM system where the file does not tell, or tells wrongly: "nx", "catia", "creo", "solidworks" or "iso".
+# e.g. dialect = "nx"
+# Columns of a line that count, for cards with numbers behind them. Without it all of them.
+# e.g. columns = 72
+# Words that are passed over.
+#inert = []
+# A second frame: "refuse", "main" (mapped into the first) or "offset" (a work offset of its own, see [frames]).
+#frames = "refuse"
+# Sense of every CIRCLE about its axis, whatever its form says: "cw" or "ccw".
+# e.g. circle_sense = "ccw"
+# INSERT: "refuse", "comment" or "write" (as NC text that nobody checks).
+#insert = "refuse"
+# INSERT/STOP is STOP.
+#insert_stop = false
+# Codes that AUXFUN and PREFUN may write.
+#auxfun = []
+#prefun = []
+# A feed labelled in mm in a file in inches: "refuse", "trust" or "file-units".
+#feed_label = "refuse"
+# FROM: "reference" (nothing moves) or "move".
+#from = "reference"
+# LINTOL may be wider than `tolerance`.
+#allow_lintol = false
+# Numbers of a CYCLE that have no word: depth, clearance, return, step, dwell, pitch, feed.
+# e.g. cycle.TAP.args = ["depth", "pitch"]
+
+# Work offsets of frames other than the first, with frames = "offset".
+[frames]
+# e.g. 2 = "G55"
 
 [retract]
 # Machine coordinate of the retract axis.
@@ -117,7 +158,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Tools by number. `length` is from the gauge line to the tip, `offset` the length register where it is not the
 # tool's number; `speed`, `direction` and `coolant` as in [defaults].
 [tools]
-# e.g. 12 = {{ length = 148.32, diameter = 10.0, offset = 12, name = "ball 10", left_handed = false, speed = 8000, direction = "CLW", coolant = "flood" }}
+# e.g. 12 = {{ length = 148.32, diameter = 10.0, offset = 12, name = "ball 10", left_handed = false, speed = 8000, direction = "CLW", coolant = "flood", cl_point = "tip" }}
 
 # Decimals of the words; significant digits for inverse-time feed.
 [formats]
@@ -135,6 +176,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Step of the block numbers. Without it there are none.
 # e.g. line_numbers = {step}
 "#,
+        peck_gap = number(config.defaults.peck_gap),
         position = number(config.retract.position),
         distance = number(config.approach.distance),
         linear_mm = formats.linear_mm,

@@ -5,10 +5,12 @@ use std::ops::{Range, RangeInclusive};
 
 use toml::de::DeTable;
 
+use crate::cl::ClPoint;
 use crate::diag::Diagnostic;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Limits, Machine};
 use crate::program::{Coolant, Rotation};
 
+use super::cl::CL_POINTS;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
 use super::{Config, Tool, Transition, Units};
 
@@ -17,10 +19,13 @@ const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW",
 const COOLANTS: [(&str, Coolant); 4] =
     [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 const TRANSITIONS: [(&str, Transition); 2] = [("safe", Transition::Safe), ("direct", Transition::Direct)];
-const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+pub(super) const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
 /// Smallest path tolerance, mm: in inches it is still no zero with six decimals.
 const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
+
+/// Tolerances of chords, mm: finer is beyond the words, wider is no path any more.
+pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
 /// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
 const DWELL: RangeInclusive<f64> = 0.001..=600.0;
@@ -54,8 +59,10 @@ impl Config {
         let named = units.and_then(|value| r.choice(value, &UNITS));
         set(&mut r.units, named);
         self.read_top(r, &mut top);
-        let sections = ["defaults", "retract", "approach", "formats", "program"].map(|name| (name, top.get(name)));
+        let sections =
+            ["defaults", "retract", "approach", "formats", "program", "cl"].map(|name| (name, top.get(name)));
         let tools = top.get("tools");
+        let frames = top.get("frames");
         let machine_zero = top.get("machine_zero");
         let park = top.get("park");
         let dimensions = top.get("dimensions");
@@ -73,11 +80,13 @@ impl Config {
                     set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
                 }
                 "formats" => self.read_formats(r, &mut section),
+                "cl" => self.read_cl(r, &mut section),
                 _ => self.read_program(r, &mut section),
             }
             section.finish(r);
         }
         self.read_tools(r, tools);
+        self.read_frames(r, frames);
         self.machine_zero = read_machine_zero::<M>(r, machine_zero);
         self.limits = read_limits::<M>(r, limits);
         self.speeds = read_axes::<M>(r, speeds)
@@ -97,7 +106,7 @@ impl Config {
     }
 
     /// The value of a key, which counts as given.
-    fn get<'a>(&mut self, section: &mut Section<'a>, path: &'static str) -> Option<Value<'a>> {
+    pub(super) fn get<'a>(&mut self, section: &mut Section<'a>, path: &'static str) -> Option<Value<'a>> {
         let value = section.get(path);
         if value.is_some() {
             self.given.insert(path);
@@ -150,6 +159,17 @@ impl Config {
             }
             set(&mut self.path_tolerance, tolerance);
         }
+        if let Some(value) = self.get(top, "tolerance") {
+            let tolerance = r.length(value, Bound::Positive);
+            if tolerance.is_some_and(|tolerance| !TOLERANCE.contains(&tolerance)) {
+                let (low, high) = (TOLERANCE.start(), TOLERANCE.end());
+                r.fault(value.span(), format!("a tolerance of {low} to {high} mm is needed here"), None);
+            }
+            set(&mut self.tolerance, tolerance);
+        }
+        if let Some(value) = self.get(top, "cl_point") {
+            set(&mut self.cl.cl_point, r.choice(value, &CL_POINTS));
+        }
         if let Some(value) = self.get(top, "spindle_max") {
             self.spindle_max = r.number(value, Quantity::Plain, Bound::Positive);
         }
@@ -167,6 +187,12 @@ impl Config {
         }
         if let Some(value) = self.get(section, "defaults.direction") {
             self.defaults.rotation = r.choice(value, &ROTATIONS);
+        }
+        if let Some(value) = self.get(section, "defaults.tool") {
+            self.defaults.tool = r.whole(value, 1..=LARGEST_TOOL);
+        }
+        if let Some(value) = self.get(section, "defaults.peck_gap") {
+            set(&mut self.defaults.peck_gap, r.length(value, Bound::Positive));
         }
         if let Some(value) = self.get(section, "defaults.coolant") {
             set(&mut self.defaults.coolant, r.choice(value, &COOLANTS));
@@ -220,7 +246,9 @@ impl Config {
                 r.fault(span, format!("`{key}` is not the number of a tool"), Some(help));
                 continue;
             };
-            self.tools.insert(number, read_tool(r, number, value));
+            let (tool, cl_point) = read_tool(r, number, value);
+            self.tools.insert(number, tool);
+            self.cl.cl_point_of.extend(cl_point.map(|point| (number, point)));
         }
     }
 
@@ -244,7 +272,7 @@ impl Config {
     }
 }
 
-fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> Tool {
+fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> (Tool, Option<ClPoint>) {
     let mut section = Section::of(r, format!("tools.{number}"), Some(value));
     let mut tool = Tool::default();
     if let Some(value) = section.get("length") {
@@ -271,8 +299,9 @@ fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> Tool {
     if let Some(value) = section.get("name") {
         tool.name = r.line(value);
     }
+    let cl_point = section.get("cl_point").and_then(|value| r.choice(value, &CL_POINTS));
     section.finish(r);
-    tool
+    (tool, cl_point)
 }
 
 fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3]> {
@@ -391,7 +420,7 @@ fn show_limits(axis: &Axis, limits: Limits, units: Units) -> String {
 }
 
 /// Replaces a default only by a value that could be read.
-fn set<T>(slot: &mut T, value: Option<T>) {
+pub(super) fn set<T>(slot: &mut T, value: Option<T>) {
     if let Some(value) = value {
         *slot = value;
     }

@@ -301,3 +301,39 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
         assert_eq!(faults(&format!("spindle_dwell = {seconds}")), [text]);
     }
 }
+
+#[test]
+fn how_cl_data_is_read_can_be_set() {
+    use crate::cl::record::CycleKind;
+    use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
+    let config = read(
+        "units = \"in\"\ntolerance = 0.001\ncl_point = \"centre\"\n[defaults]\ntool = 3\npeck_gap = 0.02\n[tools.2]\n\
+         cl_point = \"tip\"\n[frames]\n2 = \"G55\"\n[cl]\ndialect = \"solidworks\"\ncolumns = 72\ninert = [\"aicc\", \"BREAK\"]\n\
+         frames = \"offset\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
+         feed_label = \"file-units\"\nfrom = \"move\"\nallow_lintol = true\ncycle.TAP.args = [\"depth\", \"pitch\"]\n",
+    );
+    assert!(close(config.tolerance, 0.0254) && close(config.defaults.peck_gap, 0.508));
+    assert_eq!((config.defaults.tool, config.allow_lintol), (Some(3), true));
+    assert_eq!(config.frames, BTreeMap::from([(2, "G55".to_owned())]));
+    let cl = &config.cl;
+    assert_eq!((cl.cl_point, cl.cl_point_of.get(&2)), (ClPoint::Centre, Some(&ClPoint::Tip)));
+    assert_eq!((cl.dialect, cl.columns), (Some(Dialect::SolidWorks), Some(72)));
+    assert_eq!(cl.inert, ["AICC", "BREAK"]);
+    assert_eq!((cl.frames, cl.circle_sense), (Frames::Offset, Some(Sense::Clockwise)));
+    assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
+    assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
+    assert_eq!(cl.feed_label, FeedLabel::FileUnits);
+    assert_eq!(cl.cycle_args, [(CycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])]);
+}
+
+#[test]
+fn words_that_move_something_cannot_be_set_inert() {
+    assert_eq!(faults("[cl]\ninert = [\"LOOP\"]"), ["2:10: LOOP cannot be inert: it may repeat motion"]);
+    assert_eq!(faults("[cl]\ninert = [\"goto\"]"), ["2:10: goto is read, so it cannot be inert"]);
+    assert_eq!(faults("[cl]\ncycle.DRIL.args = []"), ["2:7: `DRIL` is not a kind of CYCLE"]);
+    assert_eq!(faults("tolerance = 2"), ["1:13: a tolerance of 0.0001 to 1 mm is needed here"]);
+    assert_eq!(
+        faults("[frames]\n0 = \"G55\""),
+        ["2:1: `0` is not the number of a frame | frames count from 1 in the order of the CL data: 2 = \"G55\""]
+    );
+}

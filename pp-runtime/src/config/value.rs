@@ -18,19 +18,15 @@ pub(super) type Value<'a> = &'a Spanned<DeValue<'a>>;
 const LONGEST_MM: f64 = 1e5;
 
 /// Keys that the file will know one day; refusing them by name is kinder than "unknown".
-const LATER: [&str; 12] = [
+const LATER: [&str; 8] = [
     "part_rotation",
     "rotary_offset",
     "program_zero",
     "length_mode",
-    "cl_point",
     "rapid",
     "length_guard",
     "length_tolerance",
     "mode",
-    "tolerance",
-    "cl",
-    "frames",
 ];
 
 /// Which numbers make sense.

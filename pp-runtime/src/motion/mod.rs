@@ -6,6 +6,7 @@
 
 mod auxiliary;
 mod choose;
+mod expand;
 mod fault;
 mod feed;
 mod operation;
@@ -24,6 +25,7 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
+pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};
 pub use scout::{Scout, Start};
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};

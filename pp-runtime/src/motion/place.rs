@@ -127,6 +127,11 @@ impl<M: Machine> Placer<M> {
         self.head
     }
 
+    /// Solved rotary axes stand in the table.
+    pub(crate) fn turning_table(&self) -> bool {
+        M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece)
+    }
+
     /// Going out along the retract axis is going out along the tool axis, whatever the rotaries do.
     pub(crate) fn straight(&self) -> bool {
         self.straight

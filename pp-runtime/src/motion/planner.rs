@@ -10,8 +10,11 @@ use std::io;
 use crate::config::{Config, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
-use crate::program::{Coolant, Event, Location, Move, Rotation, Spindle, ToolCall};
+use crate::program::{
+    Compensation, Coolant, Dwell, Event, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
+};
 
+use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
 use super::place::{Place, Placer};
@@ -23,6 +26,9 @@ use super::tool::{SpindleRequest, Tool};
 /// A motion of the same axis, within this angle, rad: CL data has seven digits.
 pub(super) const SAME_AXIS: f64 = 1e-6;
 
+/// A wait that three decimals hold, and that somebody may want, seconds.
+const DWELL: std::ops::RangeInclusive<f64> = 0.001..=99_999.0;
+
 /// From this distance on, a tip that leaves its line is remarked on, mm.
 const LARGE_SWING: f64 = 0.1;
 
@@ -33,6 +39,12 @@ pub enum Stop {
     Fault(Diagnostic),
     /// The output failed.
     Output(io::Error),
+}
+
+impl From<Diagnostic> for Stop {
+    fn from(fault: Diagnostic) -> Self {
+        Self::Fault(fault)
+    }
 }
 
 impl From<io::Error> for Stop {
@@ -79,6 +91,7 @@ pub struct Statistics {
 enum Waiting {
     Spindle(Spindle),
     Coolant(Coolant),
+    Delay(Dwell),
     From(Pose),
     /// Range in the texts.
     Message(usize, usize),
@@ -106,6 +119,9 @@ pub struct Planner<'a, M: Machine> {
     pub(super) placer: Placer<M>,
     pub(super) feeds: Feeds,
     pub(super) abilities: Abilities,
+    expander: Expander,
+    /// CLEARP.
+    pub(super) clearance: Option<Plane>,
     /// Every tool axis of the CL data points into the table.
     pub(super) upside_down: bool,
     starts: Vec<Start>,
@@ -164,6 +180,8 @@ impl<'a, M: Machine> Planner<'a, M> {
             config,
             placer,
             abilities,
+            expander: Expander::new(config),
+            clearance: None,
             upside_down: upside_down && config.table_check,
             starts: Vec::new(),
             operations: 0,
@@ -243,10 +261,24 @@ impl<'a, M: Machine> Planner<'a, M> {
     /// [`Stop`] if it cannot be posted; nothing may be planned after that.
     #[inline]
     pub fn event(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
-        if let Event::Move(motion) = event {
+        if let Event::Move(motion) = event
+            && self.expander.passes(motion)
+        {
             return self.motion(at, motion, sink);
         }
-        self.other(at, event, sink)
+        self.expanded(at, event, sink)
+    }
+
+    #[cold]
+    fn expanded(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
+        let mut expander = std::mem::take(&mut self.expander);
+        let done = expander.event(at, event, &mut |at, event| match event {
+            Event::Move(motion) => self.motion(at, motion, sink),
+            event => self.other(at, event, sink),
+        });
+        self.warnings.append(&mut expander.take_warnings());
+        self.expander = expander;
+        done
     }
 
     /// Ends the program behind its last event; the end code itself is left to the caller.
@@ -333,6 +365,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             match event {
                 Waiting::Spindle(spindle) => self.spindle(at, spindle, sink)?,
                 Waiting::Coolant(coolant) => self.set_coolant(at, coolant, sink)?,
+                Waiting::Delay(dwell) => self.delay(at, dwell, sink)?,
                 Waiting::From(pose) => self.from(&pose),
                 Waiting::Message(start, end) => sink.step(&Step::Message { text: &texts[start..end] })?,
             }
@@ -349,6 +382,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         match *event {
             Event::Spindle(spindle) if first => self.waiting.push((at, Waiting::Spindle(spindle))),
             Event::Coolant(coolant) if first => self.waiting.push((at, Waiting::Coolant(coolant))),
+            Event::Delay(dwell) if first => self.waiting.push((at, Waiting::Delay(dwell))),
             Event::From(pose) if first => self.waiting.push((at, Waiting::From(pose))),
             Event::Message(text) if first => {
                 let start = self.texts.len();
@@ -378,9 +412,120 @@ impl<'a, M: Machine> Planner<'a, M> {
             }
             Event::Stop => self.stop(at, false, sink)?,
             Event::OptionalStop => self.stop(at, true, sink)?,
-            Event::Move(_) => {}
+            Event::Delay(dwell) => self.delay(at, dwell, sink)?,
+            Event::MachineName(name) => self.compare_machine(at, name),
+            Event::SafeSequence => self.begin(at, true, sink)?,
+            Event::Frame(number) => self.change_frame(at, number, sink)?,
+            Event::Home => self.go_home(at, sink)?,
+            Event::ClearancePlane(plane) => self.clearance = Some(plane),
+            Event::Compensation(Compensation::Off) | Event::Turning(Turning::Shortest) => {}
+            Event::Compensation(_) => {
+                return Err(stop(
+                    at,
+                    Fault::new("CUTCOM asks for cutter compensation by the control, which is not written yet")
+                        .help("have the CAM system compute the path of the tool's centre, without CUTCOM"),
+                ));
+            }
+            Event::Turning(Turning::Next(_)) => {
+                return Err(stop(
+                    at,
+                    Fault::new("ROTABL/NEXT forces the sense of the next rotary motion, which is not planned yet")
+                        .help("leave it out: the shortest way inside the limits is taken"),
+                ));
+            }
+            Event::Insert(text) => self.raw(at, text, sink)?,
+            Event::Code { letter, number } => {
+                let text = format!("{}{number}", char::from(letter));
+                self.raw(at, text.as_bytes(), sink)?;
+            }
+            // The expander takes these apart.
+            Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) | Event::Tolerance(_) => {}
         }
         Ok(())
+    }
+
+    /// MACHIN.
+    fn compare_machine(&mut self, at: Location, name: &[u8]) {
+        if !name.eq_ignore_ascii_case(M::NAME.as_bytes()) {
+            let name = String::from_utf8_lossy(name);
+            let fault = Fault::new(format_args!("the CL data was made for the machine `{name}`, this is {}", M::NAME))
+                .help("nothing in the program depends on that name");
+            self.warnings.push(fault.at(at, Severity::Warning));
+        }
+    }
+
+    /// DELAY, and the wait at the bottom of a hole.
+    fn delay(&mut self, at: Location, dwell: Dwell, sink: &mut impl Sink) -> Planned {
+        let seconds = match (dwell, self.spindle) {
+            (Dwell::Seconds(seconds), _) => seconds,
+            (Dwell::Revolutions(turns), Some((speed, _))) => turns / speed * 60.0,
+            (Dwell::Revolutions(_), None) => {
+                let fault = Fault::new("a wait of some turns of the spindle, and the spindle does not turn");
+                return Err(stop(at, fault.help("give SPINDL before it, or the wait in seconds")));
+            }
+        };
+        if seconds <= 0.0 {
+            return Ok(());
+        }
+        if !DWELL.contains(&seconds) {
+            let (low, high) = (DWELL.start(), DWELL.end());
+            let fault = Fault::new(format_args!("a wait of {seconds} seconds cannot be written"));
+            return Err(stop(at, fault.help(format_args!("between {low} and {high} seconds can be"))));
+        }
+        self.cancel_inverse_time(sink)?;
+        Ok(sink.step(&Step::Dwell { seconds })?)
+    }
+
+    /// A block as it stands: where the machine is behind it, and in which state, nobody knows.
+    fn raw(&mut self, at: Location, text: &[u8], sink: &mut impl Sink) -> Planned {
+        if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
+            let fault =
+                Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");
+            return Err(stop(at, fault.help("write it in plain letters, digits and signs, or `--insert comment`")));
+        }
+        self.begin(at, true, sink)?;
+        self.cancel_inverse_time(sink)?;
+        sink.step(&Step::Raw { text })?;
+        self.spindle = None;
+        self.spindle_stop = false;
+        self.coolant = None;
+        self.there = false;
+        self.clear = false;
+        Ok(())
+    }
+
+    /// GOHOME without a point.
+    fn go_home(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
+        if self.config.park.is_empty() && !self.config.is_given("retract.position") {
+            let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
+            return Err(stop(at, fault.help("give one of them, or GOHOME/x,y,z")));
+        }
+        self.begin(at, true, sink)?;
+        self.machine_retract(at, sink)?;
+        self.park(at, sink)?;
+        self.there = false;
+        self.clear = false;
+        Ok(())
+    }
+
+    /// A frame with a work offset of its own.
+    fn change_frame(&mut self, at: Location, number: u32, sink: &mut impl Sink) -> Planned {
+        if self.placer.turning_table() {
+            let fault = Fault::new("the part origin of another frame on a table that turns is not known");
+            return Err(stop(at, fault.help("`--frames main` maps every frame into the first")));
+        }
+        let word = match self.config.frames.get(&number) {
+            Some(word) => word,
+            None if number == 1 => &self.config.work_offset,
+            None => {
+                let fault = Fault::new(format_args!("frame {number} of the CL data has no work offset"));
+                return Err(stop(at, fault.help(format_args!("give it one: `[frames] \"{number}\" = \"G55\"`"))));
+            }
+        };
+        self.begin(at, true, sink)?;
+        self.there = false;
+        self.clear = false;
+        Ok(sink.step(&Step::WorkOffset { word })?)
     }
 
     /// The tool of a record; what is odd about a tool is said once.

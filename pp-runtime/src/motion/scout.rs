@@ -6,9 +6,11 @@
 //! remembers one start for each operation.
 
 use crate::config::{Config, Transition, Units};
+use crate::diag::Diagnostic;
 use crate::kinematics::{Machine, Pose};
-use crate::program::Event;
+use crate::program::{Event, Location};
 
+use super::expand::Expander;
 use super::place::{Place, Placer};
 use super::step::MAX_AXES;
 
@@ -42,6 +44,16 @@ pub struct Scout<M: Machine> {
     at_pole: bool,
     candidates: Vec<Candidate<M::Axes>>,
     starts: Vec<Start>,
+    expander: Expander,
+}
+
+/// What the planner will say, the scout passes over.
+struct Silent;
+
+impl From<Diagnostic> for Silent {
+    fn from(_: Diagnostic) -> Self {
+        Self
+    }
 }
 
 impl<M: Machine> Scout<M> {
@@ -58,11 +70,28 @@ impl<M: Machine> Scout<M> {
             at_pole: false,
             candidates: Vec::new(),
             starts: Vec::new(),
+            expander: Expander::new(config),
         })
     }
 
     /// Follows one event.
     pub fn event(&mut self, event: &Event<'_>) {
+        if let Event::Move(motion) = event
+            && self.expander.passes(motion)
+        {
+            return self.straight(event);
+        }
+        let mut expander = std::mem::take(&mut self.expander);
+        // An event that cannot be expanded ends the program there.
+        let _: Result<(), Silent> = expander.event(Location::default(), event, &mut |_, event| {
+            self.straight(event);
+            Ok(())
+        });
+        expander.take_warnings();
+        self.expander = expander;
+    }
+
+    fn straight(&mut self, event: &Event<'_>) {
         match event {
             Event::From(pose) if !self.placed => {
                 self.before = self.placer.reference(pose, &self.before).unwrap_or(self.before);
@@ -71,7 +100,14 @@ impl<M: Machine> Scout<M> {
                 self.armed = true;
                 self.close();
             }
-            Event::Operation(_) | Event::Stop | Event::OptionalStop => self.close(),
+            Event::Operation(_)
+            | Event::Stop
+            | Event::OptionalStop
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Home
+            | Event::Insert(_)
+            | Event::Code { .. } => self.close(),
             // The planner passes over these.
             Event::Move(motion) if !self.armed && motion.rapid => {
                 self.before = self.placer.reference(&motion.pose, &self.before).unwrap_or(self.before);

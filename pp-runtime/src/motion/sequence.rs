@@ -17,6 +17,7 @@ use crate::diag::Severity;
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::program::{Location, Move};
 
+use super::expand::distance_to;
 use super::fault::Fault;
 use super::planner::{Planned, Planner, SAME_AXIS, stop};
 use super::scout::Start;
@@ -37,12 +38,18 @@ impl<M: Machine> Planner<'_, M> {
         self.coolant_off(sink)?;
         self.cancel_inverse_time(sink)?;
         let led_out = self.retreat.length();
-        match self.config.retract.distance {
+        let Pose { tip, axis } = self.place.pose;
+        let to_plane = self.clearance.and_then(|plane| distance_to(&plane, &tip, &axis));
+        match self.config.retract.distance.or_else(|| to_plane.map(|distance| distance + led_out)) {
             Some(distance) if led_out + ENOUGH < distance => {
-                let Pose { tip, axis } = self.place.pose;
-                let out = self.placer.shifted(tip + axis.into_inner() * distance, &self.place).map_err(|fault| {
-                    stop(at, fault.context(format_args!("the retract by `retract.distance` = {distance} mm")))
-                })?;
+                let (distance, what) = match self.config.retract.distance {
+                    Some(distance) => (distance, "`retract.distance` ="),
+                    None => (distance - led_out, "to the clearance plane,"),
+                };
+                let out = self
+                    .placer
+                    .shifted(tip + axis.into_inner() * distance, &self.place)
+                    .map_err(|fault| stop(at, fault.context(format_args!("the retract {what} {distance} mm"))))?;
                 sink.step(&Step::Rapid { words: self.placer.words(&out, self.placer.linear_mask()) })?;
                 self.place = out;
             }
@@ -230,7 +237,7 @@ impl<M: Machine> Planner<'_, M> {
         self.park(at, sink)
     }
 
-    fn park(&self, at: Location, sink: &mut impl Sink) -> Planned {
+    pub(super) fn park(&self, at: Location, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
         let parked = |kind: AxisKind| {
             M::AXES

@@ -8,7 +8,9 @@ use crate::config::{Config, Tool, Transition, Units};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
-use crate::program::{Coolant, Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+use crate::program::{
+    Compensation, Coolant, Dwell, Event, Feed, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
+};
 
 /// What came out of a run.
 pub(super) struct Run {
@@ -995,4 +997,87 @@ fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
     assert!(lines.iter().any(|line| line == "G0 B0 C35"), "{lines:?}");
     let leaving = lines.iter().find(|line| line.contains("B4")).expect("the block that leaves the pole");
     assert!(!leaving.contains('C'), "{leaving}");
+}
+
+#[test]
+fn gohome_retracts_and_parks_or_is_refused() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Home, feed([1.0, 0.0, 0.0], UP)];
+    assert!(run::<Cb>(&config(), &events).error().text.contains("neither `park` nor `retract.position`"));
+    let mut config = config();
+    config.park.insert('B', 0.5);
+    let lines = lines::<Cb>(&config, &events);
+    let home = lines.iter().position(|line| line == "G0 B28.6479").expect("parked");
+    assert_eq!(lines[home - 1], "G53 G0 Z0");
+    assert!(lines[home + 1].starts_with("N2 G21"), "{lines:?}");
+}
+
+#[test]
+fn nc_text_and_codes_leave_nothing_in_force() {
+    for (event, block) in [(Event::Insert(b"G0 X5"), "G0 X5"), (Event::Code { letter: b'M', number: 10 }, "M10")] {
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), event, feed([0.0, 0.0, 1.0], UP)];
+        let lines = lines::<Cb>(&config(), &events);
+        let at = lines.iter().position(|line| line == block).expect("as it stands");
+        assert!(lines[at + 1].starts_with("N2 G21 G17 G40"), "{lines:?}");
+        assert!(lines[at..].iter().any(|line| line == "S8000 M3"));
+    }
+}
+
+#[test]
+fn nc_text_that_is_not_ascii_is_refused() {
+    for text in [&b"G0 X\xff"[..], b"G0\tX1", b""] {
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(text)];
+        assert!(run::<Cb>(&config(), &events).error().text.contains("not ASCII"));
+    }
+}
+
+#[test]
+fn cutter_compensation_and_a_forced_sense_of_rotation_are_refused() {
+    let before = [tool(1), spindle(), feed([0.0; 3], UP)];
+    let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
+    assert!(with(Event::Compensation(Compensation::Left)).error().text.contains("CUTCOM"));
+    assert!(with(Event::Turning(Turning::Next(Rotation::Clockwise))).error().text.contains("ROTABL/NEXT"));
+    assert_eq!(with(Event::Compensation(Compensation::Off)).diagnostics, []);
+    assert_eq!(with(Event::Turning(Turning::Shortest)).diagnostics, []);
+}
+
+#[test]
+fn a_wait_is_written_in_seconds() {
+    let wait = |dwell| {
+        lines::<Cb>(
+            &config(),
+            &[tool(1), spindle(), feed([0.0; 3], UP), Event::Delay(dwell), feed([1.0, 0.0, 0.0], UP)],
+        )
+    };
+    assert!(wait(Dwell::Seconds(2.5)).contains(&"G4 P2.5".to_owned()));
+    assert!(wait(Dwell::Revolutions(400.0)).contains(&"G4 P3".to_owned()), "400 turns at 8000/min");
+    let still = [tool(1), Event::Delay(Dwell::Revolutions(2.0))];
+    assert!(run::<Cb>(&config(), &still).error().text.contains("the spindle does not turn"));
+}
+
+#[test]
+fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Frame(2), feed([1.0, 0.0, 0.0], UP)];
+    assert!(run::<Cb>(&config(), &events).error().text.contains("on a table that turns"));
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("frame 2 of the CL data has no work offset"));
+    let mut config = config();
+    config.frames.insert(2, "G55".to_owned());
+    let lines = lines::<Xyz>(&config, &events);
+    let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
+    assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
+}
+
+#[test]
+fn a_tool_leaves_to_the_clearance_plane() {
+    let plane = Plane { normal: Vector3::z_axis(), distance: 80.0 };
+    let events =
+        [Event::ClearancePlane(plane), tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([1.0, 0.0, 0.0], UP)];
+    let lines = run::<Cb>(&config(), &events).lines;
+    assert!(lines.iter().any(|line| line == "G0 Z80"), "{lines:?}");
+}
+
+#[test]
+fn another_machine_in_the_cl_data_is_remarked_on() {
+    let events = [Event::MachineName(b"UNCX01"), tool(1), spindle(), feed([0.0; 3], UP)];
+    let run = run::<Cb>(&config(), &events);
+    assert!(run.diagnostics[0].text.contains("made for the machine `UNCX01`"), "{:?}", run.diagnostics);
 }

@@ -17,7 +17,7 @@ use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
-use crate::motion::{Abilities, Planner, Scout, Sink, Statistics, Step, Stop};
+use crate::motion::{Abilities, Expander, Planner, Scout, Sink, Statistics, Step, Stop};
 use crate::program::{Coolant, Location};
 
 use survey::Survey;
@@ -59,6 +59,8 @@ pub struct Report {
     pub blocks: u64,
     /// Lines of CL data read.
     pub lines: u64,
+    /// How the CL data was read: which CAM system wrote it, arcs, frames, words that were passed over.
+    pub reading: Vec<String>,
     /// What was assumed rather than given, one sentence each.
     pub assumptions: Vec<String>,
     /// Linear axes whose limits were not checked, and why; empty if all were.
@@ -84,6 +86,7 @@ impl Report {
             counted(self.statistics.sequences, "safe sequence"),
             counted(self.statistics.inverse_time, "block"),
         )];
+        lines.extend(self.reading.iter().cloned());
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {
@@ -127,10 +130,12 @@ pub fn post<M: Machine>(
     output: &mut impl Write,
 ) -> Result<Report, PostError> {
     let start = input.stream_position().map_err(PostError::Input)?;
-    let options = cl::Options { units: job.units.or(job.config.cl_units) };
+    let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let machine = job.config.machine::<M>();
     let scout = machine.as_ref().ok().and_then(|machine| Scout::new(machine.clone(), job.config));
-    let mut survey = Survey::take(&mut *input, options, &M::default().tool_axis(), scout).map_err(PostError::Input)?;
+    let mut survey =
+        Survey::take(&mut *input, options.clone(), &M::default().tool_axis(), scout, Expander::new(job.config))
+            .map_err(PostError::Input)?;
     input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
 
     let mut report = Report {
@@ -158,6 +163,7 @@ pub fn post<M: Machine>(
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
     let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
         .with_starts(std::mem::take(&mut survey.starts));
+    report.reading = header::reading(job.config, &survey);
     report.assumptions = header::assumptions::<M>(job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
     header.write(&report.assumptions, &mut encoder).map_err(PostError::Output)?;

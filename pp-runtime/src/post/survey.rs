@@ -4,10 +4,10 @@ use std::io::{self, Read};
 
 use nalgebra::UnitVector3;
 
-use crate::cl::{Options, Reader};
+use crate::cl::{ArcVote, Dialect, Options, Reader};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
-use crate::motion::{Scout, Start};
+use crate::motion::{Expander, Scout, Start};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
 /// One tool of the program.
@@ -30,6 +30,12 @@ pub(super) struct Survey {
     pub(super) units_only_given: bool,
     /// A frame is stated in the file.
     pub(super) framed: bool,
+    pub(super) dialect: Dialect,
+    pub(super) arcs: ArcVote,
+    /// Different frames.
+    pub(super) frames: usize,
+    /// The CAM system asks for inverse-time feed.
+    pub(super) inverse_time: bool,
     pub(super) lines: u64,
     /// Tools that move, by number.
     pub(super) tools: Vec<ToolUse>,
@@ -55,18 +61,33 @@ struct State {
     called: bool,
 }
 
+/// What cannot be expanded, which the planner tells.
+struct Silent;
+
+impl From<Diagnostic> for Silent {
+    fn from(_: Diagnostic) -> Self {
+        Self
+    }
+}
+
 impl Survey {
     pub(super) fn take<M: Machine>(
         input: impl Read,
         options: Options,
         tool_axis: &UnitVector3<f64>,
         mut scout: Option<Scout<M>>,
+        mut expander: Expander,
     ) -> io::Result<Self> {
         let mut reader = Reader::new(input, options);
         let mut survey = Self::default();
         let mut state = State { begun: true, ..State::default() };
-        while let Some((_, event)) = reader.next_event()? {
-            survey.event(&event, &mut state, tool_axis);
+        while let Some((at, event)) = reader.next_event()? {
+            let mut straight = |_: Location, event: &Event<'_>| -> Result<(), Silent> {
+                survey.event(event, &mut state, tool_axis);
+                Ok(())
+            };
+            // What cannot be expanded is the planner's to tell.
+            let _ = expander.event(at, &event, &mut straight);
             if let Some(scout) = &mut scout {
                 scout.event(&event);
             }
@@ -75,6 +96,10 @@ impl Survey {
         survey.units = reader.units();
         survey.units_only_given = reader.units_are_only_given();
         survey.framed = reader.frame().is_some();
+        survey.dialect = reader.dialect();
+        survey.arcs = reader.arcs();
+        survey.frames = reader.different_frames();
+        survey.inverse_time = reader.asks_for_inverse_time();
         survey.lines = reader.lines();
         survey.diagnostics = reader.diagnostics().to_vec();
         let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
@@ -86,7 +111,14 @@ impl Survey {
     fn event(&mut self, event: &Event<'_>, state: &mut State, tool_axis: &UnitVector3<f64>) {
         match *event {
             Event::Name(name) if self.name.is_empty() => self.name = name.to_vec(),
-            Event::Operation(_) | Event::Stop | Event::OptionalStop => state.begun = true,
+            Event::Operation(_)
+            | Event::Stop
+            | Event::OptionalStop
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Home
+            | Event::Insert(_)
+            | Event::Code { .. } => state.begun = true,
             Event::Tool(call) => {
                 if state.call.is_none_or(|before| before.number != call.number) {
                     // A SPINDL in the same start counts for the first tool that is called there.
