@@ -34,6 +34,14 @@ pub struct Config {
     pub cl: reading::Options,
     /// Work offsets of frames of the CL data other than the first, by number; default none.
     pub frames: BTreeMap<u32, String>,
+    /// Every operation begins on this branch where it can; default none.
+    pub start_branch: Option<StartBranch>,
+    /// Every operation begins with this rotary axis at or above zero (`true`) or at or below it, where it can; default none.
+    pub prefer: Option<(char, bool)>,
+    /// Branch and turns are chosen motion by motion, without a view ahead; default false.
+    pub greedy: bool,
+    /// Within this angle of the pole the tool axis is put there, rad; default 0: within what CL data rounds.
+    pub axis_tolerance: f64,
     /// How far chords may leave arcs and curves, mm; default 0.01.
     pub tolerance: f64,
     /// LINTOL may be wider than that; default false.
@@ -144,6 +152,15 @@ pub struct Approach {
     pub distance: f64,
 }
 
+/// The branch of the inverse kinematics that an operation begins on, as `explain` numbers them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StartBranch {
+    /// The first.
+    First,
+    /// The second.
+    Second,
+}
+
 /// How to get from one operation to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Transition {
@@ -187,6 +204,10 @@ impl Default for Config {
             cl_units: None,
             cl: reading::Options::default(),
             frames: BTreeMap::new(),
+            start_branch: None,
+            prefer: None,
+            greedy: false,
+            axis_tolerance: 0.0,
             tolerance: 0.01,
             allow_lintol: false,
             output_units: None,

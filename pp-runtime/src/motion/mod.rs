@@ -6,6 +6,7 @@
 
 mod auxiliary;
 mod choose;
+mod course;
 mod expand;
 mod fault;
 mod feed;
@@ -14,7 +15,7 @@ mod place;
 mod planner;
 mod refuse;
 mod retreat;
-mod scout;
+mod rewind;
 mod sequence;
 mod step;
 mod tool;
@@ -25,8 +26,8 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
+pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};
-pub use scout::{Scout, Start};
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
 pub use tool::Tool;

@@ -5,10 +5,11 @@ use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
 
+use super::course::{Change, How, Turns, between};
 use super::fault::Fault;
 use super::feed::{Feeds, Stroke};
 use super::place::Place;
-use super::planner::{Phase, Planned, Planner, SAME_AXIS, stop};
+use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
 use super::step::{Feed, Sink, Step};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
@@ -78,16 +79,17 @@ impl<M: Machine> Planner<'_, M> {
 
     /// A motion inside an operation.
     #[inline]
-    pub(super) fn run(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
+    pub(super) fn run(&mut self, at: Location, motion: &Move, number: u64, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
         self.stop_spindle(sink)?;
         self.check_state(motion).map_err(fault)?;
-        let place = self.placer.place(&motion.pose, &self.place, !motion.rapid).map_err(fault)?;
+        let planned = self.changes(at, motion, number, sink)?;
+        let place = self.placer.place(&motion.pose, &self.place, !motion.rapid, planned).map_err(fault)?;
         if motion.rapid {
             if self.config.transition == Transition::Safe
                 && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
             {
-                self.phase = Phase::First { at, motion: *motion, operation: false };
+                self.phase = Phase::First { at, motion: *motion, planned, operation: false };
                 return Ok(());
             }
             self.cancel_inverse_time(sink)?;
@@ -98,6 +100,39 @@ impl<M: Machine> Planner<'_, M> {
         }
         self.retreat.follow(&self.place.pose, &motion.pose);
         self.arrive(place);
+        Ok(())
+    }
+
+    /// Does what the course says about a motion before it begins, and gives the words in which it ends if the course
+    /// says these, too.
+    #[inline]
+    pub(super) fn changes(
+        &mut self,
+        at: Location,
+        motion: &Move,
+        number: u64,
+        sink: &mut impl Sink,
+    ) -> Result<Option<Turns>, Stop> {
+        let (from, mut planned) = (self.place.pose, None);
+        while let Some(Change { how, words, .. }) = self.course.change(number) {
+            match how {
+                How::Take => planned = Some(words),
+                How::Rewind => self.rewind(at, motion, words, sink)?,
+                How::Turn => self.cut_to(at, motion, self.place.pose, words, sink)?,
+                How::Via(part) => {
+                    let Some(pose) = between(&from, &motion.pose, part) else { continue };
+                    self.cut_to(at, motion, pose, words, sink)?;
+                }
+            }
+        }
+        Ok(planned)
+    }
+
+    /// A cut on the way of a motion, to a pose that the CL data does not name.
+    fn cut_to(&mut self, at: Location, motion: &Move, pose: Pose, words: Turns, sink: &mut impl Sink) -> Planned {
+        let place = self.placer.place(&pose, &self.place, true, Some(words)).map_err(|fault| stop(at, fault))?;
+        self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
+        self.place = place;
         Ok(())
     }
 
@@ -184,8 +219,8 @@ impl<M: Machine> Planner<'_, M> {
     #[inline]
     pub(super) fn arrive(&mut self, place: Place<M::Axes>) {
         self.statistics.motions += 1;
-        self.statistics.near_pole += u64::from(place.near_pole);
-        if place.deviation > NO_DEVIATION {
+        self.statistics.near_pole += u64::from(place.pole && place.deviation > NO_DEVIATION);
+        if place.deviation > NO_DEVIATION && !place.pole {
             self.statistics.deviations += 1;
             self.statistics.largest_deviation = self.statistics.largest_deviation.max(place.deviation);
         }

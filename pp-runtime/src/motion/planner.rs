@@ -14,12 +14,12 @@ use crate::program::{
     Compensation, Coolant, Dwell, Event, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
 };
 
+use super::course::{Course, Turns};
 use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
-use super::scout::Start;
 use super::step::{Sink, Step};
 use super::tool::{SpindleRequest, Tool};
 
@@ -79,8 +79,10 @@ pub struct Statistics {
     pub sequences: u64,
     /// Blocks in inverse time.
     pub inverse_time: u64,
-    /// Motions so near the pole that the rotary which is nearly free kept its value.
+    /// Motions so near the pole that their tool axis was put there, and the first rotary kept its value.
     pub near_pole: u64,
+    /// Times that the rotary axes were rewound out of the part.
+    pub rewinds: u64,
     /// Largest distance of the tip from the programmed line, mm, seen in the middle of feed blocks that turn an axis
     /// far.
     pub largest_swing: f64,
@@ -106,6 +108,8 @@ pub(super) enum Phase {
     First {
         at: Location,
         motion: Move,
+        /// Words of the rotaries, where the course says them.
+        planned: Option<Turns>,
         /// A new operation; else a rapid that turns the table or the head.
         operation: bool,
     },
@@ -124,9 +128,9 @@ pub struct Planner<'a, M: Machine> {
     pub(super) clearance: Option<Plane>,
     /// Every tool axis of the CL data points into the table.
     pub(super) upside_down: bool,
-    starts: Vec<Start>,
-    /// Operations begun so far.
-    operations: usize,
+    pub(super) course: Course,
+    /// Motions so far, as the course counts them.
+    counted: u64,
     pub(super) phase: Phase,
     waiting: Vec<(Location, Waiting)>,
     texts: Vec<u8>,
@@ -183,8 +187,8 @@ impl<'a, M: Machine> Planner<'a, M> {
             expander: Expander::new(config),
             clearance: None,
             upside_down: upside_down && config.table_check,
-            starts: Vec::new(),
-            operations: 0,
+            course: Course::default(),
+            counted: 0,
             phase: Phase::Start,
             waiting: Vec::new(),
             texts: Vec::new(),
@@ -213,10 +217,10 @@ impl<'a, M: Machine> Planner<'a, M> {
         }
     }
 
-    /// Begins each operation with the rotary words that [`Scout`](super::Scout) has found for it.
+    /// Follows the course that [`Navigator`](super::Navigator) has found.
     #[must_use]
-    pub fn with_starts(mut self, starts: Vec<Start>) -> Self {
-        self.starts = starts;
+    pub fn with_course(mut self, course: Course) -> Self {
+        self.course = course;
         self
     }
 
@@ -311,21 +315,19 @@ impl<'a, M: Machine> Planner<'a, M> {
     }
 
     fn motion(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
-        match self.phase {
-            Phase::Running => self.run(at, motion, sink),
-            Phase::Start if self.unarmed() && motion.rapid && !self.placer.head() => {
-                self.pass_over(at, motion);
-                Ok(())
-            }
-            Phase::Start => {
-                self.phase = Phase::First { at, motion: *motion, operation: true };
-                Ok(())
-            }
-            Phase::First { .. } => {
-                self.settle(Some(motion), sink)?;
-                self.run(at, motion, sink)
-            }
+        if self.phase == Phase::Start && self.unarmed() && motion.rapid && !self.placer.head() {
+            self.pass_over(at, motion);
+            return Ok(());
         }
+        let number = self.counted;
+        self.counted += 1;
+        if self.phase == Phase::Start {
+            let planned = self.changes(at, motion, number, sink)?;
+            self.phase = Phase::First { at, motion: *motion, planned, operation: true };
+            return Ok(());
+        }
+        self.settle(Some(motion), sink)?;
+        self.run(at, motion, number, sink)
     }
 
     /// No tool has been called yet.
@@ -347,17 +349,15 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// Writes the sequence to a first motion that has been waiting for the next, and what came between the two.
     fn settle(&mut self, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
-        let Phase::First { at, motion, operation } = self.phase else { return Ok(()) };
+        let Phase::First { at, motion, planned, operation } = self.phase else { return Ok(()) };
         self.phase = Phase::Running;
         if operation {
             self.request_in_start = SpindleRequest::default();
             self.lowest = None;
             self.plunge_told = false;
-            let start = self.starts.get(self.operations).copied().flatten();
-            self.operations += 1;
-            self.start(at, &motion, next, start, sink)?;
+            self.start(at, &motion, next, planned, sink)?;
         } else {
-            self.index(at, &motion, next, sink)?;
+            self.index(at, &motion, next, planned, sink)?;
         }
         let mut waiting = std::mem::take(&mut self.waiting);
         let texts = std::mem::take(&mut self.texts);

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
-use super::{Abilities, Planner, Scout, Stop};
+use super::{Abilities, Navigator, Planner, Stop};
 use crate::config::{Config, Tool, Transition, Units};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
@@ -49,11 +49,9 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
     let abilities = Abilities { mist: true, through: false, air: false };
-    let starts = Scout::new(machine.clone(), config).map_or_else(Vec::new, |mut scout| {
-        events.iter().for_each(|event| scout.event(event));
-        scout.finish()
-    });
-    let mut planner = Planner::new(machine, config, units, abilities, false).with_starts(starts);
+    let mut navigator = Navigator::new(machine.clone(), config);
+    events.iter().for_each(|event| navigator.event(event));
+    let mut planner = Planner::new(machine, config, units, abilities, false).with_course(navigator.finish());
     let mut diagnostics = Vec::new();
     let mut at = Location::default();
     let mut planned = Ok(());
@@ -534,7 +532,7 @@ fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
 }
 
 #[test]
-fn a_free_rotary_keeps_its_value_through_the_vertical() {
+fn a_free_rotary_turns_at_the_vertical_for_what_follows() {
     let events = [
         tool(1),
         spindle(),
@@ -545,7 +543,10 @@ fn a_free_rotary_keeps_its_value_through_the_vertical() {
     let lines = run::<Cb>(&config(), &events).lines;
     let vertical = lines.iter().find(|line| line.contains("B0")).expect("the vertical");
     assert!(!vertical.contains('C'), "{vertical}");
-    assert!(lines.iter().any(|line| line.contains("B5 C45")));
+    // In place, and the tilt begins with the table where it has to stand.
+    let place = lines.iter().position(|line| line == vertical).expect("the vertical");
+    assert!(lines[place + 1].contains("C45") && !lines[place + 1].contains('B'), "{lines:#?}");
+    assert!(lines[place + 2].contains("B5") && !lines[place + 2].contains('C'), "{lines:#?}");
 }
 
 #[test]
@@ -619,7 +620,7 @@ fn a_rotary_limit_is_named_with_value_and_line() {
 }
 
 #[test]
-fn an_axis_is_never_turned_back_a_whole_turn_in_a_feed_motion() {
+fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
     let mut config = config();
     config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
     let at = |angle: f64, feed: bool| {
@@ -628,8 +629,15 @@ fn an_axis_is_never_turned_back_a_whole_turn_in_a_feed_motion() {
     };
     let events = |last| [tool(1), spindle(), at(170.0, true), at(183.0, true), last];
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
-    assert!(cut.error().text.contains("outside its limits"), "{:?}", cut.error());
+    assert!(cut.error().text.contains("have to be rewound"), "{:?}", cut.error());
     assert_eq!(run::<Cb>(&config, &events(at(186.0, false))).diagnostics, []);
+    config.retract.distance = Some(20.0);
+    let cut = run::<Cb>(&config, &events(at(186.0, true)));
+    assert_eq!(cut.statistics.rewinds, 1);
+    assert!(cut.diagnostics[0].text.contains("unavoidable within C -183.3465° to 183.3465°"), "{:?}", cut.diagnostics);
+    // Begun a whole turn lower there would be no need.
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.5, upper: 3.2 }));
+    assert_eq!(run::<Cb>(&config, &events(at(186.0, true))).diagnostics, []);
 }
 
 #[test]
@@ -658,20 +666,27 @@ fn an_operation_begins_in_the_branch_and_turn_that_last() {
 }
 
 #[test]
-fn a_branch_is_never_changed_in_the_cut_because_of_a_limit() {
+fn a_branch_is_changed_at_the_vertical_only() {
     let tilts = |from: i32, to: i32| {
         let mut events = vec![tool(1), spindle()];
         events.extend((from..=to).map(|tilt| feed([0.0; 3], cb(0.0, f64::from(-tilt)))));
         run::<Cb>(&config(), &events)
     };
-    // B goes down to -5 and not further; from +20 to -20 nothing helps.
-    assert_eq!(tilts(-20, 5).diagnostics, []);
+    // B goes down to -5 and not further: C turns where B is 0.
+    let short = tilts(-20, 5);
+    assert_eq!(short.diagnostics, []);
+    assert!(!short.lines.iter().any(|line| line.contains("C180")), "{}", short.text());
     let through = tilts(-20, 20);
-    let error = through.error();
-    assert!(
-        error.text.contains("B would have to turn on to -6°") && error.text.contains("C from 0° to 180°"),
-        "{error:?}"
-    );
+    assert_eq!(through.diagnostics, []);
+    let turn = through.lines.iter().position(|line| line.contains("C180")).expect("a turn");
+    assert!(through.lines[turn - 1].contains("B0") && !through.lines[turn].contains('B'), "{}", through.text());
+    // Beside the vertical nothing helps.
+    let mut limited = config();
+    let limit = |angle: f64| angle.to_radians();
+    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: limit(-60.0), upper: limit(60.0) }));
+    let past = [cb(-50.0, 20.0), cb(-70.0, 20.0)].map(|axis| feed([0.0; 3], axis));
+    let past = run::<Cb>(&limited, &[tool(1), spindle(), past[0], past[1]]);
+    assert!(past.error().text.contains("C would have to turn to -70°"), "{:?}", past.error());
 }
 
 #[test]
@@ -917,7 +932,7 @@ fn the_speed_of_one_tool_is_never_that_of_another() {
 }
 
 #[test]
-fn the_table_never_swings_round_in_the_cut_whatever_the_index_angle() {
+fn the_table_turns_where_the_tool_passes_the_vertical_between_two_points() {
     let events = [
         tool(1),
         spindle(),
@@ -928,7 +943,10 @@ fn the_table_never_swings_round_in_the_cut_whatever_the_index_angle() {
     let mut config = config();
     config.index_angle = 360_f64.to_radians();
     let run = run::<Cb>(&config, &events);
-    assert!(run.error().text.contains("would swing the tool in the cut"), "{}", run.text());
+    assert!(run.diagnostics.iter().all(|found| found.severity == Severity::Warning), "{}", run.text());
+    let turn = run.lines.iter().position(|line| line.contains("C180")).expect("a turn");
+    assert!(run.lines[turn - 1].contains("B0") && run.lines[turn - 1].contains("X13.33"), "{}", run.text());
+    assert!(!run.lines[turn].contains('B') && run.lines[turn + 1].contains("B20"), "{}", run.text());
 }
 
 #[test]

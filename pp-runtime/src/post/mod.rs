@@ -17,7 +17,7 @@ use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
-use crate::motion::{Abilities, Expander, Planner, Scout, Sink, Statistics, Step, Stop};
+use crate::motion::{Abilities, Cost, Expander, Navigator, Planner, Sink, Statistics, Step, Stop};
 use crate::program::{Coolant, Location};
 
 use survey::Survey;
@@ -132,9 +132,9 @@ pub fn post<M: Machine>(
     let start = input.stream_position().map_err(PostError::Input)?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let machine = job.config.machine::<M>();
-    let scout = machine.as_ref().ok().and_then(|machine| Scout::new(machine.clone(), job.config));
+    let navigator = machine.as_ref().ok().map(|machine| Navigator::new(machine.clone(), job.config));
     let mut survey =
-        Survey::take(&mut *input, options.clone(), &M::default().tool_axis(), scout, Expander::new(job.config))
+        Survey::take(&mut *input, options.clone(), &M::default().tool_axis(), navigator, Expander::new(job.config))
             .map_err(PostError::Input)?;
     input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
 
@@ -162,7 +162,7 @@ pub fn post<M: Machine>(
     let units = job.config.output_units.unwrap_or_else(|| survey.units.unwrap_or(Units::Millimetres));
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
     let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
-        .with_starts(std::mem::take(&mut survey.starts));
+        .with_course(std::mem::take(&mut survey.course));
     report.reading = header::reading(job.config, &survey);
     report.assumptions = header::assumptions::<M>(job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };

@@ -7,7 +7,7 @@ use nalgebra::UnitVector3;
 use crate::cl::{ArcVote, Dialect, Options, Reader};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
-use crate::motion::{Expander, Scout, Start};
+use crate::motion::{Course, Expander, Navigator};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
 /// One tool of the program.
@@ -42,8 +42,8 @@ pub(super) struct Survey {
     pub(super) diagnostics: Vec<Diagnostic>,
     /// Nothing may be posted from here on.
     pub(super) first_error: Option<Location>,
-    /// Where the rotaries of each operation begin; empty if there is nothing to choose.
-    pub(super) starts: Vec<Start>,
+    /// The course of the rotary axes.
+    pub(super) course: Course,
     feeds: u64,
     feeds_down: u64,
 }
@@ -75,7 +75,7 @@ impl Survey {
         input: impl Read,
         options: Options,
         tool_axis: &UnitVector3<f64>,
-        mut scout: Option<Scout<M>>,
+        mut navigator: Option<Navigator<M>>,
         mut expander: Expander,
     ) -> io::Result<Self> {
         let mut reader = Reader::new(input, options);
@@ -88,11 +88,11 @@ impl Survey {
             };
             // What cannot be expanded is the planner's to tell.
             let _ = expander.event(at, &event, &mut straight);
-            if let Some(scout) = &mut scout {
-                scout.event(&event);
+            if let Some(navigator) = &mut navigator {
+                navigator.event(&event);
             }
         }
-        survey.starts = scout.map_or_else(Vec::new, Scout::finish);
+        survey.course = navigator.map_or_else(Course::default, Navigator::finish);
         survey.units = reader.units();
         survey.units_only_given = reader.units_are_only_given();
         survey.framed = reader.frame().is_some();
