@@ -7,8 +7,9 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
-use crate::config::{Config, TOLERANCE, Units};
+use crate::config::{Config, StartBranch, TOLERANCE, Units, preference, preferences};
 use crate::control::{self, CONTROLS, Control};
+use crate::kinematics::Machine;
 
 /// Turns CL data (APT/CLS) into a program for one machine.
 #[derive(Debug, Parser)]
@@ -91,6 +92,18 @@ pub(super) struct PostArgs {
     /// Write FROM as the first approach
     #[arg(long, value_enum)]
     pub(super) from: Option<FromName>,
+    /// Branch on which operations begin where they can
+    #[arg(long, value_enum)]
+    pub(super) start_branch: Option<BranchName>,
+    /// Side of zero on which operations begin where they can: `B+`
+    #[arg(long, value_name = "AXIS±", allow_hyphen_values = true)]
+    pub(super) prefer: Option<String>,
+    /// Choose branch and turns motion by motion, without a view ahead
+    #[arg(long)]
+    pub(super) greedy: bool,
+    /// Angle to the pole within which the tool axis is put there, degrees
+    #[arg(long, value_name = "DEGREES", value_parser = axis_tolerance)]
+    pub(super) axis_tolerance: Option<f64>,
     /// Number the blocks
     #[arg(long)]
     pub(super) line_numbers: bool,
@@ -106,7 +119,10 @@ impl PostArgs {
     }
 
     /// Puts what the command line says on top of what the configuration file says.
-    pub(super) fn apply(&self, config: &mut Config) {
+    ///
+    /// # Errors
+    /// A sentence about what does not fit the machine.
+    pub(super) fn apply<M: Machine>(&self, config: &mut Config) -> Result<(), String> {
         if let Some(units) = self.units {
             config.cl_units = Some(units.into());
             config.given.insert("cl_units");
@@ -120,6 +136,13 @@ impl PostArgs {
             config.given.insert("tolerance");
         }
         config.allow_lintol |= self.allow_lintol;
+        config.start_branch = self.start_branch.map(Into::into).or(config.start_branch);
+        if let Some(text) = &self.prefer {
+            let help = || format!("--prefer {text} is not known here: {}", preferences::<M>());
+            config.prefer = Some(preference::<M>(text).ok_or_else(help)?);
+        }
+        config.greedy |= self.greedy;
+        config.axis_tolerance = self.axis_tolerance.unwrap_or(config.axis_tolerance);
         let cl = &mut config.cl;
         cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
         cl.columns = self.columns.or(cl.columns);
@@ -136,6 +159,7 @@ impl PostArgs {
             config.program.line_numbers.get_or_insert(Config::LINE_NUMBER_STEP);
             config.given.insert("program.line_numbers");
         }
+        Ok(())
     }
 }
 
@@ -152,6 +176,15 @@ fn inert(word: &str) -> Result<String, String> {
     match not_inert(word) {
         Some(why) => Err(why),
         None => Ok(word.to_ascii_uppercase()),
+    }
+}
+
+/// An angle in degrees, in rad.
+fn axis_tolerance(text: &str) -> Result<f64, String> {
+    let degrees: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    match (0.0..=5.0).contains(&degrees) {
+        true => Ok(degrees.to_radians()),
+        false => Err("0 to 5 degrees are needed".to_owned()),
     }
 }
 
@@ -224,6 +257,24 @@ impl From<SenseName> for Sense {
         match name {
             SenseName::Cw => Self::Clockwise,
             SenseName::Ccw => Self::CounterClockwise,
+        }
+    }
+}
+
+/// A branch, as `explain` numbers them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum BranchName {
+    /// The first
+    First,
+    /// The second
+    Second,
+}
+
+impl From<BranchName> for StartBranch {
+    fn from(name: BranchName) -> Self {
+        match name {
+            BranchName::First => Self::First,
+            BranchName::Second => Self::Second,
         }
     }
 }

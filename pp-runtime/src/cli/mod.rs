@@ -76,6 +76,8 @@ enum Failure {
     Disturbed(String, &'static str),
     #[error("{0} would overwrite {1}")]
     Overwrites(String, String),
+    #[error("{0}")]
+    Argument(String),
     /// Everything has been said.
     #[error("")]
     Said,
@@ -247,7 +249,7 @@ fn read_config<M: Machine>(args: &PostArgs, messages: &mut Messages<'_>) -> Resu
             })?
         }
     };
-    args.apply(&mut config);
+    args.apply::<M>(&mut config).map_err(Failure::Argument)?;
     Ok(config)
 }
 

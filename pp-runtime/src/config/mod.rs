@@ -5,6 +5,7 @@
 //! writes angles in degrees. Nothing here plans or writes a motion.
 
 mod cl;
+mod course;
 mod machine;
 mod print;
 mod read;
@@ -21,6 +22,7 @@ use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
 pub use crate::program::Units;
+pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
 pub use print::print;
 pub(crate) use read::TOLERANCE;

@@ -145,6 +145,18 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 [frames]
 # e.g. 2 = "G55"
 
+# Branch and whole turns of the rotary axes are chosen for the whole program: the fewest rewinds, then these wishes, then
+# the least time at the largest axis speeds, then the least travel.
+[course]
+# Operations begin on this branch of `explain` where they can: "first" or "second".
+# e.g. start_branch = "first"
+# Operations begin with this axis on this side of zero where they can.
+# e.g. prefer = "{prefer}"
+# Choose motion by motion, without a view ahead.
+#greedy = {greedy}
+# Within this angle of the direction that leaves the first rotary free, the tool axis is put there.
+#axis_tolerance = {axis_tolerance}
+
 [retract]
 # Machine coordinate of the retract axis.
 #position = {position}
@@ -177,6 +189,9 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. line_numbers = {step}
 "#,
         peck_gap = number(config.defaults.peck_gap),
+        prefer = sample_preference::<M>(),
+        greedy = config.greedy,
+        axis_tolerance = degrees(config.axis_tolerance),
         position = number(config.retract.position),
         distance = number(config.approach.distance),
         linear_mm = formats.linear_mm,
@@ -188,6 +203,12 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         step = Config::LINE_NUMBER_STEP,
     )?;
     write_machine::<M>(out)
+}
+
+/// The last rotary axis at or above zero.
+fn sample_preference<M: Machine>() -> String {
+    let rotary = M::AXES.iter().rev().find(|axis| axis.kind == AxisKind::Rotary && !axis.held);
+    format!("{}+", rotary.map_or('B', |axis| axis.letter))
 }
 
 fn write_machine<M: Machine>(out: &mut String) -> std::fmt::Result {

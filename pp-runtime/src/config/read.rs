@@ -60,7 +60,7 @@ impl Config {
         set(&mut r.units, named);
         self.read_top(r, &mut top);
         let sections =
-            ["defaults", "retract", "approach", "formats", "program", "cl"].map(|name| (name, top.get(name)));
+            ["defaults", "course", "retract", "approach", "formats", "program", "cl"].map(|name| (name, top.get(name)));
         let tools = top.get("tools");
         let frames = top.get("frames");
         let machine_zero = top.get("machine_zero");
@@ -81,6 +81,7 @@ impl Config {
                 }
                 "formats" => self.read_formats(r, &mut section),
                 "cl" => self.read_cl(r, &mut section),
+                "course" => self.read_course::<M>(r, &mut section),
                 _ => self.read_program(r, &mut section),
             }
             section.finish(r);

@@ -219,8 +219,10 @@ impl<M: Machine> Planner<'_, M> {
     #[inline]
     pub(super) fn arrive(&mut self, place: Place<M::Axes>) {
         self.statistics.motions += 1;
-        self.statistics.near_pole += u64::from(place.pole && place.deviation > NO_DEVIATION);
-        if place.deviation > NO_DEVIATION && !place.pole {
+        if place.deviation > NO_DEVIATION && place.pole {
+            self.statistics.near_pole += 1;
+            self.statistics.largest_at_pole = self.statistics.largest_at_pole.max(place.deviation);
+        } else if place.deviation > NO_DEVIATION {
             self.statistics.deviations += 1;
             self.statistics.largest_deviation = self.statistics.largest_deviation.max(place.deviation);
         }

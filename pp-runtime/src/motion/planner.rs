@@ -81,6 +81,8 @@ pub struct Statistics {
     pub inverse_time: u64,
     /// Motions so near the pole that their tool axis was put there, and the first rotary kept its value.
     pub near_pole: u64,
+    /// Largest angle by which one of them was turned, rad.
+    pub largest_at_pole: f64,
     /// Times that the rotary axes were rewound out of the part.
     pub rewinds: u64,
     /// Largest distance of the tip from the programmed line, mm, seen in the middle of feed blocks that turn an axis

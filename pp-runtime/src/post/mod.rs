@@ -16,8 +16,8 @@ use crate::cl::{self, Reader};
 use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
-use crate::motion::{Abilities, Cost, Expander, Navigator, Planner, Sink, Statistics, Step, Stop};
+use crate::kinematics::{AxisKind, Machine};
+use crate::motion::{Abilities, Cost, Course, Expander, Navigator, Planner, Sink, Statistics, Step, Stop};
 use crate::program::{Coolant, Location};
 
 use survey::Survey;
@@ -61,6 +61,8 @@ pub struct Report {
     pub lines: u64,
     /// How the CL data was read: which CAM system wrote it, arcs, frames, words that were passed over.
     pub reading: Vec<String>,
+    /// What the course of the rotary axes costs, with and without a view ahead; empty without rotary axes.
+    pub course: String,
     /// What was assumed rather than given, one sentence each.
     pub assumptions: Vec<String>,
     /// Linear axes whose limits were not checked, and why; empty if all were.
@@ -87,6 +89,7 @@ impl Report {
             counted(self.statistics.inverse_time, "block"),
         )];
         lines.extend(self.reading.iter().cloned());
+        lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {
@@ -97,8 +100,8 @@ impl Report {
         }
         if self.statistics.near_pole > 0 {
             lines.push(format!(
-                "tool axes within {REACH_TOLERANCE} rad of the pole: {}; the rotary that is nearly free kept its value there",
-                self.statistics.near_pole
+                "tool axes near the pole that were put there: {}, by up to {:.2e} rad; the first rotary kept its value",
+                self.statistics.near_pole, self.statistics.largest_at_pole
             ));
         }
         lines.push(header::NOT_LINEARISED.to_owned());
@@ -114,6 +117,25 @@ impl Report {
     fn fault(&mut self, diagnostic: Diagnostic) {
         self.failed |= diagnostic.severity == Severity::Error;
         self.diagnostics.push(diagnostic);
+    }
+}
+
+/// What the course costs, and what it would cost motion by motion.
+fn course_text(course: &Course, config: &Config) -> String {
+    let cost = |cost: &Cost| {
+        let degrees = cost.travel as f64 / 10_f64.powi(config.formats.rotary as i32);
+        let time = match cost.time {
+            0 => String::new(),
+            time => format!(" in at least {:.1} s", time as f64 / 1e9),
+        };
+        format!("{}, {degrees:.1} degrees of travel{time}", counted(u64::from(cost.rewinds), "rewind"))
+    };
+    let planned = format!("rotary axes: {}", cost(&course.cost));
+    match &course.greedy {
+        _ if config.greedy => format!("{planned}, chosen motion by motion"),
+        None => format!("{planned}; motion by motion there would be no way through"),
+        Some(greedy) if *greedy == course.cost => planned,
+        Some(greedy) => format!("{planned}; motion by motion: {}", cost(greedy)),
     }
 }
 
@@ -160,6 +182,9 @@ pub fn post<M: Machine>(
         }
     };
     let units = job.config.output_units.unwrap_or_else(|| survey.units.unwrap_or(Units::Millimetres));
+    if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        report.course = course_text(&survey.course, job.config);
+    }
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
     let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
         .with_course(std::mem::take(&mut survey.course));
