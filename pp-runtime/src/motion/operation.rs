@@ -5,7 +5,7 @@ use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
 
-use super::course::{Change, How, Turns, between};
+use super::course::{Change, How, Target, Turns, between};
 use super::fault::Fault;
 use super::feed::{Feeds, Stroke};
 use super::place::Place;
@@ -112,11 +112,11 @@ impl<M: Machine> Planner<'_, M> {
         motion: &Move,
         number: u64,
         sink: &mut impl Sink,
-    ) -> Result<Option<Turns>, Stop> {
-        let (from, mut planned) = (self.place.pose, None);
+    ) -> Result<Option<Target>, Stop> {
+        let (from, towards, mut planned) = (self.place.pose, self.towards.take(), None);
         while let Some(Change { how, words, .. }) = self.course.change(number) {
             match how {
-                How::Take => planned = Some(words),
+                How::Take => planned = Some(Target { words, towards }),
                 How::Rewind => self.rewind(at, motion, words, sink)?,
                 How::Turn => self.cut_to(at, motion, self.place.pose, words, sink)?,
                 How::Via(part) => {
@@ -125,12 +125,29 @@ impl<M: Machine> Planner<'_, M> {
                 }
             }
         }
+        if towards.is_some() && planned.is_none() {
+            return Err(stop(at, self.no_way_round(motion)));
+        }
         Ok(planned)
+    }
+
+    /// ROTABL/NEXT in front of a motion that cannot follow it.
+    #[cold]
+    fn no_way_round(&self, motion: &Move) -> Fault {
+        let air = self.phase == Phase::Start || motion.rapid;
+        Fault::new(match air {
+            true => "the sense that ROTABL/NEXT asks for leads out of the limits",
+            false => "ROTABL/NEXT stands in front of a cut, which cannot take the long way round",
+        })
+        .help("leave it out, or give it in front of a rapid or of an operation")
     }
 
     /// A cut on the way of a motion, to a pose that the CL data does not name.
     fn cut_to(&mut self, at: Location, motion: &Move, pose: Pose, words: Turns, sink: &mut impl Sink) -> Planned {
-        let place = self.placer.place(&pose, &self.place, true, Some(words)).map_err(|fault| stop(at, fault))?;
+        let place = self
+            .placer
+            .place(&pose, &self.place, true, Some(Target { words, towards: None }))
+            .map_err(|fault| stop(at, fault))?;
         self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
         self.place = place;
         Ok(())

@@ -8,9 +8,10 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use crate::config::{Config, Units};
 use crate::kinematics::{Axis, AxisKind, Branch, Joint, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::nc::whole_units;
+use crate::program::{Rotation, Turning};
 
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
-use super::course::{Metric, Turns};
+use super::course::{Metric, Target, Towards};
 use super::fault::Fault;
 use super::step::{MAX_AXES, Words};
 use super::travel::Travel;
@@ -195,13 +196,23 @@ impl<M: Machine> Placer<M> {
         pose: &Pose,
         from: &Place<M::Axes>,
         feed: bool,
-        planned: Option<Turns>,
+        planned: Option<Target>,
     ) -> Result<Place<M::Axes>, Fault> {
         let place = match planned {
-            Some(turns) => self.planned(pose, from, &turns)?,
+            Some(target) => self.planned(pose, from, &target)?,
             None => self.turn(pose, from, feed)?,
         };
         self.finish(place)
+    }
+
+    /// What ROTABL/NEXT asks of the table's rotary, the one nearest the workpiece where there are two. Seen against its
+    /// axis a table turns clockwise while its word grows, unless the word runs backwards.
+    pub(crate) fn towards(&self, turning: Turning) -> Option<Towards> {
+        let Turning::Next(rotation) = turning else { return None };
+        let table = |rotary: &Rotary| M::AXES[rotary.index].side == Side::Workpiece;
+        let axis = self.rotaries.iter().position(table)?;
+        let forwards = self.machine.joint(self.rotaries[axis].index).sign > 0.0;
+        Some(Towards { axis, positive: (rotation == Rotation::Clockwise) == forwards })
     }
 
     /// The pole at which a tool axis stands.
@@ -289,13 +300,20 @@ impl<M: Machine> Placer<M> {
     }
 
     /// A pose with the rotary words of the course.
-    fn planned(&self, pose: &Pose, from: &Place<M::Axes>, turns: &Turns) -> Result<Place<M::Axes>, Fault> {
+    fn planned(&self, pose: &Pose, from: &Place<M::Axes>, target: &Target) -> Result<Place<M::Axes>, Fault> {
         let pole = self.pole(&pose.axis);
         let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
-        let mut words = self.all_words(turns);
-        for rotary in self.rotaries.iter().filter(|rotary| rotary.endless()) {
-            let word = &mut words[rotary.index];
-            *word = rotary.nearest(*word, from.words[rotary.index], self.scale.turn).unwrap_or(*word);
+        let mut words = self.all_words(&target.words);
+        for (axis, rotary) in self.rotaries.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
+            let (word, before) = (&mut words[rotary.index], from.words[rotary.index]);
+            *word = rotary.nearest(*word, before, self.scale.turn).unwrap_or(*word);
+            if let Some(Towards { positive, .. }) = target.towards.filter(|towards| towards.axis == axis) {
+                match *word - before {
+                    change if change > 0 && !positive => *word -= self.scale.turn,
+                    change if change < 0 && positive => *word += self.scale.turn,
+                    _ => {}
+                }
+            }
         }
         let mut place = self.at(&there, from, &words);
         let reached = self.machine.forward_kinematics(&place.axes).axis;

@@ -14,7 +14,7 @@ use crate::program::{
     Compensation, Coolant, Dwell, Event, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
 };
 
-use super::course::{Course, Turns};
+use super::course::{Course, Target, Towards};
 use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
@@ -111,7 +111,7 @@ pub(super) enum Phase {
         at: Location,
         motion: Move,
         /// Words of the rotaries, where the course says them.
-        planned: Option<Turns>,
+        planned: Option<Target>,
         /// A new operation; else a rapid that turns the table or the head.
         operation: bool,
     },
@@ -131,6 +131,8 @@ pub struct Planner<'a, M: Machine> {
     /// Every tool axis of the CL data points into the table.
     pub(super) upside_down: bool,
     pub(super) course: Course,
+    /// ROTABL/NEXT for the next motion.
+    pub(super) towards: Option<Towards>,
     /// Motions so far, as the course counts them.
     counted: u64,
     pub(super) phase: Phase,
@@ -190,6 +192,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             clearance: None,
             upside_down: upside_down && config.table_check,
             course: Course::default(),
+            towards: None,
             counted: 0,
             phase: Phase::Start,
             waiting: Vec::new(),
@@ -420,7 +423,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             Event::Frame(number) => self.change_frame(at, number, sink)?,
             Event::Home => self.go_home(at, sink)?,
             Event::ClearancePlane(plane) => self.clearance = Some(plane),
-            Event::Compensation(Compensation::Off) | Event::Turning(Turning::Shortest) => {}
+            Event::Compensation(Compensation::Off) => {}
             Event::Compensation(_) => {
                 return Err(stop(
                     at,
@@ -428,12 +431,12 @@ impl<'a, M: Machine> Planner<'a, M> {
                         .help("have the CAM system compute the path of the tool's centre, without CUTCOM"),
                 ));
             }
-            Event::Turning(Turning::Next(_)) => {
-                return Err(stop(
-                    at,
-                    Fault::new("ROTABL/NEXT forces the sense of the next rotary motion, which is not planned yet")
-                        .help("leave it out: the shortest way inside the limits is taken"),
-                ));
+            Event::Turning(turning) => {
+                self.towards = self.placer.towards(turning);
+                if self.towards.is_none() && turning != Turning::Shortest {
+                    let fault = Fault::new("ROTABL/NEXT turns the table, and no rotary axis stands in the table here");
+                    return Err(stop(at, fault.help("leave it out")));
+                }
             }
             Event::Insert(text) => self.raw(at, text, sink)?,
             Event::Code { letter, number } => {

@@ -5,7 +5,7 @@ use crate::diag::Severity;
 use crate::kinematics::Machine;
 use crate::program::{Location, Move};
 
-use super::course::Turns;
+use super::course::{Target, Turns};
 use super::expand::distance_to;
 use super::fault::Fault;
 use super::planner::{Planned, Planner, stop};
@@ -25,7 +25,8 @@ impl<M: Machine> Planner<'_, M> {
                     .help("give `retract.distance` in the configuration, or CLEARP in the CL data"),
             ));
         };
-        let turned = self.placer.place(&here.pose, &here, false, Some(words)).map_err(fault)?;
+        let turned =
+            self.placer.place(&here.pose, &here, false, Some(Target { words, towards: None })).map_err(fault)?;
         let tip = here.pose.tip + here.pose.axis.into_inner() * distance;
         let context = |text: Fault| fault(text.context(format_args!("the retract of {distance} mm to rewind")));
         let out = self.placer.shifted(tip, &here).map_err(context)?;

@@ -17,7 +17,7 @@ use crate::diag::Severity;
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::program::{Location, Move};
 
-use super::course::Turns;
+use super::course::Target;
 use super::expand::distance_to;
 use super::fault::Fault;
 use super::place::Place;
@@ -110,7 +110,7 @@ impl<M: Machine> Planner<'_, M> {
         at: Location,
         first: &Move,
         next: Option<&Move>,
-        planned: Option<Turns>,
+        planned: Option<Target>,
         sink: &mut impl Sink,
     ) -> Planned {
         let wanted = self.next_tool.take();
@@ -146,7 +146,7 @@ impl<M: Machine> Planner<'_, M> {
     }
 
     /// An operation that goes on where the last one ended, because the configuration wants it so.
-    fn start_directly(&mut self, at: Location, first: &Move, planned: Option<Turns>, sink: &mut impl Sink) -> Planned {
+    fn start_directly(&mut self, at: Location, first: &Move, planned: Option<Target>, sink: &mut impl Sink) -> Planned {
         self.turn_spindle(at, false, sink)?;
         self.turn_coolant(at, sink)?;
         self.check_state(first).map_err(|fault| stop(at, fault))?;
@@ -169,7 +169,7 @@ impl<M: Machine> Planner<'_, M> {
         at: Location,
         first: &Move,
         next: Option<&Move>,
-        planned: Option<Turns>,
+        planned: Option<Target>,
         sink: &mut impl Sink,
     ) -> Planned {
         self.leave(at, sink)?;
@@ -184,7 +184,7 @@ impl<M: Machine> Planner<'_, M> {
         at: Location,
         first: &Move,
         next: Option<&Move>,
-        planned: Option<Turns>,
+        planned: Option<Target>,
         sink: &mut impl Sink,
     ) -> Planned {
         let fault = |fault: Fault| stop(at, fault);

@@ -1049,13 +1049,40 @@ fn nc_text_that_is_not_ascii_is_refused() {
 }
 
 #[test]
-fn cutter_compensation_and_a_forced_sense_of_rotation_are_refused() {
+fn cutter_compensation_is_refused() {
     let before = [tool(1), spindle(), feed([0.0; 3], UP)];
     let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
     assert!(with(Event::Compensation(Compensation::Left)).error().text.contains("CUTCOM"));
-    assert!(with(Event::Turning(Turning::Next(Rotation::Clockwise))).error().text.contains("ROTABL/NEXT"));
     assert_eq!(with(Event::Compensation(Compensation::Off)).diagnostics, []);
-    assert_eq!(with(Event::Turning(Turning::Shortest)).diagnostics, []);
+}
+
+#[test]
+fn the_table_turns_the_way_that_rotabl_asks_for() {
+    let after = |turning: Turning, last: Event<'static>| {
+        let before = [tool(1), spindle(), feed([0.0; 3], cb(10.0, 30.0))];
+        [&before[..], &[Event::Turning(turning), last, Event::Turning(Turning::Shortest)]].concat()
+    };
+    let rotaries = |config: &Config, turning| {
+        let run = run::<Cb>(config, &after(turning, rapid([0.0; 3], cb(40.0, 30.0))));
+        assert_eq!(run.diagnostics, []);
+        run.lines.into_iter().rfind(|line| line.starts_with("G0 C") || line.starts_with("C")).expect("a turn")
+    };
+    assert_eq!(rotaries(&config(), Turning::Shortest), "G0 C40");
+    assert_eq!(rotaries(&config(), Turning::Next(Rotation::Clockwise)), "G0 C40");
+    assert_eq!(rotaries(&config(), Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
+    // Where the axis is limited, the sense leads to a state inside, or nowhere.
+    let mut limited = config();
+    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -6.0, upper: 1.0 }));
+    assert_eq!(rotaries(&limited, Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
+    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -1.0, upper: 1.0 }));
+    let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], cb(40.0, 30.0)));
+    assert!(run::<Cb>(&limited, &events).error().text.contains("leads out of the limits"));
+    let events = after(Turning::Next(Rotation::CounterClockwise), feed([0.0; 3], cb(40.0, 30.0)));
+    assert!(run::<Cb>(&config(), &events).error().text.contains("in front of a cut"));
+    let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], UP));
+    assert!(
+        run::<Head>(&with_lengths(Some(50.0)), &events).error().text.contains("no rotary axis stands in the table")
+    );
 }
 
 #[test]

@@ -28,7 +28,7 @@ use super::expand::Expander;
 use super::place::Placer;
 
 pub use search::Cost;
-pub(crate) use search::{Metric, Turns};
+pub(crate) use search::{Metric, Towards, Turns};
 pub(crate) use states::between;
 
 use search::{Search, State};
@@ -56,6 +56,14 @@ pub(crate) struct Change {
     pub(crate) motion: u64,
     pub(crate) how: How,
     pub(crate) words: Turns,
+}
+
+/// Rotary words that a motion is to end in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Target {
+    pub(crate) words: Turns,
+    /// Which way round an endless axis goes there; else the short way.
+    pub(crate) towards: Option<Towards>,
 }
 
 /// The decisions for a program, in the order of its motions.
@@ -109,6 +117,8 @@ pub struct Navigator<M: Machine> {
     placed: bool,
     armed: bool,
     begun: bool,
+    /// ROTABL/NEXT.
+    towards: Option<Towards>,
     states: Vec<State>,
     before: Vec<State>,
     second: Vec<i64>,
@@ -146,6 +156,7 @@ impl<M: Machine> Navigator<M> {
             placed: false,
             armed: false,
             begun: true,
+            towards: None,
             states: Vec::new(),
             before: Vec::new(),
             second: Vec::new(),
@@ -191,8 +202,10 @@ impl<M: Machine> Navigator<M> {
                 self.begun = false;
                 self.placed = true;
                 self.go(&motion.pose, air);
+                self.towards = None;
                 self.motion += 1;
             }
+            Event::Turning(turning) => self.towards = self.placer.towards(*turning),
             _ => {}
         }
     }
@@ -246,11 +259,10 @@ impl<M: Machine> Navigator<M> {
                     });
                     preferred && self.start_branch.is_none_or(|branch| branch == state.branch)
                 };
-                search.free(motion, &self.states, wished);
-                true
+                search.free(motion, &self.states, self.towards, wished)
             }
             (None, Some(_)) => {
-                search.free_to_pole(motion, &self.second);
+                search.free_to_pole(motion, &self.second, self.towards);
                 true
             }
             (Some(_), Some(_)) if self.pole.is_some() => true,

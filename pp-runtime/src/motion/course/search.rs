@@ -21,6 +21,15 @@ pub(crate) struct State {
     pub(crate) words: Turns,
 }
 
+/// A sense in which an axis has to turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Towards {
+    /// Which of the solved rotaries.
+    pub(crate) axis: usize,
+    /// Its word grows.
+    pub(crate) positive: bool,
+}
+
 /// What a way costs: the fewest rewinds first, then wishes of the user that are not met, then time, then travel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Cost {
@@ -78,9 +87,26 @@ impl Metric {
         if 2 * short > self.turn { short - self.turn } else { short }
     }
 
+    /// Signed travel of one axis in a sense that was asked for; `None` if that sense does not lead there.
+    fn change_towards(&self, axis: usize, from: i64, to: i64, towards: Option<Towards>) -> Option<i64> {
+        let change = self.change(axis, from, to);
+        match towards.filter(|towards| towards.axis == axis) {
+            None => Some(change),
+            Some(Towards { positive, .. }) if (change >= 0) == positive || change == 0 => Some(change),
+            Some(Towards { positive, .. }) if self.endless[axis] => {
+                Some(if positive { change + self.turn } else { change - self.turn })
+            }
+            Some(_) => None,
+        }
+    }
+
     /// Cost of turning all axes together.
     pub(crate) fn cost(&self, from: &Turns, to: &Turns) -> Cost {
-        let travel = [0, 1].map(|axis| self.change(axis, from[axis], to[axis]).unsigned_abs());
+        self.cost_of([0, 1].map(|axis| self.change(axis, from[axis], to[axis])))
+    }
+
+    fn cost_of(&self, changes: [i64; 2]) -> Cost {
+        let travel = changes.map(i64::unsigned_abs);
         let time = (0..2).map(|axis| (travel[axis] as f64 * self.per_unit[axis]).round() as u64).max();
         Cost { time: time.unwrap_or(0), travel: travel[0] + travel[1], ..Cost::default() }
     }
@@ -256,35 +282,52 @@ impl Search {
         }
     }
 
-    /// A motion in the air: every state can be reached from every other.
-    pub(crate) fn free(&mut self, motion: u64, states: &[State], wished: impl Fn(&State) -> bool) {
+    /// A motion in the air: every state can be reached from every other, in the sense that was asked for. False, and
+    /// nothing done, if that sense leads nowhere.
+    pub(crate) fn free(
+        &mut self,
+        motion: u64,
+        states: &[State],
+        towards: Option<Towards>,
+        wished: impl Fn(&State) -> bool,
+    ) -> bool {
         self.next.clear();
         for state in states {
             let wish = if wished(state) { Cost::default() } else { Cost::UNWISHED };
-            let cost = |from: &Survivor| from.cost.plus(self.metric.cost(&from.state.words, &state.words)).plus(wish);
-            let Some(from) = self.survivors.iter().min_by_key(|from| cost(from)) else { return };
+            let cost = |from: &Survivor| {
+                let change =
+                    |axis| self.metric.change_towards(axis, from.state.words[axis], state.words[axis], towards);
+                Some(from.cost.plus(self.metric.cost_of([change(0)?, change(1)?])).plus(wish))
+            };
+            let ways = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
+            let Some((cost, from)) = ways.min_by_key(|(cost, _)| *cost) else { continue };
             let travel = |to: &State| self.metric.cost(&from.state.words, &to.words).travel;
             // Without a word about it the least travel is taken.
-            let expected = states.iter().all(|other| other == state || travel(other) > travel(state));
+            let expected =
+                towards.is_none() && states.iter().all(|other| other == state || travel(other) > travel(state));
             let head = match expected {
                 true => from.head,
                 false => self.history.push(from.head, motion, How::Take, state.words),
             };
-            self.next.push(Survivor { state: *state, cost: cost(from), head, air: None });
+            self.next.push(Survivor { state: *state, cost, head, air: None });
+        }
+        if self.next.is_empty() {
+            return false;
         }
         self.layer.clear();
         self.layer.extend_from_slice(states);
         self.finish_layer();
+        true
     }
 
     /// A motion in the air to the pole, where the first rotary may stand anywhere; `second`: words of the other.
-    pub(crate) fn free_to_pole(&mut self, motion: u64, second: &[i64]) {
+    pub(crate) fn free_to_pole(&mut self, motion: u64, second: &[i64], towards: Option<Towards>) {
         self.next.clear();
         for from in &self.survivors {
             for &second in second {
                 let state = State { words: [from.state.words[0], second], ..from.state };
                 let cost = from.cost.plus(self.metric.cost(&from.state.words, &state.words));
-                let head = match second == from.state.words[1] {
+                let head = match second == from.state.words[1] && towards.is_none() {
                     true => from.head,
                     false => self.history.push(from.head, motion, How::Take, state.words),
                 };

@@ -79,6 +79,7 @@ impl<M: Machine> Everything<'_, M> {
                 }
             }
         }
+        next.sort_by_key(|(_, cost)| *cost);
         for (to, cost) in next {
             self.go(index + 1, to, cost);
         }
