@@ -60,6 +60,8 @@ pub struct Config {
     pub tools: BTreeMap<u32, Tool>,
     /// What the CL data may leave out.
     pub defaults: Defaults,
+    /// How fast blocks may run.
+    pub feed: FeedLimits,
     /// How to get away from the part.
     pub retract: Retract,
     /// How to get to the part.
@@ -136,6 +138,17 @@ pub struct Defaults {
     pub tool: Option<u32>,
     /// How far above the bottom a rapid ends in a hole that is drilled in steps, mm; default 0.5.
     pub peck_gap: f64,
+}
+
+/// How fast blocks may run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FeedLimits {
+    /// Blocks in which an axis would be faster than it can run longer; default true.
+    pub keep_speeds: bool,
+    /// Largest F of the control, mm/min; default none.
+    pub largest: Option<f64>,
+    /// Shortest time of a block, seconds; default 0.
+    pub shortest_block: f64,
 }
 
 /// How to get away from the part.
@@ -218,6 +231,7 @@ impl Default for Config {
             machine_zero: BTreeMap::new(),
             tools: BTreeMap::new(),
             defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 },
+            feed: FeedLimits { keep_speeds: true, largest: None, shortest_block: 0.0 },
             retract: Retract { position: 0.0, distance: None },
             approach: Approach { distance: 50.0 },
             park: BTreeMap::new(),

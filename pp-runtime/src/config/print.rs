@@ -163,6 +163,14 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Distance along the tool axis. Without it to the clearance geometry of the CL data.
 # e.g. distance = 100.0
 
+[feed]
+# Blocks in which an axis would be faster than its speed run longer.
+#keep_speeds = {keep_speeds}
+# Largest F of the control. Without it none.
+# e.g. largest = 20000.0
+# Shortest time of a block, seconds.
+#shortest_block = {shortest_block}
+
 [approach]
 # The approach point lies this far from the first point along the tool axis.
 #distance = {distance}
@@ -193,6 +201,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         greedy = config.greedy,
         axis_tolerance = degrees(config.axis_tolerance),
         position = number(config.retract.position),
+        keep_speeds = config.feed.keep_speeds,
+        shortest_block = number(config.feed.shortest_block),
         distance = number(config.approach.distance),
         linear_mm = formats.linear_mm,
         linear_inch = formats.linear_inch,

@@ -59,8 +59,8 @@ impl Config {
         let named = units.and_then(|value| r.choice(value, &UNITS));
         set(&mut r.units, named);
         self.read_top(r, &mut top);
-        let sections =
-            ["defaults", "course", "retract", "approach", "formats", "program", "cl"].map(|name| (name, top.get(name)));
+        let sections = ["defaults", "course", "retract", "approach", "feed", "formats", "program", "cl"]
+            .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
         let frames = top.get("frames");
         let machine_zero = top.get("machine_zero");
@@ -79,6 +79,7 @@ impl Config {
                     let distance = self.get(&mut section, "approach.distance");
                     set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
                 }
+                "feed" => self.read_feed(r, &mut section),
                 "formats" => self.read_formats(r, &mut section),
                 "cl" => self.read_cl(r, &mut section),
                 "course" => self.read_course::<M>(r, &mut section),
@@ -206,6 +207,18 @@ impl Config {
         }
         if let Some(value) = self.get(section, "retract.distance") {
             self.retract.distance = r.length(value, Bound::Positive);
+        }
+    }
+
+    fn read_feed(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
+        if let Some(value) = self.get(section, "feed.keep_speeds") {
+            set(&mut self.feed.keep_speeds, r.boolean(value));
+        }
+        if let Some(value) = self.get(section, "feed.largest") {
+            self.feed.largest = r.length(value, Bound::Positive);
+        }
+        if let Some(value) = self.get(section, "feed.shortest_block") {
+            set(&mut self.feed.shortest_block, r.number(value, Quantity::Plain, Bound::NotNegative));
         }
     }
 

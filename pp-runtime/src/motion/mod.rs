@@ -18,6 +18,7 @@ mod retreat;
 mod rewind;
 mod sequence;
 mod step;
+mod times;
 mod tool;
 mod travel;
 
@@ -30,4 +31,5 @@ pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
+pub use times::{OperationTime, Times};
 pub use tool::Tool;

@@ -7,7 +7,7 @@ use crate::program::{self, Location, Move};
 
 use super::course::{Change, How, Target, Turns, between};
 use super::fault::Fault;
-use super::feed::{Feeds, Stroke};
+use super::feed::{Feeds, Pace, Stroke};
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
 use super::step::{Feed, Sink, Step};
@@ -64,17 +64,18 @@ impl<M: Machine> Planner<'_, M> {
         Ok(())
     }
 
-    /// The F word of a motion of the CL data from where the tool stands to `to`.
+    /// How fast a motion of the CL data runs from where the tool stands to `to`.
     #[inline]
-    pub(super) fn feed(&self, feed: Option<program::Feed>, to: &Place<M::Axes>) -> Result<Feed, Fault> {
+    pub(super) fn pace(&self, feed: Option<program::Feed>, to: &Place<M::Axes>) -> Result<Pace, Fault> {
         let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
         let per_minute = Feeds::per_minute(feed, self.spindle.map(|(speed, _)| speed))?;
         let stroke = Stroke {
             length: (to.pose.tip - self.place.pose.tip).norm(),
             turn: self.placer.rotary_travel(&self.place.words, &to.words),
             square: self.placer.square(),
+            least: self.placer.least_minutes(&self.place, to).unwrap_or(0.0),
         };
-        self.feeds.word(per_minute, stroke)
+        self.feeds.pace(per_minute, stroke)
     }
 
     /// A motion inside an operation.
@@ -94,7 +95,7 @@ impl<M: Machine> Planner<'_, M> {
             }
             self.cancel_inverse_time(sink)?;
             self.watch_plunge(at, &motion.pose);
-            sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
+            self.rapid(&place, self.all(), sink)?;
         } else {
             self.feed_to(at, motion, &place, sink)?;
         }
@@ -162,7 +163,7 @@ impl<M: Machine> Planner<'_, M> {
         place: &Place<M::Axes>,
         sink: &mut impl Sink,
     ) -> Planned {
-        let feed = self.feed(motion.feed, place).map_err(|fault| stop(at, fault))?;
+        let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
         if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
             let off = self.placer.middle_deviation(&self.place, place);
             if off > self.statistics.largest_swing {
@@ -170,7 +171,7 @@ impl<M: Machine> Planner<'_, M> {
                 self.swing_at = at;
             }
         }
-        self.write_feed(place, feed, sink)?;
+        self.write_feed(at, place, pace, sink)?;
         self.cut(&motion.pose);
         Ok(())
     }
@@ -213,13 +214,29 @@ impl<M: Machine> Planner<'_, M> {
     }
 
     #[inline]
-    pub(super) fn write_feed(&mut self, place: &Place<M::Axes>, feed: Feed, sink: &mut impl Sink) -> Planned {
+    pub(super) fn write_feed(
+        &mut self,
+        at: Location,
+        place: &Place<M::Axes>,
+        Pace { feed, minutes, slowed }: Pace,
+        sink: &mut impl Sink,
+    ) -> Planned {
         if place.words != self.place.words {
+            self.times.cut(minutes);
+            if slowed > 0.0 {
+                self.times.slow(at, slowed);
+            }
             self.inverse_time = matches!(feed, Feed::InverseTime(_));
             self.statistics.inverse_time += u64::from(self.inverse_time);
             sink.step(&Step::Feed { words: self.placer.words(place, self.all()), feed })?;
         }
         Ok(())
+    }
+
+    /// A rapid to the words of a place in some axes.
+    pub(super) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
+        self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
+        Ok(sink.step(&Step::Rapid { words: self.placer.words(to, mask) })?)
     }
 
     /// Inverse time never stays in force over a rapid.

@@ -56,6 +56,10 @@ pub(crate) struct Placer<M: Machine> {
     /// Angle to the pole up to which the tool axis counts as being there, rad.
     pub(super) pole_tolerance: f64,
     pub(super) metric: Metric,
+    /// Largest speeds, mm/min and rad/min, by position in the chain.
+    speeds: Vec<Option<f64>>,
+    /// Feeds are limited by them.
+    timed: bool,
     linear_mask: u16,
     rotary_mask: u16,
     pub(super) scale: AngleScale,
@@ -116,6 +120,7 @@ impl<M: Machine> Placer<M> {
             limited: rotaries.iter().any(|rotary| !rotary.endless()),
             poles: poles(&machine, &rotaries),
             pole_tolerance: config.axis_tolerance.max(REACH_TOLERANCE),
+            timed: config.feed.keep_speeds && speeds.iter().any(Option::is_some),
             metric: Metric::new(&rotaries, [0, 1].map(speed), scale),
             rotaries,
             linear_mask: mask(AxisKind::Linear),
@@ -130,6 +135,7 @@ impl<M: Machine> Placer<M> {
             head,
             square: square(&machine, axes),
             machine,
+            speeds,
         }
     }
 
@@ -180,6 +186,31 @@ impl<M: Machine> Placer<M> {
     pub(crate) fn rotary_travel(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> f64 {
         let largest = self.rotaries.iter().map(|rotary| (to[rotary.index] - from[rotary.index]).abs()).max();
         self.scale.angle(largest.unwrap_or(0))
+    }
+
+    /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
+    #[inline]
+    pub(crate) fn least_minutes(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Option<f64> {
+        if !self.timed {
+            return None;
+        }
+        let times = self.speeds.iter().enumerate().filter_map(|(index, speed)| {
+            let travel = (to.axes.as_ref()[index] - from.axes.as_ref()[index]).abs();
+            speed.map(|speed| travel / speed)
+        });
+        times.reduce(f64::max)
+    }
+
+    /// Minutes of a rapid of some axes; `None` if one of those that move has no known speed.
+    pub(crate) fn least_minutes_of(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, mask: u16) -> Option<f64> {
+        let mut least: f64 = 0.0;
+        for (index, speed) in self.speeds.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
+            let travel = (to.axes.as_ref()[index] - from.axes.as_ref()[index]).abs();
+            if travel > 0.0 {
+                least = least.max(travel / (*speed)?);
+            }
+        }
+        Some(least)
     }
 
     /// Words of the axes in a mask.

@@ -21,6 +21,7 @@ use super::feed::Feeds;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
 use super::step::{Sink, Step};
+use super::times::Times;
 use super::tool::{SpindleRequest, Tool};
 
 /// A motion of the same axis, within this angle, rad: CL data has seven digits.
@@ -176,6 +177,7 @@ pub struct Planner<'a, M: Machine> {
     pub(super) lowest: Option<Pose>,
     pub(super) plunge_told: bool,
     pub(super) statistics: Statistics,
+    pub(super) times: Times,
 }
 
 impl<'a, M: Machine> Planner<'a, M> {
@@ -219,6 +221,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             lowest: None,
             plunge_told: false,
             statistics: Statistics::default(),
+            times: Times::default(),
         }
     }
 
@@ -233,6 +236,12 @@ impl<'a, M: Machine> Planner<'a, M> {
     #[must_use]
     pub fn statistics(&self) -> Statistics {
         self.statistics
+    }
+
+    /// How long what was planned so far takes.
+    #[must_use]
+    pub fn times(&self) -> &Times {
+        &self.times
     }
 
     /// Takes the remarks that have come up since the last call.
@@ -401,6 +410,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             Event::Name(_) | Event::Preselect(_) => {}
             Event::Operation(name) => {
                 self.begin(at, self.config.transition == Transition::Safe, sink)?;
+                self.times.operation(at, name);
                 sink.step(&Step::Operation { name })?;
             }
             Event::Tool(call) => {
@@ -478,6 +488,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             return Err(stop(at, fault.help(format_args!("between {low} and {high} seconds can be"))));
         }
         self.cancel_inverse_time(sink)?;
+        self.times.wait(seconds / 60.0);
         Ok(sink.step(&Step::Dwell { seconds })?)
     }
 

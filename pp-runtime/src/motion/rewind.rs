@@ -9,7 +9,7 @@ use super::course::{Target, Turns};
 use super::expand::distance_to;
 use super::fault::Fault;
 use super::planner::{Planned, Planner, stop};
-use super::step::{Sink, Step};
+use super::step::Sink;
 
 impl<M: Machine> Planner<'_, M> {
     /// Out along the tool axis, machine retract, rotaries, back the same way, and at feed to where the tool was.
@@ -32,14 +32,14 @@ impl<M: Machine> Planner<'_, M> {
         let out = self.placer.shifted(tip, &here).map_err(context)?;
         let above = self.placer.shifted(tip, &turned).map_err(context)?;
         self.cancel_inverse_time(sink)?;
-        sink.step(&Step::Rapid { words: self.placer.words(&out, self.placer.linear_mask()) })?;
+        self.rapid(&out, self.placer.linear_mask(), sink)?;
         self.clear = false;
         self.machine_retract(at, sink)?;
         self.come_in(at, &above, sink)?;
         self.clear = false;
         self.place = above;
-        let feed = self.feed(motion.feed, &turned).map_err(fault)?;
-        self.write_feed(&turned, feed, sink)?;
+        let pace = self.pace(motion.feed, &turned).map_err(fault)?;
+        self.write_feed(at, &turned, pace, sink)?;
         self.place = turned;
         self.retreat.reset();
         self.statistics.rewinds += 1;

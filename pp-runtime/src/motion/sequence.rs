@@ -51,7 +51,7 @@ impl<M: Machine> Planner<'_, M> {
                     .placer
                     .shifted(tip + axis.into_inner() * distance, &self.place)
                     .map_err(|fault| stop(at, fault.context(format_args!("the retract {what} {distance} mm"))))?;
-                sink.step(&Step::Rapid { words: self.placer.words(&out, self.placer.linear_mask()) })?;
+                self.rapid(&out, self.placer.linear_mask(), sink)?;
                 self.place = out;
             }
             Some(_) => {}
@@ -154,7 +154,7 @@ impl<M: Machine> Planner<'_, M> {
             self.placer.place(&first.pose, &self.place, !first.rapid, planned).map_err(|fault| stop(at, fault))?;
         if first.rapid {
             self.cancel_inverse_time(sink)?;
-            sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
+            self.rapid(&place, self.all(), sink)?;
         } else {
             self.feed_to(at, first, &place, sink)?;
         }
@@ -204,10 +204,10 @@ impl<M: Machine> Planner<'_, M> {
         self.place = above;
         if place.words != above.words {
             if first.rapid {
-                sink.step(&Step::Rapid { words: self.placer.words(&place, self.placer.linear_mask()) })?;
+                self.rapid(&place, self.placer.linear_mask(), sink)?;
             } else {
-                let feed = self.feed(first.feed, &place).map_err(fault)?;
-                self.write_feed(&place, feed, sink)?;
+                let pace = self.pace(first.feed, &place).map_err(fault)?;
+                self.write_feed(at, &place, pace, sink)?;
             }
         }
         if !first.rapid {
@@ -237,7 +237,7 @@ impl<M: Machine> Planner<'_, M> {
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
         let retract_axis = 1 << self.placer.retract_axis();
         for mask in [rotary, linear & !retract_axis, linear & retract_axis] {
-            sink.step(&Step::Rapid { words: self.placer.words(above, mask) })?;
+            self.rapid(above, mask, sink)?;
         }
         Ok(())
     }

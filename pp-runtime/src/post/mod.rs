@@ -6,6 +6,7 @@
 
 mod header;
 mod survey;
+mod time;
 
 #[cfg(test)]
 mod tests;
@@ -17,7 +18,7 @@ use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine};
-use crate::motion::{Abilities, Cost, Course, Expander, Navigator, Planner, Sink, Statistics, Step, Stop};
+use crate::motion::{Abilities, Cost, Course, Expander, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
 use crate::program::{Coolant, Location};
 
 use survey::Survey;
@@ -55,6 +56,8 @@ pub struct Report {
     pub failed: bool,
     /// What was met on the way.
     pub statistics: Statistics,
+    /// How long the program takes.
+    pub times: Times,
     /// Blocks written, comments not counted.
     pub blocks: u64,
     /// Lines of CL data read.
@@ -88,6 +91,7 @@ impl Report {
             counted(self.statistics.sequences, "safe sequence"),
             counted(self.statistics.inverse_time, "block"),
         )];
+        lines.extend(time::lines(&self.times));
         lines.extend(self.reading.iter().cloned());
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
@@ -227,6 +231,7 @@ fn run<M: Machine, R: Read, W: Write>(
     };
     report.diagnostics.append(&mut planner.take_warnings());
     report.statistics = planner.statistics();
+    report.times = planner.times().clone();
     report.unchecked = header::unchecked(&planner.unchecked_axes());
     match planned {
         Ok(()) => {}
