@@ -189,6 +189,17 @@ fn a_curve_of_nx_begins_where_the_tool_stands_and_the_next_goto_is_a_line() {
         "{missing:?}"
     );
     assert!(errors(&text.replace("KNOT/1.0", "KNOT/.25"))[0].contains("its knots do not rise"));
+    for knots in ["0,1", "1,1", "0,0", "-1,-1"] {
+        let broken = errors(&text.replace("KNOT/.5\nKNOT/1.0", &format!("KNOT/{knots}")));
+        let why = if knots.starts_with('-') { "its knots do not rise" } else { "too many of its knots are equal" };
+        assert!(broken[0].ends_with(why), "{knots}: {broken:?}");
+    }
+    let inside = |knots: &str| {
+        let points = "CNTRL/1,0,0\n".repeat(knots.split(',').count() + 2);
+        errors(&format!("GOTO/0,0,0\nNURBS/\nKNOT/{knots}\n{points}"))
+    };
+    assert_eq!(inside(".5,.5,.5,1"), [""; 0], "a corner is no break");
+    assert!(inside(".5,.5,.5,.5,1")[0].ends_with("too many of its knots are equal"));
     refused("GOTO/0,0,0\nKNOT/1\n", "2:6+1 KNOT stands outside a NURBS");
     refused(
         "NURBS/\nGOTO/0,0,0\n",
