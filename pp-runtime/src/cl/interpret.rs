@@ -17,12 +17,10 @@ use super::holes::Definition;
 use super::options::{ClPoint, Frames, Options};
 use super::record::{Cutter, FrameRecord, Point, Record, Text};
 use super::spline::Curve;
+use super::vector::near;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Event, Feed, Location, Move, Plane, ToolCall, Units};
-
-/// A kilometre: no machine goes there, and words of an NC program would overflow.
-const LARGEST_COORDINATE_MM: f64 = 1e6;
 
 /// What a text is for.
 #[derive(Debug, Clone, Copy)]
@@ -304,17 +302,9 @@ impl Interpreter {
     /// The pose of a point, in the workpiece frame.
     pub(super) fn pose(&mut self, point: &Point) -> Result<(Pose, bool), Fault> {
         let unit = self.millimetres(point.at)?;
-        let [x, y, z] = point.tip.map(|value| value * unit);
-        if [x, y, z].iter().any(|value| value.abs() > LARGEST_COORDINATE_MM) {
-            return Err(Fault::new(
-                "coordinate",
-                point.at,
-                "a coordinate is more than a kilometre from the origin",
-                "check the point in the CAM system, and the unit of the file",
-            ));
-        }
+        let tip = near(Point3::from(point.tip.map(|value| value * unit)), point.at)?;
         let (axis, normalised) = self.axis.at_point(point.axis, point.at)?;
-        let pose = Pose { tip: Point3::new(x, y, z), axis };
+        let pose = Pose { tip, axis };
         if let (Some(setup), Some(given)) = (self.setup, point.axis)
             && !same_direction(&setup, given)
         {
@@ -328,7 +318,8 @@ impl Interpreter {
         if self.plain {
             return Ok((pose, normalised));
         }
-        Ok((Pose { tip: self.changes.point(pose.tip), axis: self.changes.direction(axis) }, normalised))
+        let tip = near(self.changes.point(tip), point.at)?;
+        Ok((Pose { tip, axis: self.changes.direction(axis) }, normalised))
     }
 
     /// The tip of a pose that may be programmed at the centre of the corner radius.

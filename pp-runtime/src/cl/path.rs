@@ -5,6 +5,7 @@ use super::fault::{Fault, Span};
 use super::holes::{self, Back, Context};
 use super::interpret::{Interpreter, Pending};
 use super::record::{Circle, CircleForm, Cycle, CycleState, Numbers, Point, Record, TangentArc};
+use super::vector::near;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Arc, Event, Hole, Location, Move};
@@ -41,6 +42,7 @@ impl Interpreter {
     /// A motion to a pose in the workpiece frame, whatever is open.
     #[cold]
     fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), Fault> {
+        near(pose.tip, at)?;
         if let Some(circle) = self.circle.take() {
             let done = self.end_circle(&circle, pose, at, here);
             // What follows an arc that is refused counts from its end all the same.
@@ -186,8 +188,9 @@ impl Interpreter {
             CircleForm::Six | CircleForm::Seven => Sense::CounterClockwise,
             CircleForm::Eleven => Sense::Clockwise,
         };
+        let centre = self.changes.point(Point3::from(circle.centre.map(|value| value * unit)));
         self.circle = Some(arcs::Pending {
-            centre: self.changes.point(Point3::from(circle.centre.map(|value| value * unit))),
+            centre: near(centre, circle.at)?,
             axis: self.changes.direction(UnitVector3::new_normalize(axis)),
             sense: self.options.circle_sense.unwrap_or(sense),
             radius: circle.radius.map(|radius| radius * unit),
@@ -237,9 +240,9 @@ impl Interpreter {
         let Some(direction) = self.direction.take() else {
             return Err(fault("no INDIRV says in which direction this arc begins".into()));
         };
-        let point = |p: [f64; 3]| self.changes.point(Point3::from(p.map(|value| value * unit)));
-        let (centre, radius) = (point(record.centre), record.radius * unit);
-        let [from, end] = record.line.map(point);
+        let point = |p: [f64; 3]| near(self.changes.point(Point3::from(p.map(|value| value * unit))), at);
+        let (centre, radius) = (point(record.centre)?, record.radius * unit);
+        let (from, end) = (point(record.line[0])?, point(record.line[1])?);
         let off = ((end - centre).norm() - radius).abs();
         if off > ARC_TOLERANCE_MM {
             return Err(fault(format!("the end of the line is {off:.4} mm off the circle, so the end is not known")));
@@ -412,7 +415,8 @@ impl Interpreter {
                 level.max(cycle.clearance)
             }
         };
-        self.here = Some(Pose { tip: top.tip + top.axis.into_inner() * back_to, ..top });
+        near(top.tip - top.axis.into_inner() * cycle.depth, at)?;
+        self.here = Some(Pose { tip: near(top.tip + top.axis.into_inner() * back_to, at)?, ..top });
         let top = self.tip(top, at)?;
         let (depth, clearance) = (cycle.depth, cycle.clearance);
         let feed = cycle.feed.or(self.feed);

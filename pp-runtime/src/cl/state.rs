@@ -4,7 +4,7 @@ use super::fault::{Fault, Span};
 use super::interpret::{Cutters, Interpreter, Meant};
 use super::options::{FeedLabel, Insert};
 use super::record::{Cutter, FeedUnit, Text, Tool};
-use super::vector;
+use super::vector::{self, near};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Dwell, Event, Feed, Location, Plane, ToolCall, Units};
 
@@ -105,7 +105,7 @@ impl Interpreter {
                 "check the unit of the feed: IPM, MMPM and PERMIN count per minute",
             )),
             _ if !value.is_finite() || value > LARGEST_FEED => {
-                Err(Fault::new("feed", at, format!("the feed {value} is not plausible"), "check the exponent"))
+                Err(Fault::new("feed", at, format!("the feed {value:e} is not plausible"), "check the exponent"))
             }
             feed => Ok(feed),
         }
@@ -210,7 +210,7 @@ impl Interpreter {
         }
         let normal = normal.map(|value| value / length);
         let distance = distance * unit / length;
-        let point = self.changes.point(Point3::from(normal.map(|value| value * distance)));
+        let point = near(self.changes.point(Point3::from(normal.map(|value| value * distance))), at)?;
         let normal = self.changes.direction(UnitVector3::new_normalize(Vector3::from(normal)));
         let plane = Plane { normal, distance: point.coords.dot(&normal) };
         self.clearance = Some(plane);

@@ -21,6 +21,28 @@ fn what_is_no_number_is_shown() {
 }
 
 #[test]
+fn no_point_that_a_record_leads_to_is_a_kilometre_away() {
+    let far = "a coordinate is more than a kilometre from the origin";
+    for (text, at) in [
+        ("GODLTA/1E308,0,0", "2:8+9"),
+        ("GODLTA/1E7", "2:8+3"),
+        ("CIRCLE/1E308,0,0,0,0,1\nGOTO/0,0,0", "2:8+15"),
+        ("CIRCLE/1E150,0,0,0,0,1\nGOTO/0,0,0", "2:8+15"),
+        ("CLEARP/XYPLAN,1E308", "2:8+12"),
+        ("TRACUT/1,0,0,1E308,0,1,0,0,0,0,1,0\nGOTO/1,2,3", "3:6+5"),
+        ("ORIGIN/1E307,0,0\nGOTO/1,2,3", "3:6+5"),
+        ("INDIRV/0,1,0\nTLON,GOFWD/(CIRCLE/1E308,0,0,1),ON,(LINE/0,0,0,1,0,0)", "3:12+42"),
+        ("$$-> A\nCYCLE/DRILL,DEPTH,1E308,CLEAR,1\nGOTO/0,0,0", "4:6+5"),
+        ("$$-> A\nCYCLE/DRILL,DEPTH,1,CLEAR,1,RETURN,1E9\nGOTO/0,0,0", "4:6+5"),
+    ] {
+        let found = errors(&format!("GOTO/0,0,0\n{text}\n"));
+        assert_eq!(found[0], format!("{at} {far}"), "{text}");
+    }
+    refused("SPINDL/1E308,CLW\nGOTO/0,0,0\n", "1:8+5 a spindle speed of `1E308` rev/min is not plausible");
+    refused("FEDRAT/1E308\nGOTO/0,0,0\n", "1:8+5 the feed 1e308 is not plausible");
+}
+
+#[test]
 fn a_missing_comma_is_no_longer_a_number() {
     refused("SPINDL/900CCLW\nGOTO/1,2,3\n", "1:8+7 `900CCLW` is not a number");
 }
