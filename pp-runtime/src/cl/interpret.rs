@@ -55,8 +55,10 @@ pub(super) struct CycleInForce {
     pub(super) definition: Option<Definition>,
     /// CYCLE/INIT (true) or CYCLE/CLEAR stood in front.
     pub(super) initial: Option<bool>,
-    /// Where the tool stood when the cycle was defined.
+    /// Where the tool stood when the cycle began or was resumed.
     pub(super) before: Option<Point3<f64>>,
+    /// The last motion was a hole: the tool stands above the point of its record.
+    pub(super) above_hole: bool,
 }
 
 /// Everything modal.
@@ -364,6 +366,7 @@ impl Interpreter {
         self.plain = self.circle.is_none()
             && !self.curve_open
             && !self.cycle.active
+            && !self.cycle.above_hole
             && !self.votes.waits()
             && self.changes.none()
             && self.options.cl_point == ClPoint::Tip

@@ -2,7 +2,7 @@
 
 use super::arcs::{self, ARC_TOLERANCE_MM, Sense};
 use super::fault::{Fault, Span};
-use super::holes::{self, Back, Context};
+use super::holes::{self, Back, Context, Definition};
 use super::interpret::{Interpreter, Pending};
 use super::record::{Circle, CircleForm, Cycle, CycleState, Numbers, Point, Record, TangentArc};
 use super::vector::near;
@@ -54,6 +54,7 @@ impl Interpreter {
             return self.hole(pose, at, here);
         }
         self.motions += 1;
+        self.cycle.above_hole = false;
         let rapid = std::mem::take(&mut self.rapid);
         let line = self.here.filter(|_| !rapid).map(|before| pose.tip - before.tip);
         self.votes.settle(line);
@@ -85,6 +86,14 @@ impl Interpreter {
 
     /// Where the tool stands, for what counts from there.
     fn standing(&self, name: &'static str, at: Span) -> Result<Pose, Fault> {
+        if self.cycle.above_hole {
+            return Err(Fault::new(
+                name,
+                at,
+                format!("{name} stands behind a hole: whether it counts from the hole or from above it is not known"),
+                "give a GOTO in front of it",
+            ));
+        }
         self.here.ok_or_else(|| {
             Fault::new(
                 name,
@@ -98,6 +107,7 @@ impl Interpreter {
     /// Where the tool is said to stand, by FROM.
     pub(super) fn stand_at(&mut self, pose: Pose) {
         self.here = Some(pose);
+        self.cycle.above_hole = false;
         self.line_from = None;
         self.votes.settle(None);
     }
@@ -124,6 +134,7 @@ impl Interpreter {
     /// GOHOME.
     pub(super) fn go_home(&mut self, point: Option<&Point>, here: Location) -> Result<(), Fault> {
         self.rapid = false;
+        self.cycle.above_hole = false;
         self.votes.settle(None);
         self.line_from = None;
         let Some(point) = point else {
@@ -147,6 +158,8 @@ impl Interpreter {
         let Some(plane) = self.clearance else {
             return fault("RETRCT goes to the clearance plane, and there is none", "give CLEARP before it");
         };
+        // The way along the tool is the same from a hole and from above it.
+        self.cycle.above_hole = false;
         let from = self.standing("RETRCT", Span::WHOLE)?;
         let along = from.axis.dot(&plane.normal);
         if along < 1e-3 {
@@ -348,7 +361,6 @@ impl Interpreter {
     pub(super) fn define_cycle(&mut self, cycle: &Cycle) -> Result<(), Fault> {
         self.cycle.active = true;
         self.cycle.definition = None;
-        self.cycle.before = self.here.map(|pose| pose.tip);
         self.votes.settle(None);
         let args = self.options.cycle_args.iter().find(|(kind, _)| *kind == cycle.kind).map(|(_, args)| args.clone());
         let named = holes::with_names(cycle, args.as_deref())?;
@@ -360,10 +372,17 @@ impl Interpreter {
         let context =
             Context { dialect: self.dialect(), unit, initial: self.cycle.initial.take(), args: args.as_deref(), feed };
         let definition = holes::define(cycle, &context)?;
+        self.begin_holes(definition, cycle.at)
+    }
+
+    /// Holes follow; the level before them is that of the tool now.
+    fn begin_holes(&mut self, definition: Definition, at: Span) -> Result<(), Fault> {
+        self.cycle.active = true;
+        self.cycle.before = self.here.map(|pose| pose.tip);
         if definition.back == Back::Initial && self.here.is_none() {
             return Err(Fault::new(
                 "CYCLE",
-                cycle.at,
+                at,
                 "RTRCTO,AUTO goes back to the level before the cycle, and nothing says where the tool stands",
                 "give a GOTO before the cycle",
             ));
@@ -378,9 +397,12 @@ impl Interpreter {
             CycleState::Off => self.cycle.active = false,
             CycleState::Initial => self.cycle.initial = Some(true),
             CycleState::Clear => self.cycle.initial = Some(false),
-            CycleState::On if self.cycle.definition.is_some() => self.cycle.active = true,
             CycleState::On => {
-                return Err(Fault::new("CYCLE", at, "CYCLE/ON without a cycle before it", "define the cycle first"));
+                let Some(definition) = self.cycle.definition else {
+                    let text = "CYCLE/ON without a cycle before it in this operation";
+                    return Err(Fault::new("CYCLE", at, text, "define the cycle first"));
+                };
+                return self.begin_holes(definition, at);
             }
         }
         Ok(())
@@ -417,6 +439,7 @@ impl Interpreter {
         };
         near(top.tip - top.axis.into_inner() * cycle.depth, at)?;
         self.here = Some(Pose { tip: near(top.tip + top.axis.into_inner() * back_to, at)?, ..top });
+        self.cycle.above_hole = true;
         let top = self.tip(top, at)?;
         let (depth, clearance) = (cycle.depth, cycle.clearance);
         let feed = cycle.feed.or(self.feed);

@@ -125,6 +125,8 @@ impl Interpreter {
     pub(super) fn begin_operation(&mut self) {
         self.axis.begin_operation();
         self.setup = None;
+        // Levels of one tool are not those of another.
+        (self.cycle.definition, self.cycle.initial) = (None, None);
         // Rapids and lines of another operation say nothing about an arc.
         self.line_from = None;
         self.votes.settle(None);

@@ -303,6 +303,69 @@ fn a_cycle_can_be_resumed() {
     let found = said(&text, MM);
     assert!(found[2].starts_with("hole") && found[3].starts_with("feed") && found[4].starts_with("hole 3 0 0"));
     assert!(errors("GOTO/0,0,0\nCYCLE/ON\n")[0].contains("without a cycle before it"));
+    // Back to the level of the resumption, not to that of a wall ago.
+    let auto = text.replace("FEDTO,-3", "FEDTO,-3,RTRCTO,AUTO").replace("GOTO/2,0,9", "GOTO/2,0,80");
+    let found = said(&auto, MM);
+    assert!(found[2].contains("from 3 to 50") && found[4].contains("from 3 to 80"), "{found:?}");
+}
+
+#[test]
+fn a_cycle_is_not_resumed_in_another_operation() {
+    let cycle = format!("{NX}CYCLE/DRILL,RAPTO,3,FEDTO,-3\nGOTO/1,0,0\nCYCLE/OFF\n");
+    for between in ["TOOL PATH/B,TOOL,C", "LOAD/TOOL,2"] {
+        let found = errors(&format!("{cycle}{between}\nGOTO/2,0,9\nCYCLE/ON\nGOTO/3,0,0\n"));
+        assert_eq!(found, ["8:7+2 CYCLE/ON without a cycle before it in this operation"], "{between}");
+    }
+    // Nor is what CYCLE/INIT says of the cycle behind it.
+    let text = "UNIT/MM\nGOTO/0,0,50\nCYCLE/INIT\nLOAD/TOOL,2\nGOTO/0,0,50\nCYCLE/DRILL,FEDTO,4,RAPTO,3,RTRCTO,25\nGOTO/1,0,0\n";
+    assert!(errors_with(text, UNSTATED)[0].contains("neither CYCLE/INIT nor CYCLE/CLEAR"));
+}
+
+#[test]
+fn nothing_counts_from_a_hole() {
+    let cycle = format!("CLEARP/XYPLAN,60\n{NX}CYCLE/DRILL,RAPTO,3,FEDTO,-3\n");
+    let counted = |text: &str| errors(&format!("{cycle}GOTO/1,0,0\n{text}\n"));
+    assert_eq!(
+        counted("GODLTA/10,0,0"),
+        ["6:8+6 GODLTA stands behind a hole: whether it counts from the hole or from above it is not known"]
+    );
+    for text in ["GODLTA/5", "CYCLE/OFF\nGODLTA/5", "CYCLE/OFF\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0", "CYCLE/OFF\nNURBS/"] {
+        assert!(counted(text)[0].contains("stands behind a hole"), "{text}");
+    }
+    assert_eq!(counted("CYCLE/OFF\nGOTO/0,0,9\nGODLTA/5"), [""; 0]);
+    assert_eq!(counted("CYCLE/OFF\nRETRCT\nGODLTA/5"), [""; 0]);
+    // The first hole may count from the point before it.
+    assert!(said(&format!("{cycle}GODLTA/1,0,-50\n"), MM)[3].starts_with("hole 1 0 0"));
+}
+
+#[test]
+fn every_length_of_an_inch_file_is_in_inches() {
+    let inch = |text: &str| said(&format!("UNITS/INCH\n$$-> A\nGOTO/0,0,2\n{text}\n"), UNSTATED);
+    let levels = "DEPTH,1,CLEAR,.5,RETURN,2,IPM,10";
+    let peck = inch(&format!("CYCLE/DEEP,{levels},STEP,.5,1STPECK,.25\nGOTO/1,0,0"));
+    assert_eq!(
+        peck[1],
+        "hole 25.4 0 0 deep 25.4 from 12.7 to 50.8 Peck { first: 6.35, later: 12.7 } Some(PerMinute(254.0)) None"
+    );
+    let chip = inch(&format!("CYCLE/BRKCHP,{levels},STEP,.5,BACK,.25,DWELL,2\nGOTO/1,0,0"));
+    assert!(
+        chip[1].ends_with("ChipBreak { step: 12.7, back: Some(6.35) } Some(PerMinute(254.0)) Some(Seconds(2.0))"),
+        "{chip:?}"
+    );
+    assert_eq!(inch("LINTOL/.001")[1], "Tolerance(Some(0.0254))");
+    assert_eq!(inch("GODLTA/1")[1], "feed 0 0 76.19999999999999 axis 0 0 1 None");
+    assert_eq!(inch("GODLTA/1,0,0")[1], "feed 25.4 0 50.8 axis 0 0 1 None");
+    assert_eq!(inch("ORIGIN/1,0,0\nGOTO/0,0,0")[1], "feed -25.4 0 0 axis 0 0 1 None");
+    assert_eq!(inch("TRACUT/1,0,0,1,0,1,0,0,0,0,1,0\nGOTO/0,0,0")[1], "feed 25.4 0 0 axis 0 0 1 None");
+    assert_eq!(inch("CLEARP/XYPLAN,3\nRETRCT")[2], "rapid 0 0 76.19999999999999 axis 0 0 1 None");
+    assert_eq!(inch("CIRCLE/1,0,2,0,0,1,1\nGOTO/2,0,2")[1], "arc to 50.8 0 50.8 about 0 0 1 through 180.000");
+    let tracut = "TRACUT/1,0,0,1,0,1,0,0,0,0,1,0\n";
+    let text = format!("UNITS/INCH\n{tracut}GOTO/0,0,0\nNURBS/\nKNOT/1\nCNTRL/1,0,0\nCNTRL/2,0,0\nCNTRL/3,0,0\n");
+    let mut reader = Reader::new(text.as_bytes(), Options::default());
+    reader.next_event().unwrap();
+    let Some((_, Event::Spline(spline))) = reader.next_event().unwrap() else { panic!("a curve") };
+    let x: Vec<f64> = spline.points.iter().map(|point| (point.x * 10.0).round() / 10.0).collect();
+    assert_eq!(x, [25.4, 50.8, 76.2, 101.6]);
 }
 
 #[test]
