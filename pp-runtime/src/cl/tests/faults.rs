@@ -52,6 +52,7 @@ fn an_empty_place_is_refused_where_it_is() {
     refused("GOTO/1,,3\n", "1:8+1 an argument is missing: nothing stands between the commas here");
     refused("GOTO/1,2,\n", "1:9+1 an argument is missing: nothing stands between the commas here");
     refused("GOTO/,2,3\n", "1:6+1 an argument is missing: nothing stands between the commas here");
+    refused("TOOLNO/1,,TURN\nGOTO/0,0,0\n", "1:10+1 an argument is missing: nothing stands between the commas here");
     refused("SPINDL/RPM,,CLW\nGOTO/0,0,0\n", "1:12+1 an argument is missing: nothing stands between the commas here");
 }
 
@@ -247,6 +248,7 @@ fn a_record_that_a_dollar_makes_part_of_a_text_is_refused() {
     refused("PPRINT PRICE IN US$\n GOTO / 0,0,50\nGOTO/9,9,50\n", &format!("2:2+4 GOTO {text} PPRINT"));
     refused("PARTNO A$ \nRAPID\nGOTO/9,9,50\n", &format!("2:1+5 RAPID {text} PARTNO"));
     refused("MACHIN/A,1,$\nB$\nSPINDL/OFF\nGOTO/9,9,50\n", &format!("3:1+6 SPINDL {text} MACHIN"));
+    refused("GOTO/9,9,50\n$$-> FEATNO / 12 $\nGOTO/0,0,50\n", &format!("3:1+4 GOTO {text} $$->"));
     assert_eq!(events("PPRINT first $\n STOP at once\nGOTO/0,0,0\n").len(), 2);
 }
 

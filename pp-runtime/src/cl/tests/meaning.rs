@@ -163,7 +163,7 @@ fn multax_off_keeps_the_axis_but_in_creo_a_tilt_is_in_doubt() {
 
 #[test]
 fn inert_records_cause_nothing() {
-    let text = "PAINT/COLOR,1\nSEQNO/1\nDISPLY/ON\nTPRINT/T1 Drill,D\nREWIND/0\nTOOLNO/1,  16,,2\nLETTER x\n\
+    let text = "PAINT/COLOR,1\nSEQNO/1\nDISPLY/ON\nTPRINT/T1 Drill,D\nREWIND/0\nTOOLNO/1,  16,2\nLETTER x\n\
                 LEADER/1\nCHECK/1\nTMARK/1\nINTOL /  0.025\nOUTTOL/0\nSETUP/START,1\nCSI_SET_FLUTE_LENGTH/70.\n\
                 TRNTYP/WORLD,0,0,0\nSET/MODE,ABSOL\nCYCLE/OFF\nREMARK a/b,,\nEND-OF-PATH\nEND\nGOTO/1,2,3\nFINI\n";
     assert_eq!(events(text), ["21:1 feed 1 2 3 axis 0 0 1 None"]);
@@ -185,6 +185,18 @@ fn the_catia_matrix_is_a_frame() {
     let found = errors(&other);
     assert_eq!(found.len(), 1);
     assert!(found[0].contains("the frame in line 11 differs from the workpiece frame in line 5"), "{found:?}");
+}
+
+#[test]
+fn a_matrix_of_catia_is_read_whole_or_refused() {
+    let row = "a row of the matrix behind $$*CATIA0 is expected here: four numbers with blanks between them";
+    let matrix = |rows: &str| errors(&format!("$$*CATIA0\n$$ Program.1\n{rows}GOTO/0,0,0\nGOTO/1,0,0\n"));
+    // A number as wide as its field leaves no blank.
+    assert_eq!(matrix("$$ 1 0 0-10000.0\n$$ 0 1 0 0\n$$ 0 0 1 0\n"), [format!("3:1+16 {row}")]);
+    assert_eq!(matrix("$$ 1 0 0 0\n$$ 0 1 0\n$$ 0 0 1 0\n"), [format!("4:1+8 {row}")]);
+    assert_eq!(matrix("$$ 1 0 0 0\n$$ 0 1 0 0\n"), [format!("5:1+10 {row}")]);
+    assert_eq!(matrix("$$ 1 0 0 0\n$$*CATIA0\n"), [format!("4:1+9 {row}")]);
+    assert_eq!(matrix("$$ no matrix here\n$$ 1 0 0 0\n"), [""; 0]);
 }
 
 #[test]
