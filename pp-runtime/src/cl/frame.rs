@@ -79,6 +79,13 @@ impl Workpiece {
         self.frames.len()
     }
 
+    /// The unit of the file became known behind the frames.
+    pub(super) fn scale(&mut self, unit: f64) {
+        for frame in &mut self.frames {
+            frame.origin = frame.origin.map(|value| value * unit);
+        }
+    }
+
     /// Number of the frame in force, from 1.
     pub(super) fn number(&self) -> u32 {
         u32::try_from(self.current + 1).unwrap_or(u32::MAX)

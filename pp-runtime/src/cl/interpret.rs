@@ -84,6 +84,8 @@ pub(super) struct Interpreter {
     pub(super) circle: Option<arcs::Pending>,
     /// INDIRV.
     pub(super) direction: Option<Vector3<f64>>,
+    /// AUTOPS, INDIRV: a TLON must follow.
+    pub(super) tangent_arc_begun: bool,
     pub(super) votes: Votes,
     /// A curve that is being read.
     pub(super) curve_open: bool,
@@ -167,13 +169,14 @@ impl Interpreter {
             Record::Retract => self.retract(here)?,
             Record::Rapid => self.rapid = true,
             Record::Circle(circle) => self.open_circle(&circle, here)?,
-            Record::AutomaticPlane => {}
+            Record::AutomaticPlane => self.tangent_arc_begun = true,
             Record::Direction { vector, at } => {
                 let vector = self.changes.vector(Vector3::from(vector));
                 if vector.norm() < 1e-9 {
                     return Err(Fault::new("INDIRV", at, "INDIRV points nowhere", "it is the direction of the path"));
                 }
                 self.direction = Some(vector.normalize());
+                self.tangent_arc_begun = true;
             }
             Record::TangentArc(arc) => self.tangent_arc(&arc, here)?,
             Record::Nurbs => self.open_curve(here)?,
@@ -230,9 +233,9 @@ impl Interpreter {
             }
             Record::Cutter(cutter) | Record::CutterOfLastTool(cutter) => {
                 let cutter = self.in_millimetres(cutter, here)?;
-                if let Some(held) = &mut self.held {
-                    held.diameter = Some(cutter.diameter);
-                    held.corner_radius = cutter.corner_radius;
+                if let Some(tool) = self.held.as_mut().or(self.last_tool.as_mut()) {
+                    tool.diameter = Some(cutter.diameter);
+                    tool.corner_radius = cutter.corner_radius;
                 }
             }
             Record::Preselect(number) => self.emit(here, Event::Preselect(number)),
@@ -365,6 +368,7 @@ impl Interpreter {
     pub(super) fn note_state(&mut self) {
         self.plain = self.circle.is_none()
             && !self.curve_open
+            && !self.tangent_arc_begun
             && !self.cycle.active
             && !self.cycle.above_hole
             && !self.votes.waits()
@@ -390,7 +394,7 @@ impl Interpreter {
             }
             // A frame that differs is refused before it gets here.
             Frames::Offset | Frames::Refuse => {
-                self.here = None;
+                (self.here, self.clearance) = (None, None);
                 let number = self.workpiece.number();
                 self.emit(here, Event::Frame(number));
             }
@@ -427,9 +431,28 @@ impl Interpreter {
         }
     }
 
-    /// A cycle or a circle that is open allows few records.
+    /// A cycle, a circle or a TLON that is open allows few records.
     fn check_open(&mut self, record: &Record<'_>) -> Result<(), Fault> {
         let fault = |kind, text: String, help: &str| Err(Fault::new(kind, Span::WHOLE, text, help));
+        let moves = matches!(
+            record,
+            Record::Goto(_)
+                | Record::Points(_)
+                | Record::Delta(_)
+                | Record::DeltaAlongAxis { .. }
+                | Record::Home(_)
+                | Record::Retract
+                | Record::Circle(_)
+                | Record::Nurbs
+        );
+        if moves && std::mem::take(&mut self.tangent_arc_begun) {
+            self.direction = None;
+            return fault(
+                "TLON",
+                "this motion stands behind AUTOPS or INDIRV, where TLON is expected".into(),
+                "have the CAM system write lines instead of arcs",
+            );
+        }
         if let Some(circle) = &self.circle {
             let passes = matches!(
                 record,

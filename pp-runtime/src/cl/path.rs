@@ -250,6 +250,7 @@ impl Interpreter {
         if std::mem::take(&mut self.rapid) {
             return Err(fault("RAPID stands before an arc".into()));
         }
+        self.tangent_arc_begun = false;
         let Some(direction) = self.direction.take() else {
             return Err(fault("no INDIRV says in which direction this arc begins".into()));
         };

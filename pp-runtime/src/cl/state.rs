@@ -50,6 +50,9 @@ impl Interpreter {
             }
             return Ok(());
         }
+        if self.units().is_none() {
+            self.workpiece.scale(units.in_mm());
+        }
         self.found_units = Some((units, here));
         if self.options.units.is_some_and(|given| given != units) {
             return Err(Fault::new(

@@ -171,6 +171,10 @@ fn an_arc_of_catia_begins_along_indirv_and_ends_where_its_line_ends() {
     assert!(errors(&text.replace("INDIRV/0,0,1", "INDIRV/1,0,0"))[0].contains("INDIRV is not tangential"));
     assert!(errors(&text.replace("INDIRV/0,0,1\n", ""))[0].contains("no INDIRV"));
     assert!(errors(&text.replace("GOFWD", "GOBACK"))[0].contains("`GOFWD` is expected"));
+    for word in ["AUTOPS", "INDIRV/0,0,1"] {
+        let alone = errors(&format!("GOTO/0,0,0\n{word}\nGOTO/1,0,0\nGOTO/2,0,0\n"));
+        assert_eq!(alone, ["3:1+10 this motion stands behind AUTOPS or INDIRV, where TLON is expected"]);
+    }
 }
 
 #[test]
@@ -406,6 +410,22 @@ fn a_second_frame_is_mapped_into_the_first_or_has_an_offset_of_its_own() {
 }
 
 #[test]
+fn a_frame_in_front_of_units_is_in_that_unit_too() {
+    let text = "MSYS/1,0,0,1,0,0,0,1,0\nUNITS/INCH\nGOTO/0,0,0\nMSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nMSYS/2,0,0,1,0,0,0,1,0\nGOTO/0,0,0\n";
+    let found = said(text, Options { frames: Frames::Main, ..Options::default() });
+    assert_eq!(found[1..], ["feed 25.4 0 0 axis 0 0 1 None", "SafeSequence", "feed 25.4 0 0 axis 0 0 1 None"]);
+}
+
+#[test]
+fn a_clearance_plane_belongs_to_its_frame() {
+    let text = format!("CLEARP/XYPLAN,50\n{TWO_FRAMES}RETRCT\n");
+    let found = errors_with(&text, Options { frames: Frames::Offset, ..mm() });
+    assert_eq!(found, ["6:1+6 RETRCT goes to the clearance plane, and there is none"]);
+    let found = said(&text, Options { frames: Frames::Main, ..mm() });
+    assert_eq!(found.last().map(String::as_str), Some("rapid 8 36.25 50 axis 0 0.6 0.8 None"));
+}
+
+#[test]
 fn csys_of_solidworks_moves_nothing_and_sets_the_tool_axis() {
     let world = "UNIT/MM\nTRNTYP/WORLD,0,0,0\n";
     let text = format!(
@@ -438,7 +458,9 @@ fn the_centre_of_the_corner_radius_lies_above_the_tip() {
     let found = said(text, centre.clone());
     assert_eq!(found[1], "feed 0 -3 -4 axis 0 0.6 0.8 None");
     assert_eq!(found[3], "arc to 0 1 -5 about 0 0 1 through 90.000");
-    assert!(errors_with("LOADTL/1\nGOTO/0,0,0\n", centre)[0].contains("the radius of this tool is unknown"));
+    assert!(errors_with("LOADTL/1\nGOTO/0,0,0\n", centre.clone())[0].contains("the radius of this tool is unknown"));
+    let creo = "$$-> A\nLOADTL/1\nSPINDL/900,CLW\n$$-> CUTTER / 10,5\nGOTO/0,0,0\n";
+    assert_eq!(said(creo, centre)[2], "feed 0 0 -5 axis 0 0 1 None");
     let mut of_one = mm();
     of_one.cl_point_of.insert(1, ClPoint::Centre);
     assert_eq!(said(text, of_one)[1], "feed 0 -3 -4 axis 0 0.6 0.8 None");
