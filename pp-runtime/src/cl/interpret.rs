@@ -72,6 +72,10 @@ pub(super) struct Interpreter {
     pub(super) rapid: bool,
     pub(super) feed: Option<Feed>,
     pub(super) cutter_of_next: Option<Cutter>,
+    /// Nothing has moved since that cutter was described.
+    pub(super) cutter_is_new: bool,
+    /// The cutter that moved last without a tool record for it.
+    pub(super) uncalled_cutter: Option<Cutter>,
     pub(super) held: Option<ToolCall>,
     pub(super) held_at: Location,
     pub(super) last_tool: Option<ToolCall>,
@@ -104,7 +108,9 @@ pub(super) struct Interpreter {
     pub(super) first_normalised: Location,
     /// The CAM system asks for inverse-time feed.
     pub(super) inverse_time: bool,
-    pub(super) setups: u64,
+    /// The CSYS stated last, and how often another one came.
+    setup_frame: Option<Frame>,
+    pub(super) setup_changes: u64,
     pub(super) cutters: Option<Cutters>,
     pub(super) warnings: Vec<Fault>,
     pub(super) queue: VecDeque<(Location, Pending)>,
@@ -230,6 +236,7 @@ impl Interpreter {
             Record::LengthOffset { register, at } => self.take_length_offset(register, at)?,
             Record::Cutter(cutter) if self.dialect() != Dialect::Creo => {
                 self.cutter_of_next = Some(self.in_millimetres(cutter, here)?);
+                self.cutter_is_new = true;
             }
             Record::Cutter(cutter) | Record::CutterOfLastTool(cutter) => {
                 let cutter = self.in_millimetres(cutter, here)?;
@@ -369,6 +376,7 @@ impl Interpreter {
         self.plain = self.circle.is_none()
             && !self.curve_open
             && !self.tangent_arc_begun
+            && !self.cutter_is_new
             && !self.cycle.active
             && !self.cycle.above_hole
             && !self.votes.waits()
@@ -417,7 +425,8 @@ impl Interpreter {
         let normalised = self.axis.state(frame.axes[2], record.at)?;
         self.count_normalised(normalised, here);
         self.setup = Some(UnitVector3::new_normalize(Vector3::from(frame.axes[2])));
-        self.setups += 1;
+        let before = self.setup_frame.replace(frame);
+        self.setup_changes += u64::from(before.is_some_and(|before| !before.is_same(&frame)));
         Ok(())
     }
 

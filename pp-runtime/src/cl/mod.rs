@@ -225,6 +225,11 @@ impl<R: Read> Reader<R> {
         self.interpreter.workpiece.different()
     }
 
+    /// How often the CSYS of SolidWorks CAM changed so far.
+    pub fn setup_changes(&self) -> u64 {
+        self.interpreter.setup_changes
+    }
+
     /// Whether the CAM system asks for inverse-time feed.
     pub fn asks_for_inverse_time(&self) -> bool {
         self.interpreter.inverse_time

@@ -43,6 +43,7 @@ impl Interpreter {
     #[cold]
     fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), Fault> {
         near(pose.tip, at)?;
+        self.compare_cutter(at);
         if let Some(circle) = self.circle.take() {
             let done = self.end_circle(&circle, pose, at, here);
             // What follows an arc that is refused counts from its end all the same.

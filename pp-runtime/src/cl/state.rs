@@ -17,6 +17,9 @@ const LARGEST_FEED_MM_PER_REV: f64 = 100.0;
 /// Feeds above this have a wrong exponent.
 const LARGEST_FEED: f64 = 1e6;
 
+/// Cutters whose diameters differ by less are the same, mm.
+const SAME_DIAMETER_MM: f64 = 1e-3;
+
 /// Nobody waits longer on purpose, seconds.
 const LONG_DELAY: f64 = 10.0;
 
@@ -125,6 +128,26 @@ impl Interpreter {
         Ok(Cutter { diameter, corner_radius })
     }
 
+    /// A motion with a cutter that no tool record has called: another one needs a call.
+    pub(super) fn compare_cutter(&mut self, at: Span) {
+        if !std::mem::take(&mut self.cutter_is_new) {
+            return;
+        }
+        let Some(cutter) = self.cutter_of_next else { return };
+        let called = self.held.or(self.last_tool).and_then(|tool| tool.diameter);
+        let before = self.uncalled_cutter.replace(cutter).map(|cutter| cutter.diameter).or(called);
+        if let Some(before) = before
+            && (before - cutter.diameter).abs() > SAME_DIAMETER_MM
+        {
+            let text = format!(
+                "the cutter changes from {before:.3} mm to {:.3} mm, and no tool record calls it",
+                cutter.diameter
+            );
+            let help = "the tool in the spindle goes on: give LOADTL or LOAD/TOOL in front of this motion";
+            self.warnings.push(Fault::new("cutter without call", at, text, help).warning());
+        }
+    }
+
     pub(super) fn begin_operation(&mut self) {
         self.axis.begin_operation();
         self.setup = None;
@@ -142,6 +165,7 @@ impl Interpreter {
         };
         self.let_go();
         self.begin_operation();
+        (self.cutter_is_new, self.uncalled_cutter) = (false, None);
         let mut call = ToolCall { number: tool.number, length, offset: tool.offset, ..ToolCall::default() };
         if let Some(cutter) = self.cutter_of_next.take() {
             call.diameter = Some(cutter.diameter);

@@ -435,6 +435,9 @@ fn csys_of_solidworks_moves_nothing_and_sets_the_tool_axis() {
     assert_eq!(found[0], "feed 1 2 3 axis 0 0 1 None");
     assert_eq!(found[1], "feed 1 2 3 axis 1 0 0 None");
     assert_eq!(found[2], "feed 4 5 6 axis 1 0 0 None");
+    let mut reader = Reader::new(text.as_bytes(), Options::default());
+    while reader.next_event().unwrap().is_some() {}
+    assert_eq!(reader.setup_changes(), 1);
     let against = errors_with(&text.replace("3,1,0,0", "3,0,0,1"), UNSTATED);
     assert!(against[0].contains("contradicts the third column of CSYS"), "{against:?}");
     let bare = errors("CSYS/1,0,0,5,0,1,0,5,0,0,1,5\nGOTO/0,0,0\n");
