@@ -69,20 +69,31 @@ impl Interpreter {
 
     /// A list of points; behind a CIRCLE its last one is the end of the arc.
     pub(super) fn go_along(&mut self, points: &Numbers<'_>, here: Location) -> Result<(), Fault> {
-        let mut values = points.values();
-        let mut last = None;
-        while let (Some(x), Some(y), Some(z)) = (values.next(), values.next(), values.next()) {
-            let point = Point { tip: [x, y, z], axis: None, at: points.at };
-            if self.circle.is_some() {
-                last = Some(point);
-            } else {
-                self.go_to(&point, here)?;
+        let Some(circle) = self.circle else {
+            return points.points().try_for_each(|point| self.go_to(&point, here));
+        };
+        let Some(end) = points.points().last() else { return Ok(()) };
+        let passed = self.pass(&circle, points, &end);
+        self.go_to(&end, here).and(passed)
+    }
+
+    /// The points of a list behind a CIRCLE lie on its arc, the last one at its end.
+    fn pass(&mut self, circle: &arcs::Pending, points: &Numbers<'_>, end: &Point) -> Result<(), Fault> {
+        let start = self.standing("CIRCLE", points.at)?;
+        let (end, _) = self.pose(end)?;
+        let arc = arcs::arc(circle, &start, &end, self.feed, points.at)?;
+        for point in points.points() {
+            let (pose, _) = self.pose(&point)?;
+            if !arcs::is_on(&arc, pose.tip) {
+                return Err(Fault::new(
+                    "circle",
+                    points.at,
+                    format!("a point of this list is not on the arc that it ends (circle of line {})", circle.line),
+                    "check the arc in the CAM system; `--circle-sense` says which way round it goes",
+                ));
             }
         }
-        match last {
-            Some(point) => self.go_to(&point, here),
-            None => Ok(()),
-        }
+        Ok(())
     }
 
     /// Where the tool stands, for what counts from there.

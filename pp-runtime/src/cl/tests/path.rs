@@ -59,6 +59,13 @@ fn a_list_of_points_is_so_many_motions_and_behind_a_circle_its_last_is_the_end()
     assert!(found[2].starts_with("feed 7 8 9"), "{found:?}");
     let found = said("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/.6,.8,0 / 0,1,0\n", MM);
     assert_eq!(found[1], "arc to 0 1 0 about 0 0 1 through 90.000");
+    // Points off the circle, and on the other side of it: the arc goes the other way round.
+    for point in [".6,.7,0", "0,-1,0"] {
+        refused(
+            &format!("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/{point} / 0,1,0\n"),
+            &format!("3:6+{} a point of this list is not on the arc that it ends (circle of line 2)", point.len() + 8),
+        );
+    }
 }
 
 #[test]
