@@ -8,6 +8,7 @@
 (ARCS AND CURVES in chords that leave them by at most 0.01)
 (CL data of SolidWorks CAM, by its own evidence)
 (2 arcs, sense by form only, 0 arcs confirmed)
+(CSYS changes 1 time: its points stay in one common frame)
 (AXIS X + moves the table against +X: word as in ISO 841)
 (AXIS Y + moves the tool along +Y: word as in ISO 841)
 (AXIS Z + moves the tool along +Z: word as in ISO 841)
