@@ -422,11 +422,16 @@ impl Interpreter {
         }
         let unit = self.units().map_or(1.0, Units::in_mm);
         let frame = Frame::new(record, unit, here)?;
+        let before = self.setup_frame.replace(frame);
+        if before.is_some_and(|before| !before.is_same(&frame)) {
+            // The tool may turn: out of the part first.
+            self.setup_changes += 1;
+            self.begin_operation();
+            self.emit(here, Event::SafeSequence);
+        }
         let normalised = self.axis.state(frame.axes[2], record.at)?;
         self.count_normalised(normalised, here);
         self.setup = Some(UnitVector3::new_normalize(Vector3::from(frame.axes[2])));
-        let before = self.setup_frame.replace(frame);
-        self.setup_changes += u64::from(before.is_some_and(|before| !before.is_same(&frame)));
         Ok(())
     }
 
@@ -496,6 +501,7 @@ impl Interpreter {
                     | Record::Tool(_)
                     | Record::ToolPath(_)
                     | Record::Frame(_)
+                    | Record::Setup(_)
                     | Record::Insert(_)
                     | Record::Code { .. }
                     | Record::Stop

@@ -93,6 +93,24 @@ fn a_full_circle_and_several_turns_and_a_helix_are_arcs() {
 }
 
 #[test]
+fn a_milled_thread_has_its_pitch_and_its_hand() {
+    // Two turns and a quarter of pitch 1.5, about an axis down: clockwise about it is counter-clockwise from above.
+    let thread = |axis: i32, end: f64| {
+        let text = format!("GOTO/5,0,0\nCIRCLE/0,0,{end},0,0,{axis},5,.06,.5,8,0,TIMES,3\nGOTO/0,5,{end}\n");
+        let mut reader = Reader::new(text.as_bytes(), mm());
+        reader.next_event().unwrap();
+        let Some((_, Event::Arc(arc))) = reader.next_event().unwrap() else { panic!("an arc") };
+        let turns = arc.angle / std::f64::consts::TAU;
+        let lead = (arc.end.tip.z - arc.start.tip.z) / turns * arc.normal.z;
+        ((turns * 4.0).round(), (lead * 1e9).round() / 1e9)
+    };
+    // Up and counter-clockwise, down and clockwise: right-handed.
+    assert_eq!(thread(-1, 1.5 * 2.25), (9.0, 1.5));
+    assert_eq!(thread(1, -1.5 * 2.75), (11.0, 1.5));
+    assert_eq!(thread(-1, -1.5 * 2.25), (9.0, -1.5), "left-handed");
+}
+
+#[test]
 fn an_arc_whose_end_is_not_on_its_circle_is_refused() {
     let at = |circle: &str, end: &str| errors(&format!("GOTO/1,0,0\nCIRCLE/{circle}\nGOTO/{end}\nGOTO/0,0,9\n"));
     assert_eq!(
@@ -397,6 +415,8 @@ fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
     }
     assert!(errors("TRACUT/LAST\nGOTO/0,0,0\n")[0].contains("`LAST` is not a number"));
     assert!(errors("$$-> A\nTRANS/1,2,3\nGOTO/0,0,0\n")[0].contains("TRANS of Creo"));
+    assert!(errors("$$-> A\nROTATE/AAXIS,90\nGOTO/0,0,0\n")[0].contains("ROTATE is refused"));
+    assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("ROTABL moves the table itself"));
 }
 
 /// Two frames: the second stands at (10, 0, 0), its X is the model's Y.
@@ -440,8 +460,9 @@ fn csys_of_solidworks_moves_nothing_and_sets_the_tool_axis() {
     );
     let found = said(&text, UNSTATED);
     assert_eq!(found[0], "feed 1 2 3 axis 0 0 1 None");
-    assert_eq!(found[1], "feed 1 2 3 axis 1 0 0 None");
-    assert_eq!(found[2], "feed 4 5 6 axis 1 0 0 None");
+    assert_eq!(found[1..], ["SafeSequence", "feed 1 2 3 axis 1 0 0 None", "feed 4 5 6 axis 1 0 0 None"]);
+    let same = said(&text.replace("0,0,1,0,1,0,0,0,0,1,0,0\nGOTO/1,2,3,1,0,0", "1,0,0,5,0,1,0,5,0,0,1,5"), UNSTATED);
+    assert_eq!(same[1..], ["feed 4 5 6 axis 0 0 1 None"], "an equal CSYS is no new set-up");
     let mut reader = Reader::new(text.as_bytes(), Options::default());
     while reader.next_event().unwrap().is_some() {}
     assert_eq!(reader.setup_changes(), 1);
