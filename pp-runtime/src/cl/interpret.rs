@@ -14,8 +14,8 @@ use super::change::{Changes, Rigid, same_direction};
 use super::fault::{Fault, Span};
 use super::frame::{Frame, Workpiece};
 use super::holes::Definition;
-use super::options::{ClPoint, Frames, Options};
-use super::record::{Cutter, FrameRecord, Point, Record, Text};
+use super::options::{ClPoint, Options};
+use super::record::{Cutter, Point, Record, Text};
 use super::spline::Curve;
 use super::vector::near;
 use crate::kinematics::Pose;
@@ -80,7 +80,7 @@ pub(super) struct Interpreter {
     pub(super) held_at: Location,
     pub(super) last_tool: Option<ToolCall>,
     pub(super) workpiece: Workpiece,
-    world: bool,
+    pub(super) world: bool,
     /// The tool axis of the CSYS in force.
     pub(super) setup: Option<UnitVector3<f64>>,
     pub(super) changes: Changes,
@@ -109,7 +109,7 @@ pub(super) struct Interpreter {
     /// The CAM system asks for inverse-time feed.
     pub(super) inverse_time: bool,
     /// The CSYS stated last, and how often another one came.
-    setup_frame: Option<Frame>,
+    pub(super) setup_frame: Option<Frame>,
     pub(super) setup_changes: u64,
     pub(super) cutters: Option<Cutters>,
     pub(super) warnings: Vec<Fault>,
@@ -383,56 +383,6 @@ impl Interpreter {
             && self.changes.none()
             && self.options.cl_point == ClPoint::Tip
             && self.options.cl_point_of.is_empty();
-    }
-
-    fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), Fault> {
-        let unit = self.units().map_or(1.0, Units::in_mm);
-        let frame = Frame::new(record, unit, here)?;
-        let frames = self.options.frames;
-        if !self.workpiece.take(frame, record.at, frames)? {
-            return Ok(());
-        }
-        self.begin_operation();
-        match frames {
-            Frames::Main => {
-                if let Some((main, current)) = self.workpiece.main_and_current() {
-                    self.changes.set_frame(main, current);
-                }
-                self.emit(here, Event::SafeSequence);
-            }
-            // A frame that differs is refused before it gets here.
-            Frames::Offset | Frames::Refuse => {
-                (self.here, self.clearance) = (None, None);
-                let number = self.workpiece.number();
-                self.emit(here, Event::Frame(number));
-            }
-        }
-        Ok(())
-    }
-
-    /// CSYS of SolidWorks CAM.
-    fn take_setup(&mut self, record: &FrameRecord, here: Location) -> Result<(), Fault> {
-        if !self.world {
-            return Err(Fault::new(
-                "CSYS",
-                record.at,
-                "CSYS without TRNTYP/WORLD,0,0,0 in front of it: in which frame the points are is not known",
-                "have SolidWorks CAM write its points in one common frame",
-            ));
-        }
-        let unit = self.units().map_or(1.0, Units::in_mm);
-        let frame = Frame::new(record, unit, here)?;
-        let before = self.setup_frame.replace(frame);
-        if before.is_some_and(|before| !before.is_same(&frame)) {
-            // The tool may turn: out of the part first.
-            self.setup_changes += 1;
-            self.begin_operation();
-            self.emit(here, Event::SafeSequence);
-        }
-        let normalised = self.axis.state(frame.axes[2], record.at)?;
-        self.count_normalised(normalised, here);
-        self.setup = Some(UnitVector3::new_normalize(Vector3::from(frame.axes[2])));
-        Ok(())
     }
 
     fn shift(&mut self, by: Option<[f64; 3]>) -> Result<Option<[f64; 3]>, Fault> {
