@@ -111,6 +111,21 @@ pub(super) fn arc(circle: &Pending, start: &Pose, end: &Pose, feed: Option<Feed>
     Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed })
 }
 
+/// Whether the tip passes over a point on its way along the arc; along the normal is not looked at.
+pub(super) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
+    let n = arc.normal.into_inner();
+    let flat = |point: Point3<f64>| {
+        let from_centre = point - arc.centre;
+        from_centre - n * from_centre.dot(&n)
+    };
+    let (u, p) = (flat(arc.start.tip), flat(point));
+    let radius = u.norm();
+    let angle = n.dot(&u.cross(&p)).atan2(u.dot(&p)).rem_euclid(TAU);
+    // Points at the ends may lie in front of the one and behind the other by rounding.
+    let rounding = ARC_TOLERANCE_MM / radius;
+    (p.norm() - radius).abs() <= ARC_TOLERANCE_MM && (angle <= arc.angle + rounding || angle >= TAU - rounding)
+}
+
 /// Direction of an arc at its start and at its end.
 fn tangents(arc: &Arc) -> [Vector3<f64>; 2] {
     let n = arc.normal.into_inner();

@@ -2,13 +2,15 @@
 //!
 //! The numbers of CL data are already in that frame, so the first frame *is* the workpiece frame and is only reported.
 //! A later one that differs would put every further point elsewhere: it is mapped, given a work offset of its own, or
-//! refused, never ignored.
+//! refused, never ignored. CSYS of SolidWorks CAM is no such frame: it moves nothing and says where the tool points.
 
 use super::fault::{Fault, Span};
+use super::interpret::Interpreter;
 use super::options::Frames;
 use super::record::FrameRecord;
 use super::vector::{cross, distance, dot, length};
-use crate::program::Location;
+use crate::nalgebra::{UnitVector3, Vector3};
+use crate::program::{Event, Location, Units};
 
 /// Origins closer than this are the same, mm: CL data has four decimals.
 const SAME_ORIGIN_MM: f64 = 1e-4;
@@ -79,6 +81,13 @@ impl Workpiece {
         self.frames.len()
     }
 
+    /// The unit of the file became known behind the frames.
+    pub(super) fn scale(&mut self, unit: f64) {
+        for frame in &mut self.frames {
+            frame.origin = frame.origin.map(|value| value * unit);
+        }
+    }
+
     /// Number of the frame in force, from 1.
     pub(super) fn number(&self) -> u32 {
         u32::try_from(self.current + 1).unwrap_or(u32::MAX)
@@ -125,5 +134,58 @@ impl Workpiece {
             }
         };
         Ok(std::mem::replace(&mut self.current, index) != index)
+    }
+}
+
+impl Interpreter {
+    /// MSYS, Creo's CSYS comment, CATIA's matrix.
+    pub(super) fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), Fault> {
+        let unit = self.units().map_or(1.0, Units::in_mm);
+        let frame = Frame::new(record, unit, here)?;
+        let frames = self.options.frames;
+        if !self.workpiece.take(frame, record.at, frames)? {
+            return Ok(());
+        }
+        self.begin_operation();
+        match frames {
+            Frames::Main => {
+                if let Some((main, current)) = self.workpiece.main_and_current() {
+                    self.changes.set_frame(main, current);
+                }
+                self.emit(here, Event::SafeSequence);
+            }
+            // A frame that differs is refused before it gets here.
+            Frames::Offset | Frames::Refuse => {
+                (self.here, self.clearance) = (None, None);
+                let number = self.workpiece.number();
+                self.emit(here, Event::Frame(number));
+            }
+        }
+        Ok(())
+    }
+
+    /// CSYS of SolidWorks CAM.
+    pub(super) fn take_setup(&mut self, record: &FrameRecord, here: Location) -> Result<(), Fault> {
+        if !self.world {
+            return Err(Fault::new(
+                "CSYS",
+                record.at,
+                "CSYS without TRNTYP/WORLD,0,0,0 in front of it: in which frame the points are is not known",
+                "have SolidWorks CAM write its points in one common frame",
+            ));
+        }
+        let unit = self.units().map_or(1.0, Units::in_mm);
+        let frame = Frame::new(record, unit, here)?;
+        let before = self.setup_frame.replace(frame);
+        if before.is_some_and(|before| !before.is_same(&frame)) {
+            // The tool may turn: out of the part first.
+            self.setup_changes += 1;
+            self.begin_operation();
+            self.emit(here, Event::SafeSequence);
+        }
+        let normalised = self.axis.state(frame.axes[2], record.at)?;
+        self.count_normalised(normalised, here);
+        self.setup = Some(UnitVector3::new_normalize(Vector3::from(frame.axes[2])));
+        Ok(())
     }
 }

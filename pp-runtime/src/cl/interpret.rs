@@ -14,15 +14,13 @@ use super::change::{Changes, Rigid, same_direction};
 use super::fault::{Fault, Span};
 use super::frame::{Frame, Workpiece};
 use super::holes::Definition;
-use super::options::{ClPoint, Frames, Options};
-use super::record::{Cutter, FrameRecord, Point, Record, Text};
+use super::options::{ClPoint, Options};
+use super::record::{Cutter, Point, Record, Text};
 use super::spline::Curve;
+use super::vector::near;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Event, Feed, Location, Move, Plane, ToolCall, Units};
-
-/// A kilometre: no machine goes there, and words of an NC program would overflow.
-const LARGEST_COORDINATE_MM: f64 = 1e6;
 
 /// What a text is for.
 #[derive(Debug, Clone, Copy)]
@@ -57,8 +55,10 @@ pub(super) struct CycleInForce {
     pub(super) definition: Option<Definition>,
     /// CYCLE/INIT (true) or CYCLE/CLEAR stood in front.
     pub(super) initial: Option<bool>,
-    /// Where the tool stood when the cycle was defined.
+    /// Where the tool stood when the cycle began or was resumed.
     pub(super) before: Option<Point3<f64>>,
+    /// The last motion was a hole: the tool stands above the point of its record.
+    pub(super) above_hole: bool,
 }
 
 /// Everything modal.
@@ -72,11 +72,15 @@ pub(super) struct Interpreter {
     pub(super) rapid: bool,
     pub(super) feed: Option<Feed>,
     pub(super) cutter_of_next: Option<Cutter>,
+    /// Nothing has moved since that cutter was described.
+    pub(super) cutter_is_new: bool,
+    /// The cutter that moved last without a tool record for it.
+    pub(super) uncalled_cutter: Option<Cutter>,
     pub(super) held: Option<ToolCall>,
     pub(super) held_at: Location,
     pub(super) last_tool: Option<ToolCall>,
     pub(super) workpiece: Workpiece,
-    world: bool,
+    pub(super) world: bool,
     /// The tool axis of the CSYS in force.
     pub(super) setup: Option<UnitVector3<f64>>,
     pub(super) changes: Changes,
@@ -84,6 +88,8 @@ pub(super) struct Interpreter {
     pub(super) circle: Option<arcs::Pending>,
     /// INDIRV.
     pub(super) direction: Option<Vector3<f64>>,
+    /// AUTOPS, INDIRV: a TLON must follow.
+    pub(super) tangent_arc_begun: bool,
     pub(super) votes: Votes,
     /// A curve that is being read.
     pub(super) curve_open: bool,
@@ -102,7 +108,9 @@ pub(super) struct Interpreter {
     pub(super) first_normalised: Location,
     /// The CAM system asks for inverse-time feed.
     pub(super) inverse_time: bool,
-    pub(super) setups: u64,
+    /// The CSYS stated last, and how often another one came.
+    pub(super) setup_frame: Option<Frame>,
+    pub(super) setup_changes: u64,
     pub(super) cutters: Option<Cutters>,
     pub(super) warnings: Vec<Fault>,
     pub(super) queue: VecDeque<(Location, Pending)>,
@@ -167,13 +175,14 @@ impl Interpreter {
             Record::Retract => self.retract(here)?,
             Record::Rapid => self.rapid = true,
             Record::Circle(circle) => self.open_circle(&circle, here)?,
-            Record::AutomaticPlane => {}
+            Record::AutomaticPlane => self.tangent_arc_begun = true,
             Record::Direction { vector, at } => {
                 let vector = self.changes.vector(Vector3::from(vector));
                 if vector.norm() < 1e-9 {
                     return Err(Fault::new("INDIRV", at, "INDIRV points nowhere", "it is the direction of the path"));
                 }
                 self.direction = Some(vector.normalize());
+                self.tangent_arc_begun = true;
             }
             Record::TangentArc(arc) => self.tangent_arc(&arc, here)?,
             Record::Nurbs => self.open_curve(here)?,
@@ -227,12 +236,13 @@ impl Interpreter {
             Record::LengthOffset { register, at } => self.take_length_offset(register, at)?,
             Record::Cutter(cutter) if self.dialect() != Dialect::Creo => {
                 self.cutter_of_next = Some(self.in_millimetres(cutter, here)?);
+                self.cutter_is_new = true;
             }
             Record::Cutter(cutter) | Record::CutterOfLastTool(cutter) => {
                 let cutter = self.in_millimetres(cutter, here)?;
-                if let Some(held) = &mut self.held {
-                    held.diameter = Some(cutter.diameter);
-                    held.corner_radius = cutter.corner_radius;
+                if let Some(tool) = self.held.as_mut().or(self.last_tool.as_mut()) {
+                    tool.diameter = Some(cutter.diameter);
+                    tool.corner_radius = cutter.corner_radius;
                 }
             }
             Record::Preselect(number) => self.emit(here, Event::Preselect(number)),
@@ -304,17 +314,9 @@ impl Interpreter {
     /// The pose of a point, in the workpiece frame.
     pub(super) fn pose(&mut self, point: &Point) -> Result<(Pose, bool), Fault> {
         let unit = self.millimetres(point.at)?;
-        let [x, y, z] = point.tip.map(|value| value * unit);
-        if [x, y, z].iter().any(|value| value.abs() > LARGEST_COORDINATE_MM) {
-            return Err(Fault::new(
-                "coordinate",
-                point.at,
-                "a coordinate is more than a kilometre from the origin",
-                "check the point in the CAM system, and the unit of the file",
-            ));
-        }
+        let tip = near(Point3::from(point.tip.map(|value| value * unit)), point.at)?;
         let (axis, normalised) = self.axis.at_point(point.axis, point.at)?;
-        let pose = Pose { tip: Point3::new(x, y, z), axis };
+        let pose = Pose { tip, axis };
         if let (Some(setup), Some(given)) = (self.setup, point.axis)
             && !same_direction(&setup, given)
         {
@@ -328,7 +330,8 @@ impl Interpreter {
         if self.plain {
             return Ok((pose, normalised));
         }
-        Ok((Pose { tip: self.changes.point(pose.tip), axis: self.changes.direction(axis) }, normalised))
+        let tip = near(self.changes.point(tip), point.at)?;
+        Ok((Pose { tip, axis: self.changes.direction(axis) }, normalised))
     }
 
     /// The tip of a pose that may be programmed at the centre of the corner radius.
@@ -372,55 +375,14 @@ impl Interpreter {
     pub(super) fn note_state(&mut self) {
         self.plain = self.circle.is_none()
             && !self.curve_open
+            && !self.tangent_arc_begun
+            && !self.cutter_is_new
             && !self.cycle.active
+            && !self.cycle.above_hole
             && !self.votes.waits()
             && self.changes.none()
             && self.options.cl_point == ClPoint::Tip
             && self.options.cl_point_of.is_empty();
-    }
-
-    fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), Fault> {
-        let unit = self.units().map_or(1.0, Units::in_mm);
-        let frame = Frame::new(record, unit, here)?;
-        let frames = self.options.frames;
-        if !self.workpiece.take(frame, record.at, frames)? {
-            return Ok(());
-        }
-        self.begin_operation();
-        match frames {
-            Frames::Main => {
-                if let Some((main, current)) = self.workpiece.main_and_current() {
-                    self.changes.set_frame(main, current);
-                }
-                self.emit(here, Event::SafeSequence);
-            }
-            // A frame that differs is refused before it gets here.
-            Frames::Offset | Frames::Refuse => {
-                self.here = None;
-                let number = self.workpiece.number();
-                self.emit(here, Event::Frame(number));
-            }
-        }
-        Ok(())
-    }
-
-    /// CSYS of SolidWorks CAM.
-    fn take_setup(&mut self, record: &FrameRecord, here: Location) -> Result<(), Fault> {
-        if !self.world {
-            return Err(Fault::new(
-                "CSYS",
-                record.at,
-                "CSYS without TRNTYP/WORLD,0,0,0 in front of it: in which frame the points are is not known",
-                "have SolidWorks CAM write its points in one common frame",
-            ));
-        }
-        let unit = self.units().map_or(1.0, Units::in_mm);
-        let frame = Frame::new(record, unit, here)?;
-        let normalised = self.axis.state(frame.axes[2], record.at)?;
-        self.count_normalised(normalised, here);
-        self.setup = Some(UnitVector3::new_normalize(Vector3::from(frame.axes[2])));
-        self.setups += 1;
-        Ok(())
     }
 
     fn shift(&mut self, by: Option<[f64; 3]>) -> Result<Option<[f64; 3]>, Fault> {
@@ -433,9 +395,28 @@ impl Interpreter {
         }
     }
 
-    /// A cycle or a circle that is open allows few records.
+    /// A cycle, a circle or a TLON that is open allows few records.
     fn check_open(&mut self, record: &Record<'_>) -> Result<(), Fault> {
         let fault = |kind, text: String, help: &str| Err(Fault::new(kind, Span::WHOLE, text, help));
+        let moves = matches!(
+            record,
+            Record::Goto(_)
+                | Record::Points(_)
+                | Record::Delta(_)
+                | Record::DeltaAlongAxis { .. }
+                | Record::Home(_)
+                | Record::Retract
+                | Record::Circle(_)
+                | Record::Nurbs
+        );
+        if moves && std::mem::take(&mut self.tangent_arc_begun) {
+            self.direction = None;
+            return fault(
+                "TLON",
+                "this motion stands behind AUTOPS or INDIRV, where TLON is expected".into(),
+                "have the CAM system write lines instead of arcs",
+            );
+        }
         if let Some(circle) = &self.circle {
             let passes = matches!(
                 record,
@@ -470,6 +451,7 @@ impl Interpreter {
                     | Record::Tool(_)
                     | Record::ToolPath(_)
                     | Record::Frame(_)
+                    | Record::Setup(_)
                     | Record::Insert(_)
                     | Record::Code { .. }
                     | Record::Stop

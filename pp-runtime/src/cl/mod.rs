@@ -225,6 +225,11 @@ impl<R: Read> Reader<R> {
         self.interpreter.workpiece.different()
     }
 
+    /// How often the CSYS of SolidWorks CAM changed so far.
+    pub fn setup_changes(&self) -> u64 {
+        self.interpreter.setup_changes
+    }
+
     /// Whether the CAM system asks for inverse-time feed.
     pub fn asks_for_inverse_time(&self) -> bool {
         self.interpreter.inverse_time
@@ -275,6 +280,7 @@ impl<R: Read> Reader<R> {
     fn is_plain_goto(&self, statement: &Statement) -> bool {
         statement.kind == Kind::Code
             && self.interpreter.is_straight()
+            && !self.matrix.is_open()
             && !self.subprograms.is_open()
             && parse::is_goto(self.lexer.text(statement))
     }
@@ -282,7 +288,6 @@ impl<R: Read> Reader<R> {
     /// A GOTO while nothing is open and nothing waits: the same as the long way, without a queue.
     fn read_goto(&mut self, statement: &Statement) -> Option<(Location, Event<'static>)> {
         self.records += 1;
-        self.matrix.abandon();
         let here = self.lexer.locate(statement, 0).0;
         match parse::goto(self.lexer.text(statement)).and_then(|point| self.interpreter.straight(&point, here)) {
             Ok(motion) if !self.faults.failed() => Some((here, Event::Move(motion))),
@@ -307,13 +312,19 @@ impl<R: Read> Reader<R> {
         let record = match statement.kind {
             Kind::Code => {
                 self.records += 1;
-                self.matrix.abandon();
+                if let Err(fault) = self.matrix.abandon() {
+                    self.faults.add(fault, statement, &self.lexer);
+                }
                 self.interpreter.suspect(parse::dialect(text));
                 return self.read_record(statement, self.lexer.locate(statement, 0).0);
             }
             Kind::Comment => {
                 self.interpreter.suspect(comment::dialect(text));
-                comment::read(text, &mut self.matrix)
+                let mut lines = self.lexer.joined_lines(statement);
+                match lines.find_map(|(offset, line)| parse::swallowed(text, offset, line)) {
+                    Some(swallowed) => Err(swallowed),
+                    None => comment::read(text, &mut self.matrix),
+                }
             }
             Kind::TooLong => Err(Fault::new(
                 "statement too long",

@@ -62,8 +62,10 @@ pub(super) fn swallowed(text: &[u8], offset: usize, line: &[u8]) -> Option<Fault
     if line.get(skip_blanks(line, end)).is_some_and(|next| *next != b'/') {
         return None;
     }
-    let first = major_word(text);
-    let first = String::from_utf8_lossy(&text[first.start..first.end]);
+    let word = major_word(text);
+    // A comment has no word, only its `$$->`.
+    let shown = if word.end == 0 { text.len().min(4) } else { word.end };
+    let first = String::from_utf8_lossy(&text[..shown]);
     Some(Fault::new(
         "joined record",
         Span { start: offset + start, end: offset + end },

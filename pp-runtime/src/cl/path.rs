@@ -2,9 +2,10 @@
 
 use super::arcs::{self, ARC_TOLERANCE_MM, Sense};
 use super::fault::{Fault, Span};
-use super::holes::{self, Back, Context};
+use super::holes::{self, Back, Context, Definition};
 use super::interpret::{Interpreter, Pending};
 use super::record::{Circle, CircleForm, Cycle, CycleState, Numbers, Point, Record, TangentArc};
+use super::vector::near;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Arc, Event, Hole, Location, Move};
@@ -41,6 +42,8 @@ impl Interpreter {
     /// A motion to a pose in the workpiece frame, whatever is open.
     #[cold]
     fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), Fault> {
+        near(pose.tip, at)?;
+        self.compare_cutter(at);
         if let Some(circle) = self.circle.take() {
             let done = self.end_circle(&circle, pose, at, here);
             // What follows an arc that is refused counts from its end all the same.
@@ -52,6 +55,7 @@ impl Interpreter {
             return self.hole(pose, at, here);
         }
         self.motions += 1;
+        self.cycle.above_hole = false;
         let rapid = std::mem::take(&mut self.rapid);
         let line = self.here.filter(|_| !rapid).map(|before| pose.tip - before.tip);
         self.votes.settle(line);
@@ -65,24 +69,43 @@ impl Interpreter {
 
     /// A list of points; behind a CIRCLE its last one is the end of the arc.
     pub(super) fn go_along(&mut self, points: &Numbers<'_>, here: Location) -> Result<(), Fault> {
-        let mut values = points.values();
-        let mut last = None;
-        while let (Some(x), Some(y), Some(z)) = (values.next(), values.next(), values.next()) {
-            let point = Point { tip: [x, y, z], axis: None, at: points.at };
-            if self.circle.is_some() {
-                last = Some(point);
-            } else {
-                self.go_to(&point, here)?;
+        let Some(circle) = self.circle else {
+            return points.points().try_for_each(|point| self.go_to(&point, here));
+        };
+        let Some(end) = points.points().last() else { return Ok(()) };
+        let passed = self.pass(&circle, points, &end);
+        self.go_to(&end, here).and(passed)
+    }
+
+    /// The points of a list behind a CIRCLE lie on its arc, the last one at its end.
+    fn pass(&mut self, circle: &arcs::Pending, points: &Numbers<'_>, end: &Point) -> Result<(), Fault> {
+        let start = self.standing("CIRCLE", points.at)?;
+        let (end, _) = self.pose(end)?;
+        let arc = arcs::arc(circle, &start, &end, self.feed, points.at)?;
+        for point in points.points() {
+            let (pose, _) = self.pose(&point)?;
+            if !arcs::is_on(&arc, pose.tip) {
+                return Err(Fault::new(
+                    "circle",
+                    points.at,
+                    format!("a point of this list is not on the arc that it ends (circle of line {})", circle.line),
+                    "check the arc in the CAM system; `--circle-sense` says which way round it goes",
+                ));
             }
         }
-        match last {
-            Some(point) => self.go_to(&point, here),
-            None => Ok(()),
-        }
+        Ok(())
     }
 
     /// Where the tool stands, for what counts from there.
     fn standing(&self, name: &'static str, at: Span) -> Result<Pose, Fault> {
+        if self.cycle.above_hole {
+            return Err(Fault::new(
+                name,
+                at,
+                format!("{name} stands behind a hole: whether it counts from the hole or from above it is not known"),
+                "give a GOTO in front of it",
+            ));
+        }
         self.here.ok_or_else(|| {
             Fault::new(
                 name,
@@ -96,6 +119,7 @@ impl Interpreter {
     /// Where the tool is said to stand, by FROM.
     pub(super) fn stand_at(&mut self, pose: Pose) {
         self.here = Some(pose);
+        self.cycle.above_hole = false;
         self.line_from = None;
         self.votes.settle(None);
     }
@@ -122,6 +146,7 @@ impl Interpreter {
     /// GOHOME.
     pub(super) fn go_home(&mut self, point: Option<&Point>, here: Location) -> Result<(), Fault> {
         self.rapid = false;
+        self.cycle.above_hole = false;
         self.votes.settle(None);
         self.line_from = None;
         let Some(point) = point else {
@@ -145,6 +170,8 @@ impl Interpreter {
         let Some(plane) = self.clearance else {
             return fault("RETRCT goes to the clearance plane, and there is none", "give CLEARP before it");
         };
+        // The way along the tool is the same from a hole and from above it.
+        self.cycle.above_hole = false;
         let from = self.standing("RETRCT", Span::WHOLE)?;
         let along = from.axis.dot(&plane.normal);
         if along < 1e-3 {
@@ -186,8 +213,9 @@ impl Interpreter {
             CircleForm::Six | CircleForm::Seven => Sense::CounterClockwise,
             CircleForm::Eleven => Sense::Clockwise,
         };
+        let centre = self.changes.point(Point3::from(circle.centre.map(|value| value * unit)));
         self.circle = Some(arcs::Pending {
-            centre: self.changes.point(Point3::from(circle.centre.map(|value| value * unit))),
+            centre: near(centre, circle.at)?,
             axis: self.changes.direction(UnitVector3::new_normalize(axis)),
             sense: self.options.circle_sense.unwrap_or(sense),
             radius: circle.radius.map(|radius| radius * unit),
@@ -234,12 +262,13 @@ impl Interpreter {
         if std::mem::take(&mut self.rapid) {
             return Err(fault("RAPID stands before an arc".into()));
         }
+        self.tangent_arc_begun = false;
         let Some(direction) = self.direction.take() else {
             return Err(fault("no INDIRV says in which direction this arc begins".into()));
         };
-        let point = |p: [f64; 3]| self.changes.point(Point3::from(p.map(|value| value * unit)));
-        let (centre, radius) = (point(record.centre), record.radius * unit);
-        let [from, end] = record.line.map(point);
+        let point = |p: [f64; 3]| near(self.changes.point(Point3::from(p.map(|value| value * unit))), at);
+        let (centre, radius) = (point(record.centre)?, record.radius * unit);
+        let (from, end) = (point(record.line[0])?, point(record.line[1])?);
         let off = ((end - centre).norm() - radius).abs();
         if off > ARC_TOLERANCE_MM {
             return Err(fault(format!("the end of the line is {off:.4} mm off the circle, so the end is not known")));
@@ -345,7 +374,6 @@ impl Interpreter {
     pub(super) fn define_cycle(&mut self, cycle: &Cycle) -> Result<(), Fault> {
         self.cycle.active = true;
         self.cycle.definition = None;
-        self.cycle.before = self.here.map(|pose| pose.tip);
         self.votes.settle(None);
         let args = self.options.cycle_args.iter().find(|(kind, _)| *kind == cycle.kind).map(|(_, args)| args.clone());
         let named = holes::with_names(cycle, args.as_deref())?;
@@ -357,10 +385,17 @@ impl Interpreter {
         let context =
             Context { dialect: self.dialect(), unit, initial: self.cycle.initial.take(), args: args.as_deref(), feed };
         let definition = holes::define(cycle, &context)?;
+        self.begin_holes(definition, cycle.at)
+    }
+
+    /// Holes follow; the level before them is that of the tool now.
+    fn begin_holes(&mut self, definition: Definition, at: Span) -> Result<(), Fault> {
+        self.cycle.active = true;
+        self.cycle.before = self.here.map(|pose| pose.tip);
         if definition.back == Back::Initial && self.here.is_none() {
             return Err(Fault::new(
                 "CYCLE",
-                cycle.at,
+                at,
                 "RTRCTO,AUTO goes back to the level before the cycle, and nothing says where the tool stands",
                 "give a GOTO before the cycle",
             ));
@@ -375,9 +410,12 @@ impl Interpreter {
             CycleState::Off => self.cycle.active = false,
             CycleState::Initial => self.cycle.initial = Some(true),
             CycleState::Clear => self.cycle.initial = Some(false),
-            CycleState::On if self.cycle.definition.is_some() => self.cycle.active = true,
             CycleState::On => {
-                return Err(Fault::new("CYCLE", at, "CYCLE/ON without a cycle before it", "define the cycle first"));
+                let Some(definition) = self.cycle.definition else {
+                    let text = "CYCLE/ON without a cycle before it in this operation";
+                    return Err(Fault::new("CYCLE", at, text, "define the cycle first"));
+                };
+                return self.begin_holes(definition, at);
             }
         }
         Ok(())
@@ -412,7 +450,9 @@ impl Interpreter {
                 level.max(cycle.clearance)
             }
         };
-        self.here = Some(Pose { tip: top.tip + top.axis.into_inner() * back_to, ..top });
+        near(top.tip - top.axis.into_inner() * cycle.depth, at)?;
+        self.here = Some(Pose { tip: near(top.tip + top.axis.into_inner() * back_to, at)?, ..top });
+        self.cycle.above_hole = true;
         let top = self.tip(top, at)?;
         let (depth, clearance) = (cycle.depth, cycle.clearance);
         let feed = cycle.feed.or(self.feed);

@@ -88,6 +88,15 @@ impl<'a> Numbers<'a> {
         let pieces = self.bytes.split(|byte| matches!(byte, b',' | b'/'));
         pieces.filter_map(|piece| super::number::whole(super::args::trimmed(piece)))
     }
+
+    /// The numbers as points.
+    pub fn points(&self) -> impl Iterator<Item = Point> + 'a {
+        let (mut values, at) = (self.values(), self.at);
+        std::iter::from_fn(move || {
+            let tip = [values.next()?, values.next()?, values.next()?];
+            Some(Point { tip, axis: None, at })
+        })
+    }
 }
 
 /// How a CIRCLE says in which sense it is traversed: by the count of its numbers.

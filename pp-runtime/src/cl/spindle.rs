@@ -11,6 +11,9 @@ const SURFACE_SPEED: [&str; 3] = ["SFM", "SMM", "MAXRPM"];
 /// Speeds below this are S0 where S has no decimals, rev/min.
 const SLOWEST: f64 = 0.5;
 
+/// Speeds above this have a wrong exponent, rev/min.
+const FASTEST: f64 = 1e6;
+
 /// Reads all arguments.
 pub(super) fn parse(name: &'static str, args: &mut Args<'_>) -> Result<Spindle, Fault> {
     let mut arg = needed(name, args)?;
@@ -34,6 +37,14 @@ pub(super) fn parse(name: &'static str, args: &mut Args<'_>) -> Result<Spindle, 
                     arg.at,
                     format!("a spindle speed of {value} rev/min rounds to 0"),
                     "check the speed of this tool in the CAM system",
+                ));
+            }
+            if value > FASTEST {
+                return Err(Fault::new(
+                    "spindle speed",
+                    arg.at,
+                    format!("a spindle speed of {} rev/min is not plausible", quoted(arg.text)),
+                    "check the exponent",
                 ));
             }
             speed.replace(value).is_some()

@@ -50,10 +50,12 @@ impl Curve {
             return Err("its knots do not rise".into());
         }
         let last = self.knots[self.knots.len() - 1];
-        if last <= 0.0 {
-            return Err("its last knot is not above 0".into());
-        }
         self.knots.extend([last; 3]);
+        // A cubic breaks at four equal knots; at its ends, where they are implied, at a fifth.
+        let inner = &self.knots[1..self.knots.len() - 1];
+        if inner.windows(4).any(|four| four[3] <= four[0]) {
+            return Err("it breaks where too many of its knots are equal".into());
+        }
         Ok(())
     }
 }

@@ -4,7 +4,7 @@ use super::fault::{Fault, Span};
 use super::interpret::{Cutters, Interpreter, Meant};
 use super::options::{FeedLabel, Insert};
 use super::record::{Cutter, FeedUnit, Text, Tool};
-use super::vector;
+use super::vector::{self, near};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Dwell, Event, Feed, Location, Plane, ToolCall, Units};
 
@@ -16,6 +16,9 @@ const LARGEST_FEED_MM_PER_REV: f64 = 100.0;
 
 /// Feeds above this have a wrong exponent.
 const LARGEST_FEED: f64 = 1e6;
+
+/// Cutters whose diameters differ by less are the same, mm.
+const SAME_DIAMETER_MM: f64 = 1e-3;
 
 /// Nobody waits longer on purpose, seconds.
 const LONG_DELAY: f64 = 10.0;
@@ -49,6 +52,9 @@ impl Interpreter {
                 ));
             }
             return Ok(());
+        }
+        if self.units().is_none() {
+            self.workpiece.scale(units.in_mm());
         }
         self.found_units = Some((units, here));
         if self.options.units.is_some_and(|given| given != units) {
@@ -105,7 +111,7 @@ impl Interpreter {
                 "check the unit of the feed: IPM, MMPM and PERMIN count per minute",
             )),
             _ if !value.is_finite() || value > LARGEST_FEED => {
-                Err(Fault::new("feed", at, format!("the feed {value} is not plausible"), "check the exponent"))
+                Err(Fault::new("feed", at, format!("the feed {value:e} is not plausible"), "check the exponent"))
             }
             feed => Ok(feed),
         }
@@ -122,9 +128,31 @@ impl Interpreter {
         Ok(Cutter { diameter, corner_radius })
     }
 
+    /// A motion with a cutter that no tool record has called: another one needs a call.
+    pub(super) fn compare_cutter(&mut self, at: Span) {
+        if !std::mem::take(&mut self.cutter_is_new) {
+            return;
+        }
+        let Some(cutter) = self.cutter_of_next else { return };
+        let called = self.held.or(self.last_tool).and_then(|tool| tool.diameter);
+        let before = self.uncalled_cutter.replace(cutter).map(|cutter| cutter.diameter).or(called);
+        if let Some(before) = before
+            && (before - cutter.diameter).abs() > SAME_DIAMETER_MM
+        {
+            let text = format!(
+                "the cutter changes from {before:.3} mm to {:.3} mm, and no tool record calls it",
+                cutter.diameter
+            );
+            let help = "the tool in the spindle goes on: give LOADTL or LOAD/TOOL in front of this motion";
+            self.warnings.push(Fault::new("cutter without call", at, text, help).warning());
+        }
+    }
+
     pub(super) fn begin_operation(&mut self) {
         self.axis.begin_operation();
         self.setup = None;
+        // Levels of one tool are not those of another.
+        (self.cycle.definition, self.cycle.initial) = (None, None);
         // Rapids and lines of another operation say nothing about an arc.
         self.line_from = None;
         self.votes.settle(None);
@@ -137,6 +165,7 @@ impl Interpreter {
         };
         self.let_go();
         self.begin_operation();
+        (self.cutter_is_new, self.uncalled_cutter) = (false, None);
         let mut call = ToolCall { number: tool.number, length, offset: tool.offset, ..ToolCall::default() };
         if let Some(cutter) = self.cutter_of_next.take() {
             call.diameter = Some(cutter.diameter);
@@ -210,7 +239,7 @@ impl Interpreter {
         }
         let normal = normal.map(|value| value / length);
         let distance = distance * unit / length;
-        let point = self.changes.point(Point3::from(normal.map(|value| value * distance)));
+        let point = near(self.changes.point(Point3::from(normal.map(|value| value * distance))), at)?;
         let normal = self.changes.direction(UnitVector3::new_normalize(Vector3::from(normal)));
         let plane = Plane { normal, distance: point.coords.dot(&normal) };
         self.clearance = Some(plane);

@@ -217,6 +217,9 @@ pub(super) fn look_up(word: &[u8]) -> Option<(&'static str, Use)> {
 /// Why a word cannot be declared inert; `None` if it can.
 #[must_use]
 pub fn not_inert(word: &str) -> Option<String> {
+    if word.is_empty() || !word.bytes().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b' ')) {
+        return Some(format!("`{word}` is not a word of CL data"));
+    }
     match look_up(word.as_bytes())?.1 {
         Modelled(_) => Some(format!("{word} is read, so it cannot be inert")),
         Hazard(reason) => Some(format!("{word} cannot be inert: {reason}")),
@@ -305,7 +308,7 @@ mod tests {
 
     #[test]
     fn only_what_moves_nothing_can_be_declared_inert() {
-        for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET"] {
+        for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "", "A/B"] {
             assert!(not_inert(word).is_some(), "{word}");
         }
         for word in ["AICC", "FIXOFTCO", "BREAK", "PAINT"] {

@@ -15,7 +15,7 @@ use super::fault::Fault;
 /// More steps than this are no drilling.
 const MOST_STEPS: u32 = 10_000;
 
-/// More chords than this in one piece of a curve are a fault of the file.
+/// More chords than this in one arc, or in one piece of a curve, are a fault of the file.
 const MOST_CHORDS: f64 = 1e6;
 
 /// Levels closer than this are the same, mm.
@@ -155,7 +155,7 @@ impl Expander {
         if self.fresh { self.go(at, start, false, feed, out) } else { Ok(()) }
     }
 
-    fn arc<E>(&mut self, at: Location, arc: &Arc, out: Out<'_, E>) -> Result<(), E> {
+    fn arc<E: From<Diagnostic>>(&mut self, at: Location, arc: &Arc, out: Out<'_, E>) -> Result<(), E> {
         self.resume(at, arc.start, arc.feed, out)?;
         let normal = arc.normal.into_inner();
         let along = |point: Point3<f64>| (point - arc.centre).dot(&normal);
@@ -166,6 +166,10 @@ impl Expander {
         // A chord over the angle t is off by r (1 - cos t/2), which is at most r t²/8.
         let step = (8.0 * self.chord_tolerance() / radius).sqrt().min(std::f64::consts::FRAC_PI_2);
         let chords = (arc.angle / step).ceil().max(1.0);
+        if chords.is_nan() || chords > MOST_CHORDS {
+            let fault = Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL");
+            return Err(fault.at(at, Severity::Error).into());
+        }
         let (u, v) = (first / first_radius, normal.cross(&first) / first_radius);
         let (start, rise) = (along(arc.start.tip), along(arc.end.tip) - along(arc.start.tip));
         let mut index = 1.0;
@@ -196,7 +200,7 @@ impl Expander {
             let bend = (a - b * 2.0 + c).norm().max((b - c * 2.0 + d).norm());
             let chords = (6.0 * bend / (8.0 * self.chord_tolerance())).sqrt().ceil().max(1.0);
             if chords.is_nan() || chords > MOST_CHORDS {
-                let fault = Fault::new("this curve cannot be cut into chords").help("check its knots");
+                let fault = Fault::new("this curve cannot be cut into chords").help("check its knots and LINTOL");
                 return Err(fault.at(at, Severity::Error).into());
             }
             let mut index = 1.0;
@@ -371,6 +375,24 @@ mod tests {
                 most = most.max(off_line(on_helix, motions[index].0, motions[index + 1].0));
             }
             assert!(most <= tolerance * 1.000_001 && most > 0.9 * tolerance, "{most} for {tolerance}");
+        }
+    }
+
+    #[test]
+    fn arcs_that_would_need_a_million_chords_are_refused() {
+        let far = Point3::new(1e150, 0.0, 0.0);
+        let angle = std::f64::consts::TAU;
+        let round = |centre| {
+            let here = up([20.0, 0.0, 0.0]);
+            Event::Arc(Arc { start: here, end: here, centre, normal: Vector3::z_axis(), angle, feed: None })
+        };
+        for events in [
+            [go([20.0, 0.0, 0.0]), Event::Tolerance(None), round(far)],
+            [go([20.0, 0.0, 0.0]), Event::Tolerance(None), round(Point3::new(f64::MAX, 0.0, 0.0))],
+            [go([20.0, 0.0, 0.0]), Event::Tolerance(Some(1e-300)), round(Point3::origin())],
+        ] {
+            let fault = expanded(&Config::default(), &events).expect_err("refused");
+            assert_eq!(fault.text, "this arc cannot be cut into chords");
         }
     }
 

@@ -541,6 +541,8 @@ impl<'a, M: Machine> Planner<'a, M> {
         self.begin(at, true, sink)?;
         self.there = false;
         self.clear = false;
+        // It was given in the other frame.
+        self.clearance = None;
         Ok(sink.step(&Step::WorkOffset { word })?)
     }
 

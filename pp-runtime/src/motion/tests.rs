@@ -1109,6 +1109,13 @@ fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
     let lines = lines::<Xyz>(&config, &events);
     let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
     assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
+    // The clearance plane stays behind: in the other frame it would be another plane.
+    let plane = Plane { normal: Vector3::z_axis(), distance: 80.0 };
+    let mut above = vec![Event::ClearancePlane(plane)];
+    above.extend(events);
+    above.extend([tool(2), feed([1.0, 0.0, 0.0], UP)]);
+    let run = run::<Xyz>(&config, &above);
+    assert_eq!(run.lines.iter().filter(|line| *line == "G0 Z80").count(), 1, "{:?}", run.lines);
 }
 
 #[test]

@@ -88,6 +88,10 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
             Frames::Main | Frames::Refuse => format!("{} frames, mapped into the first", survey.frames),
         });
     }
+    if survey.setup_changes > 0 {
+        let times = super::counted(survey.setup_changes, "time");
+        list.push(format!("CSYS changes {times}: its points stay in one common frame"));
+    }
     if !config.cl.inert.is_empty() {
         list.push(format!("words passed over as inert: {}", config.cl.inert.join(" ")));
     }

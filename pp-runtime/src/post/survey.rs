@@ -34,6 +34,8 @@ pub(super) struct Survey {
     pub(super) arcs: ArcVote,
     /// Different frames.
     pub(super) frames: usize,
+    /// How often CSYS changes.
+    pub(super) setup_changes: u64,
     /// The CAM system asks for inverse-time feed.
     pub(super) inverse_time: bool,
     pub(super) lines: u64,
@@ -99,6 +101,7 @@ impl Survey {
         survey.dialect = reader.dialect();
         survey.arcs = reader.arcs();
         survey.frames = reader.different_frames();
+        survey.setup_changes = reader.setup_changes();
         survey.inverse_time = reader.asks_for_inverse_time();
         survey.lines = reader.lines();
         survey.diagnostics = reader.diagnostics().to_vec();

@@ -8,6 +8,7 @@
 (ARCS AND CURVES in chords that leave them by at most 0.01)
 (CL data of SolidWorks CAM, by its own evidence)
 (2 arcs, sense by form only, 0 arcs confirmed)
+(CSYS changes 1 time: its points stay in one common frame)
 (AXIS C + turns the table left-handed about +Z: word as in ISO 841)
 (AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841)
 (AXIS X + moves the tool along +X: word as in ISO 841)
@@ -17,7 +18,7 @@
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of C and B in G54 must be zero)
-(T4 D10 R0 L120 H4, 1 operation, tip Z -14.99 to 60)
+(T4 D10 R0 L120 H4, 2 operations, tip Z -14.99 to 60)
 (ASSUMED the points of the CL data count from the part zero)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
@@ -32,51 +33,51 @@ T4 M6
 G53 G0 Z0
 G43 H4
 S3000 M3
-G0 B0 C90
-X20 Y-12.5
+G0 B0 C0
+X12.5 Y20
 Z25
 M8
 Z3
 G1 Z-2 F150.5
-X20.434 Y-12.462 F601.25
-X20.855 Y-12.349
-X21.25 Y-12.165
-X21.607 Y-11.915
-X21.915 Y-11.607
-X22.165 Y-11.25
-X22.349 Y-10.855
-X22.462 Y-10.434
-X22.5 Y-10
-X22.462 Y-9.566
-X22.349 Y-9.145
-X22.165 Y-8.75
-X21.915 Y-8.393
-X21.607 Y-8.085
-X21.25 Y-7.835
-X20.855 Y-7.651
-X20.434 Y-7.538
-X20 Y-7.5
-X19.566 Y-7.538
-X19.145 Y-7.651
-X18.75 Y-7.835
-X18.393 Y-8.085
-X18.085 Y-8.393
-X17.835 Y-8.75
-X17.651 Y-9.145
-X17.538 Y-9.566
-X17.5 Y-10
-X17.538 Y-10.434
-X17.651 Y-10.855
-X17.835 Y-11.25
-X18.085 Y-11.607
-X18.393 Y-11.915
-X18.75 Y-12.165
-X19.145 Y-12.349
-X19.566 Y-12.462
-X20 Y-12.5
-Y-10
+X12.462 Y20.434 F601.25
+X12.349 Y20.855
+X12.165 Y21.25
+X11.915 Y21.607
+X11.607 Y21.915
+X11.25 Y22.165
+X10.855 Y22.349
+X10.434 Y22.462
+X10 Y22.5
+X9.566 Y22.462
+X9.145 Y22.349
+X8.75 Y22.165
+X8.393 Y21.915
+X8.085 Y21.607
+X7.835 Y21.25
+X7.651 Y20.855
+X7.538 Y20.434
+X7.5 Y20
+X7.538 Y19.566
+X7.651 Y19.145
+X7.835 Y18.75
+X8.085 Y18.393
+X8.393 Y18.085
+X8.75 Y17.835
+X9.145 Y17.651
+X9.566 Y17.538
+X10 Y17.5
+X10.434 Y17.538
+X10.855 Y17.651
+X11.25 Y17.835
+X11.607 Y18.085
+X11.915 Y18.393
+X12.165 Y18.75
+X12.349 Y19.145
+X12.462 Y19.566
+X12.5 Y20
+X10
 G0 Z60
-Y-30
+X30
 Z3
 G1 Z-5 F200.05
 G0 Z3
@@ -88,8 +89,13 @@ G1 Z-12
 G0 Z25
 M9
 Z125
+N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
 G53 G0 Z0
-G0 B180
+(T4 stays in the spindle)
+G43 H4
+S3000 M3
+G0 B180 C90
 X-20 Y160
 Z230
 M8

@@ -8,6 +8,7 @@
 (ARCS AND CURVES in chords that leave them by at most 0.01)
 (CL data of SolidWorks CAM, by its own evidence)
 (2 arcs, sense by form only, 0 arcs confirmed)
+(CSYS changes 1 time: its points stay in one common frame)
 (AXIS X + moves the table against +X: word as in ISO 841)
 (AXIS Y + moves the tool along +Y: word as in ISO 841)
 (AXIS Z + moves the tool along +Z: word as in ISO 841)
@@ -15,7 +16,7 @@
 (AXIS A + turns the tool right-handed about +X: word as in ISO 841)
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
-(T4 D10 R0 L120 H4, 1 operation, tip Z -14.99 to 60)
+(T4 D10 R0 L120 H4, 2 operations, tip Z -14.99 to 60)
 (T4 posted with L = 120: H4 must hold exactly this)
 (ASSUMED the points of the CL data count from the part zero)
 (ASSUMED work offset G54)
@@ -86,9 +87,14 @@ G1 Z-12
 G0 Z25
 M9
 Z125
+N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
 G53 G0 Z0
-G0 B90
-X200
+(T4 stays in the spindle)
+G43 H4
+S3000 M3
+G0 A0 B90
+X200 Y20
 Z-130
 M8
 X165

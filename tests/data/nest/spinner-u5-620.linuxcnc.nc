@@ -8,6 +8,7 @@
 (ARCS AND CURVES in chords that leave them by at most 0.01)
 (CL data of SolidWorks CAM, by its own evidence)
 (2 arcs, sense by form only, 0 arcs confirmed)
+(CSYS changes 1 time: its points stay in one common frame)
 (AXIS C + turns the table left-handed about +Z: word as in ISO 841)
 (AXIS B + turns the table left-handed about +Y: word as in ISO 841)
 (AXIS X + moves the tool along +X: word as in ISO 841)
@@ -17,7 +18,7 @@
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of C and B in G54 must be zero)
-(T4 D10 R0 L120 H4, 1 operation, tip Z -14.99 to 60)
+(T4 D10 R0 L120 H4, 2 operations, tip Z -14.99 to 60)
 (ASSUMED the points of the CL data count from the part zero)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
@@ -88,9 +89,14 @@ G1 Z-12
 G0 Z25
 M9
 Z125
+N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
 G53 G0 Z0
-G0 B90
-X160
+(T4 stays in the spindle)
+G43 H4
+S3000 M3
+G0 B90 C0
+X160 Y20
 Z230
 M8
 Z195

@@ -21,6 +21,28 @@ fn what_is_no_number_is_shown() {
 }
 
 #[test]
+fn no_point_that_a_record_leads_to_is_a_kilometre_away() {
+    let far = "a coordinate is more than a kilometre from the origin";
+    for (text, at) in [
+        ("GODLTA/1E308,0,0", "2:8+9"),
+        ("GODLTA/1E7", "2:8+3"),
+        ("CIRCLE/1E308,0,0,0,0,1\nGOTO/0,0,0", "2:8+15"),
+        ("CIRCLE/1E150,0,0,0,0,1\nGOTO/0,0,0", "2:8+15"),
+        ("CLEARP/XYPLAN,1E308", "2:8+12"),
+        ("TRACUT/1,0,0,1E308,0,1,0,0,0,0,1,0\nGOTO/1,2,3", "3:6+5"),
+        ("ORIGIN/1E307,0,0\nGOTO/1,2,3", "3:6+5"),
+        ("INDIRV/0,1,0\nTLON,GOFWD/(CIRCLE/1E308,0,0,1),ON,(LINE/0,0,0,1,0,0)", "3:12+42"),
+        ("$$-> A\nCYCLE/DRILL,DEPTH,1E308,CLEAR,1\nGOTO/0,0,0", "4:6+5"),
+        ("$$-> A\nCYCLE/DRILL,DEPTH,1,CLEAR,1,RETURN,1E9\nGOTO/0,0,0", "4:6+5"),
+    ] {
+        let found = errors(&format!("GOTO/0,0,0\n{text}\n"));
+        assert_eq!(found[0], format!("{at} {far}"), "{text}");
+    }
+    refused("SPINDL/1E308,CLW\nGOTO/0,0,0\n", "1:8+5 a spindle speed of `1E308` rev/min is not plausible");
+    refused("FEDRAT/1E308\nGOTO/0,0,0\n", "1:8+5 the feed 1e308 is not plausible");
+}
+
+#[test]
 fn a_missing_comma_is_no_longer_a_number() {
     refused("SPINDL/900CCLW\nGOTO/1,2,3\n", "1:8+7 `900CCLW` is not a number");
 }
@@ -30,6 +52,7 @@ fn an_empty_place_is_refused_where_it_is() {
     refused("GOTO/1,,3\n", "1:8+1 an argument is missing: nothing stands between the commas here");
     refused("GOTO/1,2,\n", "1:9+1 an argument is missing: nothing stands between the commas here");
     refused("GOTO/,2,3\n", "1:6+1 an argument is missing: nothing stands between the commas here");
+    refused("TOOLNO/1,,TURN\nGOTO/0,0,0\n", "1:10+1 an argument is missing: nothing stands between the commas here");
     refused("SPINDL/RPM,,CLW\nGOTO/0,0,0\n", "1:12+1 an argument is missing: nothing stands between the commas here");
 }
 
@@ -225,6 +248,7 @@ fn a_record_that_a_dollar_makes_part_of_a_text_is_refused() {
     refused("PPRINT PRICE IN US$\n GOTO / 0,0,50\nGOTO/9,9,50\n", &format!("2:2+4 GOTO {text} PPRINT"));
     refused("PARTNO A$ \nRAPID\nGOTO/9,9,50\n", &format!("2:1+5 RAPID {text} PARTNO"));
     refused("MACHIN/A,1,$\nB$\nSPINDL/OFF\nGOTO/9,9,50\n", &format!("3:1+6 SPINDL {text} MACHIN"));
+    refused("GOTO/9,9,50\n$$-> FEATNO / 12 $\nGOTO/0,0,50\n", &format!("3:1+4 GOTO {text} $$->"));
     assert_eq!(events("PPRINT first $\n STOP at once\nGOTO/0,0,0\n").len(), 2);
 }
 

@@ -59,6 +59,13 @@ fn a_list_of_points_is_so_many_motions_and_behind_a_circle_its_last_is_the_end()
     assert!(found[2].starts_with("feed 7 8 9"), "{found:?}");
     let found = said("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/.6,.8,0 / 0,1,0\n", MM);
     assert_eq!(found[1], "arc to 0 1 0 about 0 0 1 through 90.000");
+    // Points off the circle, and on the other side of it: the arc goes the other way round.
+    for point in [".6,.7,0", "0,-1,0"] {
+        refused(
+            &format!("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/{point} / 0,1,0\n"),
+            &format!("3:6+{} a point of this list is not on the arc that it ends (circle of line 2)", point.len() + 8),
+        );
+    }
 }
 
 #[test]
@@ -83,6 +90,24 @@ fn a_full_circle_and_several_turns_and_a_helix_are_arcs() {
     // The plane of a helix is that of its end.
     let helix = said("GOTO/1,0,0\nCIRCLE/0,0,-5,0,0,-1,1,.06,.5,10,0,TIMES,3\nGOTO/0,1,-5\n", MM);
     assert_eq!(helix[1].replace("-0 -0 1", "0 0 1"), "arc to 0 1 -5 about 0 0 1 through 810.000");
+}
+
+#[test]
+fn a_milled_thread_has_its_pitch_and_its_hand() {
+    // Two turns and a quarter of pitch 1.5, about an axis down: clockwise about it is counter-clockwise from above.
+    let thread = |axis: i32, end: f64| {
+        let text = format!("GOTO/5,0,0\nCIRCLE/0,0,{end},0,0,{axis},5,.06,.5,8,0,TIMES,3\nGOTO/0,5,{end}\n");
+        let mut reader = Reader::new(text.as_bytes(), mm());
+        reader.next_event().unwrap();
+        let Some((_, Event::Arc(arc))) = reader.next_event().unwrap() else { panic!("an arc") };
+        let turns = arc.angle / std::f64::consts::TAU;
+        let lead = (arc.end.tip.z - arc.start.tip.z) / turns * arc.normal.z;
+        ((turns * 4.0).round(), (lead * 1e9).round() / 1e9)
+    };
+    // Up and counter-clockwise, down and clockwise: right-handed.
+    assert_eq!(thread(-1, 1.5 * 2.25), (9.0, 1.5));
+    assert_eq!(thread(1, -1.5 * 2.75), (11.0, 1.5));
+    assert_eq!(thread(-1, -1.5 * 2.25), (9.0, -1.5), "left-handed");
 }
 
 #[test]
@@ -171,6 +196,10 @@ fn an_arc_of_catia_begins_along_indirv_and_ends_where_its_line_ends() {
     assert!(errors(&text.replace("INDIRV/0,0,1", "INDIRV/1,0,0"))[0].contains("INDIRV is not tangential"));
     assert!(errors(&text.replace("INDIRV/0,0,1\n", ""))[0].contains("no INDIRV"));
     assert!(errors(&text.replace("GOFWD", "GOBACK"))[0].contains("`GOFWD` is expected"));
+    for word in ["AUTOPS", "INDIRV/0,0,1"] {
+        let alone = errors(&format!("GOTO/0,0,0\n{word}\nGOTO/1,0,0\nGOTO/2,0,0\n"));
+        assert_eq!(alone, ["3:1+10 this motion stands behind AUTOPS or INDIRV, where TLON is expected"]);
+    }
 }
 
 #[test]
@@ -189,6 +218,17 @@ fn a_curve_of_nx_begins_where_the_tool_stands_and_the_next_goto_is_a_line() {
         "{missing:?}"
     );
     assert!(errors(&text.replace("KNOT/1.0", "KNOT/.25"))[0].contains("its knots do not rise"));
+    for knots in ["0,1", "1,1", "0,0", "-1,-1"] {
+        let broken = errors(&text.replace("KNOT/.5\nKNOT/1.0", &format!("KNOT/{knots}")));
+        let why = if knots.starts_with('-') { "its knots do not rise" } else { "too many of its knots are equal" };
+        assert!(broken[0].ends_with(why), "{knots}: {broken:?}");
+    }
+    let inside = |knots: &str| {
+        let points = "CNTRL/1,0,0\n".repeat(knots.split(',').count() + 2);
+        errors(&format!("GOTO/0,0,0\nNURBS/\nKNOT/{knots}\n{points}"))
+    };
+    assert_eq!(inside(".5,.5,.5,1"), [""; 0], "a corner is no break");
+    assert!(inside(".5,.5,.5,.5,1")[0].ends_with("too many of its knots are equal"));
     refused("GOTO/0,0,0\nKNOT/1\n", "2:6+1 KNOT stands outside a NURBS");
     refused(
         "NURBS/\nGOTO/0,0,0\n",
@@ -292,6 +332,69 @@ fn a_cycle_can_be_resumed() {
     let found = said(&text, MM);
     assert!(found[2].starts_with("hole") && found[3].starts_with("feed") && found[4].starts_with("hole 3 0 0"));
     assert!(errors("GOTO/0,0,0\nCYCLE/ON\n")[0].contains("without a cycle before it"));
+    // Back to the level of the resumption, not to that of a wall ago.
+    let auto = text.replace("FEDTO,-3", "FEDTO,-3,RTRCTO,AUTO").replace("GOTO/2,0,9", "GOTO/2,0,80");
+    let found = said(&auto, MM);
+    assert!(found[2].contains("from 3 to 50") && found[4].contains("from 3 to 80"), "{found:?}");
+}
+
+#[test]
+fn a_cycle_is_not_resumed_in_another_operation() {
+    let cycle = format!("{NX}CYCLE/DRILL,RAPTO,3,FEDTO,-3\nGOTO/1,0,0\nCYCLE/OFF\n");
+    for between in ["TOOL PATH/B,TOOL,C", "LOAD/TOOL,2"] {
+        let found = errors(&format!("{cycle}{between}\nGOTO/2,0,9\nCYCLE/ON\nGOTO/3,0,0\n"));
+        assert_eq!(found, ["8:7+2 CYCLE/ON without a cycle before it in this operation"], "{between}");
+    }
+    // Nor is what CYCLE/INIT says of the cycle behind it.
+    let text = "UNIT/MM\nGOTO/0,0,50\nCYCLE/INIT\nLOAD/TOOL,2\nGOTO/0,0,50\nCYCLE/DRILL,FEDTO,4,RAPTO,3,RTRCTO,25\nGOTO/1,0,0\n";
+    assert!(errors_with(text, UNSTATED)[0].contains("neither CYCLE/INIT nor CYCLE/CLEAR"));
+}
+
+#[test]
+fn nothing_counts_from_a_hole() {
+    let cycle = format!("CLEARP/XYPLAN,60\n{NX}CYCLE/DRILL,RAPTO,3,FEDTO,-3\n");
+    let counted = |text: &str| errors(&format!("{cycle}GOTO/1,0,0\n{text}\n"));
+    assert_eq!(
+        counted("GODLTA/10,0,0"),
+        ["6:8+6 GODLTA stands behind a hole: whether it counts from the hole or from above it is not known"]
+    );
+    for text in ["GODLTA/5", "CYCLE/OFF\nGODLTA/5", "CYCLE/OFF\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0", "CYCLE/OFF\nNURBS/"] {
+        assert!(counted(text)[0].contains("stands behind a hole"), "{text}");
+    }
+    assert_eq!(counted("CYCLE/OFF\nGOTO/0,0,9\nGODLTA/5"), [""; 0]);
+    assert_eq!(counted("CYCLE/OFF\nRETRCT\nGODLTA/5"), [""; 0]);
+    // The first hole may count from the point before it.
+    assert!(said(&format!("{cycle}GODLTA/1,0,-50\n"), MM)[3].starts_with("hole 1 0 0"));
+}
+
+#[test]
+fn every_length_of_an_inch_file_is_in_inches() {
+    let inch = |text: &str| said(&format!("UNITS/INCH\n$$-> A\nGOTO/0,0,2\n{text}\n"), UNSTATED);
+    let levels = "DEPTH,1,CLEAR,.5,RETURN,2,IPM,10";
+    let peck = inch(&format!("CYCLE/DEEP,{levels},STEP,.5,1STPECK,.25\nGOTO/1,0,0"));
+    assert_eq!(
+        peck[1],
+        "hole 25.4 0 0 deep 25.4 from 12.7 to 50.8 Peck { first: 6.35, later: 12.7 } Some(PerMinute(254.0)) None"
+    );
+    let chip = inch(&format!("CYCLE/BRKCHP,{levels},STEP,.5,BACK,.25,DWELL,2\nGOTO/1,0,0"));
+    assert!(
+        chip[1].ends_with("ChipBreak { step: 12.7, back: Some(6.35) } Some(PerMinute(254.0)) Some(Seconds(2.0))"),
+        "{chip:?}"
+    );
+    assert_eq!(inch("LINTOL/.001")[1], "Tolerance(Some(0.0254))");
+    assert_eq!(inch("GODLTA/1")[1], "feed 0 0 76.19999999999999 axis 0 0 1 None");
+    assert_eq!(inch("GODLTA/1,0,0")[1], "feed 25.4 0 50.8 axis 0 0 1 None");
+    assert_eq!(inch("ORIGIN/1,0,0\nGOTO/0,0,0")[1], "feed -25.4 0 0 axis 0 0 1 None");
+    assert_eq!(inch("TRACUT/1,0,0,1,0,1,0,0,0,0,1,0\nGOTO/0,0,0")[1], "feed 25.4 0 0 axis 0 0 1 None");
+    assert_eq!(inch("CLEARP/XYPLAN,3\nRETRCT")[2], "rapid 0 0 76.19999999999999 axis 0 0 1 None");
+    assert_eq!(inch("CIRCLE/1,0,2,0,0,1,1\nGOTO/2,0,2")[1], "arc to 50.8 0 50.8 about 0 0 1 through 180.000");
+    let tracut = "TRACUT/1,0,0,1,0,1,0,0,0,0,1,0\n";
+    let text = format!("UNITS/INCH\n{tracut}GOTO/0,0,0\nNURBS/\nKNOT/1\nCNTRL/1,0,0\nCNTRL/2,0,0\nCNTRL/3,0,0\n");
+    let mut reader = Reader::new(text.as_bytes(), Options::default());
+    reader.next_event().unwrap();
+    let Some((_, Event::Spline(spline))) = reader.next_event().unwrap() else { panic!("a curve") };
+    let x: Vec<f64> = spline.points.iter().map(|point| (point.x * 10.0).round() / 10.0).collect();
+    assert_eq!(x, [25.4, 50.8, 76.2, 101.6]);
 }
 
 #[test]
@@ -312,6 +415,8 @@ fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
     }
     assert!(errors("TRACUT/LAST\nGOTO/0,0,0\n")[0].contains("`LAST` is not a number"));
     assert!(errors("$$-> A\nTRANS/1,2,3\nGOTO/0,0,0\n")[0].contains("TRANS of Creo"));
+    assert!(errors("$$-> A\nROTATE/AAXIS,90\nGOTO/0,0,0\n")[0].contains("ROTATE is refused"));
+    assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("ROTABL moves the table itself"));
 }
 
 /// Two frames: the second stands at (10, 0, 0), its X is the model's Y.
@@ -332,6 +437,22 @@ fn a_second_frame_is_mapped_into_the_first_or_has_an_offset_of_its_own() {
 }
 
 #[test]
+fn a_frame_in_front_of_units_is_in_that_unit_too() {
+    let text = "MSYS/1,0,0,1,0,0,0,1,0\nUNITS/INCH\nGOTO/0,0,0\nMSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nMSYS/2,0,0,1,0,0,0,1,0\nGOTO/0,0,0\n";
+    let found = said(text, Options { frames: Frames::Main, ..Options::default() });
+    assert_eq!(found[1..], ["feed 25.4 0 0 axis 0 0 1 None", "SafeSequence", "feed 25.4 0 0 axis 0 0 1 None"]);
+}
+
+#[test]
+fn a_clearance_plane_belongs_to_its_frame() {
+    let text = format!("CLEARP/XYPLAN,50\n{TWO_FRAMES}RETRCT\n");
+    let found = errors_with(&text, Options { frames: Frames::Offset, ..mm() });
+    assert_eq!(found, ["6:1+6 RETRCT goes to the clearance plane, and there is none"]);
+    let found = said(&text, Options { frames: Frames::Main, ..mm() });
+    assert_eq!(found.last().map(String::as_str), Some("rapid 8 36.25 50 axis 0 0.6 0.8 None"));
+}
+
+#[test]
 fn csys_of_solidworks_moves_nothing_and_sets_the_tool_axis() {
     let world = "UNIT/MM\nTRNTYP/WORLD,0,0,0\n";
     let text = format!(
@@ -339,8 +460,12 @@ fn csys_of_solidworks_moves_nothing_and_sets_the_tool_axis() {
     );
     let found = said(&text, UNSTATED);
     assert_eq!(found[0], "feed 1 2 3 axis 0 0 1 None");
-    assert_eq!(found[1], "feed 1 2 3 axis 1 0 0 None");
-    assert_eq!(found[2], "feed 4 5 6 axis 1 0 0 None");
+    assert_eq!(found[1..], ["SafeSequence", "feed 1 2 3 axis 1 0 0 None", "feed 4 5 6 axis 1 0 0 None"]);
+    let same = said(&text.replace("0,0,1,0,1,0,0,0,0,1,0,0\nGOTO/1,2,3,1,0,0", "1,0,0,5,0,1,0,5,0,0,1,5"), UNSTATED);
+    assert_eq!(same[1..], ["feed 4 5 6 axis 0 0 1 None"], "an equal CSYS is no new set-up");
+    let mut reader = Reader::new(text.as_bytes(), Options::default());
+    while reader.next_event().unwrap().is_some() {}
+    assert_eq!(reader.setup_changes(), 1);
     let against = errors_with(&text.replace("3,1,0,0", "3,0,0,1"), UNSTATED);
     assert!(against[0].contains("contradicts the third column of CSYS"), "{against:?}");
     let bare = errors("CSYS/1,0,0,5,0,1,0,5,0,0,1,5\nGOTO/0,0,0\n");
@@ -364,7 +489,9 @@ fn the_centre_of_the_corner_radius_lies_above_the_tip() {
     let found = said(text, centre.clone());
     assert_eq!(found[1], "feed 0 -3 -4 axis 0 0.6 0.8 None");
     assert_eq!(found[3], "arc to 0 1 -5 about 0 0 1 through 90.000");
-    assert!(errors_with("LOADTL/1\nGOTO/0,0,0\n", centre)[0].contains("the radius of this tool is unknown"));
+    assert!(errors_with("LOADTL/1\nGOTO/0,0,0\n", centre.clone())[0].contains("the radius of this tool is unknown"));
+    let creo = "$$-> A\nLOADTL/1\nSPINDL/900,CLW\n$$-> CUTTER / 10,5\nGOTO/0,0,0\n";
+    assert_eq!(said(creo, centre)[2], "feed 0 0 -5 axis 0 0 1 None");
     let mut of_one = mm();
     of_one.cl_point_of.insert(1, ClPoint::Centre);
     assert_eq!(said(text, of_one)[1], "feed 0 -3 -4 axis 0 0.6 0.8 None");
