@@ -216,6 +216,31 @@ pub struct Plane {
     pub distance: f64,
 }
 
+/// Geometry around the part in the workpiece frame, mm: outside it the tool may move freely.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Clearance {
+    /// Everything below a plane.
+    Plane(Plane),
+    /// A box along the axes of the frame.
+    Box {
+        /// Its lowest corner.
+        lower: Point3<f64>,
+        /// Its highest corner.
+        upper: Point3<f64>,
+    },
+    /// A cylinder along Z.
+    Cylinder {
+        /// X and Y of its axis.
+        centre: [f64; 2],
+        /// Its radius.
+        radius: f64,
+        /// Z of its lower end.
+        lower: f64,
+        /// Z of its upper end.
+        upper: f64,
+    },
+}
+
 /// CUTCOM: on which side of the path the cutter runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Compensation {

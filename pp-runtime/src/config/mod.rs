@@ -5,6 +5,7 @@
 //! writes angles in degrees. Nothing here plans or writes a motion.
 
 mod cl;
+mod clearance;
 mod course;
 mod machine;
 mod print;
@@ -19,7 +20,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::cl as reading;
 use crate::kinematics::Limits;
-use crate::program::{Coolant, Rotation};
+use crate::program::{Clearance, Coolant, Rotation};
 
 pub use crate::program::Units;
 pub(crate) use course::{preference, preferences};
@@ -70,6 +71,12 @@ pub struct Config {
     pub park: BTreeMap<char, f64>,
     /// Largest turn of a rotary axis in a rapid that does not go through the safe sequence, rad; default 1 degree.
     pub index_angle: f64,
+    /// How rapids inside an operation are written; default [`Rapid::Direct`].
+    pub rapid: Rapid,
+    /// Feed of a rapid that is written as a feed motion, mm/min; default none.
+    pub rapid_feed: Option<f64>,
+    /// Steps of indexed rotary axes, rad; default none: they turn continuously.
+    pub grid: BTreeMap<char, f64>,
     /// How to get from one operation to the next; default [`Transition::Safe`].
     pub transition: Transition,
     /// Speed of rotary axes in moves that only turn the tool or the table, rad/min; default 1800 degrees/min.
@@ -158,6 +165,8 @@ pub struct Retract {
     pub position: f64,
     /// Distance along the tool axis, mm; default none: to the clearance geometry of the CL data.
     pub distance: Option<f64>,
+    /// Geometry around the part that the tool has to leave, if no distance is given; default none.
+    pub clearance: Option<Clearance>,
 }
 
 /// How to get to the part.
@@ -174,6 +183,17 @@ pub enum StartBranch {
     First,
     /// The second.
     Second,
+}
+
+/// How a rapid inside an operation is written that turns no rotary axis by more than the index angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rapid {
+    /// In one block; its path is the control's affair.
+    Direct,
+    /// Along the tool axis and across it in blocks of their own: out first, in last.
+    Split,
+    /// As a feed motion, on a path that is certified.
+    Feed,
 }
 
 /// How to get from one operation to the next.
@@ -232,10 +252,13 @@ impl Default for Config {
             tools: BTreeMap::new(),
             defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 },
             feed: FeedLimits { keep_speeds: true, largest: None, shortest_block: 0.0 },
-            retract: Retract { position: 0.0, distance: None },
+            retract: Retract { position: 0.0, distance: None, clearance: None },
             approach: Approach { distance: 50.0 },
             park: BTreeMap::new(),
             index_angle: 1_f64.to_radians(),
+            rapid: Rapid::Direct,
+            rapid_feed: None,
+            grid: BTreeMap::new(),
             transition: Transition::Safe,
             reorient_speed: 1800_f64.to_radians(),
             stop_retract: true,

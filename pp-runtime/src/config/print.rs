@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Machine};
 use crate::program::Coolant;
 
-use super::{Config, Transition};
+use super::{Config, Rapid, Transition};
 
 /// A configuration file for the machine `M` in which every default stands, switched off.
 ///
@@ -58,6 +58,10 @@ units = "mm"
 #transition = "{transition}"
 # Rapids in which a rotary axis turns more than this go through the safe sequence.
 #index_angle = {index_angle}
+# Rapids inside an operation: "direct" (one block), "split" (out along the tool, across, in along the tool) or "feed"
+# (a feed motion at `rapid_feed`, on a certified path).
+#rapid = "{rapid}"
+# e.g. rapid_feed = 10000.0
 # Speed of rotary axes where only the direction of the tool changes.
 #reorient_speed = {reorient_speed}
 # Retract before STOP and OPSTOP.
@@ -81,6 +85,11 @@ units = "mm"
         machine_zero = axes::<M>(|axis| axis.kind == AxisKind::Linear),
         park = axes::<M>(|axis| axis.kind == AxisKind::Rotary),
         index_angle = degrees(config.index_angle),
+        rapid = match config.rapid {
+            Rapid::Direct => "direct",
+            Rapid::Split => "split",
+            Rapid::Feed => "feed",
+        },
         reorient_speed = degrees(config.reorient_speed),
         stop_retract = config.stop_retract,
         tolerance = number(config.tolerance),
@@ -162,6 +171,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 #position = {position}
 # Distance along the tool axis. Without it to the clearance geometry of the CL data.
 # e.g. distance = 100.0
+# Or, in the workpiece frame, a plane above, a box or a cylinder around the part that the tool has to leave.
+# e.g. clearance = {{ cylinder = {{ radius = 120.0, lower = -50.0, upper = 80.0 }} }}
 
 [feed]
 # Blocks in which an axis would be faster than its speed run longer.
@@ -253,6 +264,13 @@ fn write_machine<M: Machine>(out: &mut String) -> std::fmt::Result {
             (None, AxisKind::Linear) => writeln!(out, "# e.g. {} = 20000.0", axis.letter)?,
             (None, AxisKind::Rotary) => writeln!(out, "# e.g. {} = 3600.0", axis.letter)?,
         }
+    }
+    writeln!(
+        out,
+        "\n# Steps of indexed rotary axes (Hirth): they turn between cuts only, and to these angles only.\n[grid]"
+    )?;
+    for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        writeln!(out, "# e.g. {} = 1.0", axis.letter)?;
     }
     Ok(())
 }

@@ -11,14 +11,16 @@ use crate::kinematics::{Axis, AxisKind, DimensionKind, Limits, Machine};
 use crate::program::{Coolant, Rotation};
 
 use super::cl::CL_POINTS;
+use super::clearance;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
-use super::{Config, Tool, Transition, Units};
+use super::{Config, Rapid, Tool, Transition, Units};
 
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
 const COOLANTS: [(&str, Coolant); 4] =
     [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 const TRANSITIONS: [(&str, Transition); 2] = [("safe", Transition::Safe), ("direct", Transition::Direct)];
+const RAPIDS: [(&str, Rapid); 3] = [("direct", Rapid::Direct), ("split", Rapid::Split), ("feed", Rapid::Feed)];
 pub(super) const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
 /// Smallest path tolerance, mm: in inches it is still no zero with six decimals.
@@ -68,6 +70,7 @@ impl Config {
         let dimensions = top.get("dimensions");
         let limits = top.get("limits");
         let speeds = top.get("speeds");
+        let grid = top.get("grid");
         r.remember_top(&top);
 
         for (name, value) in sections {
@@ -91,6 +94,7 @@ impl Config {
         self.read_frames(r, frames);
         self.machine_zero = read_machine_zero::<M>(r, machine_zero);
         self.limits = read_limits::<M>(r, limits);
+        self.grid = read_grid::<M>(r, grid);
         self.speeds = read_axes::<M>(r, speeds)
             .into_iter()
             .filter_map(|(axis, value, _)| Some((axis.letter, along(r, axis, value, Bound::Positive)?)))
@@ -132,6 +136,20 @@ impl Config {
         }
         if let Some(value) = self.get(top, "index_angle") {
             set(&mut self.index_angle, r.number(value, Quantity::Angle, Bound::NotNegative));
+        }
+        if let Some(value) = self.get(top, "rapid") {
+            set(&mut self.rapid, r.choice(value, &RAPIDS));
+        }
+        let rapid_feed = self.get(top, "rapid_feed");
+        if let Some(value) = rapid_feed {
+            self.rapid_feed = r.length(value, Bound::Positive);
+        }
+        if self.rapid == Rapid::Feed && self.rapid_feed.is_none() && rapid_feed.is_none() {
+            r.fault(
+                0..0,
+                "rapid = \"feed\" needs `rapid_feed`",
+                Some("give it per minute: `rapid_feed = 10000`".to_owned()),
+            );
         }
         if let Some(value) = self.get(top, "transition") {
             set(&mut self.transition, r.choice(value, &TRANSITIONS));
@@ -207,6 +225,9 @@ impl Config {
         }
         if let Some(value) = self.get(section, "retract.distance") {
             self.retract.distance = r.length(value, Bound::Positive);
+        }
+        if let Some(value) = self.get(section, "retract.clearance") {
+            self.retract.clearance = clearance::read(r, value);
         }
     }
 
@@ -318,7 +339,7 @@ fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> (Tool, Option
     (tool, cl_point)
 }
 
-fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3]> {
+pub(super) fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3]> {
     let numbers = r.list(value)?;
     let &[x, y, z] = numbers.as_slice() else {
         let text = format!("three numbers [x, y, z] are needed here, found {}", numbers.len());
@@ -409,6 +430,34 @@ fn read_axes<'a, M: Machine>(
         }
     }
     read
+}
+
+/// Steps of rotary axes that divide a turn.
+fn read_grid<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
+    let mut grid = BTreeMap::new();
+    for (axis, value, span) in read_axes::<M>(r, value) {
+        if axis.kind != AxisKind::Rotary || axis.held {
+            let help = letters::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held);
+            r.fault(
+                span,
+                format!("{} is no rotary axis that is solved", axis.letter),
+                Some(format!("these are {help}")),
+            );
+            continue;
+        }
+        let Some(step) = r.number(value, Quantity::Angle, Bound::Positive) else { continue };
+        let steps = std::f64::consts::TAU / step;
+        if (steps - steps.round()).abs() > 1e-9 * steps || steps < 2.0 {
+            r.fault(
+                value.span(),
+                "the steps of an indexed axis divide a turn",
+                Some("e.g. 1, 2.5 or 5 degrees".to_owned()),
+            );
+            continue;
+        }
+        grid.insert(axis.letter, step);
+    }
+    grid
 }
 
 /// A position or speed of an axis, mm or rad.

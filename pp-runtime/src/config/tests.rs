@@ -140,7 +140,7 @@ fn an_unknown_key_names_the_nearest_known_one() {
 fn an_unknown_key_without_a_near_one_lists_what_is_known() {
     assert_eq!(
         faults("[retract]\nspeed = 3\n"),
-        ["2:1: unknown key `retract.speed` | known here are `position`, `distance`"]
+        ["2:1: unknown key `retract.speed` | known here are `position`, `distance`, `clearance`"]
     );
 }
 
@@ -150,6 +150,43 @@ fn a_key_below_the_wrong_header_is_told_where_it_belongs() {
         faults("[retract]\nposition = 0\nwork_offset = 'G55'\n"),
         ["3:1: unknown key `retract.work_offset` | `work_offset` belongs above the first [header] of the file"]
     );
+}
+
+#[test]
+fn what_moves_between_cuts_and_how_fast_is_read() {
+    let config =
+        read("rapid = 'feed'\nrapid_feed = 9000\n[feed]\nkeep_speeds = false\nlargest = 5000\nshortest_block = 0.01\n");
+    assert_eq!((config.rapid, config.rapid_feed), (super::Rapid::Feed, Some(9000.0)));
+    assert_eq!((config.feed.keep_speeds, config.feed.largest), (false, Some(5000.0)));
+    let help = "give it per minute: `rapid_feed = 10000`";
+    assert_eq!(faults("rapid = 'feed'\n"), [format!("1:1: rapid = \"feed\" needs `rapid_feed` | {help}")]);
+    let config = read(
+        "[course]\nstart_branch = 'second'\nprefer = 'B-'\ngreedy = true\naxis_tolerance = 0.5\n[grid]\nC = 2.5\n",
+    );
+    assert_eq!((config.start_branch, config.prefer), (Some(super::StartBranch::Second), Some(('B', false))));
+    assert!(
+        config.greedy && close(config.axis_tolerance.to_degrees(), 0.5) && close(config.grid[&'C'].to_degrees(), 2.5)
+    );
+    assert_eq!(
+        faults("[course]\nprefer = 'A+'\naxis_tolerance = 9\n[grid]\nC = 7\nX = 1\n").len(),
+        4,
+        "an axis that is not there, an angle too wide, steps that do not divide a turn, a linear axis"
+    );
+}
+
+#[test]
+fn the_clearance_geometry_is_a_plane_a_box_or_a_cylinder() {
+    use crate::program::Clearance;
+    let read = |text: &str| read(&format!("units = 'in'\n[retract]\nclearance = {text}\n")).retract.clearance;
+    assert!(matches!(read("{ plane = 2 }"), Some(Clearance::Plane(plane)) if close(plane.distance, 50.8)));
+    assert!(
+        matches!(read("{ box = [[-1, -1, -1], [1, 1, 2]] }"), Some(Clearance::Box { upper, .. }) if close(upper.z, 50.8))
+    );
+    let cylinder = read("{ cylinder = { radius = 1, lower = -1, upper = 2, centre = [1, 0] } }");
+    assert!(matches!(cylinder, Some(Clearance::Cylinder { centre: [x, _], .. }) if close(x, 25.4)));
+    for wrong in ["{}", "{ sphere = 1 }", "{ box = [[1, 1, 1], [0, 2, 2]] }", "{ cylinder = { radius = 1 } }", "3"] {
+        assert_eq!(faults(&format!("[retract]\nclearance = {wrong}\n")).len(), 1, "{wrong}");
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@
 use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
-use crate::nalgebra::{Point3, UnitVector3, Vector3};
+use crate::nalgebra::{Point3, Vector3};
 use crate::program::{Arc, Drilling, Event, Feed, Hole, Location, Move, Spline, ToolCall};
 
 use super::fault::Fault;
@@ -302,12 +302,6 @@ fn blossom(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> 
         }
     }
     d[3]
-}
-
-/// The height of a point above a plane along a direction, mm; `None` if it does not lead there.
-pub(super) fn distance_to(plane: &crate::program::Plane, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
-    let along = axis.dot(&plane.normal);
-    (along > 1e-3).then(|| (plane.distance - tip.coords.dot(&plane.normal)) / along)
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 
 mod auxiliary;
 mod choose;
+mod clearance;
 mod course;
 mod expand;
 mod fault;

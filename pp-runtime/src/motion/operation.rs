@@ -1,6 +1,6 @@
 //! Motions inside an operation, and what must be true before each.
 
-use crate::config::Transition;
+use crate::config::{Rapid, Transition};
 use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
@@ -93,11 +93,11 @@ impl<M: Machine> Planner<'_, M> {
                 self.phase = Phase::First { at, motion: *motion, planned, operation: false };
                 return Ok(());
             }
-            self.cancel_inverse_time(sink)?;
             self.watch_plunge(at, &motion.pose);
-            self.rapid(&place, self.all(), sink)?;
+            self.rapid_to(at, motion, &place, sink)?;
         } else {
             self.feed_to(at, motion, &place, sink)?;
+            self.cut(&motion.pose);
         }
         self.retreat.follow(&self.place.pose, &motion.pose);
         self.arrive(place);
@@ -150,6 +150,7 @@ impl<M: Machine> Planner<'_, M> {
             .place(&pose, &self.place, true, Some(Target { words, towards: None }))
             .map_err(|fault| stop(at, fault))?;
         self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
+        self.cut(&pose);
         self.place = place;
         Ok(())
     }
@@ -171,9 +172,34 @@ impl<M: Machine> Planner<'_, M> {
                 self.swing_at = at;
             }
         }
-        self.write_feed(at, place, pace, sink)?;
-        self.cut(&motion.pose);
-        Ok(())
+        self.write_feed(at, place, pace, sink)
+    }
+
+    /// A rapid inside an operation, as the configuration wants it written.
+    fn rapid_to(&mut self, at: Location, motion: &Move, place: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
+        match self.config.rapid {
+            Rapid::Direct => {}
+            Rapid::Split => {
+                let step = motion.pose.tip - self.place.pose.tip;
+                let axis = motion.pose.axis.into_inner();
+                let along = axis * step.dot(&axis);
+                let out = step.dot(&axis) > 0.0;
+                if along.norm() > self.placer.unit_mm() && (step - along).norm() > self.placer.unit_mm() {
+                    let (corner, rotaries) =
+                        if out { (self.place.pose.tip + along, self.place) } else { (motion.pose.tip - along, *place) };
+                    let corner = self.placer.shifted(corner, &rotaries).map_err(|fault| stop(at, fault))?;
+                    self.cancel_inverse_time(sink)?;
+                    self.rapid(&corner, self.all(), sink)?;
+                    self.place = corner;
+                }
+            }
+            Rapid::Feed => {
+                let feed = self.config.rapid_feed.map(program::Feed::PerMinute);
+                return self.feed_to(at, &Move { feed, ..*motion }, place, sink);
+            }
+        }
+        self.cancel_inverse_time(sink)?;
+        self.rapid(place, self.all(), sink)
     }
 
     /// Remembers the lowest level that was cut with this tool axis in this operation.

@@ -56,6 +56,8 @@ pub(crate) struct Placer<M: Machine> {
     /// Angle to the pole up to which the tool axis counts as being there, rad.
     pub(super) pole_tolerance: f64,
     pub(super) metric: Metric,
+    /// Position in the chain of an indexed rotary, and its step in whole units.
+    grid: Vec<(usize, i64)>,
     /// Largest speeds, mm/min and rad/min, by position in the chain.
     speeds: Vec<Option<f64>>,
     /// Feeds are limited by them.
@@ -122,7 +124,6 @@ impl<M: Machine> Placer<M> {
             pole_tolerance: config.axis_tolerance.max(REACH_TOLERANCE),
             timed: config.feed.keep_speeds && speeds.iter().any(Option::is_some),
             metric: Metric::new(&rotaries, [0, 1].map(speed), scale),
-            rotaries,
             linear_mask: mask(AxisKind::Linear),
             rotary_mask: mask(AxisKind::Rotary),
             scale,
@@ -134,7 +135,9 @@ impl<M: Machine> Placer<M> {
             straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
             square: square(&machine, axes),
+            grid: grid::<M>(config, &rotaries, scale),
             machine,
+            rotaries,
             speeds,
         }
     }
@@ -229,10 +232,13 @@ impl<M: Machine> Placer<M> {
         feed: bool,
         planned: Option<Target>,
     ) -> Result<Place<M::Axes>, Fault> {
-        let place = match planned {
+        let mut place = match planned {
             Some(target) => self.planned(pose, from, &target)?,
             None => self.turn(pose, from, feed)?,
         };
+        if !self.grid.is_empty() {
+            self.snap(&mut place, from, feed)?;
+        }
         self.finish(place)
     }
 
@@ -244,6 +250,39 @@ impl<M: Machine> Placer<M> {
         let axis = self.rotaries.iter().position(table)?;
         let forwards = self.machine.joint(self.rotaries[axis].index).sign > 0.0;
         Some(Towards { axis, positive: (rotation == Rotation::Clockwise) == forwards })
+    }
+
+    /// Indexed axes stand on one of their steps, and do not turn in a cut.
+    #[cold]
+    fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
+        for &(index, step) in &self.grid {
+            let word = place.words[index];
+            let snapped = (2 * word + step).div_euclid(2 * step) * step;
+            let (letter, degrees) = (M::AXES[index].letter, |word| self.scale.degrees(word));
+            place.words[index] = snapped;
+            place.axes.as_mut()[index] = self.scale.angle(snapped);
+            let reached = self.machine.forward_kinematics(&place.axes).axis;
+            let deviation = angle_between(&reached, &place.pose.axis);
+            let inside = self.rotaries.iter().all(|rotary| rotary.index != index || rotary.holds(snapped));
+            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !inside {
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
+                    degrees(word),
+                    degrees(step)
+                ))
+                .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
+            }
+            place.deviation = place.deviation.max(deviation);
+            if feed && snapped != from.words[index] {
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed",
+                    degrees(from.words[index]),
+                    degrees(snapped)
+                ))
+                .help("program this operation with a fixed tool axis"));
+            }
+        }
+        Ok(())
     }
 
     /// The pole at which a tool axis stands.
@@ -481,6 +520,12 @@ fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) ->
         }
     }
     base
+}
+
+/// The steps of indexed rotaries in whole units.
+fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> Vec<(usize, i64)> {
+    let step = |rotary: &Rotary| Some((rotary.index, scale.word(*config.grid.get(&M::AXES[rotary.index].letter)?)));
+    rotaries.iter().filter_map(step).collect()
 }
 
 /// Angle between two directions, rad.

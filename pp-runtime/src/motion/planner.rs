@@ -11,7 +11,7 @@ use crate::config::{Config, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
 use crate::program::{
-    Compensation, Coolant, Dwell, Event, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
+    Clearance, Compensation, Coolant, Dwell, Event, Location, Move, Rotation, Spindle, ToolCall, Turning,
 };
 
 use super::course::{Course, Target, Towards};
@@ -127,8 +127,8 @@ pub struct Planner<'a, M: Machine> {
     pub(super) feeds: Feeds,
     pub(super) abilities: Abilities,
     expander: Expander,
-    /// CLEARP.
-    pub(super) clearance: Option<Plane>,
+    /// Geometry of the configuration, or of CLEARP.
+    pub(super) clearance: Option<Clearance>,
     /// Every tool axis of the CL data points into the table.
     pub(super) upside_down: bool,
     pub(super) course: Course,
@@ -191,7 +191,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             placer,
             abilities,
             expander: Expander::new(config),
-            clearance: None,
+            clearance: config.retract.clearance,
             upside_down: upside_down && config.table_check,
             course: Course::default(),
             towards: None,
@@ -432,7 +432,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             Event::SafeSequence => self.begin(at, true, sink)?,
             Event::Frame(number) => self.change_frame(at, number, sink)?,
             Event::Home => self.go_home(at, sink)?,
-            Event::ClearancePlane(plane) => self.clearance = Some(plane),
+            Event::ClearancePlane(plane) => self.clearance = Some(Clearance::Plane(plane)),
             Event::Compensation(Compensation::Off) => {}
             Event::Compensation(_) => {
                 return Err(stop(
@@ -542,7 +542,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         self.there = false;
         self.clear = false;
         // It was given in the other frame.
-        self.clearance = None;
+        self.clearance = self.config.retract.clearance;
         Ok(sink.step(&Step::WorkOffset { word })?)
     }
 

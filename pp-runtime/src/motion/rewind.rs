@@ -5,8 +5,8 @@ use crate::diag::Severity;
 use crate::kinematics::Machine;
 use crate::program::{Location, Move};
 
+use super::clearance::way_out;
 use super::course::{Target, Turns};
-use super::expand::distance_to;
 use super::fault::Fault;
 use super::planner::{Planned, Planner, stop};
 use super::step::Sink;
@@ -18,11 +18,12 @@ impl<M: Machine> Planner<'_, M> {
         let fault = |fault: Fault| stop(at, fault);
         let here = self.place;
         let why = self.why_rewind();
-        let to_plane = self.clearance.and_then(|plane| distance_to(&plane, &here.pose.tip, &here.pose.axis));
-        let Some(distance) = self.config.retract.distance.or(to_plane) else {
+        let out = self.clearance.and_then(|clearance| way_out(&clearance, &here.pose.tip, &here.pose.axis));
+        let Some(distance) = self.config.retract.distance.or(out) else {
             return Err(fault(
-                Fault::new(format_args!("here the rotary axes have to be rewound out of the part: {why}"))
-                    .help("give `retract.distance` in the configuration, or CLEARP in the CL data"),
+                Fault::new(format_args!("here the rotary axes have to be rewound out of the part: {why}")).help(
+                    "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data",
+                ),
             ));
         };
         let turned =

@@ -17,8 +17,8 @@ use crate::diag::Severity;
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::program::{Location, Move};
 
+use super::clearance::way_out;
 use super::course::Target;
-use super::expand::distance_to;
 use super::fault::Fault;
 use super::place::Place;
 use super::planner::{Planned, Planner, SAME_AXIS, stop};
@@ -40,12 +40,12 @@ impl<M: Machine> Planner<'_, M> {
         self.cancel_inverse_time(sink)?;
         let led_out = self.retreat.length();
         let Pose { tip, axis } = self.place.pose;
-        let to_plane = self.clearance.and_then(|plane| distance_to(&plane, &tip, &axis));
-        match self.config.retract.distance.or_else(|| to_plane.map(|distance| distance + led_out)) {
+        let out = self.clearance.and_then(|clearance| way_out(&clearance, &tip, &axis));
+        match self.config.retract.distance.or_else(|| out.map(|distance| distance + led_out)) {
             Some(distance) if led_out + ENOUGH < distance => {
                 let (distance, what) = match self.config.retract.distance {
                     Some(distance) => (distance, "`retract.distance` ="),
-                    None => (distance - led_out, "to the clearance plane,"),
+                    None => (distance - led_out, "to the clearance geometry,"),
                 };
                 let out = self
                     .placer
@@ -157,6 +157,7 @@ impl<M: Machine> Planner<'_, M> {
             self.rapid(&place, self.all(), sink)?;
         } else {
             self.feed_to(at, first, &place, sink)?;
+            self.cut(&first.pose);
         }
         self.retreat.follow(&self.place.pose, &first.pose);
         self.arrive(place);

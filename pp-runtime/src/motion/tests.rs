@@ -4,7 +4,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
 use super::{Abilities, Navigator, Planner, Stop};
-use crate::config::{Config, Tool, Transition, Units};
+use crate::config::{Config, Rapid, Tool, Transition, Units};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
@@ -1054,6 +1054,44 @@ fn cutter_compensation_is_refused() {
     let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
     assert!(with(Event::Compensation(Compensation::Left)).error().text.contains("CUTCOM"));
     assert_eq!(with(Event::Compensation(Compensation::Off)).diagnostics, []);
+}
+
+#[test]
+fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
+    let mut config = config();
+    config.grid.insert('C', 5_f64.to_radians());
+    let with = |config: &Config, axes: &[[f64; 3]]| {
+        let mut events = vec![tool(1), spindle()];
+        events.extend(axes.iter().map(|&axis| feed([0.0; 3], axis)));
+        run::<Cb>(config, &events)
+    };
+    let errors = |run: Run| run.diagnostics.iter().filter(|found| found.severity == Severity::Error).count();
+    assert_eq!(errors(with(&config, &[cb(35.0, 30.0), cb(35.0, 40.0)])), 0);
+    // What CL data rounds is no other direction.
+    let rounded = with(&config, &[cb(35.000_03, 30.0)]);
+    assert!(rounded.diagnostics.is_empty() && rounded.lines.contains(&"G0 B30 C35".to_owned()), "{}", rounded.text());
+    let between = with(&config, &[cb(36.0, 30.0)]);
+    assert!(between.error().text.contains("36°, between the steps of 5°"), "{:?}", between.error());
+    let turning = with(&config, &[cb(35.0, 30.0), cb(40.0, 30.0)]);
+    assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
+    config.axis_tolerance = 1_f64.to_radians();
+    assert_eq!(with(&config, &[cb(36.0, 30.0)]).diagnostics, []);
+}
+
+#[test]
+fn a_rapid_is_written_as_the_configuration_wants_it() {
+    let blocks = |rapid_mode: Rapid, to: [f64; 3]| {
+        let config = Config { rapid: rapid_mode, rapid_feed: Some(9000.0), ..config() };
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), rapid(to, UP), feed([20.0, 0.0, -3.0], UP)];
+        let lines = lines::<Cb>(&config, &events);
+        let from = lines.iter().position(|line| line.starts_with("G1 Z0")).expect("the first point");
+        lines[from + 1..lines.len() - 3].to_vec()
+    };
+    assert_eq!(blocks(Rapid::Direct, [20.0, 0.0, 5.0])[0], "G0 X20 Z5");
+    assert_eq!(blocks(Rapid::Split, [20.0, 0.0, 5.0])[..2], ["G0 Z5", "X20"]);
+    assert_eq!(blocks(Rapid::Split, [20.0, 0.0, -2.0])[..2], ["G0 X20", "Z-2"]);
+    assert_eq!(blocks(Rapid::Split, [20.0, 0.0, 0.0])[0], "G0 X20");
+    assert_eq!(blocks(Rapid::Feed, [20.0, 0.0, 5.0])[0], "X20 Z5 F9000");
 }
 
 #[test]

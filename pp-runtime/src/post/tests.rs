@@ -101,8 +101,10 @@ fn the_header_says_what_the_program_is_valid_for() {
 #[test]
 fn a_head_program_says_the_length_it_was_posted_with() {
     let text = PART.replace("LOADTL/1\nSPINDL", "LOADTL/1,LENGTH,95.5\nSPINDL");
-    let config =
-        Config { retract: crate::config::Retract { position: 0.0, distance: Some(30.0) }, ..Config::default() };
+    let config = Config {
+        retract: crate::config::Retract { distance: Some(30.0), ..Config::default().retract },
+        ..Config::default()
+    };
     let (text, report) = posted::<Head>(&config, &text);
     assert_eq!(report.diagnostics, []);
     assert!(text.contains("(T1 posted with L = 95.5: H1 must hold exactly this)"), "{text}");
