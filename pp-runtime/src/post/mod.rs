@@ -15,7 +15,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use crate::cl::{self, Reader};
 use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
 use crate::motion::{Abilities, Expander, Planner, Scout, Sink, Statistics, Step, Stop};
 use crate::program::{Coolant, Location};
@@ -153,6 +153,7 @@ pub fn post<M: Machine>(
                 severity: Severity::Error,
                 location: Location::default(),
                 length: 1,
+                count: 1,
                 text: format!("{} cannot be posted for: {invalid}", M::NAME),
                 help: Some("correct the dimensions in the configuration".to_owned()),
             });
@@ -184,6 +185,7 @@ fn run<M: Machine, R: Read, W: Write>(
     report: &mut Report,
 ) -> Result<(), PostError> {
     let mut last = Location::default();
+    let mut remarks = Remarks::default();
     let planned = loop {
         match reader.next_event().map_err(PostError::Input)? {
             Some((at, event)) if survey.first_error.is_none_or(|error| at < error) => {
@@ -197,10 +199,11 @@ fn run<M: Machine, R: Read, W: Write>(
             None => break planner.finish(last, encoder),
         }
         if planner.has_warnings() {
-            report.diagnostics.append(&mut planner.take_warnings());
+            planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
         }
     };
-    report.diagnostics.append(&mut planner.take_warnings());
+    planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
+    report.diagnostics.append(&mut remarks.conclude());
     report.statistics = planner.statistics();
     report.unchecked = header::unchecked(&planner.unchecked_axes());
     match planned {
