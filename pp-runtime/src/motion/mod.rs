@@ -16,6 +16,7 @@ mod refuse;
 mod retreat;
 mod scout;
 mod sequence;
+mod starts;
 mod step;
 mod tool;
 mod travel;
@@ -27,6 +28,7 @@ mod tests;
 
 pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};
-pub use scout::{Scout, Start};
+pub use scout::Scout;
+pub use starts::Starts;
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
 pub use tool::Tool;

@@ -19,7 +19,7 @@ use super::fault::Fault;
 use super::feed::Feeds;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
-use super::scout::Start;
+use super::starts::Starts;
 use super::step::{Sink, Step};
 use super::tool::{SpindleRequest, Tool};
 
@@ -86,6 +86,12 @@ pub struct Statistics {
     pub largest_swing: f64,
 }
 
+/// More records than this between two motions are no habit of a CAM system; it bounds the memory.
+const MOST_WAITING: usize = 10_000;
+
+/// Text of so many bytes is kept while records wait.
+const MOST_TEXT: usize = 1 << 20;
+
 /// An event that may stand between the first motion of an operation and the next.
 #[derive(Debug, Clone, Copy)]
 enum Waiting {
@@ -124,9 +130,7 @@ pub struct Planner<'a, M: Machine> {
     pub(super) clearance: Option<Plane>,
     /// Every tool axis of the CL data points into the table.
     pub(super) upside_down: bool,
-    starts: Vec<Start>,
-    /// Operations begun so far.
-    operations: usize,
+    starts: Starts,
     pub(super) phase: Phase,
     waiting: Vec<(Location, Waiting)>,
     texts: Vec<u8>,
@@ -183,8 +187,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             expander: Expander::new(config),
             clearance: None,
             upside_down: upside_down && config.table_check,
-            starts: Vec::new(),
-            operations: 0,
+            starts: Starts::default(),
             phase: Phase::Start,
             waiting: Vec::new(),
             texts: Vec::new(),
@@ -215,7 +218,7 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// Begins each operation with the rotary words that [`Scout`](super::Scout) has found for it.
     #[must_use]
-    pub fn with_starts(mut self, starts: Vec<Start>) -> Self {
+    pub fn with_starts(mut self, starts: Starts) -> Self {
         self.starts = starts;
         self
     }
@@ -353,8 +356,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             self.request_in_start = SpindleRequest::default();
             self.lowest = None;
             self.plunge_told = false;
-            let start = self.starts.get(self.operations).copied().flatten();
-            self.operations += 1;
+            let start = self.starts.next();
             self.start(at, &motion, next, start, sink)?;
         } else {
             self.index(at, &motion, next, sink)?;
@@ -379,6 +381,13 @@ impl<'a, M: Machine> Planner<'a, M> {
     #[cold]
     fn other(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
         let first = matches!(self.phase, Phase::First { .. });
+        if first && (self.waiting.len() >= MOST_WAITING || self.texts.len() >= MOST_TEXT) {
+            return Err(stop(
+                at,
+                Fault::new("too many records stand between the first motion of an operation and the next")
+                    .help("the approach to a first point depends on the second: move these records behind both"),
+            ));
+        }
         match *event {
             Event::Spindle(spindle) if first => self.waiting.push((at, Waiting::Spindle(spindle))),
             Event::Coolant(coolant) if first => self.waiting.push((at, Waiting::Coolant(coolant))),

@@ -12,13 +12,14 @@ use crate::program::{Event, Location};
 
 use super::expand::Expander;
 use super::place::{Place, Placer};
+use super::starts::Starts;
 use super::step::MAX_AXES;
 
 /// More starts than this are not followed.
 const MOST_CANDIDATES: usize = 24;
 
 /// Words of the rotary axes at the start of an operation, by position in the chain.
-pub type Start = Option<[i64; MAX_AXES]>;
+pub(super) type Start = Option<[i64; MAX_AXES]>;
 
 /// One way to begin an operation, and how far it leads.
 #[derive(Debug, Clone, Copy)]
@@ -43,7 +44,7 @@ pub struct Scout<M: Machine> {
     /// The operation began at the pole and has not left it yet.
     at_pole: bool,
     candidates: Vec<Candidate<M::Axes>>,
-    starts: Vec<Start>,
+    starts: Starts,
     expander: Expander,
 }
 
@@ -69,7 +70,7 @@ impl<M: Machine> Scout<M> {
             begun: true,
             at_pole: false,
             candidates: Vec::new(),
-            starts: Vec::new(),
+            starts: Starts::default(),
             expander: Expander::new(config),
         })
     }
@@ -120,9 +121,9 @@ impl<M: Machine> Scout<M> {
 
     /// The start of each operation, in their order.
     #[must_use]
-    pub fn finish(mut self) -> Vec<Start> {
+    pub fn finish(mut self) -> Starts {
         self.close();
-        self.starts
+        self.starts.read_from_start()
     }
 
     fn open(&mut self, pose: &Pose) {
@@ -185,7 +186,10 @@ impl<M: Machine> Scout<M> {
         });
         match best {
             Some((_, best)) => {
-                self.starts.push(Some(best.start));
+                // The words of linear axes follow from the pose.
+                let linear = placer.linear_mask();
+                let words = std::array::from_fn(|index| if linear & (1 << index) == 0 { best.start[index] } else { 0 });
+                self.starts.push(Some(words));
                 self.before = best.place;
             }
             None => self.starts.push(None),

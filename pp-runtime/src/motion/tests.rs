@@ -3,7 +3,7 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
-use super::{Abilities, Planner, Scout, Stop};
+use super::{Abilities, Planner, Scout, Starts, Stop};
 use crate::config::{Config, Tool, Transition, Units};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
@@ -49,7 +49,7 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
     let abilities = Abilities { mist: true, through: false, air: false };
-    let starts = Scout::new(machine.clone(), config).map_or_else(Vec::new, |mut scout| {
+    let starts = Scout::new(machine.clone(), config).map_or_else(Starts::default, |mut scout| {
         events.iter().for_each(|event| scout.event(event));
         scout.finish()
     });
