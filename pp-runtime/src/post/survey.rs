@@ -96,6 +96,9 @@ impl Survey {
             };
             // What cannot be expanded is the planner's to tell.
             let _ = expander.event(at, &event, &mut straight);
+            if let Event::Tolerance(_) = event {
+                expander.take_warnings();
+            }
             if let Some(scout) = &mut scout {
                 scout.event(&event);
             }
