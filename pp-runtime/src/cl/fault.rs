@@ -5,12 +5,9 @@
 
 use super::lexer::{Lexer, Statement};
 use super::words;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 use std::io::Read;
-
-/// Diagnostics shown of one kind.
-pub(super) const SHOWN_PER_KIND: u64 = 20;
 
 /// Bytes of a statement, counted from its first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -117,25 +114,27 @@ impl Faults {
             length: u32::try_from(length).unwrap_or(u32::MAX),
             text: fault.text,
             help: Some(help),
+            count: 1,
         });
     }
 
     /// Takes what is said of the file as a whole.
     pub(super) fn add_about_file(&mut self, severity: Severity, location: Location, text: String, help: &str) {
         self.failed |= severity == Severity::Error;
-        self.diagnostics.push(Diagnostic { severity, location, length: 1, text, help: Some(help.into()) });
+        self.diagnostics.push(Diagnostic { severity, location, length: 1, text, help: Some(help.into()), count: 1 });
     }
 
     /// Says at the end how many diagnostics were not shown.
     pub(super) fn conclude(&mut self) {
         for count in &self.counts {
-            if let Some(hidden) = count.found.checked_sub(SHOWN_PER_KIND).filter(|hidden| *hidden > 0) {
+            if let Some(hidden) = count.found.checked_sub(LISTED_OF_A_KIND).filter(|hidden| *hidden > 0) {
                 self.diagnostics.push(Diagnostic {
                     severity: count.severity,
                     location: count.first_hidden,
                     length: 1,
                     text: format!("{hidden} more of this kind from here on: {}", count.kind),
                     help: None,
+                    count: hidden,
                 });
             }
         }
@@ -150,10 +149,10 @@ impl Faults {
         });
         let count = &mut self.counts[index];
         count.found += 1;
-        if count.found == SHOWN_PER_KIND + 1 {
+        if count.found == LISTED_OF_A_KIND + 1 {
             count.first_hidden = location;
         }
-        count.found <= SHOWN_PER_KIND
+        count.found <= LISTED_OF_A_KIND
     }
 }
 

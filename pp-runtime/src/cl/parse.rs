@@ -7,7 +7,7 @@ use super::Dialect;
 use super::args::{Arg, Args, skip_blanks};
 use super::fault::{Fault, Help, Span, quoted};
 use super::record::{FrameRecord, Numbers, Point, Record, Text};
-use super::words::{Use, Word, look_up};
+use super::words::{self, Use, Word, look_up};
 use super::{circle, cycle, forms, spindle, tools, vector};
 use crate::diag::Severity;
 
@@ -382,7 +382,7 @@ pub(super) fn needed<'a>(name: &'static str, args: &mut Args<'a>) -> Result<Arg<
             "argument missing",
             args.all(),
             format!("an argument of {name} is missing"),
-            format!("write {name} with all its arguments"),
+            words::form(name).unwrap_or_else(|| format!("write {name} with all its arguments")),
         )
     })
 }
@@ -438,7 +438,7 @@ pub(super) fn argument_not_yet(name: &'static str, arg: Arg<'_>) -> Fault {
         name,
         arg.at,
         format!("{name} with {} is not understood yet", quoted(arg.text)),
-        "check the spelling; `explain --cl` lists the forms that are read",
+        words::form(name).unwrap_or_else(|| "check the spelling; `explain --cl` lists the forms that are read".into()),
     )
 }
 

@@ -4,9 +4,13 @@
 //! fault in it still names its own line.
 
 use crate::program::Location;
+use std::collections::BTreeMap;
 
-/// Bytes that all subprograms of a file may hold together.
-const MOST_BYTES: usize = 16 << 20;
+/// Bytes of text that all subprograms of a file may hold together, and bytes of the list of their statements.
+const MOST_BYTES: usize = 8 << 20;
+
+/// More subprograms than this are no habit of a CAM system; it bounds the memory.
+const MOST_SUBPROGRAMS: usize = 100_000;
 
 /// One statement of a subprogram.
 #[derive(Debug, Clone, Copy)]
@@ -16,10 +20,9 @@ pub(super) struct Kept {
     pub(super) location: Location,
 }
 
+/// Range in the list of statements.
 #[derive(Debug, Clone, Copy)]
 struct Subprogram {
-    number: u32,
-    /// Range in the list of statements.
     first: usize,
     behind: usize,
 }
@@ -29,7 +32,7 @@ struct Subprogram {
 pub(super) struct Subprograms {
     text: Vec<u8>,
     statements: Vec<Kept>,
-    known: Vec<Subprogram>,
+    known: BTreeMap<u32, Subprogram>,
     /// The one that is being defined.
     open: Option<(u32, usize)>,
     /// What is still to be done of the one that is called: next statement and the one behind its last.
@@ -52,8 +55,10 @@ impl Subprograms {
         }
         // Its ENDSUB belongs to it, even if it is refused.
         self.open = Some((number, self.statements.len()));
-        let twice = self.known.iter().any(|known| known.number == number);
-        if twice { Err("this subprogram is defined twice") } else { Ok(()) }
+        if self.known.contains_key(&number) {
+            return Err("this subprogram is defined twice");
+        }
+        if self.known.len() >= MOST_SUBPROGRAMS { Err("the file defines too many subprograms") } else { Ok(()) }
     }
 
     /// Keeps a statement; false if there is no room for it.
@@ -70,7 +75,9 @@ impl Subprograms {
     /// ENDSUB; false if nothing was begun.
     pub(super) fn end(&mut self) -> bool {
         let Some((number, first)) = self.open.take() else { return false };
-        self.known.push(Subprogram { number, first, behind: self.statements.len() });
+        if self.known.len() < MOST_SUBPROGRAMS {
+            self.known.entry(number).or_insert(Subprogram { first, behind: self.statements.len() });
+        }
         true
     }
 
@@ -79,8 +86,7 @@ impl Subprograms {
         if self.running.is_some() {
             return Err("a subprogram that calls another one is not understood");
         }
-        let known = self.known.iter().find(|known| known.number == number);
-        let known = known.ok_or("this subprogram is not defined before it is called")?;
+        let known = self.known.get(&number).ok_or("this subprogram is not defined before it is called")?;
         self.running = Some((known.first, known.behind));
         Ok(())
     }

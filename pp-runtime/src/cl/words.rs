@@ -214,6 +214,13 @@ pub(super) fn look_up(word: &[u8]) -> Option<(&'static str, Use)> {
     }
 }
 
+/// What is read of a word, as the help of a message.
+pub(super) fn form(name: &str) -> Option<String> {
+    let (_, usage, forms) = TABLE.iter().find(|(known, ..)| *known == name)?;
+    let read = matches!(usage, Modelled(_)) && forms.starts_with(['/', '[']);
+    read.then(|| format!("what is read is {name}{forms}"))
+}
+
 /// Why a word cannot be declared inert; `None` if it can.
 #[must_use]
 pub fn not_inert(word: &str) -> Option<String> {

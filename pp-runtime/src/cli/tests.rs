@@ -40,7 +40,7 @@ fn echo(_job: &Job<'_>, source: &mut Source, sink: &mut Sink<'_>) -> Result<Repo
 
 fn finding(severity: Severity, line: u64, column: u32, length: u32, text: &str, help: Option<&str>) -> Diagnostic {
     let (text, help) = (text.to_owned(), help.map(str::to_owned));
-    Diagnostic { severity, location: Location { line, column }, length, text, help }
+    Diagnostic { severity, location: Location { line, column }, length, text, help, count: 1 }
 }
 
 /// Writes one block and then finds an error in line 2.
@@ -479,6 +479,21 @@ fn twenty_of_a_kind_are_shown_and_the_rest_is_counted() {
     assert!(shown.contains("p.cls: 103 more like `warning: GOTO/# is # numbers short of …`, the last in line 123\n"));
     assert!(shown.contains("p.cls:150:1: error: another kind\n"));
     assert!(shown.ends_with("p.cls: 1 error, 123 warnings\n"));
+}
+
+#[test]
+fn what_is_only_counted_counts_in_the_summary() {
+    let rest = Diagnostic { count: 980, ..finding(Severity::Error, 1, 1, 1, "980 more of this kind", None) };
+    let shown = messages(b"GOTO/1\n", &[finding(Severity::Error, 1, 6, 1, "short", None), rest]);
+    assert!(shown.ends_with("p.cls: 981 errors\n"), "{shown}");
+}
+
+#[test]
+fn a_fault_of_a_whole_statement_marks_its_word() {
+    let found = [finding(Severity::Error, 1, 3, 1, "odd", None), finding(Severity::Error, 2, 8, 1, "odd", None)];
+    let shown = messages(b"  END-OF-PATH\nSPINDL/0,CLW\n", &found);
+    let carets: Vec<&str> = shown.lines().filter(|line| line.contains('^')).collect();
+    assert_eq!(carets, ["  |   ^^^^^^^^^^^", "  |        ^"]);
 }
 
 #[test]

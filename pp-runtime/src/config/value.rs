@@ -80,6 +80,7 @@ impl<'t> Reader<'t> {
             severity: Severity::Error,
             location: Location { line: line as u64, column: clamp_u32(start - line_start + 1) },
             length: clamp_u32(length),
+            count: 1,
             text: text.into(),
             help,
         });

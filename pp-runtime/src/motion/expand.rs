@@ -66,7 +66,7 @@ impl Expander {
     }
 
     /// Takes the remarks that have come up.
-    pub(super) fn take_warnings(&mut self) -> Vec<Diagnostic> {
+    pub(crate) fn take_warnings(&mut self) -> Vec<Diagnostic> {
         std::mem::take(&mut self.warnings)
     }
 

@@ -42,12 +42,12 @@ impl<M: Machine> Planner<'_, M> {
                 return Err(Fault::new("a feed motion before the first tool").help("call a tool: LOADTL/1"));
             }
         }
-        if motion.rapid {
-            return Ok(());
-        }
         if self.upside_down {
             return Err(Fault::new("every tool axis of this program points into the table")
                 .help("is the frame upside down? Turn it in CAM or with `part_rotation`; `table_check = false` posts it as it is"));
+        }
+        if motion.rapid {
+            return Ok(());
         }
         if self.spindle.is_none() {
             return Err(if self.request.off {

@@ -91,6 +91,12 @@ pub struct Statistics {
     pub largest_swing: f64,
 }
 
+/// More records than this between two motions are no habit of a CAM system; it bounds the memory.
+const MOST_WAITING: usize = 10_000;
+
+/// Text of so many bytes is kept while records wait.
+const MOST_TEXT: usize = 1 << 20;
+
 /// An event that may stand between the first motion of an operation and the next.
 #[derive(Debug, Clone, Copy)]
 enum Waiting {
@@ -393,6 +399,13 @@ impl<'a, M: Machine> Planner<'a, M> {
     #[cold]
     fn other(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
         let first = matches!(self.phase, Phase::First { .. });
+        if first && (self.waiting.len() >= MOST_WAITING || self.texts.len() >= MOST_TEXT) {
+            return Err(stop(
+                at,
+                Fault::new("too many records stand between the first motion of an operation and the next")
+                    .help("the approach to a first point depends on the second: move these records behind both"),
+            ));
+        }
         match *event {
             Event::Spindle(spindle) if first => self.waiting.push((at, Waiting::Spindle(spindle))),
             Event::Coolant(coolant) if first => self.waiting.push((at, Waiting::Coolant(coolant))),

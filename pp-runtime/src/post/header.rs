@@ -7,6 +7,7 @@ use crate::config::{Config, Units};
 use crate::control::Encoder;
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
+use crate::program::Rotation;
 
 use super::Job;
 use super::survey::{Survey, ToolUse};
@@ -31,7 +32,8 @@ fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
 pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if survey.units_only_given {
-        list.push("the unit of the CL data, which does not state one, as given with the job".to_owned());
+        let unit = survey.units.map_or("", Units::name);
+        list.push(format!("the unit of the CL data, which does not state one, is {unit} as given with the job"));
     }
     if !survey.framed {
         list.push("the points of the CL data count from the part zero".to_owned());
@@ -54,8 +56,12 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
         let speed = given.and_then(|tool| tool.speed).or(config.defaults.speed);
         let rotation = given.and_then(|tool| tool.rotation).or(config.defaults.rotation);
         if let (Some(speed), Some(rotation)) = (speed, rotation) {
+            let sense = match rotation {
+                Rotation::Clockwise => "CLW",
+                Rotation::CounterClockwise => "CCLW",
+            };
             list.push(format!(
-                "spindle of T{number} from the configuration where the CL data gives none: {speed} {rotation:?}"
+                "spindle of T{number} from the configuration where the CL data gives none: S{speed} {sense}"
             ));
         }
     }

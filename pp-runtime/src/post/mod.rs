@@ -16,7 +16,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use crate::cl::{self, Reader};
 use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Abilities, Cost, Course, Expander, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
 use crate::program::{Coolant, Location};
@@ -179,6 +179,7 @@ pub fn post<M: Machine>(
                 severity: Severity::Error,
                 location: Location::default(),
                 length: 1,
+                count: 1,
                 text: format!("{} cannot be posted for: {invalid}", M::NAME),
                 help: Some("correct the dimensions in the configuration".to_owned()),
             });
@@ -213,6 +214,7 @@ fn run<M: Machine, R: Read, W: Write>(
     report: &mut Report,
 ) -> Result<(), PostError> {
     let mut last = Location::default();
+    let mut remarks = Remarks::default();
     let planned = loop {
         match reader.next_event().map_err(PostError::Input)? {
             Some((at, event)) if survey.first_error.is_none_or(|error| at < error) => {
@@ -226,10 +228,11 @@ fn run<M: Machine, R: Read, W: Write>(
             None => break planner.finish(last, encoder),
         }
         if planner.has_warnings() {
-            report.diagnostics.append(&mut planner.take_warnings());
+            planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
         }
     };
-    report.diagnostics.append(&mut planner.take_warnings());
+    planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
+    report.diagnostics.append(&mut remarks.conclude());
     report.statistics = planner.statistics();
     report.times = planner.times().clone();
     report.unchecked = header::unchecked(&planner.unchecked_axes());

@@ -1,5 +1,6 @@
 //! The first pass over the CL text: what the header needs, and what can be known only at the end.
 
+use std::collections::BTreeMap;
 use std::io::{self, Read};
 
 use nalgebra::UnitVector3;
@@ -9,6 +10,9 @@ use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
 use crate::motion::{Course, Expander, Navigator};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
+
+/// More tools than this are not one program; it bounds the memory and the header.
+const MOST_TOOLS: usize = 1000;
 
 /// One tool of the program.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +57,10 @@ pub(super) struct Survey {
 /// What is modal while surveying.
 #[derive(Debug, Default)]
 struct State {
+    /// Tools called so far, and where those that have moved stand in the list.
+    called_so_far: BTreeMap<u32, Option<usize>>,
+    /// The first call of too many.
+    too_many: Option<Location>,
     call: Option<ToolCall>,
     /// Index of the current tool, once it has moved.
     tool: Option<usize>,
@@ -84,12 +92,15 @@ impl Survey {
         let mut survey = Self::default();
         let mut state = State { begun: true, ..State::default() };
         while let Some((at, event)) = reader.next_event()? {
-            let mut straight = |_: Location, event: &Event<'_>| -> Result<(), Silent> {
-                survey.event(event, &mut state, tool_axis);
+            let mut straight = |at: Location, event: &Event<'_>| -> Result<(), Silent> {
+                survey.event(at, event, &mut state, tool_axis);
                 Ok(())
             };
             // What cannot be expanded is the planner's to tell.
             let _ = expander.event(at, &event, &mut straight);
+            if let Event::Tolerance(_) = event {
+                expander.take_warnings();
+            }
             if let Some(navigator) = &mut navigator {
                 navigator.event(&event);
             }
@@ -105,13 +116,21 @@ impl Survey {
         survey.inverse_time = reader.asks_for_inverse_time();
         survey.lines = reader.lines();
         survey.diagnostics = reader.diagnostics().to_vec();
+        survey.diagnostics.extend(state.too_many.map(|location| Diagnostic {
+            severity: Severity::Error,
+            location,
+            length: 1,
+            count: 1,
+            text: format!("the CL data calls more than {MOST_TOOLS} different tools"),
+            help: Some("check the tool numbers in the CAM system, or post its programs one by one".to_owned()),
+        }));
         let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
         survey.first_error = errors.map(|error| error.location).min();
         survey.tools.sort_by_key(|tool| tool.call.number);
         Ok(survey)
     }
 
-    fn event(&mut self, event: &Event<'_>, state: &mut State, tool_axis: &UnitVector3<f64>) {
+    fn event(&mut self, at: Location, event: &Event<'_>, state: &mut State, tool_axis: &UnitVector3<f64>) {
         match *event {
             Event::Name(name) if self.name.is_empty() => self.name = name.to_vec(),
             Event::Operation(_)
@@ -123,6 +142,11 @@ impl Survey {
             | Event::Insert(_)
             | Event::Code { .. } => state.begun = true,
             Event::Tool(call) => {
+                if state.called_so_far.len() < MOST_TOOLS {
+                    state.called_so_far.entry(call.number).or_default();
+                } else if !state.called_so_far.contains_key(&call.number) {
+                    state.too_many.get_or_insert(at);
+                }
                 if state.call.is_none_or(|before| before.number != call.number) {
                     // A SPINDL in the same start counts for the first tool that is called there.
                     state.spindle &= state.begun && !state.called;
@@ -137,7 +161,10 @@ impl Survey {
                 state.called = false;
                 if state.begun {
                     state.begun = false;
-                    state.tool = state.call.map(|call| self.tool(call));
+                    state.tool = state.call.and_then(|call| {
+                        let place = state.called_so_far.get_mut(&call.number)?;
+                        Some(self.tool(call, place))
+                    });
                     if let Some(index) = state.tool {
                         self.tools[index].operations += 1;
                     }
@@ -158,8 +185,8 @@ impl Survey {
     }
 
     /// The index of a tool, with what its calls say together.
-    fn tool(&mut self, call: ToolCall) -> usize {
-        let index = self.tools.iter().position(|tool| tool.call.number == call.number).unwrap_or_else(|| {
+    fn tool(&mut self, call: ToolCall, place: &mut Option<usize>) -> usize {
+        let index = *place.get_or_insert_with(|| {
             self.tools.push(ToolUse { call, operations: 0, tip: None, spindle_assumed: false });
             self.tools.len() - 1
         });

@@ -19,7 +19,7 @@
 (the entries of C and B in G54 must be zero)
 (T1 D10 R0 L110 H1, 1 operation, tip Z -2 to 20)
 (T2 D5 L130 H2, 2 operations, tip Z -15 to 60)
-(ASSUMED the unit of the CL data, which does not state one, as given with the job)
+(ASSUMED the unit of the CL data, which does not state one, is mm as given with the job)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)

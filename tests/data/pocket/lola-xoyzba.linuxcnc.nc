@@ -19,7 +19,7 @@
 (T1 posted with L = 110: H1 must hold exactly this)
 (T2 D5 L130 H2, 2 operations, tip Z -15 to 60)
 (T2 posted with L = 130: H2 must hold exactly this)
-(ASSUMED the unit of the CL data, which does not state one, as given with the job)
+(ASSUMED the unit of the CL data, which does not state one, is mm as given with the job)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
 (ASSUMED approach from 50 mm along the tool axis)

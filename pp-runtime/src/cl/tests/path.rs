@@ -606,6 +606,17 @@ fn a_spindle_speed_that_rounds_to_nothing_is_refused() {
 }
 
 #[test]
+fn many_subprograms_take_no_more_time_than_their_text_and_their_number_is_bounded() {
+    let define = |count: u32| (0..count).map(|n| format!("DEFSUB/{n}\nENDSUB\n")).collect::<String>();
+    // Looking through all known ones for each took a minute here.
+    let text = format!("{}GOTO/0,0,0\nCALSUB/99999\n", define(100_000));
+    assert_eq!(events(&text).len(), 1);
+    let found = errors(&format!("{}GOTO/0,0,0\n", define(100_002)));
+    assert_eq!(found[0], "200001:1+13 the file defines too many subprograms");
+    assert_eq!(found.len(), 2);
+}
+
+#[test]
 fn a_subprogram_is_done_where_it_is_called() {
     let text = "DEFSUB/1\nGODLTA/1,0,0\nPPRINT there\nENDSUB\nGOTO/0,0,0\nCALSUB/1\nGOTO/0,5,0\nCALSUB/1\n";
     let found = events(text);

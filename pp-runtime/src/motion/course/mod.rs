@@ -11,6 +11,7 @@
 //!
 //! Memory: survivors share their history, and only what is not expected is remembered: a course is a list of changes.
 
+mod packed;
 mod search;
 mod states;
 
@@ -31,6 +32,7 @@ pub use search::Cost;
 pub(crate) use search::{Metric, Towards, Turns};
 pub(crate) use states::between;
 
+use packed::Packed;
 use search::{Search, State};
 
 /// A limit is crossed at most this often in one block.
@@ -69,8 +71,8 @@ pub(crate) struct Target {
 /// The decisions for a program, in the order of its motions.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Course {
-    changes: Vec<Change>,
-    next: usize,
+    changes: Packed,
+    next: Option<Change>,
     /// What the course costs.
     pub cost: Cost,
     /// What it costs pose by pose, without looking ahead; `None` where that way ends before a limit.
@@ -81,11 +83,8 @@ impl Course {
     /// The next change of a motion.
     #[inline]
     pub(crate) fn change(&mut self, motion: u64) -> Option<Change> {
-        let change = *self.changes.get(self.next)?;
-        if change.motion != motion {
-            return None;
-        }
-        self.next += 1;
+        let change = self.next.filter(|change| change.motion == motion)?;
+        self.next = self.changes.next();
         Some(change)
     }
 }
@@ -289,8 +288,10 @@ impl<M: Machine> Navigator<M> {
     #[must_use]
     pub fn finish(self) -> Course {
         let [best, greedy] = self.ways.map(|way| (way.ended, way.search.finish()));
-        let chosen = if self.greedy { &greedy } else { &best };
-        Course { changes: chosen.1.1.clone(), next: 0, cost: chosen.1.0, greedy: (!greedy.0).then_some(greedy.1.0) }
+        let (ended, motion_by_motion) = (greedy.0, greedy.1.0);
+        let (cost, changes) = if self.greedy { greedy.1 } else { best.1 };
+        let mut changes = changes.read_from_start();
+        Course { next: changes.next(), changes, cost, greedy: (!ended).then_some(motion_by_motion) }
     }
 }
 

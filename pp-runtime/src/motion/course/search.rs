@@ -5,6 +5,7 @@
 //! them share the beginning of that chain, it is decided.
 
 use super::super::choose::{AngleScale, Rotary};
+use super::packed::Packed;
 use super::{Change, How};
 use crate::kinematics::Branch;
 
@@ -146,7 +147,7 @@ struct Node {
 #[derive(Debug, Default)]
 struct History {
     nodes: Vec<Node>,
-    decided: Vec<Change>,
+    decided: Packed,
     tidy_at: usize,
 }
 
@@ -167,13 +168,19 @@ impl History {
         chain
     }
 
+    fn decide(&mut self, chain: &[u32]) {
+        for &index in chain {
+            self.decided.push(&self.nodes[index as usize].change);
+        }
+    }
+
     /// Decides what all survivors share.
     fn settle(&mut self, survivors: &mut [Survivor]) {
         let Some(first) = survivors.first().map(|survivor| survivor.head) else { return };
         if survivors.iter().all(|survivor| survivor.head == first) {
             if first.is_some() {
                 let chain = self.chain(first);
-                self.decided.extend(chain.iter().map(|&index| self.nodes[index as usize].change));
+                self.decide(&chain);
                 self.nodes.clear();
                 survivors.iter_mut().for_each(|survivor| survivor.head = None);
             }
@@ -188,7 +195,7 @@ impl History {
         let chains: Vec<Vec<u32>> = survivors.iter().map(|survivor| self.chain(survivor.head)).collect();
         let shortest = chains.iter().map(Vec::len).min().unwrap_or(0);
         let common = (0..shortest).take_while(|&at| chains.iter().all(|chain| chain[at] == chains[0][at])).count();
-        self.decided.extend(chains[0][..common].iter().map(|&index| self.nodes[index as usize].change));
+        self.decide(&chains[0][..common]);
         let mut kept: Vec<u32> = chains.iter().flat_map(|chain| chain[common..].iter().copied()).collect();
         kept.sort_unstable();
         kept.dedup();
@@ -469,11 +476,11 @@ impl Search {
     }
 
     /// The cheapest way, and what it decided.
-    pub(crate) fn finish(mut self) -> (Cost, Vec<Change>) {
+    pub(crate) fn finish(mut self) -> (Cost, Packed) {
         let best = self.survivors.iter().min_by_key(|survivor| survivor.cost).copied();
         let Some(best) = best else { return (Cost::default(), self.history.decided) };
         let chain = self.history.chain(best.head);
-        self.history.decided.extend(chain.iter().map(|&index| self.history.nodes[index as usize].change));
+        self.history.decide(&chain);
         (best.cost, self.history.decided)
     }
 }
