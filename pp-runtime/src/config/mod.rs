@@ -75,6 +75,8 @@ pub struct Config {
     pub rapid: Rapid,
     /// Feed of a rapid that is written as a feed motion, mm/min; default none.
     pub rapid_feed: Option<f64>,
+    /// How the words of endless rotary axes stay within a turn; default none: they count turns.
+    pub wrap: BTreeMap<char, Wrap>,
     /// Steps of indexed rotary axes, rad; default none: they turn continuously.
     pub grid: BTreeMap<char, f64>,
     /// How to get from one operation to the next; default [`Transition::Safe`].
@@ -185,6 +187,17 @@ pub enum StartBranch {
     Second,
 }
 
+/// How the words of a rotary axis stay within a turn; without it they show as many turns as there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wrap {
+    /// From 0 up to 360; the control goes the short way.
+    Positive,
+    /// Above -180 up to 180; the control goes the short way.
+    Symmetric,
+    /// From 0 up to 360 with the sense of the motion as sign; a whole turn stands for a zero that is reached backwards.
+    Sign,
+}
+
 /// How a rapid inside an operation is written that turns no rotary axis by more than the index angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rapid {
@@ -258,6 +271,7 @@ impl Default for Config {
             index_angle: 1_f64.to_radians(),
             rapid: Rapid::Direct,
             rapid_feed: None,
+            wrap: BTreeMap::new(),
             grid: BTreeMap::new(),
             transition: Transition::Safe,
             reorient_speed: 1800_f64.to_radians(),

@@ -267,6 +267,14 @@ fn write_machine<M: Machine>(out: &mut String) -> std::fmt::Result {
     }
     writeln!(
         out,
+        "\n# Words of endless rotary axes: \"none\" (370 is ten degrees past a turn), \"0..360\" or \"+-180\" (the control\n\
+         # goes the short way), \"sign\" (0..360, the sense of the motion as sign).\n[wrap]"
+    )?;
+    for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.limits.is_none()) {
+        writeln!(out, "#{} = \"none\"", axis.letter)?;
+    }
+    writeln!(
+        out,
         "\n# Steps of indexed rotary axes (Hirth): they turn between cuts only, and to these angles only.\n[grid]"
     )?;
     for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held) {

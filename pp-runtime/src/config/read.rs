@@ -13,13 +13,15 @@ use crate::program::{Coolant, Rotation};
 use super::cl::CL_POINTS;
 use super::clearance;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
-use super::{Config, Rapid, Tool, Transition, Units};
+use super::{Config, Rapid, Tool, Transition, Units, Wrap};
 
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
 const COOLANTS: [(&str, Coolant); 4] =
     [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 const TRANSITIONS: [(&str, Transition); 2] = [("safe", Transition::Safe), ("direct", Transition::Direct)];
+const WRAPS: [(&str, Option<Wrap>); 4] =
+    [("none", None), ("0..360", Some(Wrap::Positive)), ("+-180", Some(Wrap::Symmetric)), ("sign", Some(Wrap::Sign))];
 const RAPIDS: [(&str, Rapid); 3] = [("direct", Rapid::Direct), ("split", Rapid::Split), ("feed", Rapid::Feed)];
 pub(super) const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
@@ -71,6 +73,7 @@ impl Config {
         let limits = top.get("limits");
         let speeds = top.get("speeds");
         let grid = top.get("grid");
+        let wrap = top.get("wrap");
         r.remember_top(&top);
 
         for (name, value) in sections {
@@ -95,6 +98,7 @@ impl Config {
         self.machine_zero = read_machine_zero::<M>(r, machine_zero);
         self.limits = read_limits::<M>(r, limits);
         self.grid = read_grid::<M>(r, grid);
+        self.read_wrap::<M>(r, wrap);
         self.speeds = read_axes::<M>(r, speeds)
             .into_iter()
             .filter_map(|(axis, value, _)| Some((axis.letter, along(r, axis, value, Bound::Positive)?)))
@@ -228,6 +232,20 @@ impl Config {
         }
         if let Some(value) = self.get(section, "retract.clearance") {
             self.retract.clearance = clearance::read(r, value);
+        }
+    }
+
+    fn read_wrap<M: Machine>(&mut self, r: &mut Reader<'_>, value: Option<Value<'_>>) {
+        let limits = self.travel::<M>().limits;
+        for (axis, value, span) in read_axes::<M>(r, value) {
+            let index = M::AXES.iter().position(|known| known.letter == axis.letter);
+            let Some(wrap) = r.choice(value, &WRAPS) else { continue };
+            if axis.kind != AxisKind::Rotary || axis.held || index.is_some_and(|index| limits[index].is_some()) {
+                let text = format!("{} is no endless rotary axis: it cannot roll over", axis.letter);
+                r.fault(span, text, Some(format!("`[limits] {} = \"free\"` if it is endless", axis.letter)));
+                continue;
+            }
+            self.wrap.extend(wrap.map(|wrap| (axis.letter, wrap)));
         }
     }
 

@@ -22,6 +22,7 @@ mod step;
 mod times;
 mod tool;
 mod travel;
+mod wrap;
 
 #[cfg(test)]
 pub(crate) mod machines;

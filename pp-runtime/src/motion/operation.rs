@@ -10,7 +10,7 @@ use super::fault::Fault;
 use super::feed::{Feeds, Pace, Stroke};
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
-use super::step::{Feed, Sink, Step};
+use super::step::{Feed, MAX_AXES, Sink, Step};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
@@ -254,7 +254,8 @@ impl<M: Machine> Planner<'_, M> {
             }
             self.inverse_time = matches!(feed, Feed::InverseTime(_));
             self.statistics.inverse_time += u64::from(self.inverse_time);
-            sink.step(&Step::Feed { words: self.placer.words(place, self.all()), feed })?;
+            let words = self.speller.spell(&self.place.words, self.placer.words(place, self.all()));
+            sink.step(&Step::Feed { words, feed })?;
         }
         Ok(())
     }
@@ -262,7 +263,19 @@ impl<M: Machine> Planner<'_, M> {
     /// A rapid to the words of a place in some axes.
     pub(super) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
         self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
-        Ok(sink.step(&Step::Rapid { words: self.placer.words(to, mask) })?)
+        let mut from = self.place.words;
+        let pieces = self.speller.pieces(&from, &to.words);
+        for piece in 1..=pieces {
+            let mut words = self.placer.words(to, mask);
+            for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
+                let start = self.place.words[index];
+                words.units[index] = start + (to.words[index] - start) * piece / pieces;
+            }
+            let reached = words.units;
+            sink.step(&Step::Rapid { words: self.speller.spell(&from, words) })?;
+            from = reached;
+        }
+        Ok(())
     }
 
     /// Inverse time never stays in force over a rapid.

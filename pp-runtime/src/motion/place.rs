@@ -56,6 +56,8 @@ pub(crate) struct Placer<M: Machine> {
     /// Angle to the pole up to which the tool axis counts as being there, rad.
     pub(super) pole_tolerance: f64,
     pub(super) metric: Metric,
+    /// Rotaries whose words stay within a turn.
+    wrapped: u16,
     /// Position in the chain of an indexed rotary, and its step in whole units.
     grid: Vec<(usize, i64)>,
     /// Largest speeds, mm/min and rad/min, by position in the chain.
@@ -135,6 +137,10 @@ impl<M: Machine> Placer<M> {
             straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
             square: square(&machine, axes),
+            wrapped: rotaries
+                .iter()
+                .filter(|rotary| config.wrap.contains_key(&M::AXES[rotary.index].letter))
+                .fold(0, |mask, rotary| mask | 1 << rotary.index),
             grid: grid::<M>(config, &rotaries, scale),
             machine,
             rotaries,
@@ -501,6 +507,13 @@ impl<M: Machine> Placer<M> {
             }
             _ => Ok(words),
         }
+    }
+
+    /// The word of a parked rotary: of one whose words are wrapped the turn nearest to where it stands.
+    pub(crate) fn nearest_turn(&self, index: usize, word: i64, from: &Place<M::Axes>) -> i64 {
+        let wrapped = |rotary: &&Rotary| rotary.index == index && self.wrapped & (1 << index) != 0;
+        let nearest = |rotary: &Rotary| rotary.nearest(word, from.words[index], self.scale.turn).ok();
+        self.rotaries.iter().find(wrapped).and_then(nearest).unwrap_or(word)
     }
 
     /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that

@@ -23,6 +23,7 @@ use super::retreat::Retreat;
 use super::step::{Sink, Step};
 use super::times::Times;
 use super::tool::{SpindleRequest, Tool};
+use super::wrap::Speller;
 
 /// A motion of the same axis, within this angle, rad: CL data has seven digits.
 pub(super) const SAME_AXIS: f64 = 1e-6;
@@ -131,6 +132,7 @@ pub struct Planner<'a, M: Machine> {
     pub(super) config: &'a Config,
     pub(super) placer: Placer<M>,
     pub(super) feeds: Feeds,
+    pub(super) speller: Speller,
     pub(super) abilities: Abilities,
     expander: Expander,
     /// Geometry of the configuration, or of CLEARP.
@@ -193,6 +195,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         let place = placer.zero();
         Self {
             feeds: Feeds::new(config, units, placer.unit_mm()),
+            speller: Speller::new::<M>(config, &placer.rotaries, placer.scale.turn),
             config,
             placer,
             abilities,

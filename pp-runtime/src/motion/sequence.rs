@@ -22,7 +22,7 @@ use super::course::Target;
 use super::fault::Fault;
 use super::place::Place;
 use super::planner::{Planned, Planner, SAME_AXIS, stop};
-use super::step::{Sink, Step, Words};
+use super::step::{MAX_AXES, Sink, Step, Words};
 
 /// A point this near to a line lies on it, mm.
 const ON_LINE: f64 = 0.001;
@@ -253,7 +253,7 @@ impl<M: Machine> Planner<'_, M> {
         self.park(at, sink)
     }
 
-    pub(super) fn park(&self, at: Location, sink: &mut impl Sink) -> Planned {
+    pub(super) fn park(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
         let parked = |kind: AxisKind| {
             M::AXES
@@ -269,7 +269,11 @@ impl<M: Machine> Planner<'_, M> {
             rotaries.units[index] = words.units[index];
         }
         if rotaries.mask != 0 {
-            sink.step(&Step::Rapid { words: rotaries })?;
+            let mut parked = self.place;
+            for index in (0..MAX_AXES).filter(|&index| rotaries.has(index)) {
+                parked.words[index] = self.placer.nearest_turn(index, rotaries.units[index], &self.place);
+            }
+            self.rapid(&parked, rotaries.mask, sink)?;
         }
         let mut others = Words::default();
         let mut last = None;

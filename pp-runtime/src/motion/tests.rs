@@ -4,7 +4,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
 use super::{Abilities, Navigator, Planner, Stop};
-use crate::config::{Config, Rapid, Tool, Transition, Units};
+use crate::config::{Config, Rapid, Tool, Transition, Units, Wrap};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
@@ -1076,6 +1076,37 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
     config.axis_tolerance = 1_f64.to_radians();
     assert_eq!(with(&config, &[cb(36.0, 30.0)]).diagnostics, []);
+}
+
+#[test]
+fn a_spiral_of_forty_turns_is_written_within_a_turn() {
+    let mut config = config();
+    config.wrap.insert('A', Wrap::Positive);
+    config.park.insert('A', 0.0);
+    let axis = |degrees: f64| {
+        let angle = degrees.to_radians();
+        [0.0, -angle.sin(), angle.cos()]
+    };
+    let mut events = vec![tool(1), spindle()];
+    let steps = 40 * 36;
+    events
+        .extend((0..=steps).map(|step| feed([f64::from(step) * 0.05, 0.0, 5.0], axis(f64::from(step) * 10.0 + 200.0))));
+    let lines = run::<Ay>(&config, &events).lines;
+    let word = |line: &String| line.split(' ').find_map(|word| word.strip_prefix('A')?.parse::<f64>().ok());
+    let angles: Vec<f64> = lines.iter().filter_map(word).collect();
+    assert!(angles.iter().all(|angle| (0.0..360.0).contains(angle)));
+    let (mut here, mut turned) = (0.0, 0.0);
+    for angle in angles {
+        // The control goes the short way.
+        let step = (angle - here + 540.0).rem_euclid(360.0) - 180.0;
+        assert!(step.abs() < 180.0 - 1e-9, "{here} to {angle}");
+        (here, turned) = (angle, turned + step);
+    }
+    // Forty turns, and from there to the nearest zero; there is no way back.
+    assert!(
+        (turned - (200.0_f64 - 360.0 + 40.0 * 360.0 + 160.0)).abs() < 1e-6 || (turned - 40.0 * 360.0).abs() < 1e-6,
+        "{turned}"
+    );
 }
 
 #[test]

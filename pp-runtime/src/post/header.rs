@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, Units};
+use crate::config::{Config, Units, Wrap};
 use crate::control::Encoder;
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
@@ -63,6 +63,14 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
             list.push(format!(
                 "spindle of T{number} from the configuration where the CL data gives none: S{speed} {sense}"
             ));
+        }
+    }
+    for (letter, wrap) in &config.wrap {
+        match wrap {
+            Wrap::Positive | Wrap::Symmetric => {
+                list.push(format!("{letter} rolls over, and the control turns it the short way to every angle"));
+            }
+            Wrap::Sign => list.push(format!("{letter} rolls over, and the control turns it in the sense of the sign")),
         }
     }
     for tool in &survey.tools {
