@@ -216,16 +216,21 @@ fn run<M: Machine, R: Read, W: Write>(
     let mut last = Location::default();
     let mut remarks = Remarks::default();
     let planned = loop {
-        match reader.next_event().map_err(PostError::Input)? {
-            Some((at, event)) if survey.first_error.is_none_or(|error| at < error) => {
-                last = at;
-                if let Err(stopped) = planner.event(at, &event, encoder) {
+        // Looked at where it lies: to move an event costs as much as to look at it.
+        let found = reader.next_event();
+        match &found {
+            Err(_) => {
+                found.map_err(PostError::Input)?;
+            }
+            Ok(Some((at, event))) if survey.first_error.is_none_or(|error| *at < error) => {
+                last = *at;
+                if let Err(stopped) = planner.event(*at, event, encoder) {
                     break Err(stopped);
                 }
             }
             _ if survey.first_error.is_some() => break planner.abandon(encoder).map_err(Stop::Output),
-            Some(_) => {}
-            None => break planner.finish(last, encoder),
+            Ok(Some(_)) => {}
+            Ok(None) => break planner.finish(last, encoder),
         }
         if planner.has_warnings() {
             planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));

@@ -91,18 +91,28 @@ impl Survey {
         let mut reader = Reader::new(input, options);
         let mut survey = Self::default();
         let mut state = State { begun: true, ..State::default() };
-        while let Some((at, event)) = reader.next_event()? {
+        loop {
+            // Looked at where it lies: to move an event costs as much as to look at it.
+            let found = reader.next_event();
+            let (at, event) = match &found {
+                Ok(Some((at, event))) => (*at, event),
+                Ok(None) => break,
+                Err(_) => {
+                    found?;
+                    break;
+                }
+            };
             let mut straight = |at: Location, event: &Event<'_>| -> Result<(), Silent> {
                 survey.event(at, event, &mut state, tool_axis);
                 Ok(())
             };
             // What cannot be expanded is the planner's to tell.
-            let _ = expander.event(at, &event, &mut straight);
+            let _ = expander.event(at, event, &mut straight);
             if let Event::Tolerance(_) = event {
                 expander.take_warnings();
             }
             if let Some(navigator) = &mut navigator {
-                navigator.event(&event);
+                navigator.event(event);
             }
         }
         survey.course = navigator.map_or_else(Course::default, Navigator::finish);
