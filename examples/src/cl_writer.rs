@@ -5,7 +5,9 @@
 
 use core::fmt::Write;
 
+use pp_runtime::cl::Record;
 use pp_runtime::kinematics::Pose;
+use pp_runtime::program::{Coolant, Spindle, Units};
 
 use crate::parts::{Move, Operation, Program, Tool};
 
@@ -33,6 +35,11 @@ impl Lines {
         self.0.push_str(line);
         self.0.push('\n');
     }
+
+    /// A record whose numbers need no field.
+    fn record(&mut self, record: Record<'_>) {
+        self.push(&record.to_string());
+    }
 }
 
 /// NX CLSF: xyz with 4 decimals, ijk with 7 and only where they change, colours of the path between the moves.
@@ -42,10 +49,10 @@ impl Lines {
 pub fn nx(program: &Program) -> String {
     let mut lines = Lines::default();
     lines.push(&format!("PARTNO {}", program.name));
-    lines.push("UNITS/MM");
+    lines.record(Record::Units(Units::Millimetres));
     for (index, operation) in program.operations.iter().enumerate() {
         if index > 0 {
-            lines.push("STOP");
+            lines.record(Record::Stop);
         }
         nx_operation(&mut lines, operation);
     }
@@ -66,7 +73,7 @@ fn nx_operation(lines: &mut Lines, operation: &Operation) {
         None => lines.push(&format!("LOAD/TOOL,{number}")),
     }
     lines.push(&format!("SPINDL/RPM,{},CLW", fixed(operation.speed, 0)));
-    lines.push("COOLNT/ON");
+    lines.record(Record::Coolant(Coolant::On));
     let (mut feed, mut axis, mut colour) = (None, String::new(), 0);
     let colours = colours(&operation.moves);
     for (step, &wanted) in operation.moves.iter().zip(&colours) {
@@ -75,7 +82,7 @@ fn nx_operation(lines: &mut Lines, operation: &Operation) {
             lines.push(&format!("PAINT/COLOR,{colour}"));
         }
         match step.feed {
-            None => lines.push("RAPID"),
+            None => lines.record(Record::Rapid),
             Some(value) if feed != step.feed => {
                 feed = step.feed;
                 lines.push(&format!("FEDRAT/MMPM,{}", fixed(value, 4)));
@@ -90,11 +97,11 @@ fn nx_operation(lines: &mut Lines, operation: &Operation) {
         }
         lines.push(&record);
     }
-    lines.push("SPINDL/OFF");
-    lines.push("COOLNT/OFF");
+    lines.record(Record::Spindle(Spindle::Off));
+    lines.record(Record::Coolant(Coolant::Off));
     lines.push("PAINT/SPEED,10");
     lines.push("PAINT/TOOL,NOMORE");
-    lines.push("END-OF-PATH");
+    lines.record(Record::EndOfPath);
 }
 
 /// Colours of the moves: rapids and retracts 211, the approach 186, entering 42, cutting 31.
@@ -133,15 +140,15 @@ pub fn catia(program: &Program) -> String {
         lines.push(&format!("$$ {}", fields(&row, 11, 5, " ")));
     }
     lines.push(&format!("PARTNO {}", program.name));
-    lines.push("UNITS/MM");
+    lines.record(Record::Units(Units::Millimetres));
     for (index, operation) in program.operations.iter().enumerate() {
         if index > 0 {
-            lines.push("STOP");
+            lines.record(Record::Stop);
         }
         catia_operation(&mut lines, operation);
     }
-    lines.push("REWIND/0");
-    lines.push("END");
+    lines.record(Record::Rewind);
+    lines.record(Record::End);
     lines.0
 }
 
@@ -162,11 +169,11 @@ fn catia_operation(lines: &mut Lines, operation: &Operation) {
     lines.push(&format!("$$ OPERATION NAME : {}", operation.name));
     lines.push("MULTAX");
     lines.push(&format!("SPINDL/{},RPM,CLW", fields(&[operation.speed], 10, 4, ",")));
-    lines.push("COOLNT/ON");
+    lines.record(Record::Coolant(Coolant::On));
     let mut feed = None;
     for step in &operation.moves {
         match step.feed {
-            None => lines.push("RAPID"),
+            None => lines.record(Record::Rapid),
             Some(value) if feed != step.feed => {
                 feed = step.feed;
                 lines.push(&format!("FEDRAT/{},MMPM", fields(&[value], 10, 4, ",")));
@@ -175,8 +182,8 @@ fn catia_operation(lines: &mut Lines, operation: &Operation) {
         }
         catia_record(lines, &format!("GOTO  /{}", fields(&six(&step.pose), 11, 6, ",")));
     }
-    lines.push("COOLNT/OFF");
-    lines.push("SPINDL/OFF");
+    lines.record(Record::Coolant(Coolant::Off));
+    lines.record(Record::Spindle(Spindle::Off));
 }
 
 /// A record, cut raw where it is too long.

@@ -4,6 +4,7 @@
 //! mm/min and rev/min; points and axes are in the workpiece frame as the CL data gives it.
 
 use crate::kinematics::Pose;
+use crate::nalgebra::{Point3, UnitVector3};
 
 /// Where something stands in a text file; lines and columns count from 1, columns in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -118,13 +119,163 @@ pub struct Move {
     pub feed: Option<Feed>,
 }
 
+/// An arc of a circle, a full circle, several turns or a helix, with the tool axis held.
+///
+/// The tip turns counter-clockwise about `normal`; what it moves along `normal` it moves in proportion to the angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    /// Where it begins: the end of the motion before.
+    pub start: Pose,
+    /// Where it ends; the axis is that of the start.
+    pub end: Pose,
+    /// A point of the circle's axis.
+    pub centre: Point3<f64>,
+    /// Direction of that axis; seen against it the tip turns counter-clockwise.
+    pub normal: UnitVector3<f64>,
+    /// Angle of the whole motion, rad, above 0; more than a turn for several.
+    pub angle: f64,
+    /// As for a [`Move`].
+    pub feed: Option<Feed>,
+}
+
+/// A cubic B-spline that begins where the motion before ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spline<'a> {
+    /// Every knot, ends included as often as they count: four more than points.
+    pub knots: &'a [f64],
+    /// Control points; the first is where the spline begins, the last where it ends.
+    pub points: &'a [Point3<f64>],
+    /// The tool axis, held.
+    pub axis: UnitVector3<f64>,
+    /// As for a [`Move`].
+    pub feed: Option<Feed>,
+}
+
+/// A wait.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Dwell {
+    /// Seconds.
+    Seconds(f64),
+    /// Revolutions of the spindle.
+    Revolutions(f64),
+}
+
+/// How a hole is made; depths and steps in mm along the tool axis, above 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Drilling {
+    /// DRILL, FACE, CSINK, THRU: in at feed, out at rapid.
+    Drill,
+    /// BORE, REAM: in at feed, out at feed.
+    Ream,
+    /// DEEP: after each step out to the clearance level.
+    Peck {
+        /// Depth of the first step.
+        first: f64,
+        /// Depth of each later one.
+        later: f64,
+    },
+    /// BRKCHP: after each step back a little.
+    ChipBreak {
+        /// Depth of a step.
+        step: f64,
+        /// How far back; `None`: as configured.
+        back: Option<f64>,
+    },
+    /// TAP.
+    Tap {
+        /// mm per turn, if stated.
+        pitch: Option<f64>,
+    },
+}
+
+/// One hole of a CYCLE. Levels count from `top` along the tool axis, + away from the part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hole {
+    /// The point of the GOTO: top of the hole.
+    pub top: Pose,
+    /// How deep the tip goes below `top`, above 0.
+    pub depth: f64,
+    /// Level to which the tool comes down at rapid, 0 or more.
+    pub clearance: f64,
+    /// Level where it stands afterwards, at least `clearance`.
+    pub back_to: f64,
+    /// How it is made.
+    pub drilling: Drilling,
+    /// Feed of the cycle, else the modal one.
+    pub feed: Option<Feed>,
+    /// Wait at the bottom.
+    pub dwell: Option<Dwell>,
+}
+
+/// A plane of the workpiece frame: the points `p` with `normal · p = distance`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    /// Its direction, away from the part.
+    pub normal: UnitVector3<f64>,
+    /// mm from the origin.
+    pub distance: f64,
+}
+
+/// Geometry around the part in the workpiece frame, mm: outside it the tool may move freely.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Clearance {
+    /// Everything below a plane.
+    Plane(Plane),
+    /// A box along the axes of the frame.
+    Box {
+        /// Its lowest corner.
+        lower: Point3<f64>,
+        /// Its highest corner.
+        upper: Point3<f64>,
+    },
+    /// A cylinder along Z.
+    Cylinder {
+        /// X and Y of its axis.
+        centre: [f64; 2],
+        /// Its radius.
+        radius: f64,
+        /// Z of its lower end.
+        lower: f64,
+        /// Z of its upper end.
+        upper: f64,
+    },
+}
+
+/// CUTCOM: on which side of the path the cutter runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Compensation {
+    /// Off.
+    Off,
+    /// On again, on the side that was given last.
+    On,
+    /// Left of the path.
+    Left,
+    /// Right of the path.
+    Right,
+}
+
+/// ROTABL: which way a rotary axis turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turning {
+    /// The shortest.
+    Shortest,
+    /// The next one in this sense.
+    Next(Rotation),
+}
+
 /// What the CL data asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event<'a> {
     /// PARTNO: the program's name as written.
     Name(&'a [u8]),
+    /// MACHIN: the machine that the CL data was made for, as written.
+    MachineName(&'a [u8]),
     /// TOOL PATH: an operation begins; its name as written.
     Operation(&'a [u8]),
+    /// What follows begins with the safe sequence.
+    SafeSequence,
+    /// What follows is in the frame of this number, from 1: a work offset of its own. Begins like an operation.
+    Frame(u32),
     /// A tool record.
     Tool(ToolCall),
     /// SELECT/TOOL: the tool that will be needed next.
@@ -133,14 +284,41 @@ pub enum Event<'a> {
     Spindle(Spindle),
     /// COOLNT.
     Coolant(Coolant),
+    /// CUTCOM.
+    Compensation(Compensation),
     /// FROM: the point and axis from which motion counts; nothing moves.
     From(Pose),
     /// GOTO.
     Move(Move),
+    /// CIRCLE, MOVARC, TLON with the GOTO that ends it.
+    Arc(Arc),
+    /// NURBS, KNOT and CNTRL.
+    Spline(Spline<'a>),
+    /// A GOTO under a CYCLE.
+    Hole(Hole),
+    /// GOHOME without a point.
+    Home,
+    /// CLEARP.
+    ClearancePlane(Plane),
+    /// LINTOL: the tolerance of what follows, mm; `None`: as configured.
+    Tolerance(Option<f64>),
+    /// ROTABL/SHORT, ROTABL/NEXT.
+    Turning(Turning),
+    /// DELAY.
+    Delay(Dwell),
     /// OPSTOP.
     OptionalStop,
     /// STOP.
     Stop,
     /// PPRINT: text for the operator.
     Message(&'a [u8]),
+    /// INSERT: a block of NC text as written.
+    Insert(&'a [u8]),
+    /// AUXFUN, PREFUN: a code of the control.
+    Code {
+        /// `M` or `G`.
+        letter: u8,
+        /// Its number.
+        number: u32,
+    },
 }

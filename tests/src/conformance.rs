@@ -11,8 +11,11 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use core::fmt;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
-use pp_runtime::kinematics::{AxisKind, Branch, DimensionKind, Machine, Pose, REACH_TOLERANCE, Side, Unreachable};
+use pp_runtime::kinematics::{
+    AxisKind, Branch, DimensionKind, Machine, MotionBound, Pose, REACH_TOLERANCE, Side, Unreachable,
+};
 
+use crate::block::{Deviation, deviation};
 use crate::oracle::{Oracle, Rotaries, angle_between, wrapped};
 use crate::random::Random;
 use crate::subject::{Erased, Found, Subject};
@@ -34,6 +37,16 @@ pub const FORWARD_SHARE: f64 = 1e-13;
 pub const FORWARD_AXIS: f64 = 1e-13;
 /// Largest difference of the length of an axis from 1.
 pub const UNIT: f64 = 1e-14;
+/// Largest difference of `rates` from the derivatives of the matrix product, as a share of what takes part.
+pub const RATE_SHARE: f64 = 1e-13;
+/// A bound is at most this many times the true deviation, in the median of blocks as they are cut.
+pub const MOTION_MEDIAN: f64 = 1.05;
+/// Places of a block that are looked at.
+const BLOCK_POINTS: usize = 1000;
+/// One block instead of so many poses.
+const POSES_PER_BLOCK: usize = 50;
+/// A block as it is cut turns no axis by more than this, rad.
+const USUAL_TURN: f64 = 0.1;
 /// Poses per set-up.
 const POSES_PER_SET_UP: usize = 16;
 
@@ -53,12 +66,24 @@ pub enum Check {
     Reach,
     /// NaN and infinity have no solution.
     NotFinite,
+    /// `rates` are the derivatives of the product of the declared joints.
+    Rates,
+    /// `motion` is never below the deviation of a block, looked at everywhere, and not far above it.
+    Motion,
 }
 
 impl Check {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::Declaration, Self::Forward, Self::Inverse, Self::Pole, Self::Reach, Self::NotFinite];
+    pub const ALL: [Self; 8] = [
+        Self::Declaration,
+        Self::Forward,
+        Self::Inverse,
+        Self::Pole,
+        Self::Reach,
+        Self::NotFinite,
+        Self::Rates,
+        Self::Motion,
+    ];
 }
 
 /// A machine that does not do what it must.
@@ -113,6 +138,14 @@ macro_rules! conformance {
             fn nan_and_infinity_have_no_solution() {
                 run::<$machine>(Check::NotFinite, $poses);
             }
+            #[test]
+            fn rates_are_the_derivatives_of_the_matrix_product() {
+                run::<$machine>(Check::Rates, $poses);
+            }
+            #[test]
+            fn no_block_leaves_its_line_by_more_than_motion_says() {
+                run::<$machine>(Check::Motion, $poses);
+            }
         }
     };
 }
@@ -147,6 +180,8 @@ fn perform(declared: &dyn Subject, check: Check, poses: usize) -> Result<(), Fau
     if check == Check::Declaration {
         return declaration(declared);
     }
+    let poses = if check == Check::Motion { poses.div_ceil(POSES_PER_BLOCK) } else { poses };
+    let mut margins = Margins::default();
     // Every chain has a stream of its own.
     let letters =
         declared.axes().iter().fold(check as u64, |seed, axis| seed * 131 + u64::from(u32::from(axis.letter)));
@@ -164,11 +199,13 @@ fn perform(declared: &dyn Subject, check: Check, poses: usize) -> Result<(), Fau
                 Check::Pole => setting.pole(&mut random)?,
                 Check::Reach => setting.reach(&mut random)?,
                 Check::NotFinite => setting.not_finite(&mut random)?,
+                Check::Rates => setting.rates(&mut random)?,
+                Check::Motion => setting.motion(&mut random, &mut margins)?,
             }
             done += 1;
         }
     }
-    Ok(())
+    margins.check(declared)
 }
 
 /// Checks that what a machine says about itself fits together.
@@ -708,6 +745,70 @@ impl Setting {
         Ok(())
     }
 
+    fn rates(&self, random: &mut Random) -> Result<(), Fault> {
+        let Some(case) = self.draw_case(random) else { return Ok(()) };
+        let change = self.draw_change(random);
+        let (tip, axis) = self.machine.rates(&case.values, &change);
+        let (true_tip, true_axis) = self.oracle.rates(&case.values, &change);
+        let turns: f64 = self.sum(AxisKind::Rotary, &change);
+        let travel = self.sum(AxisKind::Linear, &change);
+        let more = format!("change {change:?}: {tip:?} and {axis:?} instead of {true_tip:?} and {true_axis:?}");
+        if exceeds((tip - true_tip).norm(), RATE_SHARE * (travel + turns * self.oracle.scale(&case.values))) {
+            return Err(self.fault("`rates` are the derivatives of the tip", &case, &more));
+        }
+        if exceeds((axis - true_axis).norm(), RATE_SHARE * 10.0 * turns) {
+            return Err(self.fault("`rates` are the derivatives of the tool axis", &case, &more));
+        }
+        Ok(())
+    }
+
+    fn sum(&self, kind: AxisKind, values: &[f64]) -> f64 {
+        let axes = self.machine.axes().iter().zip(values);
+        axes.filter(|(axis, _)| axis.kind == kind).map(|(_, value)| value.abs()).sum()
+    }
+
+    /// Changes of axis values, from a hair to more than half a turn; held axes mostly stand still.
+    fn draw_change(&self, random: &mut Random) -> Vec<f64> {
+        let size = 10f64.powf(random.between(-5.0, 0.0));
+        let mut change = |axis: &pp_runtime::kinematics::Axis| {
+            let still = random.chance(if axis.held { 0.8 } else { 0.15 });
+            let size = if random.chance(0.2) { 10f64.powf(random.between(-5.0, 0.0)) } else { size };
+            match axis.kind {
+                _ if still => 0.0,
+                AxisKind::Linear => random.between(-300.0, 300.0) * size,
+                AxisKind::Rotary => random.between(-4.0, 4.0) * size,
+            }
+        };
+        self.machine.axes().iter().map(&mut change).collect()
+    }
+
+    /// A block: at random, or one whose linear axes bring the tip to a point nearby, as when something is cut.
+    fn motion(&self, random: &mut Random, margins: &mut Margins) -> Result<(), Fault> {
+        let Some(case) = self.draw_case(random) else { return Ok(()) };
+        let change = self.draw_change(random);
+        let mut to: Vec<f64> = case.values.iter().zip(&change).map(|(value, change)| value + change).collect();
+        if random.chance(0.7) && self.oracle.determinant(&to).abs() > 1e-3 {
+            let way = Vector3::from(random.direction()) * 10f64.powf(random.between(-4.0, 2.0));
+            self.oracle.bring_tip_to(&(case.pose.tip + way), &mut to);
+        }
+        let bound = self.machine.motion(&case.values, &to);
+        let deviation = deviation(&self.oracle, &case.values, &to, BLOCK_POINTS);
+        let more = format!("to {to:?}: {bound:?}, in truth {deviation:?}");
+        if exceeds(deviation.tip, bound.tip) {
+            return Err(self.fault("no tip is farther from its line than `motion` says", &case, &more));
+        }
+        if exceeds(deviation.axis, bound.axis) {
+            return Err(self.fault("no tool axis is farther from its arc than `motion` says", &case, &more));
+        }
+        let usual = |(axis, change): (&pp_runtime::kinematics::Axis, &f64)| {
+            axis.kind == AxisKind::Linear || change.abs() <= USUAL_TURN
+        };
+        if self.machine.axes().iter().zip(&change).all(usual) {
+            margins.add(bound, deviation);
+        }
+        Ok(())
+    }
+
     fn not_finite(&self, random: &mut Random) -> Result<(), Fault> {
         let Some(case) = self.draw_case(random) else { return Ok(()) };
         for component in 0..6 {
@@ -727,6 +828,37 @@ impl Setting {
                 if component >= 3 && self.machine.reach(&pose.axis, &case.held).is_ok() {
                     return Err(self.fault("`reach` refuses NaN and infinity", &case, &format!("{pose:?}")));
                 }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// How far bounds are above the truth: quotients, where there is something to divide by.
+#[derive(Debug, Default)]
+struct Margins {
+    tip: Vec<f64>,
+    axis: Vec<f64>,
+}
+
+impl Margins {
+    fn add(&mut self, bound: MotionBound, truth: Deviation) {
+        if truth.tip > 1e-6 {
+            self.tip.push(bound.tip / truth.tip);
+        }
+        if truth.axis > 1e-9 {
+            self.axis.push(bound.axis / truth.axis);
+        }
+    }
+
+    fn check(self, declared: &dyn Subject) -> Result<(), Fault> {
+        for (what, mut quotients) in [("tip", self.tip), ("axis", self.axis)] {
+            quotients.sort_by(f64::total_cmp);
+            // A median of a few is chance.
+            let Some(median) = quotients.get(quotients.len() / 2).filter(|_| quotients.len() >= 30) else { continue };
+            if *median > MOTION_MEDIAN {
+                let details = format!("machine {}: the bound of the {what} is {median} times", declared.name());
+                return Err(Fault { rule: "a bound is near the truth", details });
             }
         }
         Ok(())

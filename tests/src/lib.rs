@@ -4,12 +4,14 @@
 //! - [`mod@conformance`]: the checks, for any type that implements
 //!   [`Machine`](pp_runtime::kinematics::Machine); [`conformance!`] makes a test module of them.
 //! - [`random`]: the same random numbers on every platform, forever.
+//! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
 //! - [`program`]: NC programs, read back word by word.
 //! - [`binaries`]: the machines' binaries, built and run.
 //!
 //! Nothing here knows how a machine solves its equations. NaN fails a check, it never passes one.
 
 pub mod binaries;
+pub mod block;
 pub mod conformance;
 pub mod oracle;
 pub mod program;

@@ -156,6 +156,43 @@ impl Oracle {
         pose_of(&workpiece_from_tool, &self.tool_axis)
     }
 
+    /// Derivatives of tip and tool axis while the axes change by `change` in a unit of time: the product rule, on dual
+    /// matrices.
+    ///
+    /// # Panics
+    /// If there are not as many values as axes.
+    #[must_use]
+    pub fn rates(&self, values: &[f64], change: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
+        assert_eq!((values.len(), change.len()), (self.axes.len(), self.axes.len()), "one value per axis");
+        let (mut product, mut dual) = (Matrix4::<f64>::identity(), Matrix4::<f64>::zeros());
+        for (index, &value) in values.iter().enumerate() {
+            let (matrix, slope) = (self.matrix(index, value), self.slope(index, value) * change[index]);
+            dual = dual * matrix + product * slope;
+            product *= matrix;
+        }
+        ((dual * Vector4::new(0.0, 0.0, 0.0, 1.0)).xyz(), (dual * self.tool_axis.push(0.0)).xyz())
+    }
+
+    /// Derivative of a joint's matrix by its value.
+    fn slope(&self, index: usize, value: f64) -> Matrix4<f64> {
+        let joint = &self.joints[index];
+        match self.axes[index].kind {
+            AxisKind::Linear => translation(&(joint.direction.into_inner() * joint.sign)) - Matrix4::identity(),
+            AxisKind::Rotary => {
+                // Sine and cosine a quarter turn on, and the part that does not turn taken away.
+                let n = joint.direction.into_inner();
+                let mut slope = rotation(&n, joint.sign * value + core::f64::consts::FRAC_PI_2);
+                for row in 0..3 {
+                    for column in 0..3 {
+                        slope[(row, column)] -= n[row] * n[column];
+                    }
+                }
+                slope[(3, 3)] = 0.0;
+                translation(&joint.point.coords) * slope * translation(&-joint.point.coords) * joint.sign
+            }
+        }
+    }
+
     /// Indices of the solved linear axes in chain order.
     #[must_use]
     pub fn linear(&self) -> Vec<usize> {

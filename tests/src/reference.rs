@@ -7,8 +7,9 @@ use core::marker::PhantomData;
 use crate::conformance::{check, find_fault};
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 use pp_runtime::kinematics::{
-    Axis, AxisKind, Branch, Dimension, Explanation, Invalid, Joint, Machine, Pose, REACH_TOLERANCE, SINGULAR_SINE,
-    SMALLEST_DETERMINANT, Side, Sign, Solution, Solutions, Unreachable,
+    Axis, AxisKind, Branch, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose, REACH_TOLERANCE,
+    SINGULAR_SINE, SMALLEST_DETERMINANT, Side, Sign, Solution, Solutions, Unreachable, motion_of_joints,
+    rates_of_joints,
 };
 
 /// A mistake.
@@ -29,6 +30,12 @@ enum Flaw {
     SlightlyOff,
     /// Every axis is reached.
     ReachesEverything,
+    /// A turn of the table turns the tip the wrong way round.
+    BackwardRates,
+    /// The bound is a hundredth short.
+    ShortBound,
+    /// The bound is a tenth too long.
+    LongBound,
 }
 
 /// What one machine is.
@@ -290,6 +297,22 @@ impl<T: Table> Machine for Reference<T> {
         }
         Some(answer)
     }
+    fn motion(&self, from: &T::Axes, to: &T::Axes) -> MotionBound {
+        let bound = motion_of_joints(self, from, to);
+        let factor = match T::FLAW {
+            Flaw::ShortBound => 0.99,
+            Flaw::LongBound => 1.1,
+            _ => return bound,
+        };
+        MotionBound { tip: bound.tip * factor, axis: bound.axis * factor }
+    }
+    fn rates(&self, axes: &T::Axes, change: &T::Axes) -> (Vector3<f64>, Vector3<f64>) {
+        let mut change = *change;
+        if T::FLAW == Flaw::BackwardRates {
+            change.as_mut()[0] *= -1.0;
+        }
+        rates_of_joints(self, axes, &change)
+    }
     fn reach(&self, axis: &UnitVector3<f64>, held: &T::Axes) -> Result<(), Unreachable> {
         if !axis.iter().all(|value| value.is_finite()) {
             return Err(Unreachable::NotFinite);
@@ -365,6 +388,9 @@ table_table!(TableFlipped, FlippedSign);
 table_table!(TableSwapped, SwappedBranches);
 table_table!(TableForgets, ForgetsHeldValue);
 table_table!(TableOff, SlightlyOff);
+table_table!(TableBackward, BackwardRates);
+table_table!(TableShort, ShortBound);
+table_table!(TableLong, LongBound);
 inclined!(Inclined, None);
 inclined!(InclinedLosesDigits, LosesDigitsAtThePole);
 
@@ -459,7 +485,7 @@ conforms! {
 }
 
 fn assert_found<T: Table>(rule: &str) {
-    let fault = find_fault::<Reference<T>>(2000).expect("a flawed machine is found out");
+    let fault = find_fault::<Reference<T>>(4_000).expect("a flawed machine is found out");
     assert_eq!(fault.rule, rule, "{fault}");
 }
 
@@ -496,4 +522,19 @@ fn a_forgotten_gauge_length_is_found() {
 #[test]
 fn a_machine_that_claims_to_reach_everything_is_found() {
     assert_found::<ObliqueReachesAll>("an axis outside the cone is refused");
+}
+
+#[test]
+fn a_turn_of_the_wrong_sense_in_rates_is_found() {
+    assert_found::<TableBackward>("`rates` are the derivatives of the tip");
+}
+
+#[test]
+fn a_bound_that_is_a_hundredth_short_is_found() {
+    assert_found::<TableShort>("no tip is farther from its line than `motion` says");
+}
+
+#[test]
+fn a_bound_that_is_a_tenth_too_long_is_found() {
+    assert_found::<TableLong>("a bound is near the truth");
 }

@@ -1,7 +1,7 @@
 //! A machine behind a trait object, so that the checks are compiled once and not once per machine.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
-use pp_runtime::kinematics::{Axis, Dimension, Invalid, Joint, Machine, Pose, Solution, Unreachable};
+use pp_runtime::kinematics::{Axis, Dimension, Invalid, Joint, Machine, MotionBound, Pose, Solution, Unreachable};
 
 /// One solution of the inverse kinematics.
 pub(crate) type Found = Solution<Vec<f64>>;
@@ -24,6 +24,8 @@ pub(crate) trait Subject {
     fn inverse(&self, pose: &Pose, held: &[f64]) -> Vec<Found>;
     fn linear_axes(&self, tip: &Point3<f64>, axes: &[f64]) -> Option<Vec<f64>>;
     fn reach(&self, axis: &UnitVector3<f64>, held: &[f64]) -> Result<(), Unreachable>;
+    fn motion(&self, from: &[f64], to: &[f64]) -> MotionBound;
+    fn rates(&self, axes: &[f64], change: &[f64]) -> (Vector3<f64>, Vector3<f64>);
 }
 
 /// The one implementation of [`Subject`].
@@ -89,5 +91,11 @@ impl<M: Machine> Subject for Erased<M> {
     }
     fn reach(&self, axis: &UnitVector3<f64>, held: &[f64]) -> Result<(), Unreachable> {
         self.0.reach(axis, &array::<M>(held))
+    }
+    fn motion(&self, from: &[f64], to: &[f64]) -> MotionBound {
+        self.0.motion(&array::<M>(from), &array::<M>(to))
+    }
+    fn rates(&self, axes: &[f64], change: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
+        self.0.rates(&array::<M>(axes), &array::<M>(change))
     }
 }

@@ -241,7 +241,9 @@ fn bad_arguments_are_status_2() {
 
 #[test]
 fn help_and_version_are_no_mistakes() {
-    for arguments in [&["--help"] as &[&str], &["post", "--help"], &["--version"], &["config"], &["explain"]] {
+    for arguments in
+        [&["--help"] as &[&str], &["post", "--help"], &["--version"], &["config"], &["explain"], &["explain", "--cl"]]
+    {
         let run = Shop::new().run(arguments);
         assert_eq!((run.status, run.errors.as_str()), (0, ""), "{arguments:?}");
         assert!(!run.output.is_empty(), "{arguments:?}");
@@ -293,7 +295,10 @@ fn bad_cl_data_is_rejected_with_its_place() {
     assert_rejected(line("GOTO/nan,2,3"), "part.cls:6:6: error: `nan` is not a number");
     assert_rejected(line("GOTO/1,inf,3"), "part.cls:6:8: error: `inf` is not a number");
     assert_rejected(line("GOTO/1,2,-Infinity"), "part.cls:6:10: error: `-Infinity` is not a number");
-    assert_rejected(line("CIRCLE/0,0,0,0,0,1,5\nGOTO/1,2,3"), "part.cls:6:1: error: CIRCLE is not understood yet");
+    assert_rejected(
+        line("COPY/1\nGOTO/1,2,3"),
+        "part.cls:6:1: error: COPY is refused: it changes the coordinates of everything behind it",
+    );
 }
 
 #[test]
@@ -329,7 +334,7 @@ fn a_table_that_tilts_one_way_refuses_a_cut_through_the_vertical() {
 
 #[test]
 fn every_line_of_json_is_an_object_with_place_and_severity() {
-    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nCIRCLE/0,0,0,0,0,1,5\n"));
+    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nCOPY/1\n"));
     let run = shop.run(&["post", "part.cls", "--message-format", "json", "-o", "part.nc"]);
     assert_eq!(run.status, 1);
     let parse =
@@ -406,4 +411,37 @@ fn a_named_pipe_is_read_like_a_file() {
     let text = String::from_utf8(shop.read("part.nc")).expect("ASCII");
     assert_eq!(text.replace("(CL FILE pipe.cls)", "(CL FILE part.cls)"), expected);
     assert_eq!(shop.names(), ["part.cls", "part.nc", "pipe.cls"]);
+}
+
+#[test]
+fn options_say_how_the_cl_data_is_read() {
+    let shop = Shop::with(format!("{HEAD}AICC/ON\nINSERT/STOCK X1\nGOTO/1,2,3\nCIRCLE/0,2,3,0,0,1\nGOTO/0,3,3\n"));
+    let all =
+        ["--inert", "AICC", "--insert", "comment", "--tolerance", "0.1", "--circle-sense", "ccw", "--dialect", "iso"];
+    let run = shop.run(&[&["post", "part.cls", "-o", "part.nc"], &all[..]].concat());
+    assert_eq!(run.status, 0, "{}", run.errors);
+    let program = String::from_utf8(shop.read("part.nc")).expect("ASCII");
+    for line in [
+        "(words passed over as inert: AICC)",
+        "(STOCK X1)",
+        "(CL data of ISO 4343, as given)",
+        "(1 arc, their sense as given)",
+    ] {
+        assert!(program.contains(line), "{line} is missing in\n{program}");
+    }
+    let run = shop.run(&["post", "part.cls", "--inert", "LOOP"]);
+    assert_eq!(run.status, 2);
+    assert!(run.errors.contains("LOOP cannot be inert: it may repeat motion"), "{}", run.errors);
+    assert_eq!(shop.run(&["post", "part.cls", "--tolerance", "0"]).status, 2);
+    assert_eq!(shop.run(&["post", "part.cls", "--insert", "comment", "--allow-insert"]).status, 2);
+}
+
+#[test]
+fn every_word_is_listed() {
+    let shop = Shop::with("");
+    let run = shop.run(&["explain", "--cl"]);
+    let text = String::from_utf8(run.output).expect("ASCII");
+    for line in ["    GOTO/x,y,z[,i,j,k]; /x,y,z / x,y,z ..", "    PAINT", "    LOOP        it may repeat motion"] {
+        assert!(text.lines().any(|found| found == line), "{line} is missing in\n{text}");
+    }
 }

@@ -11,6 +11,9 @@
 //! | `rim` | Creo; the table goes round past 180° and 360° |
 //! | `key_inch` | inch, a left-hand spindle, mist, an axis that leans in the YZ plane only |
 //! | `coil` | four axes past a full turn, a repeated point, a set-up with limits and parking |
+//! | `pocket` | NX: circles in both senses, a helix, a curve, deep holes, GOHOME |
+//! | `plate` | Creo in inches: circles, a list of points, GODLTA, chips broken |
+//! | `nest` | SolidWorks CAM: full circles, two CSYS, INSERT as a comment |
 //! | `pads` | a set-up with tool lengths, part origin, retract along the axis, limits, parking |
 
 use std::env;
@@ -31,6 +34,9 @@ const PARTS: &[Part] = &[
     ("tests/data/rim/rim.ncl", None, FIVE_AXES),
     ("tests/data/key_inch/key_inch.cls", None, &["dmu-70e", "lola-xoyzba", "multiprodesk", "spinner-u5-620"]),
     ("tests/data/coil/coil.cls", Some("tests/data/coil/coil.toml"), &["multiprodesk"]),
+    ("tests/data/pocket/pocket.cls", Some("tests/data/pocket/pocket.toml"), FIVE_AXES),
+    ("tests/data/plate/plate.ncl", Some("tests/data/plate/plate.toml"), FIVE_AXES),
+    ("tests/data/nest/nest.apt", Some("tests/data/nest/nest.toml"), FIVE_AXES),
     ("tests/data/pads/pads.cls", Some("tests/data/pads/pads.toml"), FIVE_AXES),
 ];
 

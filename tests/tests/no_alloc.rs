@@ -40,7 +40,7 @@ fn allocations(work: impl FnOnce()) -> usize {
     ALLOCATIONS.get() - before
 }
 
-/// Forward, inverse, `linear_axes` and `reach`, also where there is no solution.
+/// Every map of the kinematics, also where there is no solution.
 fn check<M: Machine>() {
     let mut machine = M::default();
     machine.set_up(Vector3::new(12.5, -40.0, 80.0), 120.0);
@@ -61,6 +61,8 @@ fn check<M: Machine>() {
             black_box(machine.linear_axes(black_box(&pose.tip), &axes));
             black_box(machine.reach(black_box(&pose.axis), &axes).is_ok());
             black_box(machine.reach(black_box(&anywhere), &axes).is_ok());
+            black_box(machine.motion(black_box(&axes), &M::HELD));
+            black_box(machine.rates(black_box(&axes), &M::HELD));
         });
         assert_eq!(count, 0, "{} allocates", M::NAME);
     }

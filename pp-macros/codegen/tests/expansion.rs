@@ -30,6 +30,20 @@ fn inverse_is_straight_line_code_without_sine_or_loop() {
 }
 
 #[test]
+fn motion_is_straight_line_code_with_one_sine_for_each_rotary() {
+    let file = syn::parse2(pp_codegen::expand(SPINNER.parse().expect("Rust tokens"))).expect("items");
+    let text = prettyplease::unparse(&file);
+    let start = text.find("fn motion").expect("generated");
+    let end = start + text[start..].find("fn rates(").expect("generated");
+    let motion = &text[start..end];
+    assert_eq!(motion.matches("math::sin_cos").count(), 2, "{motion}");
+    assert!(motion.matches("math::sqrt").count() <= 9, "{motion}");
+    for word in ["for ", "while ", "loop ", "vec!", "Box", "atan2", "* 0.0", "* 1.0"] {
+        assert!(!motion.contains(word), "{word} in {motion}");
+    }
+}
+
+#[test]
 fn generated_code_names_only_core_and_the_runtime() {
     let text = expand(SPINNER);
     for path in text.split(":: ").filter_map(|rest| rest.split_whitespace().next()) {

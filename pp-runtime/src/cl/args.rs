@@ -57,8 +57,8 @@ impl Arg<'_> {
             return Fault::new(
                 "second slash",
                 self.at,
-                "a list of points behind one word is not understood yet",
-                "have the CAM system write one GOTO for each point",
+                "a second slash stands behind this word",
+                "arguments are separated by commas; only a GOTO may hold a list of points",
             );
         }
         if self.text.contains(&b'$') {
@@ -166,6 +166,13 @@ impl<'a> Args<'a> {
             "write the missing argument, or delete the comma",
         )
     }
+}
+
+/// A piece without the blanks around it.
+pub(super) fn trimmed(piece: &[u8]) -> &[u8] {
+    let start = skip_blanks(piece, 0);
+    let behind = piece[start..].iter().rev().take_while(|byte| is_blank(**byte)).count();
+    &piece[start..piece.len() - behind]
 }
 
 /// Index of the first byte from `at` on that is no blank.

@@ -80,6 +80,11 @@ impl ModalAxis {
         Ok(normalised)
     }
 
+    /// The axis in force; an error if it is in doubt.
+    pub(super) fn known(&mut self, at: Span) -> Result<UnitVector3<f64>, Fault> {
+        self.at_point(None, at).map(|(axis, _)| axis)
+    }
+
     /// TOOL PATH or a tool record.
     pub(super) fn begin_operation(&mut self) {
         if self.stated {

@@ -8,8 +8,8 @@ use super::Dialect;
 use super::args::{Args, skip_blanks};
 use super::fault::{Fault, Span};
 use super::number;
-use super::parse::{arguments, exactly};
-use super::record::{FrameRecord, Record};
+use super::parse::{arguments, exactly, frame_from_rows};
+use super::record::Record;
 use super::tools::cutter;
 
 /// Comment lines behind `$$*CATIA0` that may stand in front of the matrix.
@@ -25,15 +25,21 @@ pub(super) struct Matrix {
 }
 
 impl Matrix {
-    /// A record stands between the comments: what was begun is no matrix.
-    pub(super) fn abandon(&mut self) {
+    pub(super) fn is_open(&self) -> bool {
+        self.open
+    }
+
+    /// What stands here is no row: a matrix that was begun is lost, and with it a frame.
+    pub(super) fn abandon(&mut self) -> Result<(), Fault> {
+        let begun = self.open && self.rows > 0;
         self.open = false;
+        if begun { Err(incomplete()) } else { Ok(()) }
     }
 
     /// Takes the text of one comment line; answers the matrix with its last row.
-    fn take(&mut self, text: &[u8]) -> Option<[f64; 12]> {
+    fn take(&mut self, text: &[u8]) -> Result<Option<[f64; 12]>, Fault> {
         if !self.open {
-            return None;
+            return Ok(None);
         }
         let mut row = [0.0; 4];
         if four_numbers(text, &mut row) {
@@ -41,28 +47,45 @@ impl Matrix {
             self.rows += 1;
             if self.rows == 3 {
                 self.open = false;
-                return Some(self.numbers);
+                return Ok(Some(self.numbers));
             }
         } else if self.rows == 0 && self.titles < TITLE_LINES {
             self.titles += 1;
+        } else if self.rows == 0 && !begins_with_number(text) {
+            self.open = false;
         } else {
             self.open = false;
+            return Err(incomplete());
         }
-        None
+        Ok(None)
     }
+}
+
+fn incomplete() -> Fault {
+    Fault::new(
+        "frame",
+        Span::WHOLE,
+        "a row of the matrix behind $$*CATIA0 is expected here: four numbers with blanks between them",
+        "the matrix says where the points lie: write its three rows, or delete them all",
+    )
+}
+
+fn begins_with_number(text: &[u8]) -> bool {
+    number::prefix(&text[skip_blanks(text, 0)..]).is_some()
 }
 
 /// Reads a comment, `$$` included.
 pub(super) fn read(text: &[u8], matrix: &mut Matrix) -> Result<Record<'static>, Fault> {
     if text.starts_with(b"$$->") {
-        matrix.abandon();
+        matrix.abandon()?;
         return of_creo(text);
     }
     if text.starts_with(b"$$*CATIA") {
+        matrix.abandon()?;
         *matrix = Matrix { open: true, ..Matrix::default() };
         return Ok(Record::Inert);
     }
-    match matrix.take(&text[2..]) {
+    match matrix.take(&text[2..])? {
         Some(numbers) => Ok(Record::Frame(frame_from_rows(&numbers, Span { start: 0, end: text.len() }))),
         None => Ok(Record::Inert),
     }
@@ -91,17 +114,10 @@ fn of_creo(text: &[u8]) -> Result<Record<'static>, Fault> {
     }
     if text[start..end].eq_ignore_ascii_case(b"CSYS") {
         let mut args: Args<'_> = arguments("CSYS", text, word_at)?;
-        let mut numbers = [0.0; 12];
-        exactly("CSYS", &mut args, &mut numbers)?;
+        let numbers = exactly("CSYS", &mut args)?;
         return Ok(Record::Frame(frame_from_rows(&numbers, args.all())));
     }
     Ok(Record::Inert)
-}
-
-/// Rows of a 3×4 matrix: the axes stand in its first three columns, the origin in the fourth.
-fn frame_from_rows(n: &[f64; 12], at: Span) -> FrameRecord {
-    let column = |i: usize| [n[i], n[4 + i], n[8 + i]];
-    FrameRecord { axes: [column(0), column(1), column(2)], origin: column(3), at }
 }
 
 /// Whether the text is four numbers with blanks between them and nothing else.

@@ -5,12 +5,9 @@
 
 use super::lexer::{Lexer, Statement};
 use super::words;
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 use std::io::Read;
-
-/// Diagnostics shown of one kind.
-pub(super) const SHOWN_PER_KIND: u64 = 20;
 
 /// Bytes of a statement, counted from its first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -42,11 +39,17 @@ pub(super) struct Fault {
     pub(super) at: Span,
     pub(super) text: String,
     pub(super) help: Help,
+    pub(super) severity: Severity,
 }
 
 impl Fault {
     pub(super) fn new(kind: &'static str, at: Span, text: impl Into<String>, help: impl Into<String>) -> Self {
-        Fault { kind, at, text: text.into(), help: Help::Text(help.into()) }
+        Fault { kind, at, text: text.into(), help: Help::Text(help.into()), severity: Severity::Error }
+    }
+
+    /// The same as a remark.
+    pub(super) fn warning(self) -> Self {
+        Fault { severity: Severity::Warning, ..self }
     }
 }
 
@@ -88,42 +91,50 @@ impl Faults {
     #[cold]
     pub(super) fn add<R: Read>(&mut self, fault: Fault, statement: &Statement, lexer: &Lexer<R>) {
         let (location, left_on_line) = lexer.locate(statement, fault.at.start);
+        self.add_at(fault, location, left_on_line);
+    }
+
+    /// Takes the fault of a statement whose text goes on for so many bytes on its line.
+    pub(super) fn add_at(&mut self, fault: Fault, location: Location, left_on_line: usize) {
         let length = fault.at.end.saturating_sub(fault.at.start).min(left_on_line).max(1);
-        if !self.is_shown(fault.kind, Severity::Error, location) {
+        if !self.is_shown(fault.kind, fault.severity, location) {
             return;
         }
         let help = match fault.help {
             Help::Text(text) => text,
             Help::NearestTo(word) => match words::nearest(&word) {
                 Some(known) => format!("did you mean {known}?"),
-                None => "delete the record if it is known to move nothing, or have the CAM system leave it out".into(),
+                None if word.is_empty() => "check whether this is CL data".into(),
+                None => format!("if it is known to move nothing, delete it or give `--inert {word}`"),
             },
         };
         self.diagnostics.push(Diagnostic {
-            severity: Severity::Error,
+            severity: fault.severity,
             location,
             length: u32::try_from(length).unwrap_or(u32::MAX),
             text: fault.text,
             help: Some(help),
+            count: 1,
         });
     }
 
     /// Takes what is said of the file as a whole.
     pub(super) fn add_about_file(&mut self, severity: Severity, location: Location, text: String, help: &str) {
         self.failed |= severity == Severity::Error;
-        self.diagnostics.push(Diagnostic { severity, location, length: 1, text, help: Some(help.into()) });
+        self.diagnostics.push(Diagnostic { severity, location, length: 1, text, help: Some(help.into()), count: 1 });
     }
 
     /// Says at the end how many diagnostics were not shown.
     pub(super) fn conclude(&mut self) {
         for count in &self.counts {
-            if let Some(hidden) = count.found.checked_sub(SHOWN_PER_KIND).filter(|hidden| *hidden > 0) {
+            if let Some(hidden) = count.found.checked_sub(LISTED_OF_A_KIND).filter(|hidden| *hidden > 0) {
                 self.diagnostics.push(Diagnostic {
                     severity: count.severity,
                     location: count.first_hidden,
                     length: 1,
                     text: format!("{hidden} more of this kind from here on: {}", count.kind),
                     help: None,
+                    count: hidden,
                 });
             }
         }
@@ -138,10 +149,10 @@ impl Faults {
         });
         let count = &mut self.counts[index];
         count.found += 1;
-        if count.found == SHOWN_PER_KIND + 1 {
+        if count.found == LISTED_OF_A_KIND + 1 {
             count.first_hidden = location;
         }
-        count.found <= SHOWN_PER_KIND
+        count.found <= LISTED_OF_A_KIND
     }
 }
 

@@ -4,7 +4,8 @@
 //! one perhaps in nothing. `$$` begins a comment. Pieces are joined raw, with nothing added or trimmed, because CAM
 //! systems cut inside numbers. A `$` joins only when nothing but blanks stands behind it. A comment goes on over the
 //! line end only if it begins with `$$->`, and then its continuation is comment too; any other comment that happens to
-//! end in `$` would swallow the GOTO below it.
+//! end in `$` would swallow the GOTO below it. `$$` inside a pair of quotes begins no comment, nor does any `$$` behind
+//! INSERT, which owns its whole line. On cards of 72 columns whatever stands behind them is not read.
 //!
 //! A statement on one line is a slice of the read buffer; a joined one is copied to a second buffer, with a list of
 //! where each piece came from. Both buffers are reused. What a statement means is not known here.
@@ -76,12 +77,15 @@ pub(super) struct Lexer<R> {
     line: u64,
     joined: Vec<u8>,
     pieces: Vec<Piece>,
+    /// Bytes of a line that count.
+    columns: usize,
 }
 
 impl<R: Read> Lexer<R> {
-    pub(super) fn new(input: R) -> Self {
+    pub(super) fn new(input: R, columns: Option<u32>) -> Self {
         Lexer {
             input,
+            columns: columns.map_or(usize::MAX, |columns| columns as usize),
             buffer: vec![0; CHUNK],
             start: 0,
             end: 0,
@@ -170,7 +174,8 @@ impl<R: Read> Lexer<R> {
     /// A line that holds a `$`: a comment, code before a comment, or the first line of several.
     fn with_dollar(&mut self, line: Line) -> io::Result<Statement> {
         let text = &self.buffer[line.start..line.end];
-        let comment = comment_start(text);
+        let whole = is_insert(text);
+        let comment = if whole { None } else { comment_start(text) };
         let blank_before = text.iter().take_while(|byte| is_blank(**byte)).count();
         if comment == Some(blank_before) {
             let continues = text[blank_before..].starts_with(b"$$->") && continued(text).is_some();
@@ -188,13 +193,14 @@ impl<R: Read> Lexer<R> {
     #[cold]
     fn join(&mut self, line: Line, mut kind: Kind) -> io::Result<Statement> {
         let is_comment = kind == Kind::Comment;
+        let whole = is_comment || is_insert(&self.buffer[line.start..line.end]);
         let first = self.line;
         self.joined.clear();
         self.pieces.clear();
         let mut line = line;
         loop {
             let text = &self.buffer[line.start..line.end];
-            let text = if is_comment { text } else { &text[..comment_start(text).unwrap_or(text.len())] };
+            let text = if whole { text } else { &text[..comment_start(text).unwrap_or(text.len())] };
             let more = continued(text);
             let piece = &text[..more.unwrap_or(text.len())];
             self.pieces.push(Piece { offset: self.joined.len(), location: Location { line: self.line, column: 1 } });
@@ -250,9 +256,10 @@ impl<R: Read> Lexer<R> {
                 }
             }
             if let Some(found) = memchr2(b'\n', b'\r', &self.buffer[searched..self.end]) {
-                let line = Line { start: self.start, end: searched + found, too_long };
-                self.after_cr = self.buffer[line.end] == b'\r';
-                self.start = line.end + 1;
+                let end = searched + found;
+                let line = Line { start: self.start, end: end.min(self.start.saturating_add(self.columns)), too_long };
+                self.after_cr = self.buffer[end] == b'\r';
+                self.start = end + 1;
                 self.line += 1;
                 return Ok(Some(line));
             }
@@ -264,7 +271,8 @@ impl<R: Read> Lexer<R> {
                 if self.start == self.end && !too_long {
                     return Ok(None);
                 }
-                let line = Line { start: self.start, end: self.end, too_long };
+                let end = self.end.min(self.start.saturating_add(self.columns));
+                let line = Line { start: self.start, end, too_long };
                 self.start = self.end;
                 self.line += 1;
                 return Ok(Some(line));
@@ -308,16 +316,27 @@ pub(super) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0x1A)
 }
 
-/// Index of the first `$$`.
+/// Index of the first `$$` that does not stand between two quotes.
 fn comment_start(text: &[u8]) -> Option<usize> {
     let mut from = 0;
-    while let Some(found) = memchr(b'$', &text[from..]) {
-        if text.get(from + found + 1) == Some(&b'$') {
-            return Some(from + found);
+    while let Some(found) = memchr2(b'$', b'\'', &text[from..]) {
+        let at = from + found;
+        from = at + 1;
+        match text[at] {
+            b'\'' => from = memchr(b'\'', &text[from..]).map_or(from, |closing| from + closing + 1),
+            _ if text.get(from) == Some(&b'$') => return Some(at),
+            _ => {}
         }
-        from += found + 1;
     }
     None
+}
+
+/// Whether a line is an INSERT, which owns everything up to its end.
+fn is_insert(text: &[u8]) -> bool {
+    const INSERT: &[u8] = b"INSERT";
+    let text = text.trim_ascii_start();
+    text.get(..INSERT.len()).is_some_and(|word| word.eq_ignore_ascii_case(INSERT))
+        && text.get(INSERT.len()).is_none_or(|byte| !byte.is_ascii_alphanumeric())
 }
 
 /// Index of the `$` with only blanks behind it, if the text ends in one.

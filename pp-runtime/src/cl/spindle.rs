@@ -8,6 +8,12 @@ use crate::program::{Rotation, Spindle};
 /// Words of constant surface speed: a lathe's.
 const SURFACE_SPEED: [&str; 3] = ["SFM", "SMM", "MAXRPM"];
 
+/// Speeds below this are S0 where S has no decimals, rev/min.
+const SLOWEST: f64 = 0.5;
+
+/// Speeds above this have a wrong exponent, rev/min.
+const FASTEST: f64 = 1e6;
+
 /// Reads all arguments.
 pub(super) fn parse(name: &'static str, args: &mut Args<'_>) -> Result<Spindle, Fault> {
     let mut arg = needed(name, args)?;
@@ -23,6 +29,22 @@ pub(super) fn parse(name: &'static str, args: &mut Args<'_>) -> Result<Spindle, 
                     arg.at,
                     format!("the spindle speed {} is not above 0", quoted(arg.text)),
                     "SPINDL/OFF stops the spindle; the sense of rotation is CLW or CCLW",
+                ));
+            }
+            if value < SLOWEST {
+                return Err(Fault::new(
+                    "spindle speed",
+                    arg.at,
+                    format!("a spindle speed of {value} rev/min rounds to 0"),
+                    "check the speed of this tool in the CAM system",
+                ));
+            }
+            if value > FASTEST {
+                return Err(Fault::new(
+                    "spindle speed",
+                    arg.at,
+                    format!("a spindle speed of {} rev/min is not plausible", quoted(arg.text)),
+                    "check the exponent",
                 ));
             }
             speed.replace(value).is_some()

@@ -109,8 +109,7 @@ fn cutter_of(diameter: f64, corner_radius: Option<f64>, at: Span) -> Result<Cutt
 
 /// TOOLNO describes a tool and changes nothing, unless the tool is a turning tool.
 pub(super) fn description<'a>(mut args: Args<'_>) -> Result<Record<'a>, Fault> {
-    // Its other arguments are the user's own, so an empty place is no fault here.
-    while let Ok(Some(arg)) = args.next() {
+    while let Some(arg) = args.next()? {
         if arg.is("TURN") {
             return Err(turning(arg.at));
         }

@@ -1,4 +1,25 @@
-//! The little vector algebra that frames and axes of CL data need.
+//! The little vector algebra that frames and axes of CL data need, and how far a point may lie.
+
+use super::fault::{Fault, Span};
+use crate::nalgebra::Point3;
+
+/// A kilometre: no machine goes there, and words of an NC program would overflow.
+const LARGEST_COORDINATE_MM: f64 = 1e6;
+
+/// The point, if a machine could be there.
+#[inline]
+pub(super) fn near(point: Point3<f64>, at: Span) -> Result<Point3<f64>, Fault> {
+    // A NaN fails the comparison, too.
+    if point.iter().all(|value| value.abs() <= LARGEST_COORDINATE_MM) {
+        return Ok(point);
+    }
+    Err(Fault::new(
+        "coordinate",
+        at,
+        "a coordinate is more than a kilometre from the origin",
+        "check the point in the CAM system, and the unit of the file",
+    ))
+}
 
 /// `a × b`.
 pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
-use crate::config::{Config, Units};
+use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
+use crate::config::{Config, StartBranch, TOLERANCE, Units, preference, preferences};
 use crate::control::{self, CONTROLS, Control};
+use crate::kinematics::Machine;
 
 /// Turns CL data (APT/CLS) into a program for one machine.
 #[derive(Debug, Parser)]
@@ -32,8 +34,11 @@ pub(super) enum Command {
 #[derive(Debug, Args)]
 pub(super) struct ExplainArgs {
     /// Write a LaTeX document instead of text
-    #[arg(long)]
+    #[arg(long, conflicts_with = "cl")]
     pub(super) latex: bool,
+    /// Print what becomes of each word of CL data instead
+    #[arg(long)]
+    pub(super) cl: bool,
 }
 
 /// Arguments of `post`.
@@ -57,6 +62,48 @@ pub(super) struct PostArgs {
     /// Unit of the program; without it that of the CL data
     #[arg(long, value_enum)]
     pub(super) output_units: Option<UnitsName>,
+    /// How far the chords of arcs and curves may leave them, mm
+    #[arg(long, value_name = "MM", value_parser = tolerance)]
+    pub(super) tolerance: Option<f64>,
+    /// LINTOL of the CL data may be wider than the tolerance
+    #[arg(long)]
+    pub(super) allow_lintol: bool,
+    /// CAM system that wrote the CL data where it does not tell, or tells wrongly
+    #[arg(long, value_enum)]
+    pub(super) dialect: Option<DialectName>,
+    /// Columns of a line that count
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=4096))]
+    pub(super) columns: Option<u32>,
+    /// Pass this word of the CL data over; may be repeated
+    #[arg(long, value_name = "WORD", value_parser = inert)]
+    pub(super) inert: Vec<String>,
+    /// What to do with a frame that differs from the first
+    #[arg(long, value_enum)]
+    pub(super) frames: Option<FramesName>,
+    /// Sense of every CIRCLE about its axis, whatever its form says
+    #[arg(long, value_enum)]
+    pub(super) circle_sense: Option<SenseName>,
+    /// What to do with INSERT
+    #[arg(long, value_enum)]
+    pub(super) insert: Option<InsertName>,
+    /// Write INSERT as NC text that nobody checks
+    #[arg(long, conflicts_with = "insert")]
+    pub(super) allow_insert: bool,
+    /// Write FROM as the first approach
+    #[arg(long, value_enum)]
+    pub(super) from: Option<FromName>,
+    /// Branch on which operations begin where they can
+    #[arg(long, value_enum)]
+    pub(super) start_branch: Option<BranchName>,
+    /// Side of zero on which operations begin where they can: `B+`
+    #[arg(long, value_name = "AXIS±", allow_hyphen_values = true)]
+    pub(super) prefer: Option<String>,
+    /// Choose branch and turns motion by motion, without a view ahead
+    #[arg(long)]
+    pub(super) greedy: bool,
+    /// Angle to the pole within which the tool axis is put there, degrees
+    #[arg(long, value_name = "DEGREES", value_parser = axis_tolerance)]
+    pub(super) axis_tolerance: Option<f64>,
     /// Number the blocks
     #[arg(long)]
     pub(super) line_numbers: bool,
@@ -72,7 +119,10 @@ impl PostArgs {
     }
 
     /// Puts what the command line says on top of what the configuration file says.
-    pub(super) fn apply(&self, config: &mut Config) {
+    ///
+    /// # Errors
+    /// A sentence about what does not fit the machine.
+    pub(super) fn apply<M: Machine>(&self, config: &mut Config) -> Result<(), String> {
         if let Some(units) = self.units {
             config.cl_units = Some(units.into());
             config.given.insert("cl_units");
@@ -81,10 +131,35 @@ impl PostArgs {
             config.output_units = Some(units.into());
             config.given.insert("output_units");
         }
+        if let Some(tolerance) = self.tolerance {
+            config.tolerance = tolerance;
+            config.given.insert("tolerance");
+        }
+        config.allow_lintol |= self.allow_lintol;
+        config.start_branch = self.start_branch.map(Into::into).or(config.start_branch);
+        if let Some(text) = &self.prefer {
+            let help = || format!("--prefer {text} is not known here: {}", preferences::<M>());
+            config.prefer = Some(preference::<M>(text).ok_or_else(help)?);
+        }
+        config.greedy |= self.greedy;
+        config.axis_tolerance = self.axis_tolerance.unwrap_or(config.axis_tolerance);
+        let cl = &mut config.cl;
+        cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
+        cl.columns = self.columns.or(cl.columns);
+        cl.inert.extend(self.inert.iter().cloned());
+        cl.frames = self.frames.map_or(cl.frames, Into::into);
+        cl.circle_sense = self.circle_sense.map(Into::into).or(cl.circle_sense);
+        cl.insert = match (self.insert, self.allow_insert) {
+            (_, true) => Insert::Write,
+            (Some(InsertName::Comment), false) => Insert::Comment,
+            (None, false) => cl.insert,
+        };
+        cl.from_move |= self.from.is_some();
         if self.line_numbers {
             config.program.line_numbers.get_or_insert(Config::LINE_NUMBER_STEP);
             config.given.insert("program.line_numbers");
         }
+        Ok(())
     }
 }
 
@@ -94,6 +169,128 @@ fn control_name(control: &dyn Control) -> &'static str {
 
 fn control_names() -> PossibleValuesParser {
     PossibleValuesParser::new(CONTROLS.iter().map(|control| control_name(*control)))
+}
+
+/// A word that may be declared inert.
+fn inert(word: &str) -> Result<String, String> {
+    match not_inert(word) {
+        Some(why) => Err(why),
+        None => Ok(word.to_ascii_uppercase()),
+    }
+}
+
+/// An angle in degrees, in rad.
+fn axis_tolerance(text: &str) -> Result<f64, String> {
+    let degrees: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    match (0.0..=5.0).contains(&degrees) {
+        true => Ok(degrees.to_radians()),
+        false => Err("0 to 5 degrees are needed".to_owned()),
+    }
+}
+
+/// A tolerance in mm.
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    if TOLERANCE.contains(&value) {
+        Ok(value)
+    } else {
+        Err(format!("between {} and {} mm", TOLERANCE.start(), TOLERANCE.end()))
+    }
+}
+
+/// CAM systems on the command line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum DialectName {
+    /// Siemens NX
+    Nx,
+    /// CATIA
+    Catia,
+    /// PTC Creo
+    Creo,
+    /// SolidWorks CAM
+    Solidworks,
+    /// ISO 4343
+    Iso,
+}
+
+impl From<DialectName> for Dialect {
+    fn from(name: DialectName) -> Self {
+        match name {
+            DialectName::Nx => Self::Nx,
+            DialectName::Catia => Self::Catia,
+            DialectName::Creo => Self::Creo,
+            DialectName::Solidworks => Self::SolidWorks,
+            DialectName::Iso => Self::Iso,
+        }
+    }
+}
+
+/// What becomes of a second frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum FramesName {
+    /// Mapped into the first
+    Main,
+    /// A work offset of its own
+    Offset,
+}
+
+impl From<FramesName> for Frames {
+    fn from(name: FramesName) -> Self {
+        match name {
+            FramesName::Main => Self::Main,
+            FramesName::Offset => Self::Offset,
+        }
+    }
+}
+
+/// Sense of circles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum SenseName {
+    /// Clockwise
+    Cw,
+    /// Counter-clockwise
+    Ccw,
+}
+
+impl From<SenseName> for Sense {
+    fn from(name: SenseName) -> Self {
+        match name {
+            SenseName::Cw => Self::Clockwise,
+            SenseName::Ccw => Self::CounterClockwise,
+        }
+    }
+}
+
+/// A branch, as `explain` numbers them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum BranchName {
+    /// The first
+    First,
+    /// The second
+    Second,
+}
+
+impl From<BranchName> for StartBranch {
+    fn from(name: BranchName) -> Self {
+        match name {
+            BranchName::First => Self::First,
+            BranchName::Second => Self::Second,
+        }
+    }
+}
+
+/// What becomes of INSERT.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum InsertName {
+    /// Written as a comment
+    Comment,
+}
+
+/// What becomes of FROM.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum FromName {
+    /// Written as the first approach
+    Move,
 }
 
 /// Unit of length on the command line.

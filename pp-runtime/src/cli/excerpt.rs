@@ -8,7 +8,7 @@ use memchr::memchr2;
 use crate::program::Location;
 
 /// Characters of a line that are shown.
-const WIDTH: usize = 100;
+pub(super) const WIDTH: usize = 100;
 
 /// Bytes kept on each side of a column: four bytes a character at most.
 const REACH: u64 = 4 * WIDTH as u64;

@@ -5,16 +5,14 @@
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
 
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use serde::Serialize;
 
-use crate::diag::{Diagnostic, Severity};
+use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 
 use super::args::MessageFormat;
-use super::excerpt::{Excerpt, excerpts, visible};
-
-/// Diagnostics of one kind that are shown to a person; the rest is counted.
-const SHOWN_OF_A_KIND: usize = 20;
+use super::excerpt::{Excerpt, WIDTH, excerpts, visible};
 
 /// Writes messages in the format asked for.
 pub(super) struct Messages<'a> {
@@ -32,6 +30,8 @@ struct JsonMessage<'a> {
     severity: &'a str,
     text: &'a str,
     help: Option<&'a str>,
+    /// How many it stands for.
+    count: u64,
 }
 
 impl<'a> Messages<'a> {
@@ -54,7 +54,7 @@ impl<'a> Messages<'a> {
             MessageFormat::Human => self.line(human),
             MessageFormat::Json => {
                 let (file, line, column, length, help) = (None, None, None, None, None);
-                self.json(&JsonMessage { file, line, column, length, severity, text, help });
+                self.json(&JsonMessage { file, line, column, length, severity, text, help, count: 1 });
             }
         }
     }
@@ -74,6 +74,7 @@ impl<'a> Messages<'a> {
                         severity: name(diagnostic.severity),
                         text: &diagnostic.text,
                         help: diagnostic.help.as_deref(),
+                        count: diagnostic.count,
                     });
                 }
             }
@@ -85,8 +86,8 @@ impl<'a> Messages<'a> {
         let mut kinds: BTreeMap<String, Kind> = BTreeMap::new();
         let mut shown = Vec::new();
         for diagnostic in ordered {
-            let kind = kinds.entry(kind(diagnostic)).or_default();
-            if kind.count < SHOWN_OF_A_KIND {
+            let kind = kinds.entry(format!("{}: {}", name(diagnostic.severity), diagnostic.kind())).or_default();
+            if kind.count < LISTED_OF_A_KIND {
                 shown.push(*diagnostic);
             }
             kind.count += 1;
@@ -98,11 +99,14 @@ impl<'a> Messages<'a> {
         for diagnostic in &shown {
             self.show(file, diagnostic, excerpts.get(&(diagnostic.location, diagnostic.length)));
         }
-        for (text, kind) in kinds.iter().filter(|(_, kind)| kind.count > SHOWN_OF_A_KIND) {
-            let more = kind.count - SHOWN_OF_A_KIND;
+        for (text, kind) in kinds.iter().filter(|(_, kind)| kind.count > LISTED_OF_A_KIND) {
+            let more = kind.count - LISTED_OF_A_KIND;
             self.line(&format!("{file}: {more} more like `{text}`, the last in line {}", kind.last_line));
         }
-        let count = |severity| ordered.iter().filter(|diagnostic| diagnostic.severity == severity).count();
+        let count = |severity| -> u64 {
+            let found = ordered.iter().filter(|diagnostic| diagnostic.severity == severity);
+            found.map(|diagnostic| diagnostic.count).sum()
+        };
         let counts = [(count(Severity::Error), "error"), (count(Severity::Warning), "warning")];
         let counts: Vec<String> = counts
             .iter()
@@ -116,12 +120,28 @@ impl<'a> Messages<'a> {
 
     fn show(&mut self, file: &str, diagnostic: &Diagnostic, excerpt: Option<&Excerpt>) {
         self.line(&headline(file, diagnostic));
-        if let Some(Excerpt { text, indent, marked }) = excerpt {
-            self.line(&format!("    {text}"));
-            self.line(&format!("    {:indent$}{}", "", "^".repeat(*marked)));
-        }
-        if let Some(help) = &diagnostic.help {
-            self.line(&format!("    help: {help}"));
+        let help: Option<String> = diagnostic.help.as_deref().map(|help| help.chars().map(visible).collect());
+        let help = help.map(|help| Level::HELP.message(help));
+        let Some(Excerpt { text, indent, marked }) = excerpt else {
+            let body = help.map(|help| render(Group::with_level(Level::HELP).element(help)));
+            return body.into_iter().for_each(|body| self.block(&body));
+        };
+        let marked = &marked_as_word(text, *indent, *marked, diagnostic.length);
+        let at = |character: usize| text.char_indices().nth(character).map_or(text.len(), |(byte, _)| byte);
+        let level = if diagnostic.severity == Severity::Error { Level::ERROR } else { Level::WARNING };
+        // A number that does not fit is not the number of a line.
+        let line = usize::try_from(diagnostic.location.line).unwrap_or_default();
+        let snippet = Snippet::source(text.as_str())
+            .line_start(line)
+            .annotation(AnnotationKind::Primary.span(at(*indent)..at(indent + marked)));
+        let group = Group::with_level(level).element(snippet).elements(help);
+        self.block(&render(group));
+    }
+
+    /// Lines that are fit to be shown.
+    fn block(&mut self, text: &str) {
+        for line in text.lines() {
+            let _ = writeln!(self.out, "{}", line.trim_end());
         }
     }
 
@@ -136,10 +156,15 @@ impl<'a> Messages<'a> {
     }
 }
 
+/// The line, what is marked in it, and the remedy, without colours.
+fn render(group: Group<'_>) -> String {
+    Renderer::plain().term_width(WIDTH + 40).render(&[group])
+}
+
 /// How often something was found.
 #[derive(Default)]
 struct Kind {
-    count: usize,
+    count: u64,
     last_line: u64,
 }
 
@@ -156,24 +181,12 @@ fn name(severity: Severity) -> &'static str {
     }
 }
 
-/// What diagnostics have in common that differ only in numbers and quoted words.
-fn kind(diagnostic: &Diagnostic) -> String {
-    let mut kind = format!("{}: ", name(diagnostic.severity));
-    for (index, piece) in diagnostic.text.split('`').enumerate() {
-        if index % 2 == 1 {
-            kind.push('…');
-            continue;
-        }
-        let mut in_number = false;
-        for character in piece.chars() {
-            let belongs = character.is_ascii_digit() || (in_number && character == '.');
-            match (in_number, belongs) {
-                (false, true) => kind.push('#'),
-                (_, false) => kind.push(character),
-                (true, true) => {}
-            }
-            in_number = belongs;
-        }
+/// A diagnostic about a statement as a whole points at its first byte; the word that begins there is marked.
+fn marked_as_word(text: &str, indent: usize, marked: usize, length: u32) -> usize {
+    let mut characters = text.chars();
+    if length > 1 || !characters.by_ref().take(indent).all(char::is_whitespace) {
+        return marked;
     }
-    kind
+    let word = |character: &char| character.is_ascii_alphanumeric() || matches!(character, '-' | '_');
+    characters.take_while(word).count().max(marked)
 }

@@ -18,6 +18,7 @@ use std::io::{self, BufWriter, IsTerminal as _, Read, Seek as _, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use crate::cl;
 use crate::config::{self, Config};
 use crate::control::Control;
 use crate::diag::Severity;
@@ -75,6 +76,8 @@ enum Failure {
     Disturbed(String, &'static str),
     #[error("{0} would overwrite {1}")]
     Overwrites(String, String),
+    #[error("{0}")]
+    Argument(String),
     /// Everything has been said.
     #[error("")]
     Said,
@@ -109,6 +112,7 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
         Command::Post(args) => post_file::<M>(&args, &mut streams, post),
         Command::Config => print(&mut streams, |out| out.write_all(config::print::<M>().as_bytes())),
         Command::Explain(args) if args.latex => print(&mut streams, explain::latex::<M>),
+        Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, explain::text::<M>),
     };
     result.unwrap_or_else(|failure| {
@@ -245,7 +249,7 @@ fn read_config<M: Machine>(args: &PostArgs, messages: &mut Messages<'_>) -> Resu
             })?
         }
     };
-    args.apply(&mut config);
+    args.apply::<M>(&mut config).map_err(Failure::Argument)?;
     Ok(config)
 }
 

@@ -40,7 +40,7 @@ fn echo(_job: &Job<'_>, source: &mut Source, sink: &mut Sink<'_>) -> Result<Repo
 
 fn finding(severity: Severity, line: u64, column: u32, length: u32, text: &str, help: Option<&str>) -> Diagnostic {
     let (text, help) = (text.to_owned(), help.map(str::to_owned));
-    Diagnostic { severity, location: Location { line, column }, length, text, help }
+    Diagnostic { severity, location: Location { line, column }, length, text, help, count: 1 }
 }
 
 /// Writes one block and then finds an error in line 2.
@@ -140,7 +140,7 @@ fn an_error_in_the_cl_data_leaves_only_a_rejected_program() {
     assert_eq!(
         outcome.errors,
         format!(
-            "{input}:2:6: error: GOTO needs 3 or 6 numbers (found 1)\n    GOTO/1.0\n         ^^^\n    \
+            "{input}:2:6: error: GOTO needs 3 or 6 numbers (found 1)\n  |\n2 | GOTO/1.0\n  |      ^^^\n  |\n  = \
              help: write X, Y and Z\n{input}: 1 error\n\
              rejected: {output} was not written, what could be posted stands in {output}.rejected; \
              the earlier {output} was removed\n"
@@ -164,7 +164,7 @@ fn a_warning_does_not_reject() {
         Ok(Report { diagnostics: vec![warning], ..echo(job, source, sink)? })
     });
     assert_eq!(outcome.status, Status::Done);
-    assert!(outcome.errors.contains("part.cls:1:1: warning: the name is short\n    PARTNO A\n    ^^^^^^\n"));
+    assert!(outcome.errors.contains("part.cls:1:1: warning: the name is short\n  |\n1 | PARTNO A\n  | ^^^^^^\n"));
     assert!(outcome.errors.ends_with("done\n"));
 }
 
@@ -364,7 +364,7 @@ fn a_fault_in_the_configuration_is_shown_with_its_line_and_is_status_2() {
     assert_eq!(outcome.status, Status::NotRun);
     assert!(
         outcome.errors.contains(
-            "shop.toml:2:1: error: unknown key `retract.distnace`; did you mean `distance`?\n    distnace = 3\n    ^^^^^^^^\n"
+            "shop.toml:2:1: error: unknown key `retract.distnace`; did you mean `distance`?\n  |\n2 | distnace = 3\n  | ^^^^^^^^\n"
         ),
         "{}",
         outcome.errors
@@ -462,8 +462,8 @@ fn diagnostics_stand_in_the_order_of_the_text_and_are_counted() {
     ];
     assert_eq!(
         messages(b"A\nB\nC", &found),
-        "p.cls:1:1: error: first\n    A\n    ^\np.cls:2:1: warning: second\n    B\n    ^\n\
-         p.cls:3:1: warning: later\n    C\n    ^\np.cls: 1 error, 2 warnings\n"
+        "p.cls:1:1: error: first\n  |\n1 | A\n  | ^\np.cls:2:1: warning: second\n  |\n2 | B\n  | ^\n\
+         p.cls:3:1: warning: later\n  |\n3 | C\n  | ^\np.cls: 1 error, 2 warnings\n"
     );
 }
 
@@ -482,12 +482,27 @@ fn twenty_of_a_kind_are_shown_and_the_rest_is_counted() {
 }
 
 #[test]
+fn what_is_only_counted_counts_in_the_summary() {
+    let rest = Diagnostic { count: 980, ..finding(Severity::Error, 1, 1, 1, "980 more of this kind", None) };
+    let shown = messages(b"GOTO/1\n", &[finding(Severity::Error, 1, 6, 1, "short", None), rest]);
+    assert!(shown.ends_with("p.cls: 981 errors\n"), "{shown}");
+}
+
+#[test]
+fn a_fault_of_a_whole_statement_marks_its_word() {
+    let found = [finding(Severity::Error, 1, 3, 1, "odd", None), finding(Severity::Error, 2, 8, 1, "odd", None)];
+    let shown = messages(b"  END-OF-PATH\nSPINDL/0,CLW\n", &found);
+    let carets: Vec<&str> = shown.lines().filter(|line| line.contains('^')).collect();
+    assert_eq!(carets, ["  |   ^^^^^^^^^^^", "  |        ^"]);
+}
+
+#[test]
 fn control_characters_and_bytes_that_are_not_text_are_made_visible() {
     let found = [finding(Severity::Error, 1, 7, 2, "odd", None)];
     let shown = messages(b"\tA\x1b[\xff\xc3\xa4B\r\n", &found);
-    assert_eq!(shown.lines().nth(1), Some("    ␉A␛[\u{fffd}äB"));
+    assert_eq!(shown.lines().nth(2), Some("1 | ␉A␛[\u{fffd}äB"));
     // Two bytes in front of the column are one character: the caret stands below the one at or behind it.
-    assert_eq!(shown.lines().nth(2), Some("          ^"));
+    assert_eq!(shown.lines().nth(3), Some("  |       ^"));
 }
 
 #[test]
@@ -503,11 +518,11 @@ fn a_long_line_is_clipped_around_the_column() {
     for (column, starts, ends) in [(1, false, true), (2500, true, true), (5000, true, false)] {
         let shown = messages(text.as_bytes(), &[finding(Severity::Error, 2, column, 3, "here", None)]);
         let lines: Vec<&str> = shown.lines().collect();
-        assert!(lines[1].chars().count() <= 4 + 100 + 2, "{}", lines[1]);
-        assert_eq!((lines[1].starts_with("    …"), lines[1].ends_with('…')), (starts, ends), "{}", lines[1]);
-        let caret = lines[2].find('^').expect("a caret");
+        assert!(lines[2].chars().count() <= 4 + 100 + 2, "{}", lines[2]);
+        assert_eq!((lines[2].starts_with("2 | …"), lines[2].ends_with('…')), (starts, ends), "{}", lines[2]);
+        let caret = lines[3].find('^').expect("a caret");
         let wanted = char::from(b'a' + ((column - 1) % 26) as u8);
-        assert_eq!(lines[1].chars().nth(caret), Some(wanted), "{column}");
+        assert_eq!(lines[2].chars().nth(caret), Some(wanted), "{column}");
     }
 }
 

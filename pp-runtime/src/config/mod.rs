@@ -4,6 +4,9 @@
 //! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
 //! writes angles in degrees. Nothing here plans or writes a motion.
 
+mod cl;
+mod clearance;
+mod course;
 mod machine;
 mod print;
 mod read;
@@ -15,18 +18,37 @@ mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::cl as reading;
 use crate::kinematics::Limits;
-use crate::program::{Coolant, Rotation};
+use crate::program::{Clearance, Coolant, Rotation};
 
 pub use crate::program::Units;
+pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
 pub use print::print;
+pub(crate) use read::TOLERANCE;
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Config {
     /// Unit of the CL data where it does not say so itself; `None` (default): it must say so.
     pub cl_units: Option<Units>,
+    /// How the CL data is read; its unit stands in `cl_units`.
+    pub cl: reading::Options,
+    /// Work offsets of frames of the CL data other than the first, by number; default none.
+    pub frames: BTreeMap<u32, String>,
+    /// Every operation begins on this branch where it can; default none.
+    pub start_branch: Option<StartBranch>,
+    /// Every operation begins with this rotary axis at or above zero (`true`) or at or below it, where it can; default none.
+    pub prefer: Option<(char, bool)>,
+    /// Branch and turns are chosen motion by motion, without a view ahead; default false.
+    pub greedy: bool,
+    /// Within this angle of the pole the tool axis is put there, rad; default 0: within what CL data rounds.
+    pub axis_tolerance: f64,
+    /// How far chords may leave arcs and curves, mm; default 0.01.
+    pub tolerance: f64,
+    /// LINTOL may be wider than that; default false.
+    pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
     pub output_units: Option<Units>,
     /// Part zero from the table's reference point along the table's directions, mm; default 0, 0, 0.
@@ -39,6 +61,8 @@ pub struct Config {
     pub tools: BTreeMap<u32, Tool>,
     /// What the CL data may leave out.
     pub defaults: Defaults,
+    /// How fast blocks may run.
+    pub feed: FeedLimits,
     /// How to get away from the part.
     pub retract: Retract,
     /// How to get to the part.
@@ -47,6 +71,14 @@ pub struct Config {
     pub park: BTreeMap<char, f64>,
     /// Largest turn of a rotary axis in a rapid that does not go through the safe sequence, rad; default 1 degree.
     pub index_angle: f64,
+    /// How rapids inside an operation are written; default [`Rapid::Direct`].
+    pub rapid: Rapid,
+    /// Feed of a rapid that is written as a feed motion, mm/min; default none.
+    pub rapid_feed: Option<f64>,
+    /// How the words of endless rotary axes stay within a turn; default none: they count turns.
+    pub wrap: BTreeMap<char, Wrap>,
+    /// Steps of indexed rotary axes, rad; default none: they turn continuously.
+    pub grid: BTreeMap<char, f64>,
     /// How to get from one operation to the next; default [`Transition::Safe`].
     pub transition: Transition,
     /// Speed of rotary axes in moves that only turn the tool or the table, rad/min; default 1800 degrees/min.
@@ -111,6 +143,21 @@ pub struct Defaults {
     pub rotation: Option<Rotation>,
     /// The kind that COOLNT/ON means; default [`Coolant::Flood`]. Never `On` or `Off`.
     pub coolant: Coolant,
+    /// The tool of CL data that calls none before it moves; default none.
+    pub tool: Option<u32>,
+    /// How far above the bottom a rapid ends in a hole that is drilled in steps, mm; default 0.5.
+    pub peck_gap: f64,
+}
+
+/// How fast blocks may run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FeedLimits {
+    /// Blocks in which an axis would be faster than it can run longer; default true.
+    pub keep_speeds: bool,
+    /// Largest F of the control, mm/min; default none.
+    pub largest: Option<f64>,
+    /// Shortest time of a block, seconds; default 0.
+    pub shortest_block: f64,
 }
 
 /// How to get away from the part.
@@ -120,6 +167,8 @@ pub struct Retract {
     pub position: f64,
     /// Distance along the tool axis, mm; default none: to the clearance geometry of the CL data.
     pub distance: Option<f64>,
+    /// Geometry around the part that the tool has to leave, if no distance is given; default none.
+    pub clearance: Option<Clearance>,
 }
 
 /// How to get to the part.
@@ -127,6 +176,37 @@ pub struct Retract {
 pub struct Approach {
     /// Distance of the approach point from the first tip along the tool axis, mm; default 50.
     pub distance: f64,
+}
+
+/// The branch of the inverse kinematics that an operation begins on, as `explain` numbers them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StartBranch {
+    /// The first.
+    First,
+    /// The second.
+    Second,
+}
+
+/// How the words of a rotary axis stay within a turn; without it they show as many turns as there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wrap {
+    /// From 0 up to 360; the control goes the short way.
+    Positive,
+    /// Above -180 up to 180; the control goes the short way.
+    Symmetric,
+    /// From 0 up to 360 with the sense of the motion as sign; a whole turn stands for a zero that is reached backwards.
+    Sign,
+}
+
+/// How a rapid inside an operation is written that turns no rotary axis by more than the index angle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rapid {
+    /// In one block; its path is the control's affair.
+    Direct,
+    /// Along the tool axis and across it in blocks of their own: out first, in last.
+    Split,
+    /// As a feed motion, on a path that is certified.
+    Feed,
 }
 
 /// How to get from one operation to the next.
@@ -170,16 +250,29 @@ impl Default for Config {
     fn default() -> Self {
         Self {
             cl_units: None,
+            cl: reading::Options::default(),
+            frames: BTreeMap::new(),
+            start_branch: None,
+            prefer: None,
+            greedy: false,
+            axis_tolerance: 0.0,
+            tolerance: 0.01,
+            allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],
             work_offset: "G54".to_owned(),
             machine_zero: BTreeMap::new(),
             tools: BTreeMap::new(),
-            defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood },
-            retract: Retract { position: 0.0, distance: None },
+            defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 },
+            feed: FeedLimits { keep_speeds: true, largest: None, shortest_block: 0.0 },
+            retract: Retract { position: 0.0, distance: None, clearance: None },
             approach: Approach { distance: 50.0 },
             park: BTreeMap::new(),
             index_angle: 1_f64.to_radians(),
+            rapid: Rapid::Direct,
+            rapid_feed: None,
+            wrap: BTreeMap::new(),
+            grid: BTreeMap::new(),
             transition: Transition::Safe,
             reorient_speed: 1800_f64.to_radians(),
             stop_retract: true,

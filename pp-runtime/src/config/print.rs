@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Machine};
 use crate::program::Coolant;
 
-use super::{Config, Transition};
+use super::{Config, Rapid, Transition};
 
 /// A configuration file for the machine `M` in which every default stands, switched off.
 ///
@@ -40,6 +40,8 @@ units = "mm"
 
 # Unit of CL data that does not state its own. Without it such data is refused.
 # e.g. cl_units = "mm"
+# The point that the CL data programs: "tip", or "centre" of the corner radius.
+#cl_point = "tip"
 # Unit of the program. Without it that of the CL data.
 # e.g. output_units = "mm"
 
@@ -56,11 +58,17 @@ units = "mm"
 #transition = "{transition}"
 # Rapids in which a rotary axis turns more than this go through the safe sequence.
 #index_angle = {index_angle}
+# Rapids inside an operation: "direct" (one block), "split" (out along the tool, across, in along the tool) or "feed"
+# (a feed motion at `rapid_feed`, on a certified path).
+#rapid = "{rapid}"
+# e.g. rapid_feed = 10000.0
 # Speed of rotary axes where only the direction of the tool changes.
 #reorient_speed = {reorient_speed}
 # Retract before STOP and OPSTOP.
 #stop_retract = {stop_retract}
 
+# How far the chords of arcs and curves may leave them.
+#tolerance = {tolerance}
 # How far the control may leave the programmed path where it blends blocks.
 #path_tolerance = {path_tolerance}
 # Wait for the spindle, seconds.
@@ -77,8 +85,14 @@ units = "mm"
         machine_zero = axes::<M>(|axis| axis.kind == AxisKind::Linear),
         park = axes::<M>(|axis| axis.kind == AxisKind::Rotary),
         index_angle = degrees(config.index_angle),
+        rapid = match config.rapid {
+            Rapid::Direct => "direct",
+            Rapid::Split => "split",
+            Rapid::Feed => "feed",
+        },
         reorient_speed = degrees(config.reorient_speed),
         stop_retract = config.stop_retract,
+        tolerance = number(config.tolerance),
         path_tolerance = number(config.path_tolerance),
         spindle_dwell = number(config.spindle_dwell),
         table_check = config.table_check,
@@ -103,12 +117,70 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. direction = "CLW"
 # What COOLNT/ON means: "flood", "mist", "through" or "air".
 #coolant = "{coolant}"
+# The tool of CL data that calls none before it moves. Without it such data is refused.
+# e.g. tool = 1
+# How far above the bottom a rapid ends in a hole that is drilled in steps.
+#peck_gap = {peck_gap}
+
+# How the CL data is read; `explain --cl` lists its words.
+[cl]
+# CAM system where the file does not tell, or tells wrongly: "nx", "catia", "creo", "solidworks" or "iso".
+# e.g. dialect = "nx"
+# Columns of a line that count, for cards with numbers behind them. Without it all of them.
+# e.g. columns = 72
+# Words that are passed over.
+#inert = []
+# A second frame: "refuse", "main" (mapped into the first) or "offset" (a work offset of its own, see [frames]).
+#frames = "refuse"
+# Sense of every CIRCLE about its axis, whatever its form says: "cw" or "ccw".
+# e.g. circle_sense = "ccw"
+# INSERT: "refuse", "comment" or "write" (as NC text that nobody checks).
+#insert = "refuse"
+# INSERT/STOP is STOP.
+#insert_stop = false
+# Codes that AUXFUN and PREFUN may write.
+#auxfun = []
+#prefun = []
+# A feed labelled in mm in a file in inches: "refuse", "trust" or "file-units".
+#feed_label = "refuse"
+# FROM: "reference" (nothing moves) or "move".
+#from = "reference"
+# LINTOL may be wider than `tolerance`.
+#allow_lintol = false
+# Numbers of a CYCLE that have no word: depth, clearance, return, step, dwell, pitch, feed.
+# e.g. cycle.TAP.args = ["depth", "pitch"]
+
+# Work offsets of frames other than the first, with frames = "offset".
+[frames]
+# e.g. 2 = "G55"
+
+# Branch and whole turns of the rotary axes are chosen for the whole program: the fewest rewinds, then these wishes, then
+# the least time at the largest axis speeds, then the least travel.
+[course]
+# Operations begin on this branch of `explain` where they can: "first" or "second".
+# e.g. start_branch = "first"
+# Operations begin with this axis on this side of zero where they can.
+# e.g. prefer = "{prefer}"
+# Choose motion by motion, without a view ahead.
+#greedy = {greedy}
+# Within this angle of the direction that leaves the first rotary free, the tool axis is put there.
+#axis_tolerance = {axis_tolerance}
 
 [retract]
 # Machine coordinate of the retract axis.
 #position = {position}
 # Distance along the tool axis. Without it to the clearance geometry of the CL data.
 # e.g. distance = 100.0
+# Or, in the workpiece frame, a plane above, a box or a cylinder around the part that the tool has to leave.
+# e.g. clearance = {{ cylinder = {{ radius = 120.0, lower = -50.0, upper = 80.0 }} }}
+
+[feed]
+# Blocks in which an axis would be faster than its speed run longer.
+#keep_speeds = {keep_speeds}
+# Largest F of the control. Without it none.
+# e.g. largest = 20000.0
+# Shortest time of a block, seconds.
+#shortest_block = {shortest_block}
 
 [approach]
 # The approach point lies this far from the first point along the tool axis.
@@ -117,7 +189,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Tools by number. `length` is from the gauge line to the tip, `offset` the length register where it is not the
 # tool's number; `speed`, `direction` and `coolant` as in [defaults].
 [tools]
-# e.g. 12 = {{ length = 148.32, diameter = 10.0, offset = 12, name = "ball 10", left_handed = false, speed = 8000, direction = "CLW", coolant = "flood" }}
+# e.g. 12 = {{ length = 148.32, diameter = 10.0, offset = 12, name = "ball 10", left_handed = false, speed = 8000, direction = "CLW", coolant = "flood", cl_point = "tip" }}
 
 # Decimals of the words; significant digits for inverse-time feed.
 [formats]
@@ -135,7 +207,13 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Step of the block numbers. Without it there are none.
 # e.g. line_numbers = {step}
 "#,
+        peck_gap = number(config.defaults.peck_gap),
+        prefer = sample_preference::<M>(),
+        greedy = config.greedy,
+        axis_tolerance = degrees(config.axis_tolerance),
         position = number(config.retract.position),
+        keep_speeds = config.feed.keep_speeds,
+        shortest_block = number(config.feed.shortest_block),
         distance = number(config.approach.distance),
         linear_mm = formats.linear_mm,
         linear_inch = formats.linear_inch,
@@ -146,6 +224,12 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         step = Config::LINE_NUMBER_STEP,
     )?;
     write_machine::<M>(out)
+}
+
+/// The last rotary axis at or above zero.
+fn sample_preference<M: Machine>() -> String {
+    let rotary = M::AXES.iter().rev().find(|axis| axis.kind == AxisKind::Rotary && !axis.held);
+    format!("{}+", rotary.map_or('B', |axis| axis.letter))
 }
 
 fn write_machine<M: Machine>(out: &mut String) -> std::fmt::Result {
@@ -180,6 +264,21 @@ fn write_machine<M: Machine>(out: &mut String) -> std::fmt::Result {
             (None, AxisKind::Linear) => writeln!(out, "# e.g. {} = 20000.0", axis.letter)?,
             (None, AxisKind::Rotary) => writeln!(out, "# e.g. {} = 3600.0", axis.letter)?,
         }
+    }
+    writeln!(
+        out,
+        "\n# Words of endless rotary axes: \"none\" (370 is ten degrees past a turn), \"0..360\" or \"+-180\" (the control\n\
+         # goes the short way), \"sign\" (0..360, the sense of the motion as sign).\n[wrap]"
+    )?;
+    for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.limits.is_none()) {
+        writeln!(out, "#{} = \"none\"", axis.letter)?;
+    }
+    writeln!(
+        out,
+        "\n# Steps of indexed rotary axes (Hirth): they turn between cuts only, and to these angles only.\n[grid]"
+    )?;
+    for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        writeln!(out, "# e.g. {} = 1.0", axis.letter)?;
     }
     Ok(())
 }

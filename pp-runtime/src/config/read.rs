@@ -5,22 +5,31 @@ use std::ops::{Range, RangeInclusive};
 
 use toml::de::DeTable;
 
+use crate::cl::ClPoint;
 use crate::diag::Diagnostic;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Limits, Machine};
 use crate::program::{Coolant, Rotation};
 
+use super::cl::CL_POINTS;
+use super::clearance;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
-use super::{Config, Tool, Transition, Units};
+use super::{Config, Rapid, Tool, Transition, Units, Wrap};
 
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
 const COOLANTS: [(&str, Coolant); 4] =
     [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 const TRANSITIONS: [(&str, Transition); 2] = [("safe", Transition::Safe), ("direct", Transition::Direct)];
-const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+const WRAPS: [(&str, Option<Wrap>); 4] =
+    [("none", None), ("0..360", Some(Wrap::Positive)), ("+-180", Some(Wrap::Symmetric)), ("sign", Some(Wrap::Sign))];
+const RAPIDS: [(&str, Rapid); 3] = [("direct", Rapid::Direct), ("split", Rapid::Split), ("feed", Rapid::Feed)];
+pub(super) const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
 /// Smallest path tolerance, mm: in inches it is still no zero with six decimals.
 const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
+
+/// Tolerances of chords, mm: finer is beyond the words, wider is no path any more.
+pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
 /// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
 const DWELL: RangeInclusive<f64> = 0.001..=600.0;
@@ -54,13 +63,17 @@ impl Config {
         let named = units.and_then(|value| r.choice(value, &UNITS));
         set(&mut r.units, named);
         self.read_top(r, &mut top);
-        let sections = ["defaults", "retract", "approach", "formats", "program"].map(|name| (name, top.get(name)));
+        let sections = ["defaults", "course", "retract", "approach", "feed", "formats", "program", "cl"]
+            .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
+        let frames = top.get("frames");
         let machine_zero = top.get("machine_zero");
         let park = top.get("park");
         let dimensions = top.get("dimensions");
         let limits = top.get("limits");
         let speeds = top.get("speeds");
+        let grid = top.get("grid");
+        let wrap = top.get("wrap");
         r.remember_top(&top);
 
         for (name, value) in sections {
@@ -72,14 +85,20 @@ impl Config {
                     let distance = self.get(&mut section, "approach.distance");
                     set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
                 }
+                "feed" => self.read_feed(r, &mut section),
                 "formats" => self.read_formats(r, &mut section),
+                "cl" => self.read_cl(r, &mut section),
+                "course" => self.read_course::<M>(r, &mut section),
                 _ => self.read_program(r, &mut section),
             }
             section.finish(r);
         }
         self.read_tools(r, tools);
+        self.read_frames(r, frames);
         self.machine_zero = read_machine_zero::<M>(r, machine_zero);
         self.limits = read_limits::<M>(r, limits);
+        self.grid = read_grid::<M>(r, grid);
+        self.read_wrap::<M>(r, wrap);
         self.speeds = read_axes::<M>(r, speeds)
             .into_iter()
             .filter_map(|(axis, value, _)| Some((axis.letter, along(r, axis, value, Bound::Positive)?)))
@@ -97,7 +116,7 @@ impl Config {
     }
 
     /// The value of a key, which counts as given.
-    fn get<'a>(&mut self, section: &mut Section<'a>, path: &'static str) -> Option<Value<'a>> {
+    pub(super) fn get<'a>(&mut self, section: &mut Section<'a>, path: &'static str) -> Option<Value<'a>> {
         let value = section.get(path);
         if value.is_some() {
             self.given.insert(path);
@@ -121,6 +140,20 @@ impl Config {
         }
         if let Some(value) = self.get(top, "index_angle") {
             set(&mut self.index_angle, r.number(value, Quantity::Angle, Bound::NotNegative));
+        }
+        if let Some(value) = self.get(top, "rapid") {
+            set(&mut self.rapid, r.choice(value, &RAPIDS));
+        }
+        let rapid_feed = self.get(top, "rapid_feed");
+        if let Some(value) = rapid_feed {
+            self.rapid_feed = r.length(value, Bound::Positive);
+        }
+        if self.rapid == Rapid::Feed && self.rapid_feed.is_none() && rapid_feed.is_none() {
+            r.fault(
+                0..0,
+                "rapid = \"feed\" needs `rapid_feed`",
+                Some("give it per minute: `rapid_feed = 10000`".to_owned()),
+            );
         }
         if let Some(value) = self.get(top, "transition") {
             set(&mut self.transition, r.choice(value, &TRANSITIONS));
@@ -150,6 +183,17 @@ impl Config {
             }
             set(&mut self.path_tolerance, tolerance);
         }
+        if let Some(value) = self.get(top, "tolerance") {
+            let tolerance = r.length(value, Bound::Positive);
+            if tolerance.is_some_and(|tolerance| !TOLERANCE.contains(&tolerance)) {
+                let (low, high) = (TOLERANCE.start(), TOLERANCE.end());
+                r.fault(value.span(), format!("a tolerance of {low} to {high} mm is needed here"), None);
+            }
+            set(&mut self.tolerance, tolerance);
+        }
+        if let Some(value) = self.get(top, "cl_point") {
+            set(&mut self.cl.cl_point, r.choice(value, &CL_POINTS));
+        }
         if let Some(value) = self.get(top, "spindle_max") {
             self.spindle_max = r.number(value, Quantity::Plain, Bound::Positive);
         }
@@ -168,6 +212,12 @@ impl Config {
         if let Some(value) = self.get(section, "defaults.direction") {
             self.defaults.rotation = r.choice(value, &ROTATIONS);
         }
+        if let Some(value) = self.get(section, "defaults.tool") {
+            self.defaults.tool = r.whole(value, 1..=LARGEST_TOOL);
+        }
+        if let Some(value) = self.get(section, "defaults.peck_gap") {
+            set(&mut self.defaults.peck_gap, r.length(value, Bound::Positive));
+        }
         if let Some(value) = self.get(section, "defaults.coolant") {
             set(&mut self.defaults.coolant, r.choice(value, &COOLANTS));
         }
@@ -179,6 +229,35 @@ impl Config {
         }
         if let Some(value) = self.get(section, "retract.distance") {
             self.retract.distance = r.length(value, Bound::Positive);
+        }
+        if let Some(value) = self.get(section, "retract.clearance") {
+            self.retract.clearance = clearance::read(r, value);
+        }
+    }
+
+    fn read_wrap<M: Machine>(&mut self, r: &mut Reader<'_>, value: Option<Value<'_>>) {
+        let limits = self.travel::<M>().limits;
+        for (axis, value, span) in read_axes::<M>(r, value) {
+            let index = M::AXES.iter().position(|known| known.letter == axis.letter);
+            let Some(wrap) = r.choice(value, &WRAPS) else { continue };
+            if axis.kind != AxisKind::Rotary || axis.held || index.is_some_and(|index| limits[index].is_some()) {
+                let text = format!("{} is no endless rotary axis: it cannot roll over", axis.letter);
+                r.fault(span, text, Some(format!("`[limits] {} = \"free\"` if it is endless", axis.letter)));
+                continue;
+            }
+            self.wrap.extend(wrap.map(|wrap| (axis.letter, wrap)));
+        }
+    }
+
+    fn read_feed(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
+        if let Some(value) = self.get(section, "feed.keep_speeds") {
+            set(&mut self.feed.keep_speeds, r.boolean(value));
+        }
+        if let Some(value) = self.get(section, "feed.largest") {
+            self.feed.largest = r.length(value, Bound::Positive);
+        }
+        if let Some(value) = self.get(section, "feed.shortest_block") {
+            set(&mut self.feed.shortest_block, r.number(value, Quantity::Plain, Bound::NotNegative));
         }
     }
 
@@ -220,7 +299,9 @@ impl Config {
                 r.fault(span, format!("`{key}` is not the number of a tool"), Some(help));
                 continue;
             };
-            self.tools.insert(number, read_tool(r, number, value));
+            let (tool, cl_point) = read_tool(r, number, value);
+            self.tools.insert(number, tool);
+            self.cl.cl_point_of.extend(cl_point.map(|point| (number, point)));
         }
     }
 
@@ -244,7 +325,7 @@ impl Config {
     }
 }
 
-fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> Tool {
+fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> (Tool, Option<ClPoint>) {
     let mut section = Section::of(r, format!("tools.{number}"), Some(value));
     let mut tool = Tool::default();
     if let Some(value) = section.get("length") {
@@ -271,11 +352,12 @@ fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> Tool {
     if let Some(value) = section.get("name") {
         tool.name = r.line(value);
     }
+    let cl_point = section.get("cl_point").and_then(|value| r.choice(value, &CL_POINTS));
     section.finish(r);
-    tool
+    (tool, cl_point)
 }
 
-fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3]> {
+pub(super) fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3]> {
     let numbers = r.list(value)?;
     let &[x, y, z] = numbers.as_slice() else {
         let text = format!("three numbers [x, y, z] are needed here, found {}", numbers.len());
@@ -368,6 +450,34 @@ fn read_axes<'a, M: Machine>(
     read
 }
 
+/// Steps of rotary axes that divide a turn.
+fn read_grid<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
+    let mut grid = BTreeMap::new();
+    for (axis, value, span) in read_axes::<M>(r, value) {
+        if axis.kind != AxisKind::Rotary || axis.held {
+            let help = letters::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held);
+            r.fault(
+                span,
+                format!("{} is no rotary axis that is solved", axis.letter),
+                Some(format!("these are {help}")),
+            );
+            continue;
+        }
+        let Some(step) = r.number(value, Quantity::Angle, Bound::Positive) else { continue };
+        let steps = std::f64::consts::TAU / step;
+        if (steps - steps.round()).abs() > 1e-9 * steps || steps < 2.0 {
+            r.fault(
+                value.span(),
+                "the steps of an indexed axis divide a turn",
+                Some("e.g. 1, 2.5 or 5 degrees".to_owned()),
+            );
+            continue;
+        }
+        grid.insert(axis.letter, step);
+    }
+    grid
+}
+
 /// A position or speed of an axis, mm or rad.
 fn along(r: &mut Reader<'_>, axis: &Axis, value: Value<'_>, bound: Bound) -> Option<f64> {
     match axis.kind {
@@ -391,7 +501,7 @@ fn show_limits(axis: &Axis, limits: Limits, units: Units) -> String {
 }
 
 /// Replaces a default only by a value that could be read.
-fn set<T>(slot: &mut T, value: Option<T>) {
+pub(super) fn set<T>(slot: &mut T, value: Option<T>) {
     if let Some(value) = value {
         *slot = value;
     }

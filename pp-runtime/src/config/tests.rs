@@ -140,7 +140,7 @@ fn an_unknown_key_names_the_nearest_known_one() {
 fn an_unknown_key_without_a_near_one_lists_what_is_known() {
     assert_eq!(
         faults("[retract]\nspeed = 3\n"),
-        ["2:1: unknown key `retract.speed` | known here are `position`, `distance`"]
+        ["2:1: unknown key `retract.speed` | known here are `position`, `distance`, `clearance`"]
     );
 }
 
@@ -150,6 +150,43 @@ fn a_key_below_the_wrong_header_is_told_where_it_belongs() {
         faults("[retract]\nposition = 0\nwork_offset = 'G55'\n"),
         ["3:1: unknown key `retract.work_offset` | `work_offset` belongs above the first [header] of the file"]
     );
+}
+
+#[test]
+fn what_moves_between_cuts_and_how_fast_is_read() {
+    let config =
+        read("rapid = 'feed'\nrapid_feed = 9000\n[feed]\nkeep_speeds = false\nlargest = 5000\nshortest_block = 0.01\n");
+    assert_eq!((config.rapid, config.rapid_feed), (super::Rapid::Feed, Some(9000.0)));
+    assert_eq!((config.feed.keep_speeds, config.feed.largest), (false, Some(5000.0)));
+    let help = "give it per minute: `rapid_feed = 10000`";
+    assert_eq!(faults("rapid = 'feed'\n"), [format!("1:1: rapid = \"feed\" needs `rapid_feed` | {help}")]);
+    let config = read(
+        "[course]\nstart_branch = 'second'\nprefer = 'B-'\ngreedy = true\naxis_tolerance = 0.5\n[grid]\nC = 2.5\n",
+    );
+    assert_eq!((config.start_branch, config.prefer), (Some(super::StartBranch::Second), Some(('B', false))));
+    assert!(
+        config.greedy && close(config.axis_tolerance.to_degrees(), 0.5) && close(config.grid[&'C'].to_degrees(), 2.5)
+    );
+    assert_eq!(
+        faults("[course]\nprefer = 'A+'\naxis_tolerance = 9\n[grid]\nC = 7\nX = 1\n").len(),
+        4,
+        "an axis that is not there, an angle too wide, steps that do not divide a turn, a linear axis"
+    );
+}
+
+#[test]
+fn the_clearance_geometry_is_a_plane_a_box_or_a_cylinder() {
+    use crate::program::Clearance;
+    let read = |text: &str| read(&format!("units = 'in'\n[retract]\nclearance = {text}\n")).retract.clearance;
+    assert!(matches!(read("{ plane = 2 }"), Some(Clearance::Plane(plane)) if close(plane.distance, 50.8)));
+    assert!(
+        matches!(read("{ box = [[-1, -1, -1], [1, 1, 2]] }"), Some(Clearance::Box { upper, .. }) if close(upper.z, 50.8))
+    );
+    let cylinder = read("{ cylinder = { radius = 1, lower = -1, upper = 2, centre = [1, 0] } }");
+    assert!(matches!(cylinder, Some(Clearance::Cylinder { centre: [x, _], .. }) if close(x, 25.4)));
+    for wrong in ["{}", "{ sphere = 1 }", "{ box = [[1, 1, 1], [0, 2, 2]] }", "{ cylinder = { radius = 1 } }", "3"] {
+        assert_eq!(faults(&format!("[retract]\nclearance = {wrong}\n")).len(), 1, "{wrong}");
+    }
 }
 
 #[test]
@@ -300,4 +337,40 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
         let text = "1:17: a dwell of 0, or of 0.001 to 600 seconds, is needed here";
         assert_eq!(faults(&format!("spindle_dwell = {seconds}")), [text]);
     }
+}
+
+#[test]
+fn how_cl_data_is_read_can_be_set() {
+    use crate::cl::record::CycleKind;
+    use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
+    let config = read(
+        "units = \"in\"\ntolerance = 0.001\ncl_point = \"centre\"\n[defaults]\ntool = 3\npeck_gap = 0.02\n[tools.2]\n\
+         cl_point = \"tip\"\n[frames]\n2 = \"G55\"\n[cl]\ndialect = \"solidworks\"\ncolumns = 72\ninert = [\"aicc\", \"BREAK\"]\n\
+         frames = \"offset\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
+         feed_label = \"file-units\"\nfrom = \"move\"\nallow_lintol = true\ncycle.TAP.args = [\"depth\", \"pitch\"]\n",
+    );
+    assert!(close(config.tolerance, 0.0254) && close(config.defaults.peck_gap, 0.508));
+    assert_eq!((config.defaults.tool, config.allow_lintol), (Some(3), true));
+    assert_eq!(config.frames, BTreeMap::from([(2, "G55".to_owned())]));
+    let cl = &config.cl;
+    assert_eq!((cl.cl_point, cl.cl_point_of.get(&2)), (ClPoint::Centre, Some(&ClPoint::Tip)));
+    assert_eq!((cl.dialect, cl.columns), (Some(Dialect::SolidWorks), Some(72)));
+    assert_eq!(cl.inert, ["AICC", "BREAK"]);
+    assert_eq!((cl.frames, cl.circle_sense), (Frames::Offset, Some(Sense::Clockwise)));
+    assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
+    assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
+    assert_eq!(cl.feed_label, FeedLabel::FileUnits);
+    assert_eq!(cl.cycle_args, [(CycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])]);
+}
+
+#[test]
+fn words_that_move_something_cannot_be_set_inert() {
+    assert_eq!(faults("[cl]\ninert = [\"LOOP\"]"), ["2:10: LOOP cannot be inert: it may repeat motion"]);
+    assert_eq!(faults("[cl]\ninert = [\"goto\"]"), ["2:10: goto is read, so it cannot be inert"]);
+    assert_eq!(faults("[cl]\ncycle.DRIL.args = []"), ["2:7: `DRIL` is not a kind of CYCLE"]);
+    assert_eq!(faults("tolerance = 2"), ["1:13: a tolerance of 0.0001 to 1 mm is needed here"]);
+    assert_eq!(
+        faults("[frames]\n0 = \"G55\""),
+        ["2:1: `0` is not the number of a frame | frames count from 1 in the order of the CL data: 2 = \"G55\""]
+    );
 }

@@ -18,20 +18,8 @@ pub(super) type Value<'a> = &'a Spanned<DeValue<'a>>;
 const LONGEST_MM: f64 = 1e5;
 
 /// Keys that the file will know one day; refusing them by name is kinder than "unknown".
-const LATER: [&str; 12] = [
-    "part_rotation",
-    "rotary_offset",
-    "program_zero",
-    "length_mode",
-    "cl_point",
-    "rapid",
-    "length_guard",
-    "length_tolerance",
-    "mode",
-    "tolerance",
-    "cl",
-    "frames",
-];
+const LATER: [&str; 7] =
+    ["part_rotation", "rotary_offset", "program_zero", "length_mode", "length_guard", "length_tolerance", "mode"];
 
 /// Which numbers make sense.
 #[derive(Debug, Clone, Copy)]
@@ -92,6 +80,7 @@ impl<'t> Reader<'t> {
             severity: Severity::Error,
             location: Location { line: line as u64, column: clamp_u32(start - line_start + 1) },
             length: clamp_u32(length),
+            count: 1,
             text: text.into(),
             help,
         });

@@ -271,6 +271,16 @@ impl<W: Write> Sink for Encoder<'_, W> {
             }
             Step::Operation { name } => self.commented("OPERATION ", name),
             Step::Message { text } => self.comment(text),
+            Step::WorkOffset { word } => {
+                self.work_offset.clear();
+                self.work_offset.push_str(word);
+                Ok(())
+            }
+            Step::Raw { text } => {
+                self.writer.line(text)?;
+                self.forget();
+                Ok(())
+            }
             Step::End => self.block(codes.end),
         }
     }

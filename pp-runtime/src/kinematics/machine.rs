@@ -4,7 +4,7 @@ use core::fmt::Debug;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::{Explanation, Invalid, Solutions, Unreachable};
+use super::{Explanation, Invalid, MotionBound, Solutions, Unreachable, motion_of_joints, rates_of_joints};
 
 /// Tool tip and tool axis in the workpiece frame; no spin about the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -187,4 +187,20 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
     /// # Errors
     /// [`Unreachable`] with the reason in machine-shop words.
     fn reach(&self, axis: &UnitVector3<f64>, held: &Self::Axes) -> Result<(), Unreachable>;
+
+    /// Certified bound of how far tip and tool axis leave the straight, evenly turning motion while every axis moves
+    /// linearly from `from` to `to`; never below the true deviation.
+    ///
+    /// [`machine!`](crate::machine) emits it specialised to the machine. A machine written by hand may leave it out:
+    /// the same bound is then computed from its joints.
+    fn motion(&self, from: &Self::Axes, to: &Self::Axes) -> MotionBound {
+        motion_of_joints(self, from, to)
+    }
+
+    /// First derivatives of tip (mm) and tool axis at `axes` while the axes move by `change` in a unit of time.
+    ///
+    /// As for [`motion`](Self::motion), a machine written by hand may leave it out.
+    fn rates(&self, axes: &Self::Axes, change: &Self::Axes) -> (Vector3<f64>, Vector3<f64>) {
+        rates_of_joints(self, axes, change)
+    }
 }

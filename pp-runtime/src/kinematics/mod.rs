@@ -6,11 +6,13 @@
 mod explanation;
 mod machine;
 pub mod math;
+mod motion;
 mod refusal;
 mod solutions;
 
 pub use explanation::{Explanation, Section};
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
+pub use motion::{Curve, MotionBound, motion_of_joints, rates_of_joints};
 pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, Solution, Solutions};
 

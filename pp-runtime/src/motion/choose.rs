@@ -68,20 +68,36 @@ impl AngleScale {
 }
 
 impl Rotary {
-    /// Every word inside the limits that is `word` modulo a turn; of an endless axis the one nearest to `previous`.
-    pub(crate) fn turns(self, word: i64, previous: i64, turn: i64) -> Vec<i64> {
-        match (self.lower, self.upper) {
-            (Some(lower), Some(upper)) => {
-                let first = lower + (word - lower).rem_euclid(turn);
-                (0..).map(|count| first + count * turn).take_while(|&word| word <= upper).take(8).collect()
-            }
-            _ => self.nearest(word, previous, turn).into_iter().collect(),
-        }
+    /// Whether whole turns are free.
+    pub(crate) fn endless(self) -> bool {
+        self.lower.is_none() || self.upper.is_none()
+    }
+
+    /// The same axis as if it had no limits.
+    pub(crate) fn without_limits(self) -> Self {
+        Self { lower: None, upper: None, ..self }
+    }
+
+    /// Whether a word lies inside the limits.
+    pub(crate) fn holds(self, word: i64) -> bool {
+        self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
+    }
+
+    /// Every word inside the limits that is `word` modulo a turn, nearest to zero first, at most `most` of them; of an
+    /// endless axis the one nearest to zero.
+    pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
+        let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
+        let count = if self.endless() { 1 } else { most };
+        let towards = if nearest > 0 { -turn } else { turn };
+        // nearest, one turn towards zero and past it, one away, two towards, ...
+        let all =
+            (0..count).map(move |step| nearest + towards * if step % 2 == 1 { (step + 1) / 2 } else { -step / 2 });
+        all.filter(move |&word| self.holds(word))
     }
 
     /// The word that is `word` modulo a turn, inside the limits and nearest to `previous`; at equal distance the one of
     /// smaller absolute value, then the positive one.
-    fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
+    pub(crate) fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
         // Words at or below and above the previous one.
         let below = word + (previous - word).div_euclid(turn) * turn;
         let above = below + turn;
@@ -102,9 +118,8 @@ impl Rotary {
         {
             choice += (lower - choice + turn - 1).div_euclid(turn) * turn;
         }
-        let inside = self.lower.is_none_or(|lower| choice >= lower) && self.upper.is_none_or(|upper| choice <= upper);
         // Both words next to the previous one may be inside on their own side only: the nearer one won above.
-        if inside { Ok(choice) } else { Err(out) }
+        if self.holds(choice) { Ok(choice) } else { Err(out) }
     }
 }
 

@@ -29,6 +29,6 @@ impl Fault {
     }
 
     pub(crate) fn at(self, location: Location, severity: Severity) -> Diagnostic {
-        Diagnostic { severity, location, length: 1, text: self.text, help: self.help }
+        Diagnostic { severity, location, length: 1, text: self.text, help: self.help, count: 1 }
     }
 }

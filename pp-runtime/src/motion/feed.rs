@@ -1,4 +1,7 @@
-//! F words: mm/min while no rotary moves, inverse time where one does.
+//! F words: mm/min while no rotary moves, inverse time where one does; and how long a block takes.
+//!
+//! The tip keeps the programmed feed: a block takes its tip path over the feed. Longer only where an axis would turn or
+//! travel faster than it can, where the control asks for a longest F or a shortest block, and then by as much as it needs.
 
 use crate::config::{Config, Units};
 use crate::nc::Decimal;
@@ -17,6 +20,10 @@ pub(crate) struct Feeds {
     reorient_speed: f64,
     /// A tip path shorter than this stands still, mm: one unit of the linear words.
     still: f64,
+    /// Shortest block, minutes.
+    shortest: f64,
+    /// Largest feed of the control, mm/min.
+    largest: f64,
 }
 
 /// One feed motion.
@@ -28,6 +35,19 @@ pub(crate) struct Stroke {
     pub(crate) turn: f64,
     /// The control's own path length is that of the tip while no rotary turns.
     pub(crate) square: bool,
+    /// Minutes that the axes take at their largest speeds; 0 where these are not known.
+    pub(crate) least: f64,
+}
+
+/// How fast a block runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Pace {
+    /// Its F word.
+    pub(crate) feed: Feed,
+    /// How long it takes, minutes.
+    pub(crate) minutes: f64,
+    /// How much longer than programmed that is, minutes.
+    pub(crate) slowed: f64,
 }
 
 impl Feeds {
@@ -38,6 +58,8 @@ impl Feeds {
             digits: config.formats.inverse_time,
             reorient_speed: config.reorient_speed,
             still,
+            shortest: config.feed.shortest_block / 60.0,
+            largest: config.feed.largest.unwrap_or(f64::INFINITY),
         }
     }
 
@@ -52,29 +74,37 @@ impl Feeds {
     }
 
     /// The F word of a stroke at `feed` mm/min.
-    pub(crate) fn word(&self, feed: f64, stroke: Stroke) -> Result<Feed, Fault> {
-        let zero = || {
+    pub(crate) fn pace(&self, feed: f64, stroke: Stroke) -> Result<Pace, Fault> {
+        let zero = |feed: f64| {
             Fault::new(format_args!("a feed of {feed} mm/min is written as F0"))
                 .help("check the unit of FEDRAT, or give F more decimals")
         };
+        if feed.is_nan() || feed <= 0.0 {
+            return Err(zero(feed));
+        }
+        let programmed = self.programmed(feed, stroke);
+        let minutes = programmed.max(stroke.least).max(self.shortest).max(stroke.length / self.largest);
         let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min does not fit into a word"));
-        if stroke.turn == 0.0 && stroke.square {
+        let (feed, word) = if stroke.turn == 0.0 && stroke.square {
+            let feed = if minutes > programmed { stroke.length / minutes } else { feed };
             let word = Decimal::fixed(feed / self.length_unit, self.decimals).map_err(overflow)?;
-            return if word.units > 0 { Ok(Feed::PerMinute(word)) } else { Err(zero()) };
+            (Feed::PerMinute(word), word)
+        } else {
+            let word = Decimal::significant(1.0 / minutes, self.digits).map_err(overflow)?;
+            (Feed::InverseTime(word), word)
+        };
+        if word.units <= 0 {
+            return Err(zero(stroke.length / minutes));
         }
-        if feed <= 0.0 {
-            return Err(zero());
-        }
-        let mut minutes = stroke.length / feed;
-        if stroke.length < self.still {
-            minutes = minutes.max(stroke.turn / self.reorient_speed);
-        }
-        if minutes <= 0.0 {
-            // Neither tip nor tool axis moves by a unit: any time will do, a minute in a thousand is a short one.
-            minutes = 1e-3;
-        }
-        let word = Decimal::significant(1.0 / minutes, self.digits).map_err(overflow)?;
-        if word.units > 0 { Ok(Feed::InverseTime(word)) } else { Err(zero()) }
+        Ok(Pace { feed, minutes, slowed: minutes - programmed })
+    }
+
+    /// Minutes of a stroke as the CL data asks for it.
+    fn programmed(&self, feed: f64, stroke: Stroke) -> f64 {
+        let minutes = stroke.length / feed;
+        let minutes = if stroke.length < self.still { minutes.max(stroke.turn / self.reorient_speed) } else { minutes };
+        // Where neither tip nor tool axis moves by a unit any time will do: a minute in a thousand is a short one.
+        if minutes > 0.0 { minutes } else { 1e-3 }
     }
 }
 
@@ -87,12 +117,12 @@ mod tests {
     }
 
     fn stroke(length: f64, degrees: f64) -> Stroke {
-        Stroke { length, turn: degrees.to_radians(), square: true }
+        Stroke { length, turn: degrees.to_radians(), square: true, least: 0.0 }
     }
 
     #[test]
     fn without_a_turn_f_is_length_per_minute() {
-        let word = |units| feeds(units).word(254.0, stroke(10.0, 0.0));
+        let word = |units| feeds(units).pace(254.0, stroke(10.0, 0.0)).map(|pace| pace.feed);
         assert_eq!(word(Units::Millimetres), Ok(Feed::PerMinute(Decimal { units: 254_000, decimals: 3 })));
         assert_eq!(word(Units::Inches), Ok(Feed::PerMinute(Decimal { units: 10_000, decimals: 3 })));
     }
@@ -100,27 +130,51 @@ mod tests {
     #[test]
     fn with_a_turn_f_is_the_inverse_of_the_time_along_the_tip_path_in_any_unit() {
         for units in [Units::Millimetres, Units::Inches] {
-            let Ok(Feed::InverseTime(word)) = feeds(units).word(300.0, stroke(7.0, 2.0)) else {
-                panic!("inverse time")
-            };
+            let pace = feeds(units).pace(300.0, stroke(7.0, 2.0)).expect("a pace");
+            let Feed::InverseTime(word) = pace.feed else { panic!("inverse time") };
+            assert_eq!((pace.minutes, pace.slowed), (7.0 / 300.0, 0.0));
             assert_eq!((word.units, word.decimals), (428_571, 4));
         }
     }
 
     #[test]
     fn a_tip_that_stands_still_takes_its_time_from_the_rotary() {
-        let Ok(Feed::InverseTime(word)) = feeds(Units::Millimetres).word(300.0, stroke(0.0, 90.0)) else {
-            panic!("inverse time")
-        };
+        let pace = feeds(Units::Millimetres).pace(300.0, stroke(0.0, 90.0)).expect("a pace");
+        let Feed::InverseTime(word) = pace.feed else { panic!("inverse time") };
         assert!((word.value() - 20.0).abs() < 1e-9, "90° at 1800 °/min take a twentieth of a minute: {word:?}");
     }
 
     #[test]
     fn a_feed_that_rounds_to_zero_is_refused() {
-        assert!(feeds(Units::Millimetres).word(0.000_4, stroke(1.0, 0.0)).is_err());
-        assert!(feeds(Units::Millimetres).word(0.0, stroke(1.0, 1.0)).is_err());
-        assert!(feeds(Units::Millimetres).word(-5.0, stroke(1.0, 0.0)).is_err());
-        assert!(feeds(Units::Millimetres).word(f64::NAN, stroke(1.0, 0.0)).is_err());
+        assert!(feeds(Units::Millimetres).pace(0.000_4, stroke(1.0, 0.0)).is_err());
+        assert!(feeds(Units::Millimetres).pace(0.0, stroke(1.0, 1.0)).is_err());
+        assert!(feeds(Units::Millimetres).pace(-5.0, stroke(1.0, 0.0)).is_err());
+        assert!(feeds(Units::Millimetres).pace(f64::NAN, stroke(1.0, 0.0)).is_err());
+    }
+
+    #[test]
+    fn a_block_is_slowed_by_exactly_what_an_axis_needs() {
+        let slow = |degrees| Stroke { least: 0.25, ..stroke(10.0, degrees) };
+        let pace = feeds(Units::Millimetres).pace(100.0, slow(30.0)).expect("a pace");
+        assert_eq!((pace.minutes, pace.slowed), (0.25, 0.25 - 0.1));
+        assert_eq!(pace.feed, Feed::InverseTime(Decimal { units: 400_000, decimals: 5 }));
+        // Without a turn F per minute goes down.
+        let pace = feeds(Units::Millimetres).pace(100.0, slow(0.0)).expect("a pace");
+        assert_eq!(pace.feed, Feed::PerMinute(Decimal { units: 40_000, decimals: 3 }));
+        let fast = feeds(Units::Millimetres).pace(20.0, slow(30.0)).expect("a pace");
+        assert_eq!((fast.minutes, fast.slowed), (0.5, 0.0));
+    }
+
+    #[test]
+    fn the_largest_feed_and_the_shortest_block_of_a_control_are_kept() {
+        let mut config = Config::default();
+        config.feed.largest = Some(5000.0);
+        config.feed.shortest_block = 0.006;
+        let feeds = Feeds::new(&config, Units::Millimetres, 1e-3);
+        let pace = feeds.pace(20_000.0, stroke(10.0, 0.0)).expect("a pace");
+        assert_eq!(pace.feed, Feed::PerMinute(Decimal { units: 5_000_000, decimals: 3 }));
+        let pace = feeds.pace(4000.0, stroke(0.1, 1.0)).expect("a pace");
+        assert!((pace.minutes - 1e-4).abs() < 1e-12 && pace.slowed > 0.0, "{pace:?}");
     }
 
     #[test]

@@ -6,6 +6,9 @@
 
 mod auxiliary;
 mod choose;
+mod clearance;
+mod course;
+mod expand;
 mod fault;
 mod feed;
 mod operation;
@@ -13,18 +16,22 @@ mod place;
 mod planner;
 mod refuse;
 mod retreat;
-mod scout;
+mod rewind;
 mod sequence;
 mod step;
+mod times;
 mod tool;
 mod travel;
+mod wrap;
 
 #[cfg(test)]
 pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
+pub use course::{Cost, Course, Navigator};
+pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};
-pub use scout::{Scout, Start};
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
+pub use times::{OperationTime, Times};
 pub use tool::Tool;

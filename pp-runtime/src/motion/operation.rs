@@ -1,15 +1,16 @@
 //! Motions inside an operation, and what must be true before each.
 
-use crate::config::Transition;
+use crate::config::{Rapid, Transition};
 use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
 
+use super::course::{Change, How, Target, Turns, between};
 use super::fault::Fault;
-use super::feed::{Feeds, Stroke};
+use super::feed::{Feeds, Pace, Stroke};
 use super::place::Place;
-use super::planner::{Phase, Planned, Planner, SAME_AXIS, stop};
-use super::step::{Feed, Sink, Step};
+use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
+use super::step::{Feed, MAX_AXES, Sink, Step};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
@@ -41,12 +42,12 @@ impl<M: Machine> Planner<'_, M> {
                 return Err(Fault::new("a feed motion before the first tool").help("call a tool: LOADTL/1"));
             }
         }
-        if motion.rapid {
-            return Ok(());
-        }
         if self.upside_down {
             return Err(Fault::new("every tool axis of this program points into the table")
                 .help("is the frame upside down? Turn it in CAM or with `part_rotation`; `table_check = false` posts it as it is"));
+        }
+        if motion.rapid {
+            return Ok(());
         }
         if self.spindle.is_none() {
             return Err(if self.request.off {
@@ -63,41 +64,94 @@ impl<M: Machine> Planner<'_, M> {
         Ok(())
     }
 
-    /// The F word of a motion of the CL data from where the tool stands to `to`.
+    /// How fast a motion of the CL data runs from where the tool stands to `to`.
     #[inline]
-    pub(super) fn feed(&self, feed: Option<program::Feed>, to: &Place<M::Axes>) -> Result<Feed, Fault> {
+    pub(super) fn pace(&self, feed: Option<program::Feed>, to: &Place<M::Axes>) -> Result<Pace, Fault> {
         let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
         let per_minute = Feeds::per_minute(feed, self.spindle.map(|(speed, _)| speed))?;
         let stroke = Stroke {
             length: (to.pose.tip - self.place.pose.tip).norm(),
             turn: self.placer.rotary_travel(&self.place.words, &to.words),
             square: self.placer.square(),
+            least: self.placer.least_minutes(&self.place, to).unwrap_or(0.0),
         };
-        self.feeds.word(per_minute, stroke)
+        self.feeds.pace(per_minute, stroke)
     }
 
     /// A motion inside an operation.
     #[inline]
-    pub(super) fn run(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
+    pub(super) fn run(&mut self, at: Location, motion: &Move, number: u64, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
         self.stop_spindle(sink)?;
         self.check_state(motion).map_err(fault)?;
-        let place = self.placer.place(&motion.pose, &self.place, !motion.rapid).map_err(fault)?;
+        let planned = self.changes(at, motion, number, sink)?;
+        let place = self.placer.place(&motion.pose, &self.place, !motion.rapid, planned).map_err(fault)?;
         if motion.rapid {
             if self.config.transition == Transition::Safe
                 && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
             {
-                self.phase = Phase::First { at, motion: *motion, operation: false };
+                self.phase = Phase::First { at, motion: *motion, planned, operation: false };
                 return Ok(());
             }
-            self.cancel_inverse_time(sink)?;
             self.watch_plunge(at, &motion.pose);
-            sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
+            self.rapid_to(at, motion, &place, sink)?;
         } else {
             self.feed_to(at, motion, &place, sink)?;
+            self.cut(&motion.pose);
         }
         self.retreat.follow(&self.place.pose, &motion.pose);
         self.arrive(place);
+        Ok(())
+    }
+
+    /// Does what the course says about a motion before it begins, and gives the words in which it ends if the course
+    /// says these, too.
+    #[inline]
+    pub(super) fn changes(
+        &mut self,
+        at: Location,
+        motion: &Move,
+        number: u64,
+        sink: &mut impl Sink,
+    ) -> Result<Option<Target>, Stop> {
+        let (from, towards, mut planned) = (self.place.pose, self.towards.take(), None);
+        while let Some(Change { how, words, .. }) = self.course.change(number) {
+            match how {
+                How::Take => planned = Some(Target { words, towards }),
+                How::Rewind => self.rewind(at, motion, words, sink)?,
+                How::Turn => self.cut_to(at, motion, self.place.pose, words, sink)?,
+                How::Via(part) => {
+                    let Some(pose) = between(&from, &motion.pose, part) else { continue };
+                    self.cut_to(at, motion, pose, words, sink)?;
+                }
+            }
+        }
+        if towards.is_some() && planned.is_none() {
+            return Err(stop(at, self.no_way_round(motion)));
+        }
+        Ok(planned)
+    }
+
+    /// ROTABL/NEXT in front of a motion that cannot follow it.
+    #[cold]
+    fn no_way_round(&self, motion: &Move) -> Fault {
+        let air = self.phase == Phase::Start || motion.rapid;
+        Fault::new(match air {
+            true => "the sense that ROTABL/NEXT asks for leads out of the limits",
+            false => "ROTABL/NEXT stands in front of a cut, which cannot take the long way round",
+        })
+        .help("leave it out, or give it in front of a rapid or of an operation")
+    }
+
+    /// A cut on the way of a motion, to a pose that the CL data does not name.
+    fn cut_to(&mut self, at: Location, motion: &Move, pose: Pose, words: Turns, sink: &mut impl Sink) -> Planned {
+        let place = self
+            .placer
+            .place(&pose, &self.place, true, Some(Target { words, towards: None }))
+            .map_err(|fault| stop(at, fault))?;
+        self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
+        self.cut(&pose);
+        self.place = place;
         Ok(())
     }
 
@@ -110,7 +164,7 @@ impl<M: Machine> Planner<'_, M> {
         place: &Place<M::Axes>,
         sink: &mut impl Sink,
     ) -> Planned {
-        let feed = self.feed(motion.feed, place).map_err(|fault| stop(at, fault))?;
+        let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
         if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
             let off = self.placer.middle_deviation(&self.place, place);
             if off > self.statistics.largest_swing {
@@ -118,9 +172,34 @@ impl<M: Machine> Planner<'_, M> {
                 self.swing_at = at;
             }
         }
-        self.write_feed(place, feed, sink)?;
-        self.cut(&motion.pose);
-        Ok(())
+        self.write_feed(at, place, pace, sink)
+    }
+
+    /// A rapid inside an operation, as the configuration wants it written.
+    fn rapid_to(&mut self, at: Location, motion: &Move, place: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
+        match self.config.rapid {
+            Rapid::Direct => {}
+            Rapid::Split => {
+                let step = motion.pose.tip - self.place.pose.tip;
+                let axis = motion.pose.axis.into_inner();
+                let along = axis * step.dot(&axis);
+                let out = step.dot(&axis) > 0.0;
+                if along.norm() > self.placer.unit_mm() && (step - along).norm() > self.placer.unit_mm() {
+                    let (corner, rotaries) =
+                        if out { (self.place.pose.tip + along, self.place) } else { (motion.pose.tip - along, *place) };
+                    let corner = self.placer.shifted(corner, &rotaries).map_err(|fault| stop(at, fault))?;
+                    self.cancel_inverse_time(sink)?;
+                    self.rapid(&corner, self.all(), sink)?;
+                    self.place = corner;
+                }
+            }
+            Rapid::Feed => {
+                let feed = self.config.rapid_feed.map(program::Feed::PerMinute);
+                return self.feed_to(at, &Move { feed, ..*motion }, place, sink);
+            }
+        }
+        self.cancel_inverse_time(sink)?;
+        self.rapid(place, self.all(), sink)
     }
 
     /// Remembers the lowest level that was cut with this tool axis in this operation.
@@ -161,11 +240,40 @@ impl<M: Machine> Planner<'_, M> {
     }
 
     #[inline]
-    pub(super) fn write_feed(&mut self, place: &Place<M::Axes>, feed: Feed, sink: &mut impl Sink) -> Planned {
+    pub(super) fn write_feed(
+        &mut self,
+        at: Location,
+        place: &Place<M::Axes>,
+        Pace { feed, minutes, slowed }: Pace,
+        sink: &mut impl Sink,
+    ) -> Planned {
         if place.words != self.place.words {
+            self.times.cut(minutes);
+            if slowed > 0.0 {
+                self.times.slow(at, slowed);
+            }
             self.inverse_time = matches!(feed, Feed::InverseTime(_));
             self.statistics.inverse_time += u64::from(self.inverse_time);
-            sink.step(&Step::Feed { words: self.placer.words(place, self.all()), feed })?;
+            let words = self.speller.spell(&self.place.words, self.placer.words(place, self.all()));
+            sink.step(&Step::Feed { words, feed })?;
+        }
+        Ok(())
+    }
+
+    /// A rapid to the words of a place in some axes.
+    pub(super) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
+        self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
+        let mut from = self.place.words;
+        let pieces = self.speller.pieces(&from, &to.words);
+        for piece in 1..=pieces {
+            let mut words = self.placer.words(to, mask);
+            for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
+                let start = self.place.words[index];
+                words.units[index] = start + (to.words[index] - start) * piece / pieces;
+            }
+            let reached = words.units;
+            sink.step(&Step::Rapid { words: self.speller.spell(&from, words) })?;
+            from = reached;
         }
         Ok(())
     }
@@ -184,8 +292,10 @@ impl<M: Machine> Planner<'_, M> {
     #[inline]
     pub(super) fn arrive(&mut self, place: Place<M::Axes>) {
         self.statistics.motions += 1;
-        self.statistics.near_pole += u64::from(place.near_pole);
-        if place.deviation > NO_DEVIATION {
+        if place.deviation > NO_DEVIATION && place.pole {
+            self.statistics.near_pole += 1;
+            self.statistics.largest_at_pole = self.statistics.largest_at_pole.max(place.deviation);
+        } else if place.deviation > NO_DEVIATION {
             self.statistics.deviations += 1;
             self.statistics.largest_deviation = self.statistics.largest_deviation.max(place.deviation);
         }

@@ -3,13 +3,15 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
-use nalgebra::{Point3, Vector3};
+use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::config::{Config, Units};
-use crate::kinematics::{Axis, AxisKind, Joint, Limits, Machine, Pose, REACH_TOLERANCE, Side};
+use crate::kinematics::{Axis, AxisKind, Branch, Joint, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::nc::whole_units;
+use crate::program::{Rotation, Turning};
 
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
+use super::course::{Metric, Target, Towards};
 use super::fault::Fault;
 use super::step::{MAX_AXES, Words};
 use super::travel::Travel;
@@ -20,25 +22,24 @@ const LIMIT_NOISE: f64 = 1e-6;
 /// Cosine between tool axis and retract axis from which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
 
-/// A turn of the first rotary below this does no harm near the pole, rad.
-const NOTICEABLE_TURN: f64 = 0.01;
-
 /// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
 const SWING: f64 = 1_f64.to_radians();
 
 /// Where the machine stands: axis values and the words that put it there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place<A> {
-    /// The pose as programmed.
+    /// The pose as programmed; near the pole with its axis.
     pub(crate) pose: Pose,
+    /// Which answer of the inverse kinematics this is.
+    pub(crate) branch: Branch,
     /// Axis values that the words stand for, mm and rad.
     pub(crate) axes: A,
     /// Whole units of the words, by position in the chain.
     pub(crate) words: [i64; MAX_AXES],
     /// Angle between the programmed axis and the one reached, rad.
     pub(crate) deviation: f64,
-    /// So near the pole that the first rotary kept its value.
-    pub(crate) near_pole: bool,
+    /// The tool axis is parallel to the first rotary, which may turn freely.
+    pub(crate) pole: bool,
 }
 
 /// Puts poses into words for one machine, one set-up and the current tool.
@@ -49,7 +50,20 @@ pub(crate) struct Placer<M: Machine> {
     pub(super) rotaries: Vec<Rotary>,
     /// The same axes without their limits.
     endless: Vec<Rotary>,
-    pub(super) limited: bool,
+    limited: bool,
+    /// Tool axes within reach that leave the first rotary free.
+    pub(super) poles: Vec<UnitVector3<f64>>,
+    /// Angle to the pole up to which the tool axis counts as being there, rad.
+    pub(super) pole_tolerance: f64,
+    pub(super) metric: Metric,
+    /// Rotaries whose words stay within a turn.
+    wrapped: u16,
+    /// Position in the chain of an indexed rotary, and its step in whole units.
+    grid: Vec<(usize, i64)>,
+    /// Largest speeds, mm/min and rad/min, by position in the chain.
+    speeds: Vec<Option<f64>>,
+    /// Feeds are limited by them.
+    timed: bool,
     linear_mask: u16,
     rotary_mask: u16,
     pub(super) scale: AngleScale,
@@ -85,6 +99,8 @@ impl<M: Machine> Placer<M> {
                 }
             })
             .collect();
+        let speeds = config.travel::<M>().speeds;
+        let speed = |axis: usize| rotaries.get(axis).and_then(|rotary| speeds[rotary.index]);
         let tool_axis = machine.tool_axis();
         let share = |index: usize| {
             let joint = machine.joint(index);
@@ -104,9 +120,12 @@ impl<M: Machine> Placer<M> {
         };
         Self {
             part_origin: config.part_origin.into(),
-            endless: rotaries.iter().map(|rotary| Rotary { lower: None, upper: None, ..*rotary }).collect(),
-            limited: rotaries.iter().any(|rotary| rotary.lower.is_some() || rotary.upper.is_some()),
-            rotaries,
+            endless: rotaries.iter().map(|rotary| rotary.without_limits()).collect(),
+            limited: rotaries.iter().any(|rotary| !rotary.endless()),
+            poles: poles(&machine, &rotaries),
+            pole_tolerance: config.axis_tolerance.max(REACH_TOLERANCE),
+            timed: config.feed.keep_speeds && speeds.iter().any(Option::is_some),
+            metric: Metric::new(&rotaries, [0, 1].map(speed), scale),
             linear_mask: mask(AxisKind::Linear),
             rotary_mask: mask(AxisKind::Rotary),
             scale,
@@ -118,13 +137,25 @@ impl<M: Machine> Placer<M> {
             straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
             square: square(&machine, axes),
+            wrapped: rotaries
+                .iter()
+                .filter(|rotary| config.wrap.contains_key(&M::AXES[rotary.index].letter))
+                .fold(0, |mask, rotary| mask | 1 << rotary.index),
+            grid: grid::<M>(config, &rotaries, scale),
             machine,
+            rotaries,
+            speeds,
         }
     }
 
     /// Solved rotary axes stand on the tool side: the tool's length moves the linear axes.
     pub(crate) fn head(&self) -> bool {
         self.head
+    }
+
+    /// Solved rotary axes stand in the table.
+    pub(crate) fn turning_table(&self) -> bool {
+        M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece)
     }
 
     /// Going out along the retract axis is going out along the tool axis, whatever the rotaries do.
@@ -166,39 +197,135 @@ impl<M: Machine> Placer<M> {
         self.scale.angle(largest.unwrap_or(0))
     }
 
+    /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
+    #[inline]
+    pub(crate) fn least_minutes(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Option<f64> {
+        if !self.timed {
+            return None;
+        }
+        let times = self.speeds.iter().enumerate().filter_map(|(index, speed)| {
+            let travel = (to.axes.as_ref()[index] - from.axes.as_ref()[index]).abs();
+            speed.map(|speed| travel / speed)
+        });
+        times.reduce(f64::max)
+    }
+
+    /// Minutes of a rapid of some axes; `None` if one of those that move has no known speed.
+    pub(crate) fn least_minutes_of(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, mask: u16) -> Option<f64> {
+        let mut least: f64 = 0.0;
+        for (index, speed) in self.speeds.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
+            let travel = (to.axes.as_ref()[index] - from.axes.as_ref()[index]).abs();
+            if travel > 0.0 {
+                least = least.max(travel / (*speed)?);
+            }
+        }
+        Some(least)
+    }
+
     /// Words of the axes in a mask.
     #[inline]
     pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
         Words { units: place.words, mask }
     }
 
-    /// The place of a pose; `from` says where the rotaries come from and how the held axes stand.
+    /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
+    /// the rotaries where the course says so; an endless axis goes the short way to them.
     #[inline]
-    pub(crate) fn place(&mut self, pose: &Pose, from: &Place<M::Axes>, feed: bool) -> Result<Place<M::Axes>, Fault> {
-        let place = self.turn(pose, from, feed)?;
+    pub(crate) fn place(
+        &mut self,
+        pose: &Pose,
+        from: &Place<M::Axes>,
+        feed: bool,
+        planned: Option<Target>,
+    ) -> Result<Place<M::Axes>, Fault> {
+        let mut place = match planned {
+            Some(target) => self.planned(pose, from, &target)?,
+            None => self.turn(pose, from, feed)?,
+        };
+        if !self.grid.is_empty() {
+            self.snap(&mut place, from, feed)?;
+        }
         self.finish(place)
     }
 
-    /// The rotaries of a pose, chosen from where they stand. A feed motion is refused if only the limits make it take
-    /// another branch or turn than the nearest: the tool is in the cut.
+    /// What ROTABL/NEXT asks of the table's rotary, the one nearest the workpiece where there are two. Seen against its
+    /// axis a table turns clockwise while its word grows, unless the word runs backwards.
+    pub(crate) fn towards(&self, turning: Turning) -> Option<Towards> {
+        let Turning::Next(rotation) = turning else { return None };
+        let table = |rotary: &Rotary| M::AXES[rotary.index].side == Side::Workpiece;
+        let axis = self.rotaries.iter().position(table)?;
+        let forwards = self.machine.joint(self.rotaries[axis].index).sign > 0.0;
+        Some(Towards { axis, positive: (rotation == Rotation::Clockwise) == forwards })
+    }
+
+    /// Indexed axes stand on one of their steps, and do not turn in a cut.
+    #[cold]
+    fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
+        for &(index, step) in &self.grid {
+            let word = place.words[index];
+            let snapped = (2 * word + step).div_euclid(2 * step) * step;
+            let (letter, degrees) = (M::AXES[index].letter, |word| self.scale.degrees(word));
+            place.words[index] = snapped;
+            place.axes.as_mut()[index] = self.scale.angle(snapped);
+            let reached = self.machine.forward_kinematics(&place.axes).axis;
+            let deviation = angle_between(&reached, &place.pose.axis);
+            let inside = self.rotaries.iter().all(|rotary| rotary.index != index || rotary.holds(snapped));
+            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !inside {
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
+                    degrees(word),
+                    degrees(step)
+                ))
+                .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
+            }
+            place.deviation = place.deviation.max(deviation);
+            if feed && snapped != from.words[index] {
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed",
+                    degrees(from.words[index]),
+                    degrees(snapped)
+                ))
+                .help("program this operation with a fixed tool axis"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The pole at which a tool axis stands.
+    #[inline]
+    pub(crate) fn pole(&self, axis: &UnitVector3<f64>) -> Option<UnitVector3<f64>> {
+        let near = |pole: &&UnitVector3<f64>| {
+            (pole.into_inner() - axis.into_inner()).norm_squared() <= self.pole_tolerance * self.pole_tolerance
+        };
+        self.poles.iter().find(near).copied()
+    }
+
+    /// The rotaries of a pose, chosen from where they stand: a feed motion stays on its branch, a rapid turns least. A
+    /// feed motion is refused if only the limits make it take another turn than the nearest: the tool is in the cut.
     #[inline]
     pub(crate) fn turn(&self, pose: &Pose, from: &Place<M::Axes>, feed: bool) -> Result<Place<M::Axes>, Fault> {
+        if let Some(pole) = self.pole(&pose.axis) {
+            return self.turn_to_pole(pose, pole, from);
+        }
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
         if solutions.is_empty() {
             return Err(self.unreachable(pose, &from.axes));
         }
-        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
-            .map_err(|outside| self.outside_limits(&outside))?;
-        let solution = &solutions[choice.solution];
+        let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.pole);
+        let branch = same.map_or(&*solutions, |same| &solutions[same..=same]);
+        let choice = choose(branch, &self.rotaries, &from.words, self.scale).map_err(|outside| {
+            choose(&solutions, &self.rotaries, &from.words, self.scale)
+                .map_or_else(|outside| self.outside_limits(&outside), |_| self.outside_limits(&outside))
+        })?;
+        let solution = &branch[choice.solution];
         let mut place = self.at(pose, from, &choice.words);
         place.axes = merged(solution.axes, &place.axes, self.rotary_mask);
         place.deviation = solution.deviation;
-        self.steady(&mut place, from);
+        place.branch = solution.branch;
         if feed && self.limited && self.rotary_travel(&from.words, &place.words) > SWING {
-            let nearest = choose(&solutions, &self.endless, &from.words, self.scale);
+            let nearest = choose(branch, &self.endless, &from.words, self.scale);
             if let Ok(nearest) = nearest
                 && nearest.words != choice.words
-                && !place.near_pole
             {
                 return Err(self.jump(&from.words, &choice.words, &nearest.words));
             }
@@ -206,49 +333,83 @@ impl<M: Machine> Placer<M> {
         Ok(place)
     }
 
+    /// At the pole the first rotary keeps its value: what CL data says of it there is rounding.
+    fn turn_to_pole(
+        &self,
+        pose: &Pose,
+        pole: UnitVector3<f64>,
+        from: &Place<M::Axes>,
+    ) -> Result<Place<M::Axes>, Fault> {
+        let there = Pose { axis: pole, ..*pose };
+        let solutions = self.machine.inverse_kinematics(&there, &from.axes);
+        if solutions.is_empty() {
+            return Err(self.unreachable(&there, &from.axes));
+        }
+        let kept: Vec<Solution<M::Axes>> = solutions
+            .iter()
+            .map(|solution| {
+                let mut solution = *solution;
+                if let Some(first) = self.rotaries.first() {
+                    solution.axes.as_mut()[first.index] = self.scale.angle(from.words[first.index]);
+                }
+                solution
+            })
+            .collect();
+        let choice =
+            choose(&kept, &self.rotaries, &from.words, self.scale).map_err(|outside| self.outside_limits(&outside))?;
+        let mut place = self.at(&there, from, &choice.words);
+        place.branch = from.branch;
+        place.pole = true;
+        place.deviation = angle_between(&pole, &pose.axis);
+        Ok(place)
+    }
+
     /// A pose with these rotary words; the linear axes are not computed.
     #[inline]
     pub(super) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
-        let mut place = Place { pose: *pose, axes: from.axes, words: *words, deviation: 0.0, near_pole: false };
+        let mut place =
+            Place { pose: *pose, branch: from.branch, axes: from.axes, words: *words, deviation: 0.0, pole: false };
         for rotary in &self.rotaries {
             place.axes.as_mut()[rotary.index] = self.scale.angle(words[rotary.index]);
         }
         place
     }
 
-    /// The place of a pose with rotary words that were chosen beforehand; `None` if they do not belong to this pose.
-    pub(crate) fn place_at(
-        &mut self,
-        pose: &Pose,
-        from: &Place<M::Axes>,
-        words: &[i64; MAX_AXES],
-    ) -> Option<Result<Place<M::Axes>, Fault>> {
-        let mut place = self.at(pose, from, words);
+    /// A pose with the rotary words of the course.
+    fn planned(&self, pose: &Pose, from: &Place<M::Axes>, target: &Target) -> Result<Place<M::Axes>, Fault> {
+        let pole = self.pole(&pose.axis);
+        let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
+        let mut words = self.all_words(&target.words);
+        for (axis, rotary) in self.rotaries.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
+            let (word, before) = (&mut words[rotary.index], from.words[rotary.index]);
+            *word = rotary.nearest(*word, before, self.scale.turn).unwrap_or(*word);
+            if let Some(Towards { positive, .. }) = target.towards.filter(|towards| towards.axis == axis) {
+                match *word - before {
+                    change if change > 0 && !positive => *word -= self.scale.turn,
+                    change if change < 0 && positive => *word += self.scale.turn,
+                    _ => {}
+                }
+            }
+        }
+        let mut place = self.at(&there, from, &words);
         let reached = self.machine.forward_kinematics(&place.axes).axis;
-        if (reached.into_inner() - pose.axis.into_inner()).norm() > 2.0 * self.scale.angle(1) + REACH_TOLERANCE {
-            return None;
+        if angle_between(&reached, &there.axis) > 2.0 * self.scale.angle(1) + REACH_TOLERANCE {
+            return Err(Fault::new("the course of the rotary axes does not hold this pose")
+                .help("this is a fault of the postprocessor, not of the CL data"));
         }
-        let solutions = self.machine.inverse_kinematics(pose, &place.axes);
-        place.deviation = solutions.first().map_or(0.0, |solution| solution.deviation);
-        Some(self.finish(place))
-    }
-
-    /// Near the pole the axis of CL data carries no angle, only rounding: there the first rotary keeps its value.
-    #[inline]
-    fn steady(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>) {
-        let [first, _] = self.rotaries[..] else { return };
-        let turn = (place.words[first.index] - from.words[first.index]).abs();
-        if self.scale.angle(turn) < NOTICEABLE_TURN {
-            return;
-        }
-        let mut kept = place.axes;
-        kept.as_mut()[first.index] = from.axes.as_ref()[first.index];
-        let axis = self.machine.forward_kinematics(&kept).axis;
-        if (axis.into_inner() - place.pose.axis.into_inner()).norm() <= REACH_TOLERANCE {
-            place.axes = kept;
-            place.words[first.index] = from.words[first.index];
-            place.near_pole = true;
-        }
+        let solutions = self.machine.inverse_kinematics(&there, &place.axes);
+        let off = |solution: &Solution<M::Axes>| -> f64 {
+            let turned = |rotary: &Rotary| solution.axes.as_ref()[rotary.index] - place.axes.as_ref()[rotary.index];
+            self.rotaries.iter().map(|rotary| 1.0 - turned(rotary).cos()).sum()
+        };
+        let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        place.branch = nearest.map_or(from.branch, |solution| solution.branch);
+        place.pole = pole.is_some();
+        place.deviation = match pole {
+            Some(pole) => angle_between(&pole, &pose.axis),
+            None => nearest.map_or(0.0, |solution| solution.deviation),
+        };
+        Ok(place)
     }
 
     /// How far the tip is from the programmed line in the middle of a block, mm.
@@ -294,7 +455,7 @@ impl<M: Machine> Placer<M> {
     pub(crate) fn reference(&self, pose: &Pose, from: &Place<M::Axes>) -> Option<Place<M::Axes>> {
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
         let choice = choose(&solutions, &self.rotaries, &from.words, self.scale).ok()?;
-        let mut place = *from;
+        let mut place = Place { branch: solutions[choice.solution].branch, ..*from };
         for rotary in &self.rotaries {
             place.words[rotary.index] = choice.words[rotary.index];
             place.axes.as_mut()[rotary.index] = self.scale.angle(choice.words[rotary.index]);
@@ -305,7 +466,7 @@ impl<M: Machine> Placer<M> {
     /// Every rotary at zero and held axes at their values.
     pub(crate) fn zero(&self) -> Place<M::Axes> {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
-        Place { pose, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, near_pole: false }
+        Place { pose, branch: Branch::First, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, pole: false }
     }
 
     /// Words of a linear axis at a machine coordinate.
@@ -348,6 +509,13 @@ impl<M: Machine> Placer<M> {
         }
     }
 
+    /// The word of a parked rotary: of one whose words are wrapped the turn nearest to where it stands.
+    pub(crate) fn nearest_turn(&self, index: usize, word: i64, from: &Place<M::Axes>) -> i64 {
+        let wrapped = |rotary: &&Rotary| rotary.index == index && self.wrapped & (1 << index) != 0;
+        let nearest = |rotary: &Rotary| rotary.nearest(word, from.words[index], self.scale.turn).ok();
+        self.rotaries.iter().find(wrapped).and_then(nearest).unwrap_or(word)
+    }
+
     /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
     /// cannot be known.
     pub(crate) fn below_retract(&self, place: &Place<M::Axes>, retract: f64) -> Option<f64> {
@@ -365,6 +533,32 @@ fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) ->
         }
     }
     base
+}
+
+/// The steps of indexed rotaries in whole units.
+fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> Vec<(usize, i64)> {
+    let step = |rotary: &Rotary| Some((rotary.index, scale.word(*config.grid.get(&M::AXES[rotary.index].letter)?)));
+    rotaries.iter().filter_map(step).collect()
+}
+
+/// Angle between two directions, rad.
+fn angle_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> f64 {
+    let (a, b) = (a.into_inner(), b.into_inner());
+    a.cross(&b).norm().atan2(a.dot(&b))
+}
+
+/// Tool axes within reach that leave the first of two rotaries free: along its direction and against it.
+fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
+    let [first, _] = rotaries else { return Vec::new() };
+    let mut direction = machine.joint(first.index).direction.into_inner();
+    for index in (0..first.index).rev().filter(|&index| M::AXES[index].kind == AxisKind::Rotary) {
+        direction = turned(&machine.joint(index), M::HELD.as_ref()[index], &direction);
+    }
+    let free = |axis: &UnitVector3<f64>| {
+        let pose = Pose { tip: Point3::origin(), axis: *axis };
+        machine.inverse_kinematics(&pose, &M::HELD).iter().any(|solution| solution.singular)
+    };
+    [direction, -direction].map(UnitVector3::new_normalize).into_iter().filter(free).collect()
 }
 
 /// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.

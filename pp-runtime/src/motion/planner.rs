@@ -10,18 +10,26 @@ use std::io;
 use crate::config::{Config, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
-use crate::program::{Coolant, Event, Location, Move, Rotation, Spindle, ToolCall};
+use crate::program::{
+    Clearance, Compensation, Coolant, Dwell, Event, Location, Move, Rotation, Spindle, ToolCall, Turning,
+};
 
+use super::course::{Course, Target, Towards};
+use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
-use super::scout::Start;
 use super::step::{Sink, Step};
+use super::times::Times;
 use super::tool::{SpindleRequest, Tool};
+use super::wrap::Speller;
 
 /// A motion of the same axis, within this angle, rad: CL data has seven digits.
 pub(super) const SAME_AXIS: f64 = 1e-6;
+
+/// A wait that three decimals hold, and that somebody may want, seconds.
+const DWELL: std::ops::RangeInclusive<f64> = 0.001..=99_999.0;
 
 /// From this distance on, a tip that leaves its line is remarked on, mm.
 const LARGE_SWING: f64 = 0.1;
@@ -33,6 +41,12 @@ pub enum Stop {
     Fault(Diagnostic),
     /// The output failed.
     Output(io::Error),
+}
+
+impl From<Diagnostic> for Stop {
+    fn from(fault: Diagnostic) -> Self {
+        Self::Fault(fault)
+    }
 }
 
 impl From<io::Error> for Stop {
@@ -67,18 +81,29 @@ pub struct Statistics {
     pub sequences: u64,
     /// Blocks in inverse time.
     pub inverse_time: u64,
-    /// Motions so near the pole that the rotary which is nearly free kept its value.
+    /// Motions so near the pole that their tool axis was put there, and the first rotary kept its value.
     pub near_pole: u64,
+    /// Largest angle by which one of them was turned, rad.
+    pub largest_at_pole: f64,
+    /// Times that the rotary axes were rewound out of the part.
+    pub rewinds: u64,
     /// Largest distance of the tip from the programmed line, mm, seen in the middle of feed blocks that turn an axis
     /// far.
     pub largest_swing: f64,
 }
+
+/// More records than this between two motions are no habit of a CAM system; it bounds the memory.
+const MOST_WAITING: usize = 10_000;
+
+/// Text of so many bytes is kept while records wait.
+const MOST_TEXT: usize = 1 << 20;
 
 /// An event that may stand between the first motion of an operation and the next.
 #[derive(Debug, Clone, Copy)]
 enum Waiting {
     Spindle(Spindle),
     Coolant(Coolant),
+    Delay(Dwell),
     From(Pose),
     /// Range in the texts.
     Message(usize, usize),
@@ -93,6 +118,8 @@ pub(super) enum Phase {
     First {
         at: Location,
         motion: Move,
+        /// Words of the rotaries, where the course says them.
+        planned: Option<Target>,
         /// A new operation; else a rapid that turns the table or the head.
         operation: bool,
     },
@@ -105,12 +132,18 @@ pub struct Planner<'a, M: Machine> {
     pub(super) config: &'a Config,
     pub(super) placer: Placer<M>,
     pub(super) feeds: Feeds,
+    pub(super) speller: Speller,
     pub(super) abilities: Abilities,
+    expander: Expander,
+    /// Geometry of the configuration, or of CLEARP.
+    pub(super) clearance: Option<Clearance>,
     /// Every tool axis of the CL data points into the table.
     pub(super) upside_down: bool,
-    starts: Vec<Start>,
-    /// Operations begun so far.
-    operations: usize,
+    pub(super) course: Course,
+    /// ROTABL/NEXT for the next motion.
+    pub(super) towards: Option<Towards>,
+    /// Motions so far, as the course counts them.
+    counted: u64,
     pub(super) phase: Phase,
     waiting: Vec<(Location, Waiting)>,
     texts: Vec<u8>,
@@ -152,6 +185,7 @@ pub struct Planner<'a, M: Machine> {
     pub(super) lowest: Option<Pose>,
     pub(super) plunge_told: bool,
     pub(super) statistics: Statistics,
+    pub(super) times: Times,
 }
 
 impl<'a, M: Machine> Planner<'a, M> {
@@ -161,12 +195,16 @@ impl<'a, M: Machine> Planner<'a, M> {
         let place = placer.zero();
         Self {
             feeds: Feeds::new(config, units, placer.unit_mm()),
+            speller: Speller::new::<M>(config, &placer.rotaries, placer.scale.turn),
             config,
             placer,
             abilities,
+            expander: Expander::new(config),
+            clearance: config.retract.clearance,
             upside_down: upside_down && config.table_check,
-            starts: Vec::new(),
-            operations: 0,
+            course: Course::default(),
+            towards: None,
+            counted: 0,
             phase: Phase::Start,
             waiting: Vec::new(),
             texts: Vec::new(),
@@ -192,13 +230,14 @@ impl<'a, M: Machine> Planner<'a, M> {
             lowest: None,
             plunge_told: false,
             statistics: Statistics::default(),
+            times: Times::default(),
         }
     }
 
-    /// Begins each operation with the rotary words that [`Scout`](super::Scout) has found for it.
+    /// Follows the course that [`Navigator`](super::Navigator) has found.
     #[must_use]
-    pub fn with_starts(mut self, starts: Vec<Start>) -> Self {
-        self.starts = starts;
+    pub fn with_course(mut self, course: Course) -> Self {
+        self.course = course;
         self
     }
 
@@ -206,6 +245,12 @@ impl<'a, M: Machine> Planner<'a, M> {
     #[must_use]
     pub fn statistics(&self) -> Statistics {
         self.statistics
+    }
+
+    /// How long what was planned so far takes.
+    #[must_use]
+    pub fn times(&self) -> &Times {
+        &self.times
     }
 
     /// Takes the remarks that have come up since the last call.
@@ -243,10 +288,24 @@ impl<'a, M: Machine> Planner<'a, M> {
     /// [`Stop`] if it cannot be posted; nothing may be planned after that.
     #[inline]
     pub fn event(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
-        if let Event::Move(motion) = event {
+        if let Event::Move(motion) = event
+            && self.expander.passes(motion)
+        {
             return self.motion(at, motion, sink);
         }
-        self.other(at, event, sink)
+        self.expanded(at, event, sink)
+    }
+
+    #[cold]
+    fn expanded(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
+        let mut expander = std::mem::take(&mut self.expander);
+        let done = expander.event(at, event, &mut |at, event| match event {
+            Event::Move(motion) => self.motion(at, motion, sink),
+            event => self.other(at, event, sink),
+        });
+        self.warnings.append(&mut expander.take_warnings());
+        self.expander = expander;
+        done
     }
 
     /// Ends the program behind its last event; the end code itself is left to the caller.
@@ -279,21 +338,19 @@ impl<'a, M: Machine> Planner<'a, M> {
     }
 
     fn motion(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
-        match self.phase {
-            Phase::Running => self.run(at, motion, sink),
-            Phase::Start if self.unarmed() && motion.rapid && !self.placer.head() => {
-                self.pass_over(at, motion);
-                Ok(())
-            }
-            Phase::Start => {
-                self.phase = Phase::First { at, motion: *motion, operation: true };
-                Ok(())
-            }
-            Phase::First { .. } => {
-                self.settle(Some(motion), sink)?;
-                self.run(at, motion, sink)
-            }
+        if self.phase == Phase::Start && self.unarmed() && motion.rapid && !self.placer.head() {
+            self.pass_over(at, motion);
+            return Ok(());
         }
+        let number = self.counted;
+        self.counted += 1;
+        if self.phase == Phase::Start {
+            let planned = self.changes(at, motion, number, sink)?;
+            self.phase = Phase::First { at, motion: *motion, planned, operation: true };
+            return Ok(());
+        }
+        self.settle(Some(motion), sink)?;
+        self.run(at, motion, number, sink)
     }
 
     /// No tool has been called yet.
@@ -315,17 +372,15 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// Writes the sequence to a first motion that has been waiting for the next, and what came between the two.
     fn settle(&mut self, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
-        let Phase::First { at, motion, operation } = self.phase else { return Ok(()) };
+        let Phase::First { at, motion, planned, operation } = self.phase else { return Ok(()) };
         self.phase = Phase::Running;
         if operation {
             self.request_in_start = SpindleRequest::default();
             self.lowest = None;
             self.plunge_told = false;
-            let start = self.starts.get(self.operations).copied().flatten();
-            self.operations += 1;
-            self.start(at, &motion, next, start, sink)?;
+            self.start(at, &motion, next, planned, sink)?;
         } else {
-            self.index(at, &motion, next, sink)?;
+            self.index(at, &motion, next, planned, sink)?;
         }
         let mut waiting = std::mem::take(&mut self.waiting);
         let texts = std::mem::take(&mut self.texts);
@@ -333,6 +388,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             match event {
                 Waiting::Spindle(spindle) => self.spindle(at, spindle, sink)?,
                 Waiting::Coolant(coolant) => self.set_coolant(at, coolant, sink)?,
+                Waiting::Delay(dwell) => self.delay(at, dwell, sink)?,
                 Waiting::From(pose) => self.from(&pose),
                 Waiting::Message(start, end) => sink.step(&Step::Message { text: &texts[start..end] })?,
             }
@@ -346,9 +402,17 @@ impl<'a, M: Machine> Planner<'a, M> {
     #[cold]
     fn other(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
         let first = matches!(self.phase, Phase::First { .. });
+        if first && (self.waiting.len() >= MOST_WAITING || self.texts.len() >= MOST_TEXT) {
+            return Err(stop(
+                at,
+                Fault::new("too many records stand between the first motion of an operation and the next")
+                    .help("the approach to a first point depends on the second: move these records behind both"),
+            ));
+        }
         match *event {
             Event::Spindle(spindle) if first => self.waiting.push((at, Waiting::Spindle(spindle))),
             Event::Coolant(coolant) if first => self.waiting.push((at, Waiting::Coolant(coolant))),
+            Event::Delay(dwell) if first => self.waiting.push((at, Waiting::Delay(dwell))),
             Event::From(pose) if first => self.waiting.push((at, Waiting::From(pose))),
             Event::Message(text) if first => {
                 let start = self.texts.len();
@@ -362,6 +426,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             Event::Name(_) | Event::Preselect(_) => {}
             Event::Operation(name) => {
                 self.begin(at, self.config.transition == Transition::Safe, sink)?;
+                self.times.operation(at, name);
                 sink.step(&Step::Operation { name })?;
             }
             Event::Tool(call) => {
@@ -378,9 +443,123 @@ impl<'a, M: Machine> Planner<'a, M> {
             }
             Event::Stop => self.stop(at, false, sink)?,
             Event::OptionalStop => self.stop(at, true, sink)?,
-            Event::Move(_) => {}
+            Event::Delay(dwell) => self.delay(at, dwell, sink)?,
+            Event::MachineName(name) => self.compare_machine(at, name),
+            Event::SafeSequence => self.begin(at, true, sink)?,
+            Event::Frame(number) => self.change_frame(at, number, sink)?,
+            Event::Home => self.go_home(at, sink)?,
+            Event::ClearancePlane(plane) => self.clearance = Some(Clearance::Plane(plane)),
+            Event::Compensation(Compensation::Off) => {}
+            Event::Compensation(_) => {
+                return Err(stop(
+                    at,
+                    Fault::new("CUTCOM asks for cutter compensation by the control, which is not written yet")
+                        .help("have the CAM system compute the path of the tool's centre, without CUTCOM"),
+                ));
+            }
+            Event::Turning(turning) => {
+                self.towards = self.placer.towards(turning);
+                if self.towards.is_none() && turning != Turning::Shortest {
+                    let fault = Fault::new("ROTABL/NEXT turns the table, and no rotary axis stands in the table here");
+                    return Err(stop(at, fault.help("leave it out")));
+                }
+            }
+            Event::Insert(text) => self.raw(at, text, sink)?,
+            Event::Code { letter, number } => {
+                let text = format!("{}{number}", char::from(letter));
+                self.raw(at, text.as_bytes(), sink)?;
+            }
+            // The expander takes these apart.
+            Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) | Event::Tolerance(_) => {}
         }
         Ok(())
+    }
+
+    /// MACHIN.
+    fn compare_machine(&mut self, at: Location, name: &[u8]) {
+        if !name.eq_ignore_ascii_case(M::NAME.as_bytes()) {
+            let name = String::from_utf8_lossy(name);
+            let fault = Fault::new(format_args!("the CL data was made for the machine `{name}`, this is {}", M::NAME))
+                .help("nothing in the program depends on that name");
+            self.warnings.push(fault.at(at, Severity::Warning));
+        }
+    }
+
+    /// DELAY, and the wait at the bottom of a hole.
+    fn delay(&mut self, at: Location, dwell: Dwell, sink: &mut impl Sink) -> Planned {
+        let seconds = match (dwell, self.spindle) {
+            (Dwell::Seconds(seconds), _) => seconds,
+            (Dwell::Revolutions(turns), Some((speed, _))) => turns / speed * 60.0,
+            (Dwell::Revolutions(_), None) => {
+                let fault = Fault::new("a wait of some turns of the spindle, and the spindle does not turn");
+                return Err(stop(at, fault.help("give SPINDL before it, or the wait in seconds")));
+            }
+        };
+        if seconds <= 0.0 {
+            return Ok(());
+        }
+        if !DWELL.contains(&seconds) {
+            let (low, high) = (DWELL.start(), DWELL.end());
+            let fault = Fault::new(format_args!("a wait of {seconds} seconds cannot be written"));
+            return Err(stop(at, fault.help(format_args!("between {low} and {high} seconds can be"))));
+        }
+        self.cancel_inverse_time(sink)?;
+        self.times.wait(seconds / 60.0);
+        Ok(sink.step(&Step::Dwell { seconds })?)
+    }
+
+    /// A block as it stands: where the machine is behind it, and in which state, nobody knows.
+    fn raw(&mut self, at: Location, text: &[u8], sink: &mut impl Sink) -> Planned {
+        if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
+            let fault =
+                Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");
+            return Err(stop(at, fault.help("write it in plain letters, digits and signs, or `--insert comment`")));
+        }
+        self.begin(at, true, sink)?;
+        self.cancel_inverse_time(sink)?;
+        sink.step(&Step::Raw { text })?;
+        self.spindle = None;
+        self.spindle_stop = false;
+        self.coolant = None;
+        self.there = false;
+        self.clear = false;
+        Ok(())
+    }
+
+    /// GOHOME without a point.
+    fn go_home(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
+        if self.config.park.is_empty() && !self.config.is_given("retract.position") {
+            let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
+            return Err(stop(at, fault.help("give one of them, or GOHOME/x,y,z")));
+        }
+        self.begin(at, true, sink)?;
+        self.machine_retract(at, sink)?;
+        self.park(at, sink)?;
+        self.there = false;
+        self.clear = false;
+        Ok(())
+    }
+
+    /// A frame with a work offset of its own.
+    fn change_frame(&mut self, at: Location, number: u32, sink: &mut impl Sink) -> Planned {
+        if self.placer.turning_table() {
+            let fault = Fault::new("the part origin of another frame on a table that turns is not known");
+            return Err(stop(at, fault.help("`--frames main` maps every frame into the first")));
+        }
+        let word = match self.config.frames.get(&number) {
+            Some(word) => word,
+            None if number == 1 => &self.config.work_offset,
+            None => {
+                let fault = Fault::new(format_args!("frame {number} of the CL data has no work offset"));
+                return Err(stop(at, fault.help(format_args!("give it one: `[frames] \"{number}\" = \"G55\"`"))));
+            }
+        };
+        self.begin(at, true, sink)?;
+        self.there = false;
+        self.clear = false;
+        // It was given in the other frame.
+        self.clearance = self.config.retract.clearance;
+        Ok(sink.step(&Step::WorkOffset { word })?)
     }
 
     /// The tool of a record; what is odd about a tool is said once.

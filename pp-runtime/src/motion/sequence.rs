@@ -17,10 +17,12 @@ use crate::diag::Severity;
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::program::{Location, Move};
 
+use super::clearance::way_out;
+use super::course::Target;
 use super::fault::Fault;
+use super::place::Place;
 use super::planner::{Planned, Planner, SAME_AXIS, stop};
-use super::scout::Start;
-use super::step::{Sink, Step, Words};
+use super::step::{MAX_AXES, Sink, Step, Words};
 
 /// A point this near to a line lies on it, mm.
 const ON_LINE: f64 = 0.001;
@@ -37,13 +39,19 @@ impl<M: Machine> Planner<'_, M> {
         self.coolant_off(sink)?;
         self.cancel_inverse_time(sink)?;
         let led_out = self.retreat.length();
-        match self.config.retract.distance {
+        let Pose { tip, axis } = self.place.pose;
+        let out = self.clearance.and_then(|clearance| way_out(&clearance, &tip, &axis));
+        match self.config.retract.distance.or_else(|| out.map(|distance| distance + led_out)) {
             Some(distance) if led_out + ENOUGH < distance => {
-                let Pose { tip, axis } = self.place.pose;
-                let out = self.placer.shifted(tip + axis.into_inner() * distance, &self.place).map_err(|fault| {
-                    stop(at, fault.context(format_args!("the retract by `retract.distance` = {distance} mm")))
-                })?;
-                sink.step(&Step::Rapid { words: self.placer.words(&out, self.placer.linear_mask()) })?;
+                let (distance, what) = match self.config.retract.distance {
+                    Some(distance) => (distance, "`retract.distance` ="),
+                    None => (distance - led_out, "to the clearance geometry,"),
+                };
+                let out = self
+                    .placer
+                    .shifted(tip + axis.into_inner() * distance, &self.place)
+                    .map_err(|fault| stop(at, fault.context(format_args!("the retract {what} {distance} mm"))))?;
+                self.rapid(&out, self.placer.linear_mask(), sink)?;
                 self.place = out;
             }
             Some(_) => {}
@@ -102,13 +110,13 @@ impl<M: Machine> Planner<'_, M> {
         at: Location,
         first: &Move,
         next: Option<&Move>,
-        start: Start,
+        planned: Option<Target>,
         sink: &mut impl Sink,
     ) -> Planned {
         let wanted = self.next_tool.take();
         let change = wanted.is_some_and(|wanted| self.tool.is_none_or(|tool| tool.number != wanted.number));
         if self.there && self.config.transition == Transition::Direct && !change {
-            return self.start_directly(at, first, sink);
+            return self.start_directly(at, first, planned, sink);
         }
         self.leave(at, sink)?;
         // A complete state, the retract included: the program can be entered here.
@@ -134,20 +142,22 @@ impl<M: Machine> Planner<'_, M> {
         }
         self.turn_spindle(at, true, sink)?;
         self.check_state(first).map_err(|fault| stop(at, fault))?;
-        self.approach(at, first, next, start, sink)
+        self.approach(at, first, next, planned, sink)
     }
 
     /// An operation that goes on where the last one ended, because the configuration wants it so.
-    fn start_directly(&mut self, at: Location, first: &Move, sink: &mut impl Sink) -> Planned {
+    fn start_directly(&mut self, at: Location, first: &Move, planned: Option<Target>, sink: &mut impl Sink) -> Planned {
         self.turn_spindle(at, false, sink)?;
         self.turn_coolant(at, sink)?;
         self.check_state(first).map_err(|fault| stop(at, fault))?;
-        let place = self.placer.place(&first.pose, &self.place, !first.rapid).map_err(|fault| stop(at, fault))?;
+        let place =
+            self.placer.place(&first.pose, &self.place, !first.rapid, planned).map_err(|fault| stop(at, fault))?;
         if first.rapid {
             self.cancel_inverse_time(sink)?;
-            sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
+            self.rapid(&place, self.all(), sink)?;
         } else {
             self.feed_to(at, first, &place, sink)?;
+            self.cut(&first.pose);
         }
         self.retreat.follow(&self.place.pose, &first.pose);
         self.arrive(place);
@@ -155,11 +165,18 @@ impl<M: Machine> Planner<'_, M> {
     }
 
     /// A rapid that turns the table or the head.
-    pub(super) fn index(&mut self, at: Location, first: &Move, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
+    pub(super) fn index(
+        &mut self,
+        at: Location,
+        first: &Move,
+        next: Option<&Move>,
+        planned: Option<Target>,
+        sink: &mut impl Sink,
+    ) -> Planned {
         self.leave(at, sink)?;
         self.machine_retract(at, sink)?;
         self.stop_spindle(sink)?;
-        self.approach(at, first, next, None, sink)
+        self.approach(at, first, next, planned, sink)
     }
 
     /// Steps 4 to 8.
@@ -168,12 +185,11 @@ impl<M: Machine> Planner<'_, M> {
         at: Location,
         first: &Move,
         next: Option<&Move>,
-        start: Start,
+        planned: Option<Target>,
         sink: &mut impl Sink,
     ) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
-        let chosen = start.and_then(|words| self.placer.place_at(&first.pose, &self.place, &words));
-        let place = chosen.unwrap_or_else(|| self.placer.place(&first.pose, &self.place, false)).map_err(fault)?;
+        let place = self.placer.place(&first.pose, &self.place, false, planned).map_err(fault)?;
         let distance = self.config.approach.distance;
         let above = if first.rapid && next.is_some_and(|next| straight_down(&first.pose, &next.pose)) {
             place
@@ -183,33 +199,16 @@ impl<M: Machine> Planner<'_, M> {
                 .shifted(tip + axis.into_inner() * distance, &place)
                 .map_err(|fault| stop(at, fault.context(format_args!("the approach from {distance} mm"))))?
         };
-        let retract = self.config.retract.position;
-        if let Some(below) = self.placer.below_retract(&above, retract)
-            && below < -self.placer.unit_mm()
-        {
-            let axis = M::AXES[self.placer.retract_axis()].letter;
-            return Err(fault(
-                Fault::new(format_args!(
-                    "the approach point lies {:.3} mm above the retract position: {axis} = {retract} mm (machine coordinate)",
-                    -below
-                ))
-                .help("set the part lower, or give a smaller `approach.distance` or a higher `retract.position`"),
-            ));
-        }
+        self.come_in(at, &above, sink)?;
         self.count_sequence();
-        let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
-        let retract_axis = 1 << self.placer.retract_axis();
-        for mask in [rotary, linear & !retract_axis, linear & retract_axis] {
-            sink.step(&Step::Rapid { words: self.placer.words(&above, mask) })?;
-        }
         self.turn_coolant(at, sink)?;
         self.place = above;
         if place.words != above.words {
             if first.rapid {
-                sink.step(&Step::Rapid { words: self.placer.words(&place, linear) })?;
+                self.rapid(&place, self.placer.linear_mask(), sink)?;
             } else {
-                let feed = self.feed(first.feed, &place).map_err(fault)?;
-                self.write_feed(&place, feed, sink)?;
+                let pace = self.pace(first.feed, &place).map_err(fault)?;
+                self.write_feed(at, &place, pace, sink)?;
             }
         }
         if !first.rapid {
@@ -217,6 +216,30 @@ impl<M: Machine> Planner<'_, M> {
         }
         self.retreat.reset();
         self.arrive(place);
+        Ok(())
+    }
+
+    /// Steps 4 to 6: from the machine retract to the approach point.
+    pub(super) fn come_in(&mut self, at: Location, above: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
+        let retract = self.config.retract.position;
+        if let Some(below) = self.placer.below_retract(above, retract)
+            && below < -self.placer.unit_mm()
+        {
+            let axis = M::AXES[self.placer.retract_axis()].letter;
+            return Err(stop(
+                at,
+                Fault::new(format_args!(
+                    "the approach point lies {:.3} mm above the retract position: {axis} = {retract} mm (machine coordinate)",
+                    -below
+                ))
+                .help("set the part lower, or give a smaller `approach.distance` or a higher `retract.position`"),
+            ));
+        }
+        let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
+        let retract_axis = 1 << self.placer.retract_axis();
+        for mask in [rotary, linear & !retract_axis, linear & retract_axis] {
+            self.rapid(above, mask, sink)?;
+        }
         Ok(())
     }
 
@@ -230,7 +253,7 @@ impl<M: Machine> Planner<'_, M> {
         self.park(at, sink)
     }
 
-    fn park(&self, at: Location, sink: &mut impl Sink) -> Planned {
+    pub(super) fn park(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
         let parked = |kind: AxisKind| {
             M::AXES
@@ -246,7 +269,11 @@ impl<M: Machine> Planner<'_, M> {
             rotaries.units[index] = words.units[index];
         }
         if rotaries.mask != 0 {
-            sink.step(&Step::Rapid { words: rotaries })?;
+            let mut parked = self.place;
+            for index in (0..MAX_AXES).filter(|&index| rotaries.has(index)) {
+                parked.words[index] = self.placer.nearest_turn(index, rotaries.units[index], &self.place);
+            }
+            self.rapid(&parked, rotaries.mask, sink)?;
         }
         let mut others = Words::default();
         let mut last = None;

@@ -112,6 +112,16 @@ pub enum Step<'a> {
         /// As the CL data has it.
         text: &'a [u8],
     },
+    /// The work offset of what follows; written with the next restart.
+    WorkOffset {
+        /// Its word.
+        word: &'a str,
+    },
+    /// A block as it stands; nothing is known behind it.
+    Raw {
+        /// The block.
+        text: &'a [u8],
+    },
     /// End of the program.
     End,
 }

@@ -3,12 +3,14 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
-use super::{Abilities, Planner, Scout, Stop};
-use crate::config::{Config, Tool, Transition, Units};
+use super::{Abilities, Navigator, Planner, Stop};
+use crate::config::{Config, Rapid, Tool, Transition, Units, Wrap};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
-use crate::program::{Coolant, Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+use crate::program::{
+    Compensation, Coolant, Dwell, Event, Feed, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
+};
 
 /// What came out of a run.
 pub(super) struct Run {
@@ -47,11 +49,9 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
     let abilities = Abilities { mist: true, through: false, air: false };
-    let starts = Scout::new(machine.clone(), config).map_or_else(Vec::new, |mut scout| {
-        events.iter().for_each(|event| scout.event(event));
-        scout.finish()
-    });
-    let mut planner = Planner::new(machine, config, units, abilities, false).with_starts(starts);
+    let mut navigator = Navigator::new(machine.clone(), config);
+    events.iter().for_each(|event| navigator.event(event));
+    let mut planner = Planner::new(machine, config, units, abilities, false).with_course(navigator.finish());
     let mut diagnostics = Vec::new();
     let mut at = Location::default();
     let mut planned = Ok(());
@@ -532,7 +532,7 @@ fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
 }
 
 #[test]
-fn a_free_rotary_keeps_its_value_through_the_vertical() {
+fn a_free_rotary_turns_at_the_vertical_for_what_follows() {
     let events = [
         tool(1),
         spindle(),
@@ -543,7 +543,10 @@ fn a_free_rotary_keeps_its_value_through_the_vertical() {
     let lines = run::<Cb>(&config(), &events).lines;
     let vertical = lines.iter().find(|line| line.contains("B0")).expect("the vertical");
     assert!(!vertical.contains('C'), "{vertical}");
-    assert!(lines.iter().any(|line| line.contains("B5 C45")));
+    // In place, and the tilt begins with the table where it has to stand.
+    let place = lines.iter().position(|line| line == vertical).expect("the vertical");
+    assert!(lines[place + 1].contains("C45") && !lines[place + 1].contains('B'), "{lines:#?}");
+    assert!(lines[place + 2].contains("B5") && !lines[place + 2].contains('C'), "{lines:#?}");
 }
 
 #[test]
@@ -617,7 +620,7 @@ fn a_rotary_limit_is_named_with_value_and_line() {
 }
 
 #[test]
-fn an_axis_is_never_turned_back_a_whole_turn_in_a_feed_motion() {
+fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
     let mut config = config();
     config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
     let at = |angle: f64, feed: bool| {
@@ -626,8 +629,15 @@ fn an_axis_is_never_turned_back_a_whole_turn_in_a_feed_motion() {
     };
     let events = |last| [tool(1), spindle(), at(170.0, true), at(183.0, true), last];
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
-    assert!(cut.error().text.contains("outside its limits"), "{:?}", cut.error());
+    assert!(cut.error().text.contains("have to be rewound"), "{:?}", cut.error());
     assert_eq!(run::<Cb>(&config, &events(at(186.0, false))).diagnostics, []);
+    config.retract.distance = Some(20.0);
+    let cut = run::<Cb>(&config, &events(at(186.0, true)));
+    assert_eq!(cut.statistics.rewinds, 1);
+    assert!(cut.diagnostics[0].text.contains("unavoidable within C -183.3465° to 183.3465°"), "{:?}", cut.diagnostics);
+    // Begun a whole turn lower there would be no need.
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.5, upper: 3.2 }));
+    assert_eq!(run::<Cb>(&config, &events(at(186.0, true))).diagnostics, []);
 }
 
 #[test]
@@ -656,20 +666,27 @@ fn an_operation_begins_in_the_branch_and_turn_that_last() {
 }
 
 #[test]
-fn a_branch_is_never_changed_in_the_cut_because_of_a_limit() {
+fn a_branch_is_changed_at_the_vertical_only() {
     let tilts = |from: i32, to: i32| {
         let mut events = vec![tool(1), spindle()];
         events.extend((from..=to).map(|tilt| feed([0.0; 3], cb(0.0, f64::from(-tilt)))));
         run::<Cb>(&config(), &events)
     };
-    // B goes down to -5 and not further; from +20 to -20 nothing helps.
-    assert_eq!(tilts(-20, 5).diagnostics, []);
+    // B goes down to -5 and not further: C turns where B is 0.
+    let short = tilts(-20, 5);
+    assert_eq!(short.diagnostics, []);
+    assert!(!short.lines.iter().any(|line| line.contains("C180")), "{}", short.text());
     let through = tilts(-20, 20);
-    let error = through.error();
-    assert!(
-        error.text.contains("B would have to turn on to -6°") && error.text.contains("C from 0° to 180°"),
-        "{error:?}"
-    );
+    assert_eq!(through.diagnostics, []);
+    let turn = through.lines.iter().position(|line| line.contains("C180")).expect("a turn");
+    assert!(through.lines[turn - 1].contains("B0") && !through.lines[turn].contains('B'), "{}", through.text());
+    // Beside the vertical nothing helps.
+    let mut limited = config();
+    let limit = |angle: f64| angle.to_radians();
+    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: limit(-60.0), upper: limit(60.0) }));
+    let past = [cb(-50.0, 20.0), cb(-70.0, 20.0)].map(|axis| feed([0.0; 3], axis));
+    let past = run::<Cb>(&limited, &[tool(1), spindle(), past[0], past[1]]);
+    assert!(past.error().text.contains("C would have to turn to -70°"), "{:?}", past.error());
 }
 
 #[test]
@@ -915,7 +932,7 @@ fn the_speed_of_one_tool_is_never_that_of_another() {
 }
 
 #[test]
-fn the_table_never_swings_round_in_the_cut_whatever_the_index_angle() {
+fn the_table_turns_where_the_tool_passes_the_vertical_between_two_points() {
     let events = [
         tool(1),
         spindle(),
@@ -926,7 +943,10 @@ fn the_table_never_swings_round_in_the_cut_whatever_the_index_angle() {
     let mut config = config();
     config.index_angle = 360_f64.to_radians();
     let run = run::<Cb>(&config, &events);
-    assert!(run.error().text.contains("would swing the tool in the cut"), "{}", run.text());
+    assert!(run.diagnostics.iter().all(|found| found.severity == Severity::Warning), "{}", run.text());
+    let turn = run.lines.iter().position(|line| line.contains("C180")).expect("a turn");
+    assert!(run.lines[turn - 1].contains("B0") && run.lines[turn - 1].contains("X13.33"), "{}", run.text());
+    assert!(!run.lines[turn].contains('B') && run.lines[turn + 1].contains("B20"), "{}", run.text());
 }
 
 #[test]
@@ -995,4 +1015,190 @@ fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
     assert!(lines.iter().any(|line| line == "G0 B0 C35"), "{lines:?}");
     let leaving = lines.iter().find(|line| line.contains("B4")).expect("the block that leaves the pole");
     assert!(!leaving.contains('C'), "{leaving}");
+}
+
+#[test]
+fn gohome_retracts_and_parks_or_is_refused() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Home, feed([1.0, 0.0, 0.0], UP)];
+    assert!(run::<Cb>(&config(), &events).error().text.contains("neither `park` nor `retract.position`"));
+    let mut config = config();
+    config.park.insert('B', 0.5);
+    let lines = lines::<Cb>(&config, &events);
+    let home = lines.iter().position(|line| line == "G0 B28.6479").expect("parked");
+    assert_eq!(lines[home - 1], "G53 G0 Z0");
+    assert!(lines[home + 1].starts_with("N2 G21"), "{lines:?}");
+}
+
+#[test]
+fn nc_text_and_codes_leave_nothing_in_force() {
+    for (event, block) in [(Event::Insert(b"G0 X5"), "G0 X5"), (Event::Code { letter: b'M', number: 10 }, "M10")] {
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), event, feed([0.0, 0.0, 1.0], UP)];
+        let lines = lines::<Cb>(&config(), &events);
+        let at = lines.iter().position(|line| line == block).expect("as it stands");
+        assert!(lines[at + 1].starts_with("N2 G21 G17 G40"), "{lines:?}");
+        assert!(lines[at..].iter().any(|line| line == "S8000 M3"));
+    }
+}
+
+#[test]
+fn nc_text_that_is_not_ascii_is_refused() {
+    for text in [&b"G0 X\xff"[..], b"G0\tX1", b""] {
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(text)];
+        assert!(run::<Cb>(&config(), &events).error().text.contains("not ASCII"));
+    }
+}
+
+#[test]
+fn cutter_compensation_is_refused() {
+    let before = [tool(1), spindle(), feed([0.0; 3], UP)];
+    let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
+    assert!(with(Event::Compensation(Compensation::Left)).error().text.contains("CUTCOM"));
+    assert_eq!(with(Event::Compensation(Compensation::Off)).diagnostics, []);
+}
+
+#[test]
+fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
+    let mut config = config();
+    config.grid.insert('C', 5_f64.to_radians());
+    let with = |config: &Config, axes: &[[f64; 3]]| {
+        let mut events = vec![tool(1), spindle()];
+        events.extend(axes.iter().map(|&axis| feed([0.0; 3], axis)));
+        run::<Cb>(config, &events)
+    };
+    let errors = |run: Run| run.diagnostics.iter().filter(|found| found.severity == Severity::Error).count();
+    assert_eq!(errors(with(&config, &[cb(35.0, 30.0), cb(35.0, 40.0)])), 0);
+    // What CL data rounds is no other direction.
+    let rounded = with(&config, &[cb(35.000_03, 30.0)]);
+    assert!(rounded.diagnostics.is_empty() && rounded.lines.contains(&"G0 B30 C35".to_owned()), "{}", rounded.text());
+    let between = with(&config, &[cb(36.0, 30.0)]);
+    assert!(between.error().text.contains("36°, between the steps of 5°"), "{:?}", between.error());
+    let turning = with(&config, &[cb(35.0, 30.0), cb(40.0, 30.0)]);
+    assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
+    config.axis_tolerance = 1_f64.to_radians();
+    assert_eq!(with(&config, &[cb(36.0, 30.0)]).diagnostics, []);
+}
+
+#[test]
+fn a_spiral_of_forty_turns_is_written_within_a_turn() {
+    let mut config = config();
+    config.wrap.insert('A', Wrap::Positive);
+    config.park.insert('A', 0.0);
+    let axis = |degrees: f64| {
+        let angle = degrees.to_radians();
+        [0.0, -angle.sin(), angle.cos()]
+    };
+    let mut events = vec![tool(1), spindle()];
+    let steps = 40 * 36;
+    events
+        .extend((0..=steps).map(|step| feed([f64::from(step) * 0.05, 0.0, 5.0], axis(f64::from(step) * 10.0 + 200.0))));
+    let lines = run::<Ay>(&config, &events).lines;
+    let word = |line: &String| line.split(' ').find_map(|word| word.strip_prefix('A')?.parse::<f64>().ok());
+    let angles: Vec<f64> = lines.iter().filter_map(word).collect();
+    assert!(angles.iter().all(|angle| (0.0..360.0).contains(angle)));
+    let (mut here, mut turned) = (0.0, 0.0);
+    for angle in angles {
+        // The control goes the short way.
+        let step = (angle - here + 540.0).rem_euclid(360.0) - 180.0;
+        assert!(step.abs() < 180.0 - 1e-9, "{here} to {angle}");
+        (here, turned) = (angle, turned + step);
+    }
+    // Forty turns, and from there to the nearest zero; there is no way back.
+    assert!(
+        (turned - (200.0_f64 - 360.0 + 40.0 * 360.0 + 160.0)).abs() < 1e-6 || (turned - 40.0 * 360.0).abs() < 1e-6,
+        "{turned}"
+    );
+}
+
+#[test]
+fn a_rapid_is_written_as_the_configuration_wants_it() {
+    let blocks = |rapid_mode: Rapid, to: [f64; 3]| {
+        let config = Config { rapid: rapid_mode, rapid_feed: Some(9000.0), ..config() };
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), rapid(to, UP), feed([20.0, 0.0, -3.0], UP)];
+        let lines = lines::<Cb>(&config, &events);
+        let from = lines.iter().position(|line| line.starts_with("G1 Z0")).expect("the first point");
+        lines[from + 1..lines.len() - 3].to_vec()
+    };
+    assert_eq!(blocks(Rapid::Direct, [20.0, 0.0, 5.0])[0], "G0 X20 Z5");
+    assert_eq!(blocks(Rapid::Split, [20.0, 0.0, 5.0])[..2], ["G0 Z5", "X20"]);
+    assert_eq!(blocks(Rapid::Split, [20.0, 0.0, -2.0])[..2], ["G0 X20", "Z-2"]);
+    assert_eq!(blocks(Rapid::Split, [20.0, 0.0, 0.0])[0], "G0 X20");
+    assert_eq!(blocks(Rapid::Feed, [20.0, 0.0, 5.0])[0], "X20 Z5 F9000");
+}
+
+#[test]
+fn the_table_turns_the_way_that_rotabl_asks_for() {
+    let after = |turning: Turning, last: Event<'static>| {
+        let before = [tool(1), spindle(), feed([0.0; 3], cb(10.0, 30.0))];
+        [&before[..], &[Event::Turning(turning), last, Event::Turning(Turning::Shortest)]].concat()
+    };
+    let rotaries = |config: &Config, turning| {
+        let run = run::<Cb>(config, &after(turning, rapid([0.0; 3], cb(40.0, 30.0))));
+        assert_eq!(run.diagnostics, []);
+        run.lines.into_iter().rfind(|line| line.starts_with("G0 C") || line.starts_with("C")).expect("a turn")
+    };
+    assert_eq!(rotaries(&config(), Turning::Shortest), "G0 C40");
+    assert_eq!(rotaries(&config(), Turning::Next(Rotation::Clockwise)), "G0 C40");
+    assert_eq!(rotaries(&config(), Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
+    // Where the axis is limited, the sense leads to a state inside, or nowhere.
+    let mut limited = config();
+    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -6.0, upper: 1.0 }));
+    assert_eq!(rotaries(&limited, Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
+    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -1.0, upper: 1.0 }));
+    let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], cb(40.0, 30.0)));
+    assert!(run::<Cb>(&limited, &events).error().text.contains("leads out of the limits"));
+    let events = after(Turning::Next(Rotation::CounterClockwise), feed([0.0; 3], cb(40.0, 30.0)));
+    assert!(run::<Cb>(&config(), &events).error().text.contains("in front of a cut"));
+    let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], UP));
+    assert!(
+        run::<Head>(&with_lengths(Some(50.0)), &events).error().text.contains("no rotary axis stands in the table")
+    );
+}
+
+#[test]
+fn a_wait_is_written_in_seconds() {
+    let wait = |dwell| {
+        lines::<Cb>(
+            &config(),
+            &[tool(1), spindle(), feed([0.0; 3], UP), Event::Delay(dwell), feed([1.0, 0.0, 0.0], UP)],
+        )
+    };
+    assert!(wait(Dwell::Seconds(2.5)).contains(&"G4 P2.5".to_owned()));
+    assert!(wait(Dwell::Revolutions(400.0)).contains(&"G4 P3".to_owned()), "400 turns at 8000/min");
+    let still = [tool(1), Event::Delay(Dwell::Revolutions(2.0))];
+    assert!(run::<Cb>(&config(), &still).error().text.contains("the spindle does not turn"));
+}
+
+#[test]
+fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Frame(2), feed([1.0, 0.0, 0.0], UP)];
+    assert!(run::<Cb>(&config(), &events).error().text.contains("on a table that turns"));
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("frame 2 of the CL data has no work offset"));
+    let mut config = config();
+    config.frames.insert(2, "G55".to_owned());
+    let lines = lines::<Xyz>(&config, &events);
+    let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
+    assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
+    // The clearance plane stays behind: in the other frame it would be another plane.
+    let plane = Plane { normal: Vector3::z_axis(), distance: 80.0 };
+    let mut above = vec![Event::ClearancePlane(plane)];
+    above.extend(events);
+    above.extend([tool(2), feed([1.0, 0.0, 0.0], UP)]);
+    let run = run::<Xyz>(&config, &above);
+    assert_eq!(run.lines.iter().filter(|line| *line == "G0 Z80").count(), 1, "{:?}", run.lines);
+}
+
+#[test]
+fn a_tool_leaves_to_the_clearance_plane() {
+    let plane = Plane { normal: Vector3::z_axis(), distance: 80.0 };
+    let events =
+        [Event::ClearancePlane(plane), tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([1.0, 0.0, 0.0], UP)];
+    let lines = run::<Cb>(&config(), &events).lines;
+    assert!(lines.iter().any(|line| line == "G0 Z80"), "{lines:?}");
+}
+
+#[test]
+fn another_machine_in_the_cl_data_is_remarked_on() {
+    let events = [Event::MachineName(b"UNCX01"), tool(1), spindle(), feed([0.0; 3], UP)];
+    let run = run::<Cb>(&config(), &events);
+    assert!(run.diagnostics[0].text.contains("made for the machine `UNCX01`"), "{:?}", run.diagnostics);
 }

@@ -2,10 +2,12 @@
 
 use std::io::{self, Write};
 
-use crate::config::{Config, Units};
+use crate::cl::{ArcVote, ClPoint, Frames, Insert};
+use crate::config::{Config, Units, Wrap};
 use crate::control::Encoder;
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
+use crate::program::Rotation;
 
 use super::Job;
 use super::survey::{Survey, ToolUse};
@@ -30,7 +32,8 @@ fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
 pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if survey.units_only_given {
-        list.push("the unit of the CL data, which does not state one, as given with the job".to_owned());
+        let unit = survey.units.map_or("", Units::name);
+        list.push(format!("the unit of the CL data, which does not state one, is {unit} as given with the job"));
     }
     if !survey.framed {
         list.push("the points of the CL data count from the part zero".to_owned());
@@ -53,9 +56,21 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
         let speed = given.and_then(|tool| tool.speed).or(config.defaults.speed);
         let rotation = given.and_then(|tool| tool.rotation).or(config.defaults.rotation);
         if let (Some(speed), Some(rotation)) = (speed, rotation) {
+            let sense = match rotation {
+                Rotation::Clockwise => "CLW",
+                Rotation::CounterClockwise => "CCLW",
+            };
             list.push(format!(
-                "spindle of T{number} from the configuration where the CL data gives none: {speed} {rotation:?}"
+                "spindle of T{number} from the configuration where the CL data gives none: S{speed} {sense}"
             ));
+        }
+    }
+    for (letter, wrap) in &config.wrap {
+        match wrap {
+            Wrap::Positive | Wrap::Symmetric => {
+                list.push(format!("{letter} rolls over, and the control turns it the short way to every angle"));
+            }
+            Wrap::Sign => list.push(format!("{letter} rolls over, and the control turns it in the sense of the sign")),
         }
     }
     for tool in &survey.tools {
@@ -63,6 +78,42 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
         if length(tool, config).is_none() {
             list.push(format!("the gauge length of T{number} is unknown: its offset must hold the true one"));
         }
+    }
+    list
+}
+
+/// How the CL data was read, one sentence each.
+pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
+    let given = if config.cl.dialect.is_some() { "as given" } else { "by its own evidence" };
+    let mut list = vec![format!("CL data of {}, {given}", survey.dialect.title())];
+    let ArcVote { arcs, agree, against, given } = survey.arcs;
+    let decided = agree + against;
+    if arcs > 0 {
+        let arcs = super::counted(arcs, "arc");
+        list.push(match (given, decided) {
+            (true, _) => format!("{arcs}, their sense as given"),
+            (false, 0) => format!("{arcs}, sense by form only, 0 arcs confirmed"),
+            (false, decided) => format!("{arcs}, {agree} of {decided} decided arcs agree with their form"),
+        });
+    }
+    if survey.frames > 1 {
+        list.push(match config.cl.frames {
+            Frames::Offset => format!("{} frames, each with a work offset of its own", survey.frames),
+            Frames::Main | Frames::Refuse => format!("{} frames, mapped into the first", survey.frames),
+        });
+    }
+    if survey.setup_changes > 0 {
+        let times = super::counted(survey.setup_changes, "time");
+        list.push(format!("CSYS changes {times}: its points stay in one common frame"));
+    }
+    if !config.cl.inert.is_empty() {
+        list.push(format!("words passed over as inert: {}", config.cl.inert.join(" ")));
+    }
+    if config.cl.insert == Insert::Write {
+        list.push("INSERT written as it stands: nobody has checked it".to_owned());
+    }
+    if survey.inverse_time {
+        list.push("the CL data asks for inverse-time feed: written wherever a rotary axis moves".to_owned());
     }
     list
 }
@@ -98,9 +149,11 @@ impl<M: Machine> Header<'_, M> {
             format!("MACHINE {}, CONTROL {}, MODE axes", M::NAME, self.job.control.spellings().title),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), config.work_offset),
             format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
-            "PROGRAMMED POINT tool tip".to_owned(),
+            format!("PROGRAMMED POINT {}", programmed_point(config)),
             format!("TOLERANCE {NOT_LINEARISED}"),
+            format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
         ];
+        lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
         if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
             lines.push("ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped".to_owned());
@@ -201,6 +254,18 @@ impl<M: Machine> Header<'_, M> {
         }
         lines
     }
+}
+
+fn programmed_point(config: &Config) -> String {
+    let name = |point: ClPoint| match point {
+        ClPoint::Tip => "tool tip",
+        ClPoint::Centre => "centre of the corner radius",
+    };
+    let mut text = name(config.cl.cl_point).to_owned();
+    for (tool, point) in &config.cl.cl_point_of {
+        text += &format!(", of T{tool} {}", name(*point));
+    }
+    text
 }
 
 fn spaced(letters: &str) -> String {

@@ -6,6 +6,7 @@
 
 mod header;
 mod survey;
+mod time;
 
 #[cfg(test)]
 mod tests;
@@ -15,9 +16,9 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use crate::cl::{self, Reader};
 use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
-use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
-use crate::motion::{Abilities, Planner, Scout, Sink, Statistics, Step, Stop};
+use crate::diag::{Diagnostic, Remarks, Severity};
+use crate::kinematics::{AxisKind, Machine};
+use crate::motion::{Abilities, Cost, Course, Expander, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
 use crate::program::{Coolant, Location};
 
 use survey::Survey;
@@ -55,10 +56,16 @@ pub struct Report {
     pub failed: bool,
     /// What was met on the way.
     pub statistics: Statistics,
+    /// How long the program takes.
+    pub times: Times,
     /// Blocks written, comments not counted.
     pub blocks: u64,
     /// Lines of CL data read.
     pub lines: u64,
+    /// How the CL data was read: which CAM system wrote it, arcs, frames, words that were passed over.
+    pub reading: Vec<String>,
+    /// What the course of the rotary axes costs, with and without a view ahead; empty without rotary axes.
+    pub course: String,
     /// What was assumed rather than given, one sentence each.
     pub assumptions: Vec<String>,
     /// Linear axes whose limits were not checked, and why; empty if all were.
@@ -84,6 +91,9 @@ impl Report {
             counted(self.statistics.sequences, "safe sequence"),
             counted(self.statistics.inverse_time, "block"),
         )];
+        lines.extend(time::lines(&self.times));
+        lines.extend(self.reading.iter().cloned());
+        lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {
@@ -94,8 +104,8 @@ impl Report {
         }
         if self.statistics.near_pole > 0 {
             lines.push(format!(
-                "tool axes within {REACH_TOLERANCE} rad of the pole: {}; the rotary that is nearly free kept its value there",
-                self.statistics.near_pole
+                "tool axes near the pole that were put there: {}, by up to {:.2e} rad; the first rotary kept its value",
+                self.statistics.near_pole, self.statistics.largest_at_pole
             ));
         }
         lines.push(header::NOT_LINEARISED.to_owned());
@@ -114,6 +124,25 @@ impl Report {
     }
 }
 
+/// What the course costs, and what it would cost motion by motion.
+fn course_text(course: &Course, config: &Config) -> String {
+    let cost = |cost: &Cost| {
+        let degrees = cost.travel as f64 / 10_f64.powi(config.formats.rotary as i32);
+        let time = match cost.time {
+            0 => String::new(),
+            time => format!(" in at least {:.1} s", time as f64 / 1e9),
+        };
+        format!("{}, {degrees:.1} degrees of travel{time}", counted(u64::from(cost.rewinds), "rewind"))
+    };
+    let planned = format!("rotary axes: {}", cost(&course.cost));
+    match &course.greedy {
+        _ if config.greedy => format!("{planned}, chosen motion by motion"),
+        None => format!("{planned}; motion by motion there would be no way through"),
+        Some(greedy) if *greedy == course.cost => planned,
+        Some(greedy) => format!("{planned}; motion by motion: {}", cost(greedy)),
+    }
+}
+
 /// Posts CL data for a machine.
 ///
 /// Faults of the CL data are in the report, not errors: what stands before the first of them is written, followed by an
@@ -127,10 +156,12 @@ pub fn post<M: Machine>(
     output: &mut impl Write,
 ) -> Result<Report, PostError> {
     let start = input.stream_position().map_err(PostError::Input)?;
-    let options = cl::Options { units: job.units.or(job.config.cl_units) };
+    let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let machine = job.config.machine::<M>();
-    let scout = machine.as_ref().ok().and_then(|machine| Scout::new(machine.clone(), job.config));
-    let mut survey = Survey::take(&mut *input, options, &M::default().tool_axis(), scout).map_err(PostError::Input)?;
+    let navigator = machine.as_ref().ok().map(|machine| Navigator::new(machine.clone(), job.config));
+    let mut survey =
+        Survey::take(&mut *input, options.clone(), &M::default().tool_axis(), navigator, Expander::new(job.config))
+            .map_err(PostError::Input)?;
     input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
 
     let mut report = Report {
@@ -148,6 +179,7 @@ pub fn post<M: Machine>(
                 severity: Severity::Error,
                 location: Location::default(),
                 length: 1,
+                count: 1,
                 text: format!("{} cannot be posted for: {invalid}", M::NAME),
                 help: Some("correct the dimensions in the configuration".to_owned()),
             });
@@ -155,9 +187,13 @@ pub fn post<M: Machine>(
         }
     };
     let units = job.config.output_units.unwrap_or_else(|| survey.units.unwrap_or(Units::Millimetres));
+    if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        report.course = course_text(&survey.course, job.config);
+    }
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
     let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
-        .with_starts(std::mem::take(&mut survey.starts));
+        .with_course(std::mem::take(&mut survey.course));
+    report.reading = header::reading(job.config, &survey);
     report.assumptions = header::assumptions::<M>(job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
     header.write(&report.assumptions, &mut encoder).map_err(PostError::Output)?;
@@ -178,24 +214,32 @@ fn run<M: Machine, R: Read, W: Write>(
     report: &mut Report,
 ) -> Result<(), PostError> {
     let mut last = Location::default();
+    let mut remarks = Remarks::default();
     let planned = loop {
-        match reader.next_event().map_err(PostError::Input)? {
-            Some((at, event)) if survey.first_error.is_none_or(|error| at < error) => {
-                last = at;
-                if let Err(stopped) = planner.event(at, &event, encoder) {
+        // Looked at where it lies: to move an event costs as much as to look at it.
+        let found = reader.next_event();
+        match &found {
+            Err(_) => {
+                found.map_err(PostError::Input)?;
+            }
+            Ok(Some((at, event))) if survey.first_error.is_none_or(|error| *at < error) => {
+                last = *at;
+                if let Err(stopped) = planner.event(*at, event, encoder) {
                     break Err(stopped);
                 }
             }
             _ if survey.first_error.is_some() => break planner.abandon(encoder).map_err(Stop::Output),
-            Some(_) => {}
-            None => break planner.finish(last, encoder),
+            Ok(Some(_)) => {}
+            Ok(None) => break planner.finish(last, encoder),
         }
         if planner.has_warnings() {
-            report.diagnostics.append(&mut planner.take_warnings());
+            planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
         }
     };
-    report.diagnostics.append(&mut planner.take_warnings());
+    planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
+    report.diagnostics.append(&mut remarks.conclude());
     report.statistics = planner.statistics();
+    report.times = planner.times().clone();
     report.unchecked = header::unchecked(&planner.unchecked_axes());
     match planned {
         Ok(()) => {}

@@ -1,14 +1,18 @@
 //! The first pass over the CL text: what the header needs, and what can be known only at the end.
 
+use std::collections::BTreeMap;
 use std::io::{self, Read};
 
 use nalgebra::UnitVector3;
 
-use crate::cl::{Options, Reader};
+use crate::cl::{ArcVote, Dialect, Options, Reader};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
-use crate::motion::{Scout, Start};
+use crate::motion::{Course, Expander, Navigator};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
+
+/// More tools than this are not one program; it bounds the memory and the header.
+const MOST_TOOLS: usize = 1000;
 
 /// One tool of the program.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,14 +34,22 @@ pub(super) struct Survey {
     pub(super) units_only_given: bool,
     /// A frame is stated in the file.
     pub(super) framed: bool,
+    pub(super) dialect: Dialect,
+    pub(super) arcs: ArcVote,
+    /// Different frames.
+    pub(super) frames: usize,
+    /// How often CSYS changes.
+    pub(super) setup_changes: u64,
+    /// The CAM system asks for inverse-time feed.
+    pub(super) inverse_time: bool,
     pub(super) lines: u64,
     /// Tools that move, by number.
     pub(super) tools: Vec<ToolUse>,
     pub(super) diagnostics: Vec<Diagnostic>,
     /// Nothing may be posted from here on.
     pub(super) first_error: Option<Location>,
-    /// Where the rotaries of each operation begin; empty if there is nothing to choose.
-    pub(super) starts: Vec<Start>,
+    /// The course of the rotary axes.
+    pub(super) course: Course,
     feeds: u64,
     feeds_down: u64,
 }
@@ -45,6 +57,10 @@ pub(super) struct Survey {
 /// What is modal while surveying.
 #[derive(Debug, Default)]
 struct State {
+    /// Tools called so far, and where those that have moved stand in the list.
+    called_so_far: BTreeMap<u32, Option<usize>>,
+    /// The first call of too many.
+    too_many: Option<Location>,
     call: Option<ToolCall>,
     /// Index of the current tool, once it has moved.
     tool: Option<usize>,
@@ -55,39 +71,92 @@ struct State {
     called: bool,
 }
 
+/// What cannot be expanded, which the planner tells.
+struct Silent;
+
+impl From<Diagnostic> for Silent {
+    fn from(_: Diagnostic) -> Self {
+        Self
+    }
+}
+
 impl Survey {
     pub(super) fn take<M: Machine>(
         input: impl Read,
         options: Options,
         tool_axis: &UnitVector3<f64>,
-        mut scout: Option<Scout<M>>,
+        mut navigator: Option<Navigator<M>>,
+        mut expander: Expander,
     ) -> io::Result<Self> {
         let mut reader = Reader::new(input, options);
         let mut survey = Self::default();
         let mut state = State { begun: true, ..State::default() };
-        while let Some((_, event)) = reader.next_event()? {
-            survey.event(&event, &mut state, tool_axis);
-            if let Some(scout) = &mut scout {
-                scout.event(&event);
+        loop {
+            // Looked at where it lies: to move an event costs as much as to look at it.
+            let found = reader.next_event();
+            let (at, event) = match &found {
+                Ok(Some((at, event))) => (*at, event),
+                Ok(None) => break,
+                Err(_) => {
+                    found?;
+                    break;
+                }
+            };
+            let mut straight = |at: Location, event: &Event<'_>| -> Result<(), Silent> {
+                survey.event(at, event, &mut state, tool_axis);
+                Ok(())
+            };
+            // What cannot be expanded is the planner's to tell.
+            let _ = expander.event(at, event, &mut straight);
+            if let Event::Tolerance(_) = event {
+                expander.take_warnings();
+            }
+            if let Some(navigator) = &mut navigator {
+                navigator.event(event);
             }
         }
-        survey.starts = scout.map_or_else(Vec::new, Scout::finish);
+        survey.course = navigator.map_or_else(Course::default, Navigator::finish);
         survey.units = reader.units();
         survey.units_only_given = reader.units_are_only_given();
         survey.framed = reader.frame().is_some();
+        survey.dialect = reader.dialect();
+        survey.arcs = reader.arcs();
+        survey.frames = reader.different_frames();
+        survey.setup_changes = reader.setup_changes();
+        survey.inverse_time = reader.asks_for_inverse_time();
         survey.lines = reader.lines();
         survey.diagnostics = reader.diagnostics().to_vec();
+        survey.diagnostics.extend(state.too_many.map(|location| Diagnostic {
+            severity: Severity::Error,
+            location,
+            length: 1,
+            count: 1,
+            text: format!("the CL data calls more than {MOST_TOOLS} different tools"),
+            help: Some("check the tool numbers in the CAM system, or post its programs one by one".to_owned()),
+        }));
         let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
         survey.first_error = errors.map(|error| error.location).min();
         survey.tools.sort_by_key(|tool| tool.call.number);
         Ok(survey)
     }
 
-    fn event(&mut self, event: &Event<'_>, state: &mut State, tool_axis: &UnitVector3<f64>) {
+    fn event(&mut self, at: Location, event: &Event<'_>, state: &mut State, tool_axis: &UnitVector3<f64>) {
         match *event {
             Event::Name(name) if self.name.is_empty() => self.name = name.to_vec(),
-            Event::Operation(_) | Event::Stop | Event::OptionalStop => state.begun = true,
+            Event::Operation(_)
+            | Event::Stop
+            | Event::OptionalStop
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Home
+            | Event::Insert(_)
+            | Event::Code { .. } => state.begun = true,
             Event::Tool(call) => {
+                if state.called_so_far.len() < MOST_TOOLS {
+                    state.called_so_far.entry(call.number).or_default();
+                } else if !state.called_so_far.contains_key(&call.number) {
+                    state.too_many.get_or_insert(at);
+                }
                 if state.call.is_none_or(|before| before.number != call.number) {
                     // A SPINDL in the same start counts for the first tool that is called there.
                     state.spindle &= state.begun && !state.called;
@@ -102,7 +171,10 @@ impl Survey {
                 state.called = false;
                 if state.begun {
                     state.begun = false;
-                    state.tool = state.call.map(|call| self.tool(call));
+                    state.tool = state.call.and_then(|call| {
+                        let place = state.called_so_far.get_mut(&call.number)?;
+                        Some(self.tool(call, place))
+                    });
                     if let Some(index) = state.tool {
                         self.tools[index].operations += 1;
                     }
@@ -123,8 +195,8 @@ impl Survey {
     }
 
     /// The index of a tool, with what its calls say together.
-    fn tool(&mut self, call: ToolCall) -> usize {
-        let index = self.tools.iter().position(|tool| tool.call.number == call.number).unwrap_or_else(|| {
+    fn tool(&mut self, call: ToolCall, place: &mut Option<usize>) -> usize {
+        let index = *place.get_or_insert_with(|| {
             self.tools.push(ToolUse { call, operations: 0, tip: None, spindle_assumed: false });
             self.tools.len() - 1
         });

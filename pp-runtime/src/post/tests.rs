@@ -101,8 +101,10 @@ fn the_header_says_what_the_program_is_valid_for() {
 #[test]
 fn a_head_program_says_the_length_it_was_posted_with() {
     let text = PART.replace("LOADTL/1\nSPINDL", "LOADTL/1,LENGTH,95.5\nSPINDL");
-    let config =
-        Config { retract: crate::config::Retract { position: 0.0, distance: Some(30.0) }, ..Config::default() };
+    let config = Config {
+        retract: crate::config::Retract { distance: Some(30.0), ..Config::default().retract },
+        ..Config::default()
+    };
     let (text, report) = posted::<Head>(&config, &text);
     assert_eq!(report.diagnostics, []);
     assert!(text.contains("(T1 posted with L = 95.5: H1 must hold exactly this)"), "{text}");
@@ -146,8 +148,47 @@ fn a_program_whose_tool_axes_all_point_into_the_table_is_refused() {
     };
     let report = free(true);
     assert!(report.diagnostics[0].help.as_ref().is_some_and(|help| help.contains("part_rotation")), "{report:?}");
-    assert_eq!(report.diagnostics[0].location.line, 7);
+    // The whole program is upside down: its first motion already says so.
+    assert_eq!(report.diagnostics[0].location.line, 5);
     assert!(!free(false).failed);
+}
+
+#[test]
+fn a_program_upside_down_is_told_so_before_any_limit() {
+    let down = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,100,CLW\nRAPID\nGOTO/0,0,-20,0,0,-1\nFEDRAT/MMPM,100\nGOTO/0,0,0\n";
+    let report = posted::<Cb>(&Config::default(), down).1;
+    assert_eq!(report.diagnostics[0].text, "every tool axis of this program points into the table");
+}
+
+#[test]
+fn more_tools_than_any_magazine_holds_are_refused() {
+    let calls = |count: u32| {
+        let calls: String = (1..=count).map(|n| format!("LOADTL/{n}\nGOTO/0,0,{n},0,0,1\n")).collect();
+        let mut config = Config::default();
+        config.retract.distance = Some(9.0);
+        posted::<Cb>(&config, &format!("UNITS/MM\nSPINDL/RPM,100,CLW\nFEDRAT/9\n{calls}")).1
+    };
+    let refused = |report: &Report| {
+        let found = report.diagnostics.iter().find(|found| found.text.contains("different tools"));
+        found.map(|found| found.location.line)
+    };
+    assert_eq!(refused(&calls(1000)), None);
+    assert_eq!(refused(&calls(1002)), Some(3 + 2 * 1000 + 1));
+}
+
+#[test]
+fn remarks_of_a_kind_are_counted_and_records_do_not_wait_without_end() {
+    let part = PART.replace("RAPID\nGOTO/0,0,20", &format!("{}RAPID\nGOTO/0,0,20", "MACHIN/ABC\n".repeat(5000)));
+    let (_, report) = posted::<Cb>(&Config::default(), &part);
+    assert!(!report.failed);
+    assert_eq!(report.diagnostics.len(), 21);
+    assert_eq!(report.diagnostics[20].count, 4980);
+    for record in ["PPRINT said between\n", "COOLNT/ON\n", "SPINDL/ON\n", "DELAY/1\n", "FROM/0,0,0\n"] {
+        let part = |count| PART.replace("RAPID\nGOTO/0,0,2\n", &format!("{}RAPID\nGOTO/0,0,2\n", record.repeat(count)));
+        assert!(!posted::<Cb>(&Config::default(), &part(100)).1.failed, "{record}");
+        let report = posted::<Cb>(&Config::default(), &part(20_000)).1;
+        assert!(report.diagnostics[0].text.contains("too many records stand between"), "{record}: {report:?}");
+    }
 }
 
 #[test]

@@ -5,6 +5,8 @@
 (PART ORIGIN X0 Y0 Z0 from the table reference)
 (PROGRAMMED POINT tool tip)
 (TOLERANCE not linearised: tip path between blocks is not checked)
+(ARCS AND CURVES in chords that leave them by at most 0.01)
+(CL data of NX, by its own evidence)
 (AXIS C + turns the table left-handed about +Z: word as in ISO 841)
 (AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841)
 (AXIS X + moves the tool along +X: word as in ISO 841)
@@ -27,12 +29,12 @@ T3 M6
 G53 G0 Z0
 G43 H3
 S8200 M3
-G0 B0 C37.1515
-X-32.356 Y8.959
+G0 B0 C35
+X-32.67 Y7.738
 Z74.3
 M8
 G1 Z14.3 F400
-G93 X-16.03 Y5.409 Z12.162 B6.0825 F183.5
+G93 X-16.03 Y5.409 Z12.162 B6.0825 C37.1515 F183.5
 X2.261 Y4.827 Z11.545 B12.8829 C39.5644 F178.461
 X21.544 Y6.878 Z12.969 B20.1339 C44.6552 F172.883
 X41.344 Y10.772 Z16.799 B27.8572 C51.2466 F166.959

@@ -5,6 +5,8 @@
 (PART ORIGIN X0 Y0 Z0 from the table reference)
 (PROGRAMMED POINT tool tip)
 (TOLERANCE not linearised: tip path between blocks is not checked)
+(ARCS AND CURVES in chords that leave them by at most 0.01)
+(CL data of NX, by its own evidence)
 (AXIS X + moves the table against +X: word as in ISO 841)
 (AXIS Y + moves the tool along +Y: word as in ISO 841)
 (AXIS Z + moves the tool along +Z: word as in ISO 841)

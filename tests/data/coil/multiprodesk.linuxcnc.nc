@@ -5,6 +5,8 @@
 (PART ORIGIN X35 Y4.5 Z62 from the table reference)
 (PROGRAMMED POINT tool tip)
 (TOLERANCE not linearised: tip path between blocks is not checked)
+(ARCS AND CURVES in chords that leave them by at most 0.01)
+(CL data of NX, by its own evidence)
 (AXIS A + turns the table right-handed about +X: word backwards)
 (AXIS Y + moves the table along +Y: word backwards)
 (AXIS X + moves the tool along +X: word as in ISO 841)

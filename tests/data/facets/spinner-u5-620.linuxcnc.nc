@@ -5,6 +5,8 @@
 (PART ORIGIN X0 Y0 Z0 from the table reference)
 (PROGRAMMED POINT tool tip)
 (TOLERANCE not linearised: tip path between blocks is not checked)
+(ARCS AND CURVES in chords that leave them by at most 0.01)
+(CL data of CATIA, by its own evidence)
 (AXIS C + turns the table left-handed about +Z: word as in ISO 841)
 (AXIS B + turns the table left-handed about +Y: word as in ISO 841)
 (AXIS X + moves the tool along +X: word as in ISO 841)

@@ -6,6 +6,7 @@ mod body;
 mod inverse;
 mod kinematics;
 mod machine;
+mod motion;
 mod names;
 
 use proc_macro2::TokenStream;
@@ -22,18 +23,23 @@ pub(crate) use body::Count;
 pub(crate) const LOCALS: &[&str] = &[
     "axes",
     "axis",
+    "change",
     "deviation",
     "edge_height",
     "edge_root",
+    "from",
     "held",
     "index",
     "inside",
     "math",
+    "middle",
     "point",
     "pose",
+    "reach",
     "singular",
     "solved",
     "tip",
+    "to",
     "turns",
     "value",
     "first",
@@ -63,6 +69,7 @@ pub(crate) fn emit(
     let joints = kinematics::joints(model, solved);
     let inverse = inverse::inverse(model, solved);
     let reach = inverse::reach(model, solved);
+    let motion = motion::motion(model, &solved.motion);
     let (position, position_signature) = kinematics::position(model, solved);
     let edge = inverse::edge(model, solved);
     let (edge, edge_signature) = edge.unzip();
@@ -100,6 +107,7 @@ pub(crate) fn emit(
                 #inverse
                 #linear_axes
                 #reach
+                #motion
             }
         };
     }

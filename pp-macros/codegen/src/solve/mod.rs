@@ -1,13 +1,15 @@
-//! Closed-form kinematics as a graph: forward map, rotary angles, linear axes.
+//! Closed-form kinematics as a graph: forward map, rotary angles, linear axes, and how the tool moves.
 //!
 //! Input is the span-free [`Model`]; refusals name axes by their place in the chain. Limits, turns and the choice
 //! between branches live in the runtime.
 
 mod forward;
+mod motion;
 mod orientation;
 mod position;
 
 pub use forward::Forward;
+pub use motion::{Curve, Motion};
 pub use orientation::{Angle, Answer, Edge, One, Orientation, Tilt, Two};
 pub use position::Position;
 
@@ -39,6 +41,8 @@ pub struct Solved {
     pub orientation: Orientation,
     /// Tip and rotary angles to linear axes.
     pub position: Position,
+    /// Axis values and their rates to the rates of the pose.
+    pub motion: Motion,
     /// Direction of every axis, as declared.
     pub directions: Vec<V3>,
     /// Centre of every rotary axis for the current set-up; zero for linear axes.
@@ -87,7 +91,9 @@ pub fn solve(model: &mut Model) -> Result<Solved, Vec<Refusal>> {
     let centres = axes.map(|axis| chain.joint_centre(axis)).collect();
     let tool_axis = chain.tool_axis();
     let conditions = conditions(&orientation, &position);
-    Ok(Solved { graph: chain.graph, forward, orientation, position, directions, centres, tool_axis, conditions })
+    let motion = motion::solve(model);
+    let graph = chain.graph;
+    Ok(Solved { graph, forward, orientation, position, motion, directions, centres, tool_axis, conditions })
 }
 
 /// Divisors of the closed forms.

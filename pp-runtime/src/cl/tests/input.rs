@@ -10,6 +10,15 @@ const GOTO: &str = "GOTO/-12.5,.839020,1.E-3,0.6000000,0.0000000,-0.8";
 const MIXED: &str = "$$ NAME\nPARTNO/'A B'\nUNITS/MM\nTOOL PATH/P1,TOOL,T1\nLOADTL/3\n$$-> CUTTER / 4.5\nRAPID\n\
                      GOTO/1,2,3\nFEDRAT/100,MMPM\nGOTO/1,2,-3,0,.6,.8\n\nPPRINT hello\nOPSTOP\nEND\nGOTO/0,0,0\nFINI\n";
 
+/// Files of four CAM systems that use everything which can be left open.
+const WHOLE: [&str; 5] = [
+    include_str!("../../../../tests/fuzz/seeds/post/nx.cls"),
+    include_str!("../../../../tests/fuzz/seeds/post/catia.aptsource"),
+    include_str!("../../../../tests/fuzz/seeds/post/creo.ncl"),
+    include_str!("../../../../tests/fuzz/seeds/post/solidworks.apt"),
+    include_str!("../../../../tests/fuzz/seeds/post/others.cls"),
+];
+
 /// Gives `size` bytes at a time.
 struct InPieces<'a> {
     bytes: &'a [u8],
@@ -46,7 +55,7 @@ fn the_last_line_needs_no_end() {
 
 #[test]
 fn the_size_of_the_reads_does_not_matter() {
-    let text = format!("{MIXED}GOTO/1,2$\n.5,3\nCIRCLE/1,2,3\n").replace('\n', "\r\n");
+    let text = format!("{MIXED}GOTO/1,2$\n.5,3\nBREAK/1,2,3\n").replace('\n', "\r\n");
     let whole = read_from(text.as_bytes(), MM);
     assert_eq!(whole.diagnostics.len(), 1);
     for size in [1, 2, 7, 1000] {
@@ -100,7 +109,7 @@ fn a_comment_that_ends_in_a_dollar_swallows_no_goto() {
 fn a_creo_comment_goes_on_over_the_line_end() {
     let csys = "$$-> CSYS / 1,0,0,0, $\n 0,1,0,0, $\n 0,0,1,0\nGOTO/1,2,3\n";
     assert_eq!(events(csys).len(), 1);
-    let mut reader = Reader::new(csys.as_bytes(), MM);
+    let mut reader = Reader::new(csys.as_bytes(), MM.into());
     while reader.next_event().unwrap().is_some() {}
     assert_eq!(reader.frame().unwrap().axes, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 }
@@ -174,7 +183,7 @@ fn noise(state: &mut u64) -> u64 {
 
 #[test]
 fn a_hundred_thousand_random_inputs_cause_no_panic() {
-    const PARTS: [&str; 40] = [
+    const PARTS: [&str; 64] = [
         "GOTO/",
         "FROM/",
         "FEDRAT/",
@@ -214,6 +223,30 @@ fn a_hundred_thousand_random_inputs_cause_no_panic() {
         "OFF",
         "TOOLNO/",
         "COOLNT/",
+        "CIRCLE/0,0,0,0,0,1\n",
+        "CIRCLE/",
+        "TIMES,2",
+        "NURBS/\n",
+        "KNOT/1\n",
+        "CNTRL/1,0,0\n",
+        "CYCLE/DRILL,",
+        "CYCLE/OFF\n",
+        "FEDTO,-3,",
+        "RAPTO,1,",
+        "DEPTH,3,",
+        "GODLTA/1\n",
+        "GOHOME\n",
+        "TLON,GOFWD/(CIRCLE/0,0,0,1),ON,(LINE/0,0,0,1,0,0)\n",
+        "INDIRV/0,1,0\n",
+        "TRACUT/1,0,0,5,0,0,-1,0,0,1,0,0\n",
+        "CSYS/1,0,0,0,0,1,0,0,0,0,1,0\n",
+        "TRNTYP/WORLD,0,0,0\n",
+        "INSERT ",
+        "DEFSUB/1\n",
+        "ENDSUB\n",
+        "CALSUB/1\n",
+        "CLEARP/XYPLAN,5\nRETRCT\n",
+        "DELAY/1\n",
         "\u{FEFF}",
     ];
     let mut state = 0x9E37_79B9_7F4A_7C15;
@@ -229,7 +262,7 @@ fn a_hundred_thousand_random_inputs_cause_no_panic() {
                 text.push(choice.to_le_bytes()[3]);
             }
         }
-        let mut reader = Reader::new(&text[..], MM);
+        let mut reader = Reader::new(&text[..], MM.into());
         while let Some((place, _)) = reader.next_event().unwrap() {
             assert!(place.line >= 1 && place.column >= 1, "round {round}: {text:?}");
         }
@@ -252,6 +285,40 @@ proptest! {
         }
         text.push_str(&GOTO[from..]);
         prop_assert_eq!(events(&text), events(GOTO));
+    }
+
+    /// Lines left out, doubled, moved, and bytes changed: nothing panics, every place is a place, and a file that is
+    /// refused has said why.
+    #[test]
+    fn a_file_with_damage_is_read_or_refused_with_a_reason(
+        damage in prop::collection::vec((0_u8..4, any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<u8>()), 0..6),
+        whole in prop::sample::select(WHOLE.to_vec()),
+    ) {
+        let mut lines: Vec<Vec<u8>> = whole.lines().map(|line| line.as_bytes().to_vec()).collect();
+        for (kind, first, second, byte) in damage {
+            let (a, b) = (first.index(lines.len()), second.index(lines.len()));
+            match kind {
+                0 => lines[a].clear(),
+                1 => lines[a] = lines[b].clone(),
+                2 => lines.swap(a, b),
+                _ => {
+                    let length = lines[a].len();
+                    if length > 0 {
+                        lines[a][second.index(length)] = byte;
+                    }
+                }
+            }
+        }
+        let text = lines.join(&b'\n');
+        let options = Options { insert: crate::cl::Insert::Write, frames: crate::cl::Frames::Main, ..Options::from(MM) };
+        let mut reader = Reader::new(&text[..], options);
+        let mut motions = 0;
+        while let Some((place, event)) = reader.next_event().unwrap() {
+            prop_assert!(place.line >= 1 && place.column >= 1);
+            motions += u32::from(matches!(event, Event::Move(_) | Event::Hole(_) | Event::Arc(_)));
+        }
+        prop_assert!(reader.failed() || motions > 0);
+        prop_assert_eq!(reader.failed(), reader.diagnostics().iter().any(|found| found.severity == Severity::Error));
     }
 
     #[test]

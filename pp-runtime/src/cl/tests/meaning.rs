@@ -112,6 +112,22 @@ fn a_cutter_without_a_tool_does_not_reach_the_next_operation() {
 }
 
 #[test]
+fn a_cutter_that_changes_without_a_tool_record_is_remarked_on() {
+    let told = |text: &str| {
+        let found = read_from(text.as_bytes(), MM).diagnostics;
+        assert!(found.iter().all(|found| found.severity == Severity::Warning), "{found:?}");
+        found.iter().map(|found| format!("{} {}", found.location.line, found.text)).collect::<Vec<_>>()
+    };
+    let change = "the cutter changes from 16.000 mm to 8.000 mm, and no tool record calls it";
+    let operation = |d: u32, call: &str| format!("TOOL PATH/A,TOOL,D{d}\nTLDATA/MILL,{d},0,75,0,0\n{call}GOTO/0,0,0\n");
+    assert_eq!(told(&(operation(16, "") + &operation(8, ""))), [format!("6 {change}")]);
+    assert_eq!(told(&(operation(16, "LOAD/TOOL,1\n") + &operation(8, ""))), [format!("7 {change}")]);
+    assert_eq!(told(&(operation(16, "") + &operation(8, "LOAD/TOOL,1\n"))), [""; 0]);
+    assert_eq!(told(&(operation(16, "") + &operation(16, ""))), [""; 0]);
+    assert_eq!(told("CUTTER/16\nLOADTL/1\nGOTO/0,0,0\nCUTTER/8\nGOTO/0,0,9\nLOADTL/2\nGOTO/0,0,9\n").len(), 1);
+}
+
+#[test]
 fn the_same_tool_called_again_keeps_its_cutter() {
     let found = events("CUTTER/16,0\nLOADTL/1\nLOADTL/1,1,1\nLOADTL/2\nGOTO/0,0,0\n");
     assert!(found[1].contains("diameter: Some(16.0)"), "{found:?}");
@@ -163,17 +179,17 @@ fn multax_off_keeps_the_axis_but_in_creo_a_tilt_is_in_doubt() {
 
 #[test]
 fn inert_records_cause_nothing() {
-    let text = "PAINT/COLOR,1\nSEQNO/1\nDISPLY/ON\nTPRINT/T1 Drill,D\nMACHIN / X, 1\nREWIND/0\nTOOLNO/1,  16,,2\nLETTER x\n\
+    let text = "PAINT/COLOR,1\nSEQNO/1\nDISPLY/ON\nTPRINT/T1 Drill,D\nREWIND/0\nTOOLNO/1,  16,2\nLETTER x\n\
                 LEADER/1\nCHECK/1\nTMARK/1\nINTOL /  0.025\nOUTTOL/0\nSETUP/START,1\nCSI_SET_FLUTE_LENGTH/70.\n\
-                TRNTYP/WORLD,0,0,0\nSET/MODE,ABSOL\nCYCLE/OFF\nCUTCOM/OFF\nREMARK a/b,,\nEND-OF-PATH\nEND\nGOTO/1,2,3\nFINI\n";
-    assert_eq!(events(text), ["23:1 feed 1 2 3 axis 0 0 1 None"]);
+                TRNTYP/WORLD,0,0,0\nSET/MODE,ABSOL\nCYCLE/OFF\nREMARK a/b,,\nEND-OF-PATH\nEND\nGOTO/1,2,3\nFINI\n";
+    assert_eq!(events(text), ["21:1 feed 1 2 3 axis 0 0 1 None"]);
 }
 
 #[test]
 fn the_catia_matrix_is_a_frame() {
     let matrix = "$$*CATIA0\n$$ Program.1\n$$  1.0 0.0 0.0 10.0\n$$  0.0 -1.0 0.0 0.0\n$$  0.0 0.0 -1.0 5.0\n";
     let text = format!("{matrix}GOTO/0,0,0\n{matrix}GOTO/0,0,0\n");
-    let mut reader = Reader::new(text.as_bytes(), MM);
+    let mut reader = Reader::new(text.as_bytes(), MM.into());
     while reader.next_event().unwrap().is_some() {}
     assert!(!reader.failed());
     assert_eq!(reader.frames_stated(), 2);
@@ -185,6 +201,18 @@ fn the_catia_matrix_is_a_frame() {
     let found = errors(&other);
     assert_eq!(found.len(), 1);
     assert!(found[0].contains("the frame in line 11 differs from the workpiece frame in line 5"), "{found:?}");
+}
+
+#[test]
+fn a_matrix_of_catia_is_read_whole_or_refused() {
+    let row = "a row of the matrix behind $$*CATIA0 is expected here: four numbers with blanks between them";
+    let matrix = |rows: &str| errors(&format!("$$*CATIA0\n$$ Program.1\n{rows}GOTO/0,0,0\nGOTO/1,0,0\n"));
+    // A number as wide as its field leaves no blank.
+    assert_eq!(matrix("$$ 1 0 0-10000.0\n$$ 0 1 0 0\n$$ 0 0 1 0\n"), [format!("3:1+16 {row}")]);
+    assert_eq!(matrix("$$ 1 0 0 0\n$$ 0 1 0\n$$ 0 0 1 0\n"), [format!("4:1+8 {row}")]);
+    assert_eq!(matrix("$$ 1 0 0 0\n$$ 0 1 0 0\n"), [format!("5:1+10 {row}")]);
+    assert_eq!(matrix("$$ 1 0 0 0\n$$*CATIA0\n"), [format!("4:1+9 {row}")]);
+    assert_eq!(matrix("$$ no matrix here\n$$ 1 0 0 0\n"), [""; 0]);
 }
 
 #[test]
@@ -200,7 +228,7 @@ fn the_evidence_tells_the_dialect() {
         ("CSI_X/1\n", Dialect::SolidWorks),
         ("UNITS/MM\n", Dialect::Generic),
     ] {
-        let mut reader = Reader::new(text.as_bytes(), MM);
+        let mut reader = Reader::new(text.as_bytes(), MM.into());
         while reader.next_event().unwrap().is_some() {}
         assert_eq!(reader.dialect(), dialect, "{text}");
     }

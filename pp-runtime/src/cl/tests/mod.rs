@@ -3,14 +3,22 @@
 mod faults;
 mod input;
 mod meaning;
+mod path;
+mod round_trip;
 
 use super::{Options, Reader};
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Event, Location, Units};
 use std::io::Read;
 
-const MM: Options = Options { units: Some(Units::Millimetres) };
-const UNSTATED: Options = Options { units: None };
+const MM: Option<Units> = Some(Units::Millimetres);
+const UNSTATED: Option<Units> = None;
+
+impl From<Option<Units>> for Options {
+    fn from(units: Option<Units>) -> Self {
+        Options { units, ..Options::default() }
+    }
+}
 
 /// Events as text with their places, and the diagnostics.
 struct Outcome {
@@ -18,8 +26,8 @@ struct Outcome {
     diagnostics: Vec<Diagnostic>,
 }
 
-fn read_from(input: impl Read, options: Options) -> Outcome {
-    let mut reader = Reader::new(input, options);
+fn read_from(input: impl Read, options: impl Into<Options>) -> Outcome {
+    let mut reader = Reader::new(input, options.into());
     let mut events = Vec::new();
     while let Some((Location { line, column }, event)) = reader.next_event().unwrap() {
         let event = match event {
@@ -31,6 +39,31 @@ fn read_from(input: impl Read, options: Options) -> Outcome {
             Event::From(pose) => format!("from {} {} {} axis {}", pose.tip.x, pose.tip.y, pose.tip.z, pose.axis.z),
             Event::Name(text) => format!("name {}", String::from_utf8_lossy(text)),
             Event::Operation(text) => format!("operation {}", String::from_utf8_lossy(text)),
+            Event::Arc(arc) => format!(
+                "arc to {} {} {} about {} {} {} through {:.3}",
+                arc.end.tip.x,
+                arc.end.tip.y,
+                arc.end.tip.z,
+                arc.normal.x,
+                arc.normal.y,
+                arc.normal.z,
+                arc.angle.to_degrees()
+            ),
+            Event::Spline(spline) => format!("spline {:?} {}", spline.knots, spline.points.len()),
+            Event::Hole(hole) => format!(
+                "hole {} {} {} deep {} from {} to {} {:?} {:?} {:?}",
+                hole.top.tip.x,
+                hole.top.tip.y,
+                hole.top.tip.z,
+                hole.depth,
+                hole.clearance,
+                hole.back_to,
+                hole.drilling,
+                hole.feed,
+                hole.dwell
+            ),
+            Event::MachineName(text) => format!("machine {}", String::from_utf8_lossy(text)),
+            Event::Insert(text) => format!("insert {}", String::from_utf8_lossy(text)),
             Event::Message(text) => format!("message {}", String::from_utf8_lossy(text)),
             other => format!("{other:?}"),
         };
@@ -46,7 +79,7 @@ fn events(text: &str) -> Vec<String> {
 }
 
 #[track_caller]
-fn events_with(text: &str, options: Options) -> Vec<String> {
+fn events_with(text: &str, options: impl Into<Options>) -> Vec<String> {
     let outcome = read_from(text.as_bytes(), options);
     assert_eq!(outcome.diagnostics, [], "in {text:?}");
     outcome.events
@@ -57,7 +90,7 @@ fn errors(text: &str) -> Vec<String> {
     errors_with(text, MM)
 }
 
-fn errors_with(text: &str, options: Options) -> Vec<String> {
+fn errors_with(text: &str, options: impl Into<Options>) -> Vec<String> {
     let diagnostics = read_from(text.as_bytes(), options).diagnostics;
     let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
     errors
@@ -74,8 +107,9 @@ fn refused(text: &str, expected: &str) {
 }
 
 #[track_caller]
-fn refused_with(text: &str, options: Options, expected: &str) {
-    assert_eq!(errors_with(text, options), [expected], "in {text:?}");
+fn refused_with(text: &str, options: impl Into<Options>, expected: &str) {
+    let options = options.into();
+    assert_eq!(errors_with(text, options.clone()), [expected], "in {text:?}");
     let diagnostics = read_from(text.as_bytes(), options).diagnostics;
     assert!(diagnostics.iter().all(|diagnostic| diagnostic.help.as_ref().is_some_and(|help| !help.is_empty())));
 }

@@ -1,0 +1,116 @@
+//! `motion` and `rates`: what the derivatives of the pose become.
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use super::body::{Body, lets};
+use super::names::{Places, prelude};
+use crate::model::{Kind, Model};
+use crate::solve::{Curve, Motion};
+use crate::symbolic::{Id, Symbol, V3};
+
+/// `motion` and `rates`.
+pub(super) fn motion(model: &Model, motion: &Motion) -> TokenStream {
+    let (bound, rates) = (bound(model, motion), rates(model, motion));
+    quote! {
+        #bound
+        #rates
+    }
+}
+
+fn rates(model: &Model, motion: &Motion) -> TokenStream {
+    let outputs: Vec<Id> = motion.tip.rate.into_iter().chain(motion.axis_curve.rate).collect();
+    let mut body = Body::new(&motion.graph, &outputs);
+    let inputs = inputs(model, motion, &body, &outputs, "axes");
+    let statements = lets(&body.statements(&outputs));
+    let (tip, axis) = (vector(&body, motion.tip.rate), vector(&body, motion.axis_curve.rate));
+    quote! {
+        #[inline]
+        fn rates(
+            &self,
+            axes: &Self::Axes,
+            change: &Self::Axes,
+        ) -> (::pp_runtime::nalgebra::Vector3<f64>, ::pp_runtime::nalgebra::Vector3<f64>) {
+            let _ = (axes, change);
+            #inputs
+            #statements
+            (#tip, #axis)
+        }
+    }
+}
+
+fn bound(model: &Model, motion: &Motion) -> TokenStream {
+    let nodes = |curve: &Curve| curve.rate.into_iter().chain(curve.bend).chain([curve.third]).collect::<Vec<_>>();
+    let centres: Vec<Id> = motion.centres.iter().flatten().copied().collect();
+    let outputs = [nodes(&motion.tip), nodes(&motion.axis_curve), motion.axis.to_vec(), centres.clone()].concat();
+    let mut body = Body::new(&motion.graph, &outputs);
+    let inputs = inputs(model, motion, &body, &outputs, "middle");
+    let statements = lets(&body.statements(&outputs));
+    let (tip, axis_curve) = (curve(&body, &motion.tip), curve(&body, &motion.axis_curve));
+    let axis = vector(&body, motion.axis);
+    let places: Vec<usize> = (0..model.axes.len()).collect();
+    let magnitudes = |kind: Kind| {
+        let places = places.iter().filter(|place| model.axes[**place].kind == kind);
+        let terms = places.map(|place| quote!(+ math::abs(from[#place]) + math::abs(to[#place])));
+        quote!(0.0 #(#terms)*)
+    };
+    let (turns, travel) = (magnitudes(Kind::Rotary), magnitudes(Kind::Linear));
+    let arms = arms(motion, &body, &centres);
+    quote! {
+        #[inline]
+        fn motion(&self, from: &Self::Axes, to: &Self::Axes) -> ::pp_runtime::kinematics::MotionBound {
+            let middle = [#(0.5 * (from[#places] + to[#places])),*];
+            let change = [#(to[#places] - from[#places]),*];
+            #inputs
+            #statements
+            let (turns, reach) = (#turns, #travel #arms);
+            ::pp_runtime::kinematics::MotionBound::of(&#tip, &#axis, &#axis_curve, reach, turns)
+        }
+    }
+}
+
+/// `+ 4 Σ |c|`, component by component; what is known is added up here.
+fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
+    let mut known = 0.0;
+    let mut terms = TokenStream::new();
+    for &component in centres {
+        match motion.graph.constant_of(component).and_then(|value| motion.graph.ring.value(value)) {
+            Some(value) => known += 4.0 * value.abs(),
+            None => {
+                let component = body.tokens(component);
+                terms.extend(quote!(+ 4.0 * math::abs(#component)));
+            }
+        }
+    }
+    let known = (known > 0.0).then(|| Literal::f64_unsuffixed(known)).map(|known| quote!(+ #known));
+    quote!(#known #terms)
+}
+
+/// Inputs of a function: axis values in the array `words`, their changes in `change`.
+fn inputs(model: &Model, motion: &Motion, body: &Body<'_>, outputs: &[Id], words: &str) -> TokenStream {
+    let used = body.inputs(outputs);
+    let mut lets = prelude(model, &used, Places { words: Some(words), ..Places::default() });
+    let name = |symbol: Symbol| Ident::new(motion.graph.ring.name(symbol), Span::call_site());
+    let array = format_ident!("change");
+    for (place, (&change, &size)) in motion.changes.iter().zip(&motion.sizes).enumerate() {
+        if used.contains(&change) {
+            let change = name(change);
+            lets.extend(quote!(let #change = #array[#place];));
+        }
+        if used.contains(&size) {
+            let size = name(size);
+            lets.extend(quote!(let #size = math::abs(#array[#place]);));
+        }
+    }
+    lets
+}
+
+fn vector(body: &Body<'_>, vector: V3) -> TokenStream {
+    let parts = vector.map(|node| body.tokens(node));
+    quote!(::pp_runtime::nalgebra::Vector3::new(#(#parts),*))
+}
+
+fn curve(body: &Body<'_>, curve: &Curve) -> TokenStream {
+    let (rate, bend, third) = (vector(body, curve.rate), vector(body, curve.bend), body.tokens(curve.third));
+    quote!(::pp_runtime::kinematics::Curve { rate: #rate, bend: #bend, third: #third })
+}

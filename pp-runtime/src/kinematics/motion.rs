@@ -1,0 +1,217 @@
+//! How far a block leaves the straight, evenly turning motion between its ends: bounds that hold, not samples.
+//!
+//! A control moves every axis linearly: `q(s) = q0 + s Δ` for `s` in \[0, 1\]. The tip `P(s)` and the tool axis `a(s)`
+//! then run on curves. Both are known exactly in the middle, with their first two derivatives, and their third
+//! derivative is bounded over the whole block; what follows needs nothing else.
+//!
+//! # The third derivative
+//! From the tool to the workpiece, `y` being the point as it is seen so far and `V A M` the largest `|y'| |y''| |y'''|`:
+//! a linear axis adds a constant to `y'`. A rotary axis about `n` through `c`, turning by `δ`, makes of `y` the point
+//! `z = c + R (y - c)`, and with `N x = n × x`
+//!
+//! ```text
+//! z'   = R (y' + δ N (y - c))
+//! z''  = R (y'' + δ N (2 y' + δ N (y - c)))
+//! z''' = R (y''' + 3 δ N y'' + 3 δ² N² y' + δ³ N³ (y - c))
+//! |z'''| <= M + 3 |δ| A + 3 δ² V + |δ|³ ρ,   ρ the largest |N (y - c)|
+//! ```
+//!
+//! In the middle everything is known, and from there to an end is half the block: `A <= |y''(½)| + M/2`,
+//! `V <= |y'(½)| + A/2`, `ρ <= |N (y(½) - c)| + V/2`.
+//!
+//! # The tip
+//! `E(s)`, the distance vector from the evenly travelled chord, vanishes at both ends and has `E'' = P''`. With
+//! `|P''(s) - P''(½)| <= M |s - ½|` and Green's function of the interval
+//!
+//! ```text
+//! |E| <= |P''(½)|/8 + M/48
+//! ```
+//!
+//! Along the chord `|E'| <= (|P''(½)| + M/2)/2`. Where that is less than the chord is long, the tip never turns back, and
+//! only the part of `P''(½)` normal to the chord counts. The chord is `P'(½)` within `M/24`.
+//!
+//! # The tool axis
+//! The same bound, `e`, holds for the distance of `a(s)` from the chord of its arc. That chord lies in the plane of the
+//! great circle, and a unit vector that is `e` away from a vector makes an angle of at most `asin e` with it. Where the
+//! axis never turns back, only the part of `a''(½)` along `N = a0 × a1 / |a0 × a1|` counts: the distance from the
+//! plane. `a0 × a1` is `(a(½) + a''(½)/8) × a'(½)` within `M/24 + |a'(½)| M/48` and terms of second order.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use super::math;
+use super::{AxisKind, Machine};
+
+/// Certified deviation of one block, all axes moving linearly, from the straight, evenly turning motion.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct MotionBound {
+    /// No tip of the block is farther than this from the straight line between its ends, mm.
+    pub tip: f64,
+    /// No tool axis of the block is farther than this from the great circle between its ends, rad; at most π.
+    pub axis: f64,
+}
+
+/// What is known of a moving point, or of a moving tool axis, in the middle of a block; per block, not per second.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curve {
+    /// First derivative in the middle.
+    pub rate: Vector3<f64>,
+    /// Second derivative in the middle.
+    pub bend: Vector3<f64>,
+    /// Largest third derivative of the whole block.
+    pub third: f64,
+}
+
+/// Sine of the angle between two tool axes below which they have no great circle.
+const SAME_AXIS: f64 = 1e-9;
+
+/// Rounding of the bounds themselves, as a share of them.
+const RELATIVE_ROUNDING: f64 = 1e-12;
+
+/// Units in the last place that forward kinematics may lose.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+impl MotionBound {
+    /// The bound of a block from its middle: tip, tool axis there and its curve.
+    ///
+    /// `reach`: a length that no lever of the chain exceeds, mm; `turns`: sum of the rotary values, rad. Both only for
+    /// the rounding of forward kinematics, which is part of the bound.
+    #[must_use]
+    #[inline]
+    pub fn of(tip: &Curve, axis: &Vector3<f64>, axis_curve: &Curve, reach: f64, turns: f64) -> Self {
+        let rounding = ROUNDING * (1.0 + turns);
+        Self {
+            tip: tip.from_chord() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
+            axis: axis_curve.from_great_circle(axis) * (1.0 + RELATIVE_ROUNDING) + rounding,
+        }
+    }
+}
+
+impl Curve {
+    /// Distance from the evenly travelled chord, given the part of the second derivative that counts.
+    #[inline]
+    fn sagitta(&self, bend: f64) -> f64 {
+        bend / 8.0 + self.third / 48.0
+    }
+
+    /// Largest distance from the chord.
+    #[inline]
+    fn from_chord(&self) -> f64 {
+        let (rate, bend) = (length(&self.rate), length(&self.bend));
+        let off = self.third / 24.0;
+        if rate - off > 0.5 * bend + 0.25 * self.third {
+            let normal = (length(&self.bend.cross(&self.rate)) + bend * off) / rate;
+            self.sagitta(if normal < bend { normal } else { bend })
+        } else {
+            self.sagitta(bend)
+        }
+    }
+
+    /// Largest angle from the great circle, rad; `axis` is the unit vector in the middle.
+    #[inline]
+    fn from_great_circle(&self, axis: &Vector3<f64>) -> f64 {
+        let bend = length(&self.bend);
+        let plane = (axis + self.bend / 8.0).cross(&self.rate);
+        let size = length(&plane);
+        let (along, across) = (self.third / 24.0, self.third / 48.0);
+        let off = along * (1.0 + across) + across * length(&self.rate) + along * across;
+        let least = size - off;
+        let distance = if least > SAME_AXIS && least > 0.5 * bend + 0.25 * self.third {
+            let normal = (math::abs(self.bend.dot(&plane)) + bend * off) / size;
+            self.sagitta(if normal < bend { normal } else { bend })
+        } else {
+            self.sagitta(bend)
+        };
+        // tan(asin e) is no less than asin e.
+        let cosine = 1.0 - distance * distance;
+        if cosine > 0.0 {
+            let angle = distance / math::sqrt(cosine);
+            if angle < core::f64::consts::PI { angle } else { core::f64::consts::PI }
+        } else {
+            core::f64::consts::PI
+        }
+    }
+}
+
+#[inline]
+fn length(vector: &Vector3<f64>) -> f64 {
+    math::sqrt(vector.norm_squared())
+}
+
+/// A point with two derivatives in the middle of a block, and the bound of the third.
+#[derive(Debug, Clone, Copy)]
+struct Moving {
+    place: Vector3<f64>,
+    curve: Curve,
+}
+
+impl Moving {
+    fn still(place: Vector3<f64>) -> Self {
+        Self { place, curve: Curve { rate: Vector3::zeros(), bend: Vector3::zeros(), third: 0.0 } }
+    }
+
+    /// Turned about `n` through `centre` by `angle`, in the middle of a turn by `change`.
+    fn turned(self, n: &UnitVector3<f64>, centre: &Vector3<f64>, angle: f64, change: f64) -> Self {
+        let Curve { rate, bend, third } = self.curve;
+        let (sine, cosine) = math::sin_cos(angle);
+        let turn = |v: Vector3<f64>| v * cosine + n.cross(&v) * sine + n.into_inner() * (n.dot(&v) * (1.0 - cosine));
+        let lever = self.place - centre;
+        let swing = n.cross(&lever);
+        let size = math::abs(change);
+        let largest_bend = length(&bend) + third / 2.0;
+        let largest_rate = length(&rate) + largest_bend / 2.0;
+        let largest_swing = length(&swing) + largest_rate / 2.0;
+        let third = third + size * (3.0 * largest_bend + size * (3.0 * largest_rate + size * largest_swing));
+        let bend = turn(bend + n.cross(&(rate * 2.0 + swing * change)) * change);
+        Self { place: centre + turn(lever), curve: Curve { rate: turn(rate + swing * change), bend, third } }
+    }
+}
+
+/// Tip and tool axis in the middle of a block, by walking the joints from the tool to the workpiece.
+fn walk<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes) -> (Moving, Moving) {
+    let (mut tip, mut axis) = (Moving::still(Vector3::zeros()), Moving::still(machine.tool_axis().into_inner()));
+    for (index, described) in M::AXES.iter().enumerate().rev() {
+        let joint = machine.joint(index);
+        let (value, change) = (joint.sign * axes.as_ref()[index], joint.sign * change.as_ref()[index]);
+        match described.kind {
+            AxisKind::Linear => {
+                tip.place += joint.direction.into_inner() * value;
+                tip.curve.rate += joint.direction.into_inner() * change;
+            }
+            AxisKind::Rotary => {
+                tip = tip.turned(&joint.direction, &joint.point.coords, value, change);
+                axis = axis.turned(&joint.direction, &Vector3::zeros(), value, change);
+            }
+        }
+    }
+    (tip, axis)
+}
+
+/// What [`Machine::rates`] answers of a machine that is written by hand: from its joints.
+#[must_use]
+pub fn rates_of_joints<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes) -> (Vector3<f64>, Vector3<f64>) {
+    let (tip, axis) = walk(machine, axes, change);
+    (tip.curve.rate, axis.curve.rate)
+}
+
+/// What [`Machine::motion`] answers of a machine that is written by hand: from its joints.
+#[must_use]
+pub fn motion_of_joints<M: Machine>(machine: &M, from: &M::Axes, to: &M::Axes) -> MotionBound {
+    let (mut middle, mut change) = (*from, *from);
+    let (mut reach, mut turns) = (0.0, 0.0);
+    for (index, described) in M::AXES.iter().enumerate() {
+        let (start, end) = (from.as_ref()[index], to.as_ref()[index]);
+        middle.as_mut()[index] = 0.5 * (start + end);
+        change.as_mut()[index] = end - start;
+        let size = math::abs(start) + math::abs(end);
+        match described.kind {
+            AxisKind::Linear => reach += size,
+            AxisKind::Rotary => {
+                turns += size;
+                let Point3 { coords } = machine.joint(index).point;
+                reach += 4.0 * coords.iter().map(|component| math::abs(*component)).sum::<f64>();
+            }
+        }
+    }
+    let (tip, axis) = walk(machine, &middle, &change);
+    MotionBound::of(&tip.curve, &axis.place, &axis.curve, reach, turns)
+}

@@ -1,0 +1,121 @@
+//! How far a tool has to go along its axis to be clear of the part.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use crate::program::Clearance;
+
+/// Cosine between tool axis and the direction of a plane below which the axis does not lead there.
+const ALONG: f64 = 1e-3;
+
+/// mm along `axis` until the tool is outside and stays there, 0 or less if it is; `None` if it never leaves.
+pub(super) fn way_out(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
+    match *clearance {
+        Clearance::Plane(plane) => {
+            let along = axis.dot(&plane.normal);
+            (along > ALONG).then(|| (plane.distance - tip.coords.dot(&plane.normal)) / along)
+        }
+        Clearance::Box { lower, upper } => {
+            let spans = [0, 1, 2].map(|i| span(tip[i], axis[i], lower[i], upper[i]));
+            Some(last_inside(&spans))
+        }
+        Clearance::Cylinder { centre: [x, y], radius, lower, upper } => {
+            let from = Vector3::new(tip.x - x, tip.y - y, 0.0);
+            let across = Vector3::new(axis.x, axis.y, 0.0);
+            let round = crossing(across.norm_squared(), from.dot(&across), from.norm_squared() - radius * radius);
+            Some(last_inside(&[round, span(tip.z, axis.z, lower, upper)]))
+        }
+    }
+}
+
+/// Where a coordinate that begins at `from` and grows by `by` lies between two values: first and last.
+fn span(from: f64, by: f64, lower: f64, upper: f64) -> Option<(f64, f64)> {
+    if by.abs() < 1e-12 {
+        return (lower..=upper).contains(&from).then_some((f64::NEG_INFINITY, f64::INFINITY));
+    }
+    let (a, b) = ((lower - from) / by, (upper - from) / by);
+    Some((a.min(b), a.max(b)))
+}
+
+/// Where `a t² + 2 b t + c` is not positive: first and last.
+fn crossing(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
+    if a < 1e-24 {
+        return (c <= 0.0).then_some((f64::NEG_INFINITY, f64::INFINITY));
+    }
+    let root = (b * b - a * c).sqrt();
+    (!root.is_nan()).then(|| ((-b - root) / a, (-b + root) / a))
+}
+
+/// The last place that lies in all spans and is not behind; 0 if there is none.
+fn last_inside(spans: &[Option<(f64, f64)>]) -> f64 {
+    let mut inside = (f64::NEG_INFINITY, f64::INFINITY);
+    for span in spans {
+        let Some((first, last)) = span else { return 0.0 };
+        inside = (inside.0.max(*first), inside.1.min(*last));
+    }
+    if inside.0 <= inside.1 { inside.1.max(0.0) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::program::Plane;
+
+    fn out(clearance: &Clearance, tip: [f64; 3], axis: [f64; 3]) -> Option<f64> {
+        way_out(clearance, &Point3::from(tip), &UnitVector3::new_normalize(Vector3::from(axis)))
+    }
+
+    const BOX: Clearance =
+        Clearance::Box { lower: Point3::new(-10.0, -20.0, -30.0), upper: Point3::new(10.0, 20.0, 5.0) };
+    const CYLINDER: Clearance = Clearance::Cylinder { centre: [0.0; 2], radius: 10.0, lower: -30.0, upper: 5.0 };
+
+    #[test]
+    fn a_tool_leaves_a_box_and_a_cylinder_where_its_axis_does() {
+        for clearance in [BOX, CYLINDER] {
+            assert_eq!(out(&clearance, [0.0; 3], [0.0, 0.0, 1.0]), Some(5.0));
+            assert_eq!(out(&clearance, [4.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some(6.0));
+            assert_eq!(out(&clearance, [0.0, 0.0, 6.0], [0.0, 0.0, 1.0]), Some(0.0));
+            // Outside, on the way through.
+            assert_eq!(out(&clearance, [-15.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some(25.0));
+            assert_eq!(out(&clearance, [-15.0, 25.0, 0.0], [1.0, 0.0, 0.0]), Some(0.0));
+        }
+    }
+
+    #[test]
+    fn a_plane_is_left_only_towards_it() {
+        let plane = Clearance::Plane(Plane { normal: Vector3::z_axis(), distance: 50.0 });
+        assert_eq!(out(&plane, [0.0, 0.0, 20.0], [0.0, 0.0, 1.0]), Some(30.0));
+        assert_eq!(out(&plane, [0.0, 0.0, 20.0], [1.0, 0.0, 0.0]), None);
+        assert_eq!(out(&plane, [0.0, 0.0, 20.0], [0.0, 0.0, -1.0]), None);
+    }
+
+    fn inside(clearance: &Clearance, point: &Point3<f64>) -> bool {
+        match *clearance {
+            Clearance::Box { lower, upper } => (0..3).all(|i| (lower[i]..=upper[i]).contains(&point[i])),
+            Clearance::Cylinder { radius, lower, upper, .. } => {
+                point.x.hypot(point.y) <= radius && (lower..=upper).contains(&point.z)
+            }
+            Clearance::Plane(_) => false,
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn behind_the_way_out_nothing_is_inside(
+            tip in proptest::array::uniform3(-25.0..25.0_f64),
+            axis in proptest::array::uniform3(-1.0..1.0_f64),
+            cylinder in proptest::bool::ANY,
+        ) {
+            prop_assume!(Vector3::from(axis).norm() > 0.1);
+            let clearance = if cylinder { CYLINDER } else { BOX };
+            let axis = UnitVector3::new_normalize(Vector3::from(axis));
+            let way = way_out(&clearance, &Point3::from(tip), &axis).expect("a way");
+            let at = |t: f64| Point3::from(tip) + axis.into_inner() * t;
+            for step in 1..200 {
+                prop_assert!(!inside(&clearance, &at(way + 0.5 * f64::from(step))));
+            }
+            prop_assert!(way <= 1e-9 || inside(&clearance, &at(way - 1e-6)));
+        }
+    }
+}

@@ -1,0 +1,360 @@
+//! The course of the rotary axes: branch, whole turns and free values, for a whole program at once.
+//!
+//! Pose by pose the nearest answer may run into a limit in the middle of a cut. The navigator sees the first pass and
+//! finds the best course by exact dynamic programming over branches × whole turns × the free axis at the pole. A motion in
+//! the air may go from every state to every other. A cut goes where the axes run through; where no course runs through,
+//! the tool leaves the part, the axes rewind, and it comes back to the same pose.
+//!
+//! What is best, in this order: the fewest rewinds; starts as the user prefers them; the least time at the largest axis
+//! speeds; the least travel of the rotary axes. Of equals the first branch is taken before the second, the turn nearest to
+//! zero before others, positive before negative, and a rewind as early as it can be.
+//!
+//! Memory: survivors share their history, and only what is not expected is remembered: a course is a list of changes.
+
+mod packed;
+mod search;
+mod states;
+
+#[cfg(test)]
+mod tests;
+
+use nalgebra::UnitVector3;
+
+use crate::config::{Config, StartBranch, Transition, Units};
+use crate::diag::Diagnostic;
+use crate::kinematics::{Branch, Machine, Pose};
+use crate::program::{Event, Location};
+
+use super::expand::Expander;
+use super::place::Placer;
+
+pub use search::Cost;
+pub(crate) use search::{Metric, Towards, Turns};
+pub(crate) use states::between;
+
+use packed::Packed;
+use search::{Search, State};
+
+/// A limit is crossed at most this often in one block.
+const MOST_CROSSINGS: u32 = 16;
+
+/// What the planner does at a change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum How {
+    /// The motion ends with these words.
+    Take,
+    /// The motion first goes to this part of its way, with these words.
+    Via(f64),
+    /// Before the motion the free rotary turns where it stands, at the pole.
+    Turn,
+    /// Before the motion the tool leaves the part, and comes back with these words.
+    Rewind,
+}
+
+/// Something that the least turn on the same branch would not do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Change {
+    /// Motions are counted from 0 by navigator and planner alike.
+    pub(crate) motion: u64,
+    pub(crate) how: How,
+    pub(crate) words: Turns,
+}
+
+/// Rotary words that a motion is to end in.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Target {
+    pub(crate) words: Turns,
+    /// Which way round an endless axis goes there; else the short way.
+    pub(crate) towards: Option<Towards>,
+}
+
+/// The decisions for a program, in the order of its motions.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Course {
+    changes: Packed,
+    next: Option<Change>,
+    /// What the course costs.
+    pub cost: Cost,
+    /// What it costs pose by pose, without looking ahead; `None` where that way ends before a limit.
+    pub greedy: Option<Cost>,
+}
+
+impl Course {
+    /// The next change of a motion.
+    #[inline]
+    pub(crate) fn change(&mut self, motion: u64) -> Option<Change> {
+        let change = self.next.filter(|change| change.motion == motion)?;
+        self.next = self.changes.next();
+        Some(change)
+    }
+}
+
+/// One of the two searches: with a view ahead, and without.
+#[derive(Debug)]
+struct Way {
+    search: Search,
+    /// It has come to a motion that it cannot make.
+    ended: bool,
+}
+
+/// Finds the course in the first pass.
+#[derive(Debug)]
+pub struct Navigator<M: Machine> {
+    placer: Placer<M>,
+    expander: Expander,
+    safe: bool,
+    greedy: bool,
+    prefer: Option<(char, bool)>,
+    start_branch: Option<Branch>,
+    ways: [Way; 2],
+    /// Motions so far.
+    motion: u64,
+    here: Option<Pose>,
+    /// The pole at which the tool axis stands.
+    pole: Option<UnitVector3<f64>>,
+    /// Something has been reached: FROM no longer counts.
+    placed: bool,
+    armed: bool,
+    begun: bool,
+    /// ROTABL/NEXT.
+    towards: Option<Towards>,
+    states: Vec<State>,
+    before: Vec<State>,
+    second: Vec<i64>,
+}
+
+/// What the planner will say, the navigator passes over.
+struct Silent;
+
+impl From<Diagnostic> for Silent {
+    fn from(_: Diagnostic) -> Self {
+        Self
+    }
+}
+
+impl<M: Machine> Navigator<M> {
+    /// A navigator for one program.
+    #[must_use]
+    pub fn new(machine: M, config: &Config) -> Self {
+        let placer = Placer::new(machine, config, Units::Millimetres);
+        let way = |greedy| Way { search: Search::new(placer.metric, [0; 2], greedy), ended: false };
+        Self {
+            ways: [way(false), way(true)],
+            placer,
+            expander: Expander::new(config),
+            safe: config.transition == Transition::Safe,
+            greedy: config.greedy,
+            prefer: config.prefer,
+            start_branch: config.start_branch.map(|branch| match branch {
+                StartBranch::First => Branch::First,
+                StartBranch::Second => Branch::Second,
+            }),
+            motion: 0,
+            here: None,
+            pole: None,
+            placed: false,
+            armed: false,
+            begun: true,
+            towards: None,
+            states: Vec::new(),
+            before: Vec::new(),
+            second: Vec::new(),
+        }
+    }
+
+    /// Follows one event.
+    pub fn event(&mut self, event: &Event<'_>) {
+        if let Event::Move(motion) = event
+            && self.expander.passes(motion)
+        {
+            return self.straight(event);
+        }
+        let mut expander = std::mem::take(&mut self.expander);
+        // An event that cannot be expanded ends the program there.
+        let _: Result<(), Silent> = expander.event(Location::default(), event, &mut |_, event| {
+            self.straight(event);
+            Ok(())
+        });
+        expander.take_warnings();
+        self.expander = expander;
+    }
+
+    fn straight(&mut self, event: &Event<'_>) {
+        match event {
+            Event::From(pose) if !self.placed => self.count_from(pose),
+            Event::Tool(_) => {
+                self.armed = true;
+                self.begun = true;
+            }
+            Event::Operation(_) => self.begun |= self.safe,
+            Event::Stop
+            | Event::OptionalStop
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Home
+            | Event::Insert(_)
+            | Event::Code { .. } => self.begun = true,
+            // The planner passes over these.
+            Event::Move(motion) if !self.armed && motion.rapid && !self.placer.head() => self.count_from(&motion.pose),
+            Event::Move(motion) => {
+                let air = self.begun || motion.rapid;
+                self.begun = false;
+                self.placed = true;
+                self.go(&motion.pose, air);
+                self.towards = None;
+                self.motion += 1;
+            }
+            Event::Turning(turning) => self.towards = self.placer.towards(*turning),
+            _ => {}
+        }
+    }
+
+    /// Nothing has moved yet: this is where the rotaries count from.
+    fn count_from(&mut self, pose: &Pose) {
+        let mut from = self.placer.zero();
+        from.words = self.placer.all_words(&self.ways[0].search.words());
+        if let Some(place) = self.placer.reference(pose, &from) {
+            let words = self.placer.turns_of(&place.words);
+            self.ways.iter_mut().for_each(|way| way.search.restart(words));
+        }
+    }
+
+    fn go(&mut self, pose: &Pose, air: bool) {
+        if self.ways[0].ended {
+            return;
+        }
+        let pole = self.placer.pole(&pose.axis);
+        let pose = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
+        std::mem::swap(&mut self.states, &mut self.before);
+        match pole {
+            Some(_) => self.placer.second_words(&pose, &mut self.second),
+            None => self.placer.states(&pose, &mut self.states),
+        }
+        let reached = if pole.is_some() { !self.second.is_empty() } else { !self.states.is_empty() };
+        if !reached {
+            self.ways.iter_mut().for_each(|way| way.ended = true);
+            return;
+        }
+        for way in 0..self.ways.len() {
+            if !self.ways[way].ended && !self.step(way, &pose, pole.as_ref(), air) {
+                self.ways[way].ended = true;
+            }
+        }
+        self.here = Some(pose);
+        self.pole = pole;
+    }
+
+    /// One motion of one search. False if there is no way.
+    fn step(&mut self, way: usize, pose: &Pose, pole: Option<&UnitVector3<f64>>, air: bool) -> bool {
+        let motion = self.motion;
+        let (placer, search) = (&self.placer, &mut self.ways[way].search);
+        let from = self.here.filter(|_| !air);
+        match (from, pole) {
+            (None, None) => {
+                let wished = |state: &State| {
+                    let preferred = self.prefer.is_none_or(|(letter, positive)| {
+                        let axis = placer.rotaries.iter().position(|rotary| M::AXES[rotary.index].letter == letter);
+                        axis.is_none_or(|axis| if positive { state.words[axis] >= 0 } else { state.words[axis] <= 0 })
+                    });
+                    preferred && self.start_branch.is_none_or(|branch| branch == state.branch)
+                };
+                search.free(motion, &self.states, self.towards, wished)
+            }
+            (None, Some(_)) => {
+                search.free_to_pole(motion, &self.second, self.towards);
+                true
+            }
+            (Some(_), Some(_)) if self.pole.is_some() => true,
+            (Some(from), Some(pole)) => {
+                search.cut_to_pole(motion, None, |state| placer.at_pole(pole, &from.axis, state))
+            }
+            (Some(_), None) if let Some(pole) = self.pole => {
+                let exits: Vec<_> = self.states.iter().map(|state| placer.at_pole(&pole, &pose.axis, state)).collect();
+                search.leave_pole(motion, &self.states, &exits)
+            }
+            (Some(from), None) => match placer.pole_between(&from, pose) {
+                Some((part, pole)) => {
+                    let exits: Vec<_> =
+                        self.states.iter().map(|state| placer.at_pole(&pole, &pose.axis, state)).collect();
+                    search.cut_to_pole(motion, Some(part), |state| placer.at_pole(&pole, &from.axis, state))
+                        && search.leave_pole(motion, &self.states, &exits)
+                }
+                None => cut(placer, search, motion, &from, pose, &self.states),
+            },
+        }
+    }
+
+    /// The course, and what it costs to plan without a view ahead.
+    #[must_use]
+    pub fn finish(self) -> Course {
+        let [best, greedy] = self.ways.map(|way| (way.ended, way.search.finish()));
+        let (ended, motion_by_motion) = (greedy.0, greedy.1.0);
+        let (cost, changes) = if self.greedy { greedy.1 } else { best.1 };
+        let mut changes = changes.read_from_start();
+        Course { next: changes.next(), changes, cost, greedy: (!ended).then_some(motion_by_motion) }
+    }
+}
+
+/// A cut between two poses beside the pole; where every state runs into a limit on the way, it is split there.
+fn cut<M: Machine>(
+    placer: &Placer<M>,
+    search: &mut Search,
+    motion: u64,
+    from: &Pose,
+    to: &Pose,
+    states: &[State],
+) -> bool {
+    let mut here = *from;
+    let mut done = 0.0;
+    for _ in 0..MOST_CROSSINGS {
+        let merged = placer.merged(states) || placer.merged(search.layer());
+        if search.cut(motion, states, None, |a, b| placer.connected((&here, a), (to, b), merged)) {
+            return true;
+        }
+        let Some(part) = crossing(placer, search, from, to, &here, done) else { return false };
+        let Some(there) = between(from, to, part) else { return false };
+        let mut split = Vec::new();
+        placer.states(&there, &mut split);
+        if !search.cut(motion, &split, Some(part), |a, b| placer.connected((&here, a), (&there, b), false)) {
+            return false;
+        }
+        (here, done) = (there, part);
+    }
+    false
+}
+
+/// The first part of the way at which a state of the last layer is about to leave its limits while another turn is inside.
+fn crossing<M: Machine>(
+    placer: &Placer<M>,
+    search: &Search,
+    from: &Pose,
+    to: &Pose,
+    here: &Pose,
+    done: f64,
+) -> Option<f64> {
+    let mut split = Vec::new();
+    let mut first: Option<f64> = None;
+    for state in search.layer() {
+        let runs = |part: f64| between(from, to, part).and_then(|pose| placer.continued(&pose, state));
+        if !placer.continued(here, state).is_some_and(|words| placer.inside(&words)) {
+            continue;
+        }
+        let (mut inside, mut outside) = (done, 1.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (inside + outside);
+            match runs(middle) {
+                Some(words) if placer.inside(&words) => inside = middle,
+                _ => outside = middle,
+            }
+        }
+        if inside <= done || first.is_some_and(|first| first <= inside) {
+            continue;
+        }
+        let Some(pose) = between(from, to, inside) else { continue };
+        placer.states(&pose, &mut split);
+        if split.len() > 1 {
+            first = Some(inside);
+        }
+    }
+    first
+}

@@ -1,0 +1,127 @@
+//! Changes in few bytes: a program of a million operations must not fill the memory.
+//!
+//! A change takes a byte for what it is, and as many as they need for the motions since the one before and for how far the
+//! words differ; the part of a way takes eight more.
+
+use super::{Change, How, Turns};
+
+/// Changes in the order of their motions, written once and then read.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Packed {
+    bytes: Vec<u8>,
+    /// The one written or read last.
+    motion: u64,
+    words: Turns,
+    /// Bytes read so far.
+    read: usize,
+}
+
+impl Packed {
+    pub(super) fn push(&mut self, change: &Change) {
+        let (tag, part) = match change.how {
+            How::Take => (0, None),
+            How::Turn => (1, None),
+            How::Rewind => (2, None),
+            How::Via(part) => (3, Some(part)),
+        };
+        self.bytes.push(tag);
+        self.push_number(change.motion.cast_signed().wrapping_sub(self.motion.cast_signed()));
+        for (word, last) in change.words.into_iter().zip(self.words) {
+            self.push_number(word.wrapping_sub(last));
+        }
+        self.bytes.extend(part.into_iter().flat_map(f64::to_le_bytes));
+        (self.motion, self.words) = (change.motion, change.words);
+    }
+
+    /// Goes back to the first change, to read.
+    pub(super) fn read_from_start(self) -> Self {
+        Self { bytes: self.bytes, ..Self::default() }
+    }
+
+    /// The next change.
+    pub(super) fn next(&mut self) -> Option<Change> {
+        let tag = self.byte()?;
+        self.motion = self.motion.wrapping_add_signed(self.number()?);
+        for axis in 0..self.words.len() {
+            self.words[axis] = self.words[axis].wrapping_add(self.number()?);
+        }
+        let how = match tag {
+            0 => How::Take,
+            1 => How::Turn,
+            2 => How::Rewind,
+            _ => {
+                let mut part = [0; 8];
+                for byte in &mut part {
+                    *byte = self.byte()?;
+                }
+                How::Via(f64::from_le_bytes(part))
+            }
+        };
+        Some(Change { motion: self.motion, how, words: self.words })
+    }
+
+    /// Seven bits a byte, lowest first, small numbers of either sign in few bytes.
+    fn push_number(&mut self, number: i64) {
+        let mut rest = ((number << 1) ^ (number >> 63)).cast_unsigned();
+        while rest >= 0x80 {
+            self.bytes.push((rest & 0x7F) as u8 | 0x80);
+            rest >>= 7;
+        }
+        self.bytes.push(rest as u8);
+    }
+
+    fn number(&mut self) -> Option<i64> {
+        let mut number = 0_u64;
+        for shift in (0..u64::BITS).step_by(7) {
+            let byte = self.byte()?;
+            number |= u64::from(byte & 0x7F) << shift;
+            if byte & 0x80 == 0 {
+                break;
+            }
+        }
+        Some((number >> 1).cast_signed() ^ -((number & 1).cast_signed()))
+    }
+
+    fn byte(&mut self) -> Option<u8> {
+        let byte = *self.bytes.get(self.read)?;
+        self.read += 1;
+        Some(byte)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    proptest! {
+        #[test]
+        fn changes_are_read_as_they_were_written(
+            list in proptest::collection::vec((any::<u64>(), 0..4_u8, 0.0..1.0_f64, any::<Turns>()), 0..20),
+        ) {
+            let list: Vec<Change> = list
+                .into_iter()
+                .map(|(motion, tag, part, words)| {
+                    let how = [How::Take, How::Turn, How::Rewind, How::Via(part)][usize::from(tag)];
+                    Change { motion, how, words }
+                })
+                .collect();
+            let mut packed = Packed::default();
+            list.iter().for_each(|change| packed.push(change));
+            let mut packed = packed.read_from_start();
+            let found: Vec<Change> = std::iter::from_fn(|| packed.next()).collect();
+            prop_assert_eq!(found, list);
+        }
+    }
+
+    #[test]
+    fn a_million_operations_take_few_megabytes() {
+        let mut packed = Packed::default();
+        for motion in 0..1_000_000 {
+            let words = if motion % 2 == 0 { [900_000, -1_800_000] } else { [0; 2] };
+            packed.push(&Change { motion: 20 * motion, how: How::Take, words });
+        }
+        assert!(packed.bytes.len() <= 10_000_000, "{}", packed.bytes.len());
+    }
+}

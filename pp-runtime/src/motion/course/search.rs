@@ -1,0 +1,486 @@
+//! Exact search over layers of states, one layer for each pose.
+//!
+//! Knows no machine: states are words of rotary axes, and the caller says which of them a cut connects. Every survivor is
+//! the cheapest way to its state; what it decided on the way is a chain of changes that survivors share. As soon as all of
+//! them share the beginning of that chain, it is decided.
+
+use super::super::choose::{AngleScale, Rotary};
+use super::packed::Packed;
+use super::{Change, How};
+use crate::kinematics::Branch;
+
+/// Words of the solved rotary axes in the order of the chain; a machine without the second has zero there.
+pub(crate) type Turns = [i64; 2];
+
+/// Chains of changes are tidied up when there are more than this, and again at twice what is left.
+const TIDY: usize = 4096;
+
+/// One way for the rotary axes to hold a pose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct State {
+    pub(crate) branch: Branch,
+    pub(crate) words: Turns,
+}
+
+/// A sense in which an axis has to turn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Towards {
+    /// Which of the solved rotaries.
+    pub(crate) axis: usize,
+    /// Its word grows.
+    pub(crate) positive: bool,
+}
+
+/// What a way costs: the fewest rewinds first, then wishes of the user that are not met, then time, then travel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
+pub struct Cost {
+    /// Times that the tool has to leave the part to turn.
+    pub rewinds: u32,
+    /// Starts that are not as the user prefers.
+    pub unwished: u32,
+    /// Nanoseconds that the rotary axes take at their largest speeds; 0 where these are not known.
+    pub time: u64,
+    /// Travel of all rotary axes together, in whole units of their words.
+    pub travel: u64,
+}
+
+impl Cost {
+    fn plus(self, other: Self) -> Self {
+        Self {
+            rewinds: self.rewinds + other.rewinds,
+            unwished: self.unwished + other.unwished,
+            time: self.time + other.time,
+            travel: self.travel + other.travel,
+        }
+    }
+
+    const REWIND: Self = Self { rewinds: 1, unwished: 0, time: 0, travel: 0 };
+    const UNWISHED: Self = Self { rewinds: 0, unwished: 1, time: 0, travel: 0 };
+}
+
+/// Measures turns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Metric {
+    /// Nanoseconds for one unit of a word; 0 for an axis whose speed is not known.
+    per_unit: [f64; 2],
+    endless: [bool; 2],
+    turn: i64,
+}
+
+impl Metric {
+    /// For axes with speeds in rad/min.
+    pub(crate) fn new(rotaries: &[Rotary], speeds: [Option<f64>; 2], scale: AngleScale) -> Self {
+        const NANOSECONDS: f64 = 60e9;
+        Self {
+            per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NANOSECONDS * scale.angle(1) / speed)),
+            endless: [0, 1].map(|axis| rotaries.get(axis).is_some_and(|rotary| rotary.endless())),
+            turn: scale.turn,
+        }
+    }
+
+    /// Signed travel of one axis; an endless one takes the short way.
+    pub(crate) fn change(&self, axis: usize, from: i64, to: i64) -> i64 {
+        let change = to - from;
+        if !self.endless[axis] {
+            return change;
+        }
+        let short = change.rem_euclid(self.turn);
+        if 2 * short > self.turn { short - self.turn } else { short }
+    }
+
+    /// Signed travel of one axis in a sense that was asked for; `None` if that sense does not lead there.
+    fn change_towards(&self, axis: usize, from: i64, to: i64, towards: Option<Towards>) -> Option<i64> {
+        let change = self.change(axis, from, to);
+        match towards.filter(|towards| towards.axis == axis) {
+            None => Some(change),
+            Some(Towards { positive, .. }) if (change >= 0) == positive || change == 0 => Some(change),
+            Some(Towards { positive, .. }) if self.endless[axis] => {
+                Some(if positive { change + self.turn } else { change - self.turn })
+            }
+            Some(_) => None,
+        }
+    }
+
+    /// Cost of turning all axes together.
+    pub(crate) fn cost(&self, from: &Turns, to: &Turns) -> Cost {
+        self.cost_of([0, 1].map(|axis| self.change(axis, from[axis], to[axis])))
+    }
+
+    fn cost_of(&self, changes: [i64; 2]) -> Cost {
+        let travel = changes.map(i64::unsigned_abs);
+        let time = (0..2).map(|axis| (travel[axis] as f64 * self.per_unit[axis]).round() as u64).max();
+        Cost { time: time.unwrap_or(0), travel: travel[0] + travel[1], ..Cost::default() }
+    }
+
+    /// Whether no axis turns by more than half a turn: what a cut can do without a rewind.
+    pub(crate) fn short(&self, from: &Turns, to: &Turns) -> bool {
+        (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() <= self.turn)
+    }
+
+    /// Whether every axis turns by less than a quarter of a turn.
+    pub(crate) fn plain(&self, from: &Turns, to: &Turns) -> bool {
+        (0..2).all(|axis| 4 * self.change(axis, from[axis], to[axis]).abs() < self.turn)
+    }
+}
+
+/// The cheapest way to a state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Survivor {
+    state: State,
+    cost: Cost,
+    /// Its last change.
+    head: Head,
+    /// At the pole: the motion in the air, since the first rotary came free, that can turn it.
+    air: Option<u64>,
+}
+
+/// A change in the history; nothing is the part that is decided already.
+type Head = Option<u32>;
+
+#[derive(Debug, Clone, Copy)]
+struct Node {
+    parent: Head,
+    change: Change,
+}
+
+/// Changes of all survivors.
+#[derive(Debug, Default)]
+struct History {
+    nodes: Vec<Node>,
+    decided: Packed,
+    tidy_at: usize,
+}
+
+impl History {
+    fn push(&mut self, parent: Head, motion: u64, how: How, words: Turns) -> Head {
+        self.nodes.push(Node { parent, change: Change { motion, how, words } });
+        Some((self.nodes.len() - 1) as u32)
+    }
+
+    /// The chain of a head, oldest first.
+    fn chain(&self, mut head: Head) -> Vec<u32> {
+        let mut chain = Vec::new();
+        while let Some(index) = head {
+            chain.push(index);
+            head = self.nodes[index as usize].parent;
+        }
+        chain.reverse();
+        chain
+    }
+
+    fn decide(&mut self, chain: &[u32]) {
+        for &index in chain {
+            self.decided.push(&self.nodes[index as usize].change);
+        }
+    }
+
+    /// Decides what all survivors share.
+    fn settle(&mut self, survivors: &mut [Survivor]) {
+        let Some(first) = survivors.first().map(|survivor| survivor.head) else { return };
+        if survivors.iter().all(|survivor| survivor.head == first) {
+            if first.is_some() {
+                let chain = self.chain(first);
+                self.decide(&chain);
+                self.nodes.clear();
+                survivors.iter_mut().for_each(|survivor| survivor.head = None);
+            }
+        } else if self.nodes.len() > self.tidy_at.max(TIDY) {
+            self.tidy(survivors);
+            self.tidy_at = 2 * self.nodes.len();
+        }
+    }
+
+    /// Drops changes that nobody shares any more, and decides the common beginning.
+    fn tidy(&mut self, survivors: &mut [Survivor]) {
+        let chains: Vec<Vec<u32>> = survivors.iter().map(|survivor| self.chain(survivor.head)).collect();
+        let shortest = chains.iter().map(Vec::len).min().unwrap_or(0);
+        let common = (0..shortest).take_while(|&at| chains.iter().all(|chain| chain[at] == chains[0][at])).count();
+        self.decide(&chains[0][..common]);
+        let mut kept: Vec<u32> = chains.iter().flat_map(|chain| chain[common..].iter().copied()).collect();
+        kept.sort_unstable();
+        kept.dedup();
+        let renamed = |old: u32| kept.binary_search(&old).ok().map(|new| new as u32);
+        self.nodes = kept
+            .iter()
+            .map(|&index| {
+                let node = self.nodes[index as usize];
+                Node { parent: node.parent.and_then(renamed), ..node }
+            })
+            .collect();
+        for (survivor, chain) in survivors.iter_mut().zip(&chains) {
+            survivor.head = chain[common..].last().and_then(|&last| renamed(last));
+        }
+    }
+}
+
+/// Where a cut can begin: a state of the last layer.
+#[derive(Debug, Clone, Copy)]
+struct Source {
+    from: Survivor,
+    /// It is reached by a rewind only.
+    rewound: bool,
+}
+
+/// The search.
+#[derive(Debug)]
+pub(crate) struct Search {
+    metric: Metric,
+    /// All states of the last pose, in the order of preference; empty at the pole.
+    layer: Vec<State>,
+    survivors: Vec<Survivor>,
+    next: Vec<Survivor>,
+    sources: Vec<Source>,
+    history: History,
+    /// Keep the cheapest alone: pose by pose.
+    greedy: bool,
+}
+
+impl Search {
+    pub(crate) fn new(metric: Metric, start: Turns, greedy: bool) -> Self {
+        Self {
+            metric,
+            layer: Vec::new(),
+            survivors: vec![Survivor {
+                state: State { branch: Branch::First, words: start },
+                cost: Cost::default(),
+                head: None,
+                air: None,
+            }],
+            next: Vec::new(),
+            sources: Vec::new(),
+            history: History::default(),
+            greedy,
+        }
+    }
+
+    /// Where motion counts from before anything has moved.
+    pub(crate) fn restart(&mut self, words: Turns) {
+        for survivor in &mut self.survivors {
+            survivor.state.words = words;
+        }
+    }
+
+    /// The words from which the next motion turns least by chance: those of the cheapest survivor.
+    pub(crate) fn words(&self) -> Turns {
+        self.survivors.iter().min_by_key(|survivor| survivor.cost).map_or([0; 2], |survivor| survivor.state.words)
+    }
+
+    /// The states of the last pose that a rewind can reach, in the order of preference.
+    pub(crate) fn layer(&self) -> &[State] {
+        &self.layer
+    }
+
+    fn finish_layer(&mut self) {
+        if self.greedy
+            && let Some(best) = (0..self.next.len()).min_by_key(|&index| (self.next[index].cost, index))
+        {
+            self.next.swap(0, best);
+            self.next.truncate(1);
+        }
+        std::mem::swap(&mut self.survivors, &mut self.next);
+        self.history.settle(&mut self.survivors);
+    }
+
+    fn keep(next: &mut Vec<Survivor>, survivor: Survivor) {
+        match next.iter_mut().find(|known| known.state.words == survivor.state.words) {
+            Some(known) if survivor.cost < known.cost => *known = survivor,
+            Some(_) => {}
+            None => next.push(survivor),
+        }
+    }
+
+    /// A motion in the air: every state can be reached from every other, in the sense that was asked for. False, and
+    /// nothing done, if that sense leads nowhere.
+    pub(crate) fn free(
+        &mut self,
+        motion: u64,
+        states: &[State],
+        towards: Option<Towards>,
+        wished: impl Fn(&State) -> bool,
+    ) -> bool {
+        self.next.clear();
+        for state in states {
+            let wish = if wished(state) { Cost::default() } else { Cost::UNWISHED };
+            let cost = |from: &Survivor| {
+                let change =
+                    |axis| self.metric.change_towards(axis, from.state.words[axis], state.words[axis], towards);
+                Some(from.cost.plus(self.metric.cost_of([change(0)?, change(1)?])).plus(wish))
+            };
+            let ways = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
+            let Some((cost, from)) = ways.min_by_key(|(cost, _)| *cost) else { continue };
+            let travel = |to: &State| self.metric.cost(&from.state.words, &to.words).travel;
+            // Without a word about it the least travel is taken.
+            let expected =
+                towards.is_none() && states.iter().all(|other| other == state || travel(other) > travel(state));
+            let head = match expected {
+                true => from.head,
+                false => self.history.push(from.head, motion, How::Take, state.words),
+            };
+            self.next.push(Survivor { state: *state, cost, head, air: None });
+        }
+        if self.next.is_empty() {
+            return false;
+        }
+        self.layer.clear();
+        self.layer.extend_from_slice(states);
+        self.finish_layer();
+        true
+    }
+
+    /// A motion in the air to the pole, where the first rotary may stand anywhere; `second`: words of the other.
+    pub(crate) fn free_to_pole(&mut self, motion: u64, second: &[i64], towards: Option<Towards>) {
+        self.next.clear();
+        for from in &self.survivors {
+            for &second in second {
+                let state = State { words: [from.state.words[0], second], ..from.state };
+                let cost = from.cost.plus(self.metric.cost(&from.state.words, &state.words));
+                let head = match second == from.state.words[1] && towards.is_none() {
+                    true => from.head,
+                    false => self.history.push(from.head, motion, How::Take, state.words),
+                };
+                Self::keep(&mut self.next, Survivor { state, cost, head, air: Some(motion) });
+            }
+        }
+        self.layer.clear();
+        self.finish_layer();
+    }
+
+    /// A cut. False, and nothing done, if no state can be reached.
+    pub(crate) fn cut(
+        &mut self,
+        motion: u64,
+        states: &[State],
+        via: Option<f64>,
+        mut linked: impl FnMut(&State, &State) -> bool,
+    ) -> bool {
+        self.collect_sources();
+        self.next.clear();
+        for state in states {
+            let mut best: Option<(Cost, Source)> = None;
+            for source in &self.sources {
+                let cost = source.from.cost.plus(self.metric.cost(&source.from.state.words, &state.words));
+                if best.is_none_or(|(least, _)| cost < least) && linked(&source.from.state, state) {
+                    best = Some((cost, *source));
+                }
+            }
+            let Some((cost, Source { from, rewound })) = best else { continue };
+            let mut head = from.head;
+            if rewound {
+                head = self.history.push(head, motion, How::Rewind, from.state.words);
+            }
+            if let Some(part) = via {
+                head = self.history.push(head, motion, How::Via(part), state.words);
+            } else if from.state.branch != state.branch || !self.metric.plain(&from.state.words, &state.words) {
+                head = self.history.push(head, motion, How::Take, state.words);
+            }
+            self.next.push(Survivor { state: *state, cost, head, air: None });
+        }
+        if self.next.is_empty() {
+            return false;
+        }
+        self.layer.clear();
+        self.layer.extend_from_slice(states);
+        self.finish_layer();
+        true
+    }
+
+    /// The survivors, and every other state of the layer as a rewind from the cheapest place reaches it.
+    fn collect_sources(&mut self) {
+        self.sources.clear();
+        let fewest = self.survivors.iter().map(|survivor| survivor.cost.rewinds).min();
+        let settled = self.survivors.len() >= self.layer.len()
+            && self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest);
+        if settled {
+            self.sources.extend(self.survivors.iter().map(|&from| Source { from, rewound: false }));
+            return;
+        }
+        for state in &self.layer {
+            let alive = self.survivors.iter().find(|survivor| survivor.state == *state);
+            let rewound =
+                |from: &Survivor| from.cost.plus(self.metric.cost(&from.state.words, &state.words)).plus(Cost::REWIND);
+            let other = self.survivors.iter().map(|from| (rewound(from), from)).min_by_key(|(cost, _)| *cost);
+            match (alive, other) {
+                (Some(&from), Some((cost, _))) if from.cost <= cost => {
+                    self.sources.push(Source { from, rewound: false });
+                }
+                (Some(&from), None) => self.sources.push(Source { from, rewound: false }),
+                (_, Some((cost, from))) => {
+                    let from = Survivor { state: *state, cost, ..*from };
+                    self.sources.push(Source { from, rewound: true });
+                }
+                (None, None) => {}
+            }
+        }
+    }
+
+    /// A cut into the pole: `entry` gives the words in which a state arrives there, if it does.
+    pub(crate) fn cut_to_pole(
+        &mut self,
+        motion: u64,
+        via: Option<f64>,
+        mut entry: impl FnMut(&State) -> Option<Turns>,
+    ) -> bool {
+        self.collect_sources();
+        self.next.clear();
+        for Source { from, rewound } in &self.sources {
+            let Some(words) = entry(&from.state) else { continue };
+            let cost = from.cost.plus(self.metric.cost(&from.state.words, &words));
+            let mut head = from.head;
+            if *rewound {
+                head = self.history.push(head, motion, How::Rewind, from.state.words);
+            }
+            if let Some(part) = via {
+                head = self.history.push(head, motion, How::Via(part), words);
+            } else if words[0] != from.state.words[0] || !self.metric.plain(&from.state.words, &words) {
+                head = self.history.push(head, motion, How::Take, words);
+            }
+            Self::keep(&mut self.next, Survivor { state: State { words, ..from.state }, cost, head, air: None });
+        }
+        if self.next.is_empty() {
+            return false;
+        }
+        self.layer.clear();
+        self.finish_layer();
+        true
+    }
+
+    /// A cut out of the pole. `exits`: for each state the words in which it leaves the pole.
+    pub(crate) fn leave_pole(&mut self, motion: u64, states: &[State], exits: &[Option<Turns>]) -> bool {
+        self.next.clear();
+        for (state, exit) in states.iter().zip(exits) {
+            let Some(exit) = exit else { continue };
+            let cost = |from: &Survivor| {
+                let turned = self.metric.cost(&from.state.words, exit);
+                from.cost.plus(turned).plus(self.metric.cost(exit, &state.words))
+            };
+            let from = self.survivors.iter().filter(|from| self.metric.short(&[0, from.state.words[1]], &[0, exit[1]]));
+            let Some(from) = from.min_by_key(|from| cost(from)) else { continue };
+            let cost = cost(from);
+            let mut head = from.head;
+            if *exit != from.state.words {
+                head = match from.air {
+                    Some(air) => self.history.push(head, air, How::Take, *exit),
+                    None => self.history.push(head, motion, How::Turn, *exit),
+                };
+            }
+            head = self.history.push(head, motion, How::Take, state.words);
+            self.next.push(Survivor { state: *state, cost, head, air: None });
+        }
+        if self.next.is_empty() {
+            return false;
+        }
+        self.layer.clear();
+        self.layer.extend_from_slice(states);
+        self.finish_layer();
+        true
+    }
+
+    /// The cheapest way, and what it decided.
+    pub(crate) fn finish(mut self) -> (Cost, Packed) {
+        let best = self.survivors.iter().min_by_key(|survivor| survivor.cost).copied();
+        let Some(best) = best else { return (Cost::default(), self.history.decided) };
+        let chain = self.history.chain(best.head);
+        self.history.decide(&chain);
+        (best.cost, self.history.decided)
+    }
+}

@@ -1,0 +1,210 @@
+//! How a machine can hold a pose, and which of these states a cut connects.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use crate::kinematics::{Branch, Machine, Pose};
+
+use super::super::choose::Rotary;
+use super::super::place::Placer;
+use super::super::step::MAX_AXES;
+use super::search::{State, Turns};
+
+/// Turns of one axis that are looked at for one pose; more lie outside any program.
+const MOST_TURNS: i64 = 24;
+
+/// Distance from the pole at which the direction of a path into it is read, rad.
+const BESIDE_POLE: f64 = 1e-8;
+
+/// Words this near to each other are the same after a detour through the pole.
+const SAME_WORD: i64 = 2;
+
+/// Halvings of a block while it is followed along its branch.
+const MOST_HALVINGS: u32 = 12;
+
+/// Where a path that runs evenly from one pose to another is at a part of its way; `None` if the axes are opposite.
+pub(crate) fn between(from: &Pose, to: &Pose, part: f64) -> Option<Pose> {
+    let tip = from.tip + (to.tip - from.tip) * part;
+    let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
+    let (sine, cosine) = (a.cross(&b).norm(), a.dot(&b));
+    let angle = sine.atan2(cosine);
+    if angle < 1e-12 {
+        return Some(Pose { tip, axis: if part < 0.5 { from.axis } else { to.axis } });
+    }
+    let across = b - a * cosine;
+    let across = across.try_normalize(1e-9)?;
+    let (sine, cosine) = (angle * part).sin_cos();
+    Some(Pose { tip, axis: UnitVector3::new_normalize(a * cosine + across * sine) })
+}
+
+impl<M: Machine> Placer<M> {
+    /// Words of all axes from those of the solved rotaries.
+    pub(crate) fn all_words(&self, words: &Turns) -> [i64; MAX_AXES] {
+        let mut all = [0; MAX_AXES];
+        for (rotary, word) in self.rotaries.iter().zip(words) {
+            all[rotary.index] = *word;
+        }
+        all
+    }
+
+    /// Words of the solved rotaries.
+    pub(crate) fn turns_of(&self, words: &[i64; MAX_AXES]) -> Turns {
+        let mut turns = [0; 2];
+        for (turn, rotary) in turns.iter_mut().zip(&self.rotaries) {
+            *turn = words[rotary.index];
+        }
+        turns
+    }
+
+    fn axes_of(&self, words: &Turns) -> M::Axes {
+        let mut axes = M::HELD;
+        for (rotary, word) in self.rotaries.iter().zip(words) {
+            axes.as_mut()[rotary.index] = self.scale.angle(*word);
+        }
+        axes
+    }
+
+    /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first, then
+    /// the turns nearest to zero, positive before negative. An endless axis stands within half a turn of zero.
+    pub(super) fn states(&self, pose: &Pose, out: &mut Vec<State>) {
+        out.clear();
+        for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
+            let start = out.len();
+            let turns = |rotary: &Rotary| {
+                rotary.turns(self.scale.word(solution.axes.as_ref()[rotary.index]), self.scale.turn, MOST_TURNS)
+            };
+            let mut push = |words: Turns| out.push(State { branch: solution.branch, words });
+            match &self.rotaries[..] {
+                [first, second] => {
+                    for a in turns(first) {
+                        turns(second).for_each(|b| push([a, b]));
+                    }
+                }
+                [only] => turns(only).for_each(|a| push([a, 0])),
+                _ => push([0; 2]),
+            }
+            let far = |state: &State| state.words[0].abs() + state.words[1].abs();
+            out[start..].sort_by_key(|state| (far(state), [-state.words[0], -state.words[1]]));
+        }
+    }
+
+    /// The words of the second rotary at a pole.
+    pub(super) fn second_words(&self, pose: &Pose, out: &mut Vec<i64>) {
+        out.clear();
+        let [_, second] = self.rotaries[..] else { return };
+        for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
+            let word = self.scale.word(solution.axes.as_ref()[second.index]);
+            out.extend(second.turns(word, self.scale.turn, MOST_TURNS));
+        }
+        out.dedup();
+    }
+
+    /// Where a path between two poses touches the pole on its way: the part of the way and the pole.
+    pub(super) fn pole_between(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
+        let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
+        let normal = a.cross(&b);
+        let sine = normal.norm();
+        if self.poles.is_empty() || sine < 1e-12 {
+            return None;
+        }
+        let angle = |a: &Vector3<f64>, b: &Vector3<f64>| a.cross(b).norm().atan2(a.dot(b));
+        self.poles.iter().find_map(|pole| {
+            let p = pole.into_inner();
+            let touches = p.dot(&normal).abs() <= self.pole_tolerance * sine
+                && a.cross(&p).dot(&normal) > 0.0
+                && p.cross(&b).dot(&normal) > 0.0;
+            touches.then(|| (angle(&a, &p) / angle(&a, &b), *pole))
+        })
+    }
+
+    /// The words in which a path from (or to) an axis reaches the pole on the branch of a state.
+    pub(super) fn at_pole(&self, pole: &UnitVector3<f64>, axis: &UnitVector3<f64>, state: &State) -> Option<Turns> {
+        let [first, second] = self.rotaries[..] else { return None };
+        let p = pole.into_inner();
+        let beside = (axis.into_inner() - p * p.dot(axis)).try_normalize(0.0)?;
+        let solutions_at = |axis: Vector3<f64>| {
+            let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
+            self.machine.inverse_kinematics(&pose, &self.axes_of(&state.words))
+        };
+        let near = solutions_at(p + beside * BESIDE_POLE);
+        let near = near.iter().find(|solution| near.len() == 1 || solution.branch == state.branch)?;
+        let word =
+            |rotary: &Rotary, angle: f64, from: i64| rotary.nearest(self.scale.word(angle), from, self.scale.turn).ok();
+        let free = word(&first, near.axes.as_ref()[first.index], state.words[0])?;
+        let there = solutions_at(p);
+        let tilt = there
+            .iter()
+            .filter_map(|solution| word(&second, solution.axes.as_ref()[second.index], state.words[1]))
+            .min_by_key(|word| (word - state.words[1]).abs())?;
+        let free = if (free - state.words[0]).abs() <= SAME_WORD { state.words[0] } else { free };
+        Some([free, tilt])
+    }
+
+    /// Whether a cut from one state to another keeps the tool on its path: the axes run through from end to end.
+    pub(super) fn connected(&self, from: (&Pose, &State), to: (&Pose, &State), merged: bool) -> bool {
+        let ((a, start), (b, end)) = (from, to);
+        if !self.metric.short(&start.words, &end.words) || (start.branch != end.branch && !merged) {
+            return false;
+        }
+        if start.branch == end.branch && self.metric.plain(&start.words, &end.words) {
+            return true;
+        }
+        let change = [0, 1].map(|axis| self.metric.change(axis, start.words[axis], end.words[axis]));
+        let end = [start.words[0] + change[0], start.words[1] + change[1]];
+        self.runs_through((a, start.words), (b, end), MOST_HALVINGS)
+    }
+
+    /// Whether halving a block again and again leads to small turns.
+    fn runs_through(&self, from: (&Pose, Turns), to: (&Pose, Turns), halvings: u32) -> bool {
+        let turn = (0..2).map(|axis| (to.1[axis] - from.1[axis]).abs()).max().unwrap_or(0);
+        if 36 * turn < self.scale.turn {
+            return true;
+        }
+        let Some(middle) = between(from.0, to.0, 0.5) else { return false };
+        if halvings == 0 {
+            return false;
+        }
+        let expected = [0, 1].map(|axis| (from.1[axis] + to.1[axis]) / 2);
+        let Some(words) = self.nearest_words(&middle, &expected) else { return false };
+        let off = (0..2).map(|axis| (words[axis] - expected[axis]).abs()).max().unwrap_or(0);
+        off < turn
+            && self.runs_through(from, (&middle, words), halvings - 1)
+            && self.runs_through((&middle, words), to, halvings - 1)
+    }
+
+    /// The solution of a pose nearest to some words, on any branch, without limits.
+    pub(super) fn nearest_words(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
+        let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(expected));
+        let words = |branch: usize| {
+            let mut words = *expected;
+            for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
+                let near = self.scale.word(solutions[branch].axes.as_ref()[rotary.index]);
+                *word = rotary.without_limits().nearest(near, *word, self.scale.turn).ok()?;
+            }
+            Some(words)
+        };
+        let off = |words: &Turns| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
+        (0..solutions.len()).filter_map(words).min_by_key(off)
+    }
+
+    /// The words to which a state runs on in a cut, whatever the limits say.
+    pub(super) fn continued(&self, pose: &Pose, state: &State) -> Option<Turns> {
+        let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(&state.words));
+        let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
+        let mut words = state.words;
+        for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
+            let near = self.scale.word(solution.axes.as_ref()[rotary.index]);
+            *word = rotary.without_limits().nearest(near, *word, self.scale.turn).ok()?;
+        }
+        Some(words)
+    }
+
+    /// Whether words lie inside the limits of their axes.
+    pub(super) fn inside(&self, words: &Turns) -> bool {
+        self.rotaries.iter().zip(words).all(|(rotary, &word)| rotary.holds(word))
+    }
+
+    /// Both branches of a pose are one.
+    pub(super) fn merged(&self, states: &[State]) -> bool {
+        self.rotaries.len() == 2 && states.iter().all(|state| state.branch == Branch::First)
+    }
+}

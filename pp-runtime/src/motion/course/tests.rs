@@ -1,0 +1,207 @@
+//! The search against trying everything, and courses on the machines of the tests.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+use proptest::prelude::*;
+
+use super::super::machines::{Cb, Head};
+use super::*;
+use crate::kinematics::Limits;
+use crate::program::{Feed, Move, ToolCall};
+
+fn limits(lower: f64, upper: f64) -> Option<Limits> {
+    Some(Limits { lower: lower.to_radians(), upper: upper.to_radians() })
+}
+
+fn axis(turn: f64, tilt: f64) -> UnitVector3<f64> {
+    let (turn, tilt) = (turn.to_radians(), tilt.to_radians());
+    UnitVector3::new_normalize(Vector3::new(tilt.sin() * turn.cos(), tilt.sin() * turn.sin(), tilt.cos()))
+}
+
+/// A motion of a random path.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    pose: Pose,
+    rapid: bool,
+}
+
+/// All changes of a course.
+fn changes(mut course: Course) -> Vec<Change> {
+    std::iter::from_fn(|| {
+        let change = course.next.take()?;
+        course.next = course.changes.next();
+        Some(change)
+    })
+    .collect()
+}
+
+fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
+    let mut navigator = Navigator::new(config.machine::<M>().expect("valid"), config);
+    navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
+    for point in points {
+        let feed = Some(Feed::PerMinute(100.0));
+        navigator.event(&Event::Move(Move { pose: point.pose, rapid: point.rapid, feed }));
+    }
+    navigator.finish()
+}
+
+/// Everything that can be done, one choice after the other: which state each motion ends in, and to which state of the
+/// same pose the axes are rewound before it. Paths keep away from the pole.
+struct Everything<'t, M: Machine> {
+    placer: &'t Placer<M>,
+    points: &'t [Point],
+    layers: Vec<Vec<State>>,
+    least: Option<Cost>,
+}
+
+impl<M: Machine> Everything<'_, M> {
+    fn sum(a: Cost, b: Cost) -> Cost {
+        Cost {
+            rewinds: a.rewinds + b.rewinds,
+            unwished: a.unwished + b.unwished,
+            time: a.time + b.time,
+            travel: a.travel + b.travel,
+        }
+    }
+
+    fn go(&mut self, index: usize, from: State, cost: Cost) {
+        if self.least.is_some_and(|least| least < cost) {
+            return;
+        }
+        let Some(point) = self.points.get(index) else {
+            if self.least.is_none_or(|least| cost < least) {
+                self.least = Some(cost);
+            }
+            return;
+        };
+        let turning = |a: &State, b: &State| self.placer.metric.cost(&a.words, &b.words);
+        let mut next = Vec::new();
+        for to in &self.layers[index] {
+            if index == 0 || point.rapid {
+                next.push((*to, Self::sum(cost, turning(&from, to))));
+                continue;
+            }
+            let before = &self.points[index - 1].pose;
+            for start in &self.layers[index - 1] {
+                let rewound = Cost { rewinds: u32::from(*start != from), ..Cost::default() };
+                let cost = Self::sum(Self::sum(cost, rewound), turning(&from, start));
+                if self.placer.connected((before, start), (&point.pose, to), false) {
+                    next.push((*to, Self::sum(cost, turning(start, to))));
+                }
+            }
+        }
+        next.sort_by_key(|(_, cost)| *cost);
+        for (to, cost) in next {
+            self.go(index + 1, to, cost);
+        }
+    }
+}
+
+fn everything<M: Machine>(config: &Config, points: &[Point]) -> Option<Cost> {
+    let placer = Placer::<M>::new(config.machine::<M>().expect("valid"), config, Units::Millimetres);
+    let layers = points
+        .iter()
+        .map(|point| {
+            let mut states = Vec::new();
+            placer.states(&point.pose, &mut states);
+            states
+        })
+        .collect();
+    let mut all = Everything { placer: &placer, points, layers, least: None };
+    all.go(0, State { branch: Branch::First, words: [0; 2] }, Cost::default());
+    all.least
+}
+
+/// Steps of a path: change of the two angles in degrees, and whether it goes through the air.
+fn path(start: (f64, f64), steps: &[(f64, f64, bool)]) -> Vec<Point> {
+    let (mut turn, mut tilt) = start;
+    let mut points = vec![Point { pose: Pose { tip: Point3::origin(), axis: axis(turn, tilt) }, rapid: false }];
+    for &(around, along, rapid) in steps {
+        turn += around;
+        tilt = (tilt + along).clamp(8.0, 80.0);
+        points.push(Point { pose: Pose { tip: Point3::origin(), axis: axis(turn, tilt) }, rapid });
+    }
+    points
+}
+
+fn agree<M: Machine>(config: &Config, points: &[Point]) -> Result<(), TestCaseError> {
+    let course = course::<M>(config, points);
+    let Some(least) = everything::<M>(config, points) else { return Ok(()) };
+    prop_assert_eq!(course.cost, least);
+    if let Some(greedy) = course.greedy {
+        prop_assert!(greedy >= least, "pose by pose {:?} is better than {:?}", greedy, least);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
+
+    #[test]
+    fn the_search_finds_what_trying_everything_finds(
+        start in (-180.0..180.0_f64, 10.0..70.0_f64),
+        steps in proptest::collection::vec((-80.0..80.0_f64, -15.0..15.0_f64, proptest::bool::weighted(0.15)), 1..=8),
+        first in (-400.0..0.0_f64, 20.0..700.0_f64),
+        second in (-120.0..0.0_f64, 10.0..200.0_f64),
+        speeds in proptest::option::of((10.0..100.0_f64, 10.0..100.0_f64)),
+        head in proptest::bool::ANY,
+    ) {
+        let mut config = Config::default();
+        let (a, b) = if head { ('B', 'A') } else { ('C', 'B') };
+        config.limits.insert(a, limits(first.0, first.0 + first.1));
+        config.limits.insert(b, limits(second.0, second.0 + second.1));
+        if let Some((one, other)) = speeds {
+            config.speeds.insert(a, one);
+            config.speeds.insert(b, other);
+        }
+        let points = path(start, &steps);
+        if head { agree::<Head>(&config, &points)? } else { agree::<Cb>(&config, &points)? }
+    }
+}
+
+#[test]
+fn a_limit_on_the_way_of_a_single_block_is_met_by_a_rewind_at_the_limit() {
+    let mut config = Config::default();
+    config.limits.insert('C', limits(-180.0, 180.0));
+    // From 170 to 190 degrees: at each end there is one turn only.
+    let course = course::<Cb>(&config, &path((170.0, 30.0), &[(20.0, 0.0, false)]));
+    assert_eq!(course.cost.rewinds, 1);
+    let changes = changes(course);
+    let how: Vec<How> = changes.iter().map(|change| change.how).collect();
+    assert!(matches!(how[..], [How::Via(part), How::Rewind] if (part - 0.5).abs() < 1e-4), "{how:?}");
+    assert_eq!(changes[0].words[0], 1_800_000);
+    assert_eq!(changes[1].words[0], -1_800_000);
+}
+
+#[test]
+fn of_equal_courses_the_first_branch_is_taken_and_the_turn_nearest_to_zero() {
+    let mut config = Config::default();
+    config.limits.insert('B', limits(-110.0, 110.0));
+    // C 90 B 30 or C -90 B -30: the same travel.
+    let course = course::<Cb>(&config, &path((90.0, 30.0), &[]));
+    assert_eq!(changes(course), [Change { motion: 0, how: How::Take, words: [900_000, 300_000] }]);
+}
+
+#[test]
+fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
+    let mut config = Config { prefer: Some(('B', false)), ..Config::default() };
+    config.limits.insert('B', limits(-50.0, 110.0));
+    let begins = |config: &Config, steps: &[(f64, f64, bool)]| {
+        let course = course::<Cb>(config, &path((20.0, 30.0), steps));
+        changes(course).first().map(|change| change.words[1])
+    };
+    assert_eq!(begins(&config, &[]), Some(-300_000));
+    // Tilted on, B- would run into its limit.
+    assert_eq!(begins(&config, &[(0.0, 40.0, false)]), None);
+    let second = Config { start_branch: Some(StartBranch::Second), prefer: None, ..config };
+    assert_eq!(begins(&second, &[]), Some(-300_000));
+}
+
+#[test]
+fn a_hundred_thousand_motions_leave_nothing_behind_but_changes() {
+    let mut config = Config::default();
+    config.limits.insert('B', limits(-110.0, 110.0));
+    let points: Vec<Point> = (0..100_000).map(|step| path((f64::from(step) * 0.3, 30.0), &[])[0]).collect();
+    let course = course::<Cb>(&config, &points);
+    assert_eq!(course.cost.rewinds, 0);
+    assert!(changes(course).len() <= 1);
+}

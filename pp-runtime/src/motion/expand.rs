@@ -1,0 +1,533 @@
+//! Arcs, curves and holes into straight motions.
+//!
+//! Planner, scout and the survey of a file all see a program through an expander, so that they agree on its motions.
+//! Arcs and curves become chords that leave them by no more than the tolerance; their ends are exact. A hole becomes the
+//! rapids and feeds of its cycle, level by level along the tool axis.
+
+use crate::config::Config;
+use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::Pose;
+use crate::nalgebra::{Point3, Vector3};
+use crate::program::{Arc, Drilling, Event, Feed, Hole, Location, Move, Spline, ToolCall};
+
+use super::fault::Fault;
+
+/// More steps than this are no drilling.
+const MOST_STEPS: u32 = 10_000;
+
+/// More chords than this in one arc, or in one piece of a curve, are a fault of the file.
+const MOST_CHORDS: f64 = 1e6;
+
+/// Levels closer than this are the same, mm.
+const SAME_LEVEL: f64 = 1e-9;
+
+/// Turns events into events without arcs, curves and holes.
+#[derive(Debug, Clone, Default)]
+pub struct Expander {
+    tolerance: f64,
+    stated: Option<f64>,
+    allow_stated: bool,
+    peck_gap: f64,
+    default_tool: Option<u32>,
+    /// A tool has been called, or none is assumed.
+    armed: bool,
+    here: Option<Pose>,
+    /// What follows begins with the safe sequence.
+    fresh: bool,
+    warnings: Vec<Diagnostic>,
+}
+
+/// Takes straight events; an error ends the expansion.
+type Out<'o, E> = &'o mut dyn FnMut(Location, &Event<'_>) -> Result<(), E>;
+
+impl Expander {
+    /// With the tolerance and the tool of a configuration.
+    #[must_use]
+    pub fn new(config: &Config) -> Self {
+        Self {
+            tolerance: config.tolerance,
+            allow_stated: config.allow_lintol,
+            peck_gap: config.defaults.peck_gap,
+            default_tool: config.defaults.tool,
+            armed: config.defaults.tool.is_none(),
+            fresh: true,
+            ..Self::default()
+        }
+    }
+
+    /// Whether a motion needs nothing but to be remembered; remembers it then.
+    #[inline]
+    pub(super) fn passes(&mut self, motion: &Move) -> bool {
+        if self.armed {
+            self.here = Some(motion.pose);
+            self.fresh = false;
+        }
+        self.armed
+    }
+
+    /// Takes the remarks that have come up.
+    pub(crate) fn take_warnings(&mut self) -> Vec<Diagnostic> {
+        std::mem::take(&mut self.warnings)
+    }
+
+    /// Hands on one event, or the straight events that it stands for.
+    ///
+    /// # Errors
+    /// Those of `out`, and what cannot be expanded faithfully.
+    pub fn event<E: From<Diagnostic>>(&mut self, at: Location, event: &Event<'_>, out: Out<'_, E>) -> Result<(), E> {
+        match event {
+            Event::Move(motion) => {
+                self.arm(at, out)?;
+                self.passes(motion);
+                return out(at, event);
+            }
+            Event::Arc(arc) => {
+                self.arm(at, out)?;
+                return self.arc(at, arc, out);
+            }
+            Event::Spline(spline) => {
+                self.arm(at, out)?;
+                return self.spline(at, spline, out);
+            }
+            Event::Hole(hole) => {
+                self.arm(at, out)?;
+                return self.hole(at, hole, out);
+            }
+            Event::Tolerance(tolerance) => {
+                self.state_tolerance(at, *tolerance);
+                return Ok(());
+            }
+            Event::Tool(_) => {
+                self.armed = true;
+                self.fresh = true;
+            }
+            Event::Operation(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Home
+            | Event::Stop
+            | Event::OptionalStop
+            | Event::Insert(_)
+            | Event::Code { .. } => self.fresh = true,
+            Event::From(pose) if self.fresh => self.here = Some(*pose),
+            _ => {}
+        }
+        out(at, event)
+    }
+
+    /// Calls the tool of the configuration before the first motion of a program that calls none.
+    fn arm<E>(&mut self, at: Location, out: Out<'_, E>) -> Result<(), E> {
+        if !self.armed
+            && let Some(number) = self.default_tool
+        {
+            self.armed = true;
+            out(at, &Event::Tool(ToolCall { number, ..ToolCall::default() }))?;
+        }
+        Ok(())
+    }
+
+    fn state_tolerance(&mut self, at: Location, tolerance: Option<f64>) {
+        self.stated = tolerance.filter(|stated| self.allow_stated || *stated <= self.tolerance);
+        if let Some(stated) = tolerance
+            && self.stated.is_none()
+        {
+            let fault = Fault::new(format_args!(
+                "LINTOL/{stated} mm is more than the tolerance of {} mm, which stays in force",
+                self.tolerance
+            ))
+            .help("give `--allow-lintol` if the CL data may widen the tolerance");
+            self.warnings.push(fault.at(at, Severity::Warning));
+        }
+    }
+
+    fn chord_tolerance(&self) -> f64 {
+        self.stated.unwrap_or(self.tolerance)
+    }
+
+    fn go<E>(&mut self, at: Location, pose: Pose, rapid: bool, feed: Option<Feed>, out: Out<'_, E>) -> Result<(), E> {
+        self.here = Some(pose);
+        self.fresh = false;
+        out(at, &Event::Move(Move { pose, rapid, feed }))
+    }
+
+    /// Behind a tool change or a stop the tool first comes back to where the path goes on.
+    fn resume<E>(&mut self, at: Location, start: Pose, feed: Option<Feed>, out: Out<'_, E>) -> Result<(), E> {
+        if self.fresh { self.go(at, start, false, feed, out) } else { Ok(()) }
+    }
+
+    fn arc<E: From<Diagnostic>>(&mut self, at: Location, arc: &Arc, out: Out<'_, E>) -> Result<(), E> {
+        self.resume(at, arc.start, arc.feed, out)?;
+        let normal = arc.normal.into_inner();
+        let along = |point: Point3<f64>| (point - arc.centre).dot(&normal);
+        let flat = |point: Point3<f64>| (point - arc.centre) - normal * along(point);
+        let (first, last) = (flat(arc.start.tip), flat(arc.end.tip));
+        let (first_radius, last_radius) = (first.norm(), last.norm());
+        let radius = first_radius.max(last_radius);
+        // A chord over the angle t is off by r (1 - cos t/2), which is at most r t²/8.
+        let step = (8.0 * self.chord_tolerance() / radius).sqrt().min(std::f64::consts::FRAC_PI_2);
+        let chords = (arc.angle / step).ceil().max(1.0);
+        if chords.is_nan() || chords > MOST_CHORDS {
+            let fault = Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL");
+            return Err(fault.at(at, Severity::Error).into());
+        }
+        let (u, v) = (first / first_radius, normal.cross(&first) / first_radius);
+        let (start, rise) = (along(arc.start.tip), along(arc.end.tip) - along(arc.start.tip));
+        let mut index = 1.0;
+        while index < chords {
+            let part = index / chords;
+            let (sine, cosine) = (arc.angle * part).sin_cos();
+            let radius = first_radius + (last_radius - first_radius) * part;
+            let tip = arc.centre + (u * cosine + v * sine) * radius + normal * (start + rise * part);
+            self.go(at, Pose { tip, axis: arc.start.axis }, false, arc.feed, out)?;
+            index += 1.0;
+        }
+        self.go(at, arc.end, false, arc.feed, out)
+    }
+
+    fn spline<E: From<Diagnostic>>(&mut self, at: Location, spline: &Spline<'_>, out: Out<'_, E>) -> Result<(), E> {
+        let Spline { knots, points, axis, feed } = *spline;
+        let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return Ok(()) };
+        self.resume(at, Pose { tip: first, axis }, feed, out)?;
+        for span in 3..points.len() {
+            let (from, to) = (knots[span], knots[span + 1]);
+            if from >= to {
+                continue;
+            }
+            let piece =
+                [[from; 3], [from, from, to], [from, to, to], [to; 3]].map(|at| blossom(knots, points, span, at));
+            let [a, b, c, d] = piece;
+            // A chord over 1/n of the parameter is off by at most |f''| / (8 n²), and f'' by 6 times these differences.
+            let bend = (a - b * 2.0 + c).norm().max((b - c * 2.0 + d).norm());
+            let chords = (6.0 * bend / (8.0 * self.chord_tolerance())).sqrt().ceil().max(1.0);
+            if chords.is_nan() || chords > MOST_CHORDS {
+                let fault = Fault::new("this curve cannot be cut into chords").help("check its knots and LINTOL");
+                return Err(fault.at(at, Severity::Error).into());
+            }
+            let mut index = 1.0;
+            while index <= chords {
+                let t = index / chords;
+                let s = 1.0 - t;
+                let tip = a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t);
+                // The last point is written below, as the file has it.
+                if index < chords || span + 1 < points.len() {
+                    self.go(at, Pose { tip: Point3::from(tip), axis }, false, feed, out)?;
+                }
+                index += 1.0;
+            }
+        }
+        self.go(at, Pose { tip: last, axis }, false, feed, out)
+    }
+
+    fn hole<E: From<Diagnostic>>(&mut self, at: Location, hole: &Hole, out: Out<'_, E>) -> Result<(), E> {
+        let refuse = |fault: Fault| Err(fault.at(at, Severity::Error).into());
+        if let Drilling::Tap { .. } = hole.drilling {
+            return refuse(
+                Fault::new("a thread needs spindle and feed in step, and no tapping cycle of a control is written yet")
+                    .help("take the tapping out of the CL data and program it at the control"),
+            );
+        }
+        let (tip, axis) = (hole.top.tip, hole.top.axis);
+        let level = |height: f64| Pose { tip: tip + axis.into_inner() * height, axis };
+        // Over to the hole at the level of the tool or at that of the clearance, whichever is higher.
+        let before = self.here.filter(|_| !self.fresh);
+        let before =
+            before.filter(|pose| (pose.axis.into_inner() - axis.into_inner()).norm() <= super::planner::SAME_AXIS);
+        if let Some(before) = before {
+            let height = (before.tip - tip).dot(&axis);
+            let lift = hole.clearance - height;
+            if lift > SAME_LEVEL {
+                let tip = before.tip + axis.into_inner() * lift;
+                self.go(at, Pose { tip, axis }, true, hole.feed, out)?;
+            } else if lift < -SAME_LEVEL {
+                self.go(at, level(height), true, hole.feed, out)?;
+            }
+        }
+        self.go(at, level(hole.clearance), true, hole.feed, out)?;
+        let mut done = 0.0;
+        let mut steps = 0;
+        while done < hole.depth {
+            let step = match hole.drilling {
+                Drilling::Peck { first, .. } if steps == 0 => first,
+                Drilling::Peck { later: step, .. } | Drilling::ChipBreak { step, .. } => step,
+                _ => hole.depth,
+            };
+            steps += 1;
+            if steps > MOST_STEPS {
+                let text =
+                    format!("a hole {} mm deep in steps of {step} mm takes more than {MOST_STEPS} steps", hole.depth);
+                return refuse(Fault::new(text).help("check the step of the cycle and its unit"));
+            }
+            if steps > 1 {
+                let approach = (self.peck_gap - done).min(hole.clearance);
+                match hole.drilling {
+                    Drilling::Peck { .. } => self.go(at, level(approach), true, hole.feed, out)?,
+                    Drilling::ChipBreak { back, .. } => {
+                        let height = (back.unwrap_or(self.peck_gap) - done).min(hole.clearance);
+                        self.go(at, level(height), true, hole.feed, out)?;
+                    }
+                    _ => {}
+                }
+            }
+            done += step;
+            // A last step of nothing but rounding is part of the one before.
+            if done > hole.depth - SAME_LEVEL {
+                done = hole.depth;
+            }
+            self.go(at, level(-done), false, hole.feed, out)?;
+            if done < hole.depth && matches!(hole.drilling, Drilling::Peck { .. }) {
+                self.go(at, level(hole.clearance), true, hole.feed, out)?;
+            }
+        }
+        if let Some(dwell) = hole.dwell {
+            out(at, &Event::Delay(dwell))?;
+        }
+        if hole.drilling == Drilling::Ream {
+            self.go(at, level(hole.clearance), false, hole.feed, out)?;
+            if hole.back_to - hole.clearance <= SAME_LEVEL {
+                return Ok(());
+            }
+        }
+        self.go(at, level(hole.back_to), true, hole.feed, out)
+    }
+}
+
+/// The polar form of a cubic B-spline over one span of its knots.
+fn blossom(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> Vector3<f64> {
+    let mut d = [0, 1, 2, 3].map(|index| points[span - 3 + index].coords);
+    for (round, u) in at.into_iter().enumerate() {
+        for index in (round + 1..=3).rev() {
+            let (left, right) = (knots[span - 3 + index], knots[span + index - round]);
+            let part = (u - left) / (right - left);
+            d[index] = d[index - 1] * (1.0 - part) + d[index] * part;
+        }
+    }
+    d[3]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::program::Dwell;
+
+    const AT: Location = Location { line: 1, column: 1 };
+
+    fn up(tip: [f64; 3]) -> Pose {
+        Pose { tip: Point3::from(tip), axis: Vector3::z_axis() }
+    }
+
+    /// Tip and rapid.
+    type Motion = ([f64; 3], bool);
+
+    /// The motions of some events, and every other event.
+    fn expanded(config: &Config, events: &[Event<'_>]) -> Result<(Vec<Motion>, Vec<String>), Diagnostic> {
+        let mut expander = Expander::new(config);
+        let (mut motions, mut others) = (Vec::new(), Vec::new());
+        for event in events {
+            expander.event(AT, event, &mut |_, event| -> Result<(), Diagnostic> {
+                match event {
+                    Event::Move(motion) => motions.push((motion.pose.tip.into(), motion.rapid)),
+                    other => others.push(format!("{other:?}")),
+                }
+                Ok(())
+            })?;
+        }
+        Ok((motions, others))
+    }
+
+    fn go(tip: [f64; 3]) -> Event<'static> {
+        Event::Move(Move { pose: up(tip), rapid: false, feed: None })
+    }
+
+    fn arc(start: [f64; 3], end: [f64; 3], angle: f64) -> Event<'static> {
+        let (start, end) = (up(start), up(end));
+        Event::Arc(Arc { start, end, centre: Point3::origin(), normal: Vector3::z_axis(), angle, feed: None })
+    }
+
+    /// Distance of a point from the line between two others.
+    fn off_line(point: [f64; 3], from: [f64; 3], to: [f64; 3]) -> f64 {
+        let (p, a, b) = (Point3::from(point), Point3::from(from), Point3::from(to));
+        let t = ((p - a).dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+        (p - (a + (b - a) * t)).norm()
+    }
+
+    #[test]
+    fn chords_leave_a_helix_by_the_tolerance_at_most_and_not_by_much_less() {
+        use std::f64::consts::TAU;
+        for tolerance in [0.001, 0.01, 0.1] {
+            let config = Config { tolerance, ..Config::default() };
+            let angle = 2.25 * TAU;
+            let events = [go([20.0, 0.0, 0.0]), arc([20.0, 0.0, 0.0], [0.0, 20.0, -9.0], angle)];
+            let (motions, _) = expanded(&config, &events).expect("faithful");
+            assert_eq!(motions.last().map(|(tip, _)| *tip), Some([0.0, 20.0, -9.0]), "the end is exact");
+            let mut most: f64 = 0.0;
+            for step in 0..=20_000 {
+                let part = f64::from(step) / 20_000.0;
+                let (sine, cosine) = (angle * part).sin_cos();
+                let on_helix = [20.0 * cosine, 20.0 * sine, -9.0 * part];
+                let index = (part * (motions.len() - 1) as f64).floor() as usize;
+                let index = index.min(motions.len() - 2);
+                most = most.max(off_line(on_helix, motions[index].0, motions[index + 1].0));
+            }
+            assert!(most <= tolerance * 1.000_001 && most > 0.9 * tolerance, "{most} for {tolerance}");
+        }
+    }
+
+    #[test]
+    fn arcs_that_would_need_a_million_chords_are_refused() {
+        let far = Point3::new(1e150, 0.0, 0.0);
+        let angle = std::f64::consts::TAU;
+        let round = |centre| {
+            let here = up([20.0, 0.0, 0.0]);
+            Event::Arc(Arc { start: here, end: here, centre, normal: Vector3::z_axis(), angle, feed: None })
+        };
+        for events in [
+            [go([20.0, 0.0, 0.0]), Event::Tolerance(None), round(far)],
+            [go([20.0, 0.0, 0.0]), Event::Tolerance(None), round(Point3::new(f64::MAX, 0.0, 0.0))],
+            [go([20.0, 0.0, 0.0]), Event::Tolerance(Some(1e-300)), round(Point3::origin())],
+        ] {
+            let fault = expanded(&Config::default(), &events).expect_err("refused");
+            assert_eq!(fault.text, "this arc cannot be cut into chords");
+        }
+    }
+
+    #[test]
+    fn a_radius_that_changes_within_the_tolerance_leaves_both_ends_exact() {
+        let events = [go([20.0, 0.0, 0.0]), arc([20.0, 0.0, 0.0], [0.0, 20.004, 0.0], 0.25 * std::f64::consts::TAU)];
+        let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
+        assert_eq!(motions.last().map(|(tip, _)| *tip), Some([0.0, 20.004, 0.0]));
+        let middle = Vector3::from(motions[motions.len() / 2].0).norm();
+        assert!((20.0005..20.0035).contains(&middle), "{middle}");
+    }
+
+    #[test]
+    fn chords_leave_a_curve_by_the_tolerance_at_most() {
+        let points: Vec<Point3<f64>> = [[0.0, 0.0], [5.0, 12.0], [14.0, -8.0], [20.0, 9.0], [31.0, 2.0]]
+            .iter()
+            .map(|p| Point3::new(p[0], p[1], 1.0))
+            .collect();
+        let knots = [0.0, 0.0, 0.0, 0.0, 0.4, 1.0, 1.0, 1.0, 1.0];
+        let spline = Event::Spline(Spline { knots: &knots, points: &points, axis: Vector3::z_axis(), feed: None });
+        let (motions, _) = expanded(&Config::default(), &[go([0.0, 0.0, 1.0]), spline]).expect("faithful");
+        assert_eq!(motions.last().map(|(tip, _)| *tip), Some([31.0, 2.0, 1.0]));
+        // The curve by its basis functions (Cox and de Boor), which share no code with the polar form.
+        fn basis(knots: &[f64], index: usize, degree: usize, t: f64) -> f64 {
+            if degree == 0 {
+                return f64::from(u8::from(knots[index] <= t && t < knots[index + 1]));
+            }
+            let share = |a: f64, b: f64| if b > 0.0 { a / b } else { 0.0 };
+            share(t - knots[index], knots[index + degree] - knots[index]) * basis(knots, index, degree - 1, t)
+                + share(knots[index + degree + 1] - t, knots[index + degree + 1] - knots[index + 1])
+                    * basis(knots, index + 1, degree - 1, t)
+        }
+        for step in 0..2000 {
+            let t = f64::from(step) / 2000.0;
+            let mut at = Vector3::zeros();
+            for (index, point) in points.iter().enumerate() {
+                at += point.coords * basis(&knots, index, 3, t);
+            }
+            let nearest =
+                motions.windows(2).map(|pair| off_line(at.into(), pair[0].0, pair[1].0)).fold(f64::MAX, f64::min);
+            assert!(nearest <= 0.01, "{nearest} at {t}");
+        }
+        assert!(motions.len() < 100, "{}", motions.len());
+    }
+
+    fn hole(top: [f64; 3], drilling: Drilling, back_to: f64, dwell: Option<Dwell>) -> Event<'static> {
+        Event::Hole(Hole { top: up(top), depth: 5.0, clearance: 2.0, back_to, drilling, feed: None, dwell })
+    }
+
+    fn heights(motions: &[Motion]) -> Vec<(f64, bool)> {
+        motions.iter().map(|(tip, rapid)| ((tip[2] * 1e9).round() / 1e9, *rapid)).collect()
+    }
+
+    #[test]
+    fn a_hole_is_drilled_at_feed_and_left_at_rapid() {
+        let dwell = Some(Dwell::Seconds(1.0));
+        let events = [go([0.0, 0.0, 9.0]), hole([1.0, 0.0, 0.0], Drilling::Drill, 2.0, dwell)];
+        let (motions, others) = expanded(&Config::default(), &events).expect("faithful");
+        assert_eq!(heights(&motions[1..]), [(9.0, true), (2.0, true), (-5.0, false), (2.0, true)]);
+        assert_eq!(others, ["Delay(Seconds(1.0))"]);
+        let ream = [go([0.0, 0.0, 9.0]), hole([1.0, 0.0, 0.0], Drilling::Ream, 9.0, None)];
+        let (motions, _) = expanded(&Config::default(), &ream).expect("faithful");
+        assert_eq!(heights(&motions[1..]), [(9.0, true), (2.0, true), (-5.0, false), (2.0, false), (9.0, true)]);
+    }
+
+    #[test]
+    fn deep_holes_are_cleared_after_each_step_and_chips_broken_without() {
+        let peck = Drilling::Peck { first: 3.0, later: 1.5 };
+        let (motions, _) = expanded(&Config::default(), &[go([1.0, 0.0, 2.0]), hole([1.0, 0.0, 0.0], peck, 2.0, None)])
+            .expect("faithful");
+        let expected = [
+            (2.0, true),
+            (-3.0, false),
+            (2.0, true),
+            (-2.5, true),
+            (-4.5, false),
+            (2.0, true),
+            (-4.0, true),
+            (-5.0, false),
+            (2.0, true),
+        ];
+        assert_eq!(heights(&motions[1..]), expected);
+        let chip = Drilling::ChipBreak { step: 2.0, back: Some(0.3) };
+        let (motions, _) = expanded(&Config::default(), &[go([1.0, 0.0, 2.0]), hole([1.0, 0.0, 0.0], chip, 2.0, None)])
+            .expect("faithful");
+        let expected =
+            [(2.0, true), (-2.0, false), (-1.7, true), (-4.0, false), (-3.7, true), (-5.0, false), (2.0, true)];
+        assert_eq!(heights(&motions[1..]), expected);
+    }
+
+    #[test]
+    fn the_tool_lifts_before_it_goes_over_to_a_higher_hole() {
+        let events = [
+            go([0.0, 0.0, 1.0]),
+            hole([5.0, 0.0, 10.0], Drilling::Drill, 2.0, None),
+            hole([9.0, 0.0, 0.0], Drilling::Drill, 2.0, None),
+        ];
+        let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
+        let tips: Vec<[f64; 3]> = motions.iter().map(|(tip, _)| *tip).collect();
+        assert_eq!(tips[1..3], [[0.0, 0.0, 12.0], [5.0, 0.0, 12.0]]);
+        assert_eq!(tips[5..7], [[9.0, 0.0, 12.0], [9.0, 0.0, 2.0]]);
+    }
+
+    #[test]
+    fn what_only_a_cycle_of_the_control_can_do_is_refused() {
+        let tap = hole([0.0; 3], Drilling::Tap { pitch: Some(1.0) }, 2.0, None);
+        assert!(expanded(&Config::default(), &[tap]).expect_err("refused").text.contains("a thread needs"));
+        let dust = hole([0.0; 3], Drilling::Peck { first: 1e-6, later: 1e-6 }, 2.0, None);
+        assert!(expanded(&Config::default(), &[dust]).expect_err("refused").text.contains("more than 10000 steps"));
+    }
+
+    #[test]
+    fn an_arc_behind_a_stop_begins_with_the_way_back_to_its_start() {
+        let events = [go([20.0, 0.0, 0.0]), Event::Stop, arc([20.0, 0.0, 0.0], [0.0, 20.0, 0.0], 1.57)];
+        let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
+        assert_eq!(motions[1], ([20.0, 0.0, 0.0], false));
+    }
+
+    #[test]
+    fn lintol_narrows_the_tolerance_and_widens_it_only_if_allowed() {
+        let count = |config: &Config, stated: Option<f64>| {
+            let start = [20.0, 0.0, 0.0];
+            let events = [go(start), Event::Tolerance(stated), arc(start, [0.0, 20.0, 0.0], 1.57)];
+            expanded(config, &events).expect("faithful").0.len()
+        };
+        let config = Config::default();
+        let usual = count(&config, None);
+        assert!(count(&config, Some(0.001)) > 2 * usual);
+        assert_eq!(count(&config, Some(1.0)), usual);
+        assert!(count(&Config { allow_lintol: true, ..config }, Some(1.0)) < usual);
+    }
+
+    #[test]
+    fn the_tool_of_the_configuration_is_called_where_the_cl_data_calls_none() {
+        let mut config = Config::default();
+        config.defaults.tool = Some(7);
+        let (_, others) = expanded(&config, &[go([0.0; 3]), go([1.0, 0.0, 0.0])]).expect("faithful");
+        assert_eq!(others.len(), 1);
+        assert!(others[0].contains("number: 7"), "{others:?}");
+        let called = Event::Tool(ToolCall { number: 3, ..ToolCall::default() });
+        let (_, others) = expanded(&config, &[called, go([0.0; 3])]).expect("faithful");
+        assert_eq!(others.len(), 1);
+    }
+}

@@ -1,0 +1,67 @@
+//! Machining times in words.
+
+use crate::motion::{OperationTime, Times};
+
+/// Operations whose times are listed.
+const MOST_LISTED: usize = 20;
+
+/// `1 h 02 min`, `12 min 05 s`, `3.2 s`.
+fn duration(minutes: f64) -> String {
+    let seconds = minutes * 60.0;
+    if seconds < 60.0 {
+        return format!("{seconds:.1} s");
+    }
+    let whole = seconds.round() as u64;
+    match (whole / 3600, whole / 60 % 60, whole % 60) {
+        (0, minutes, seconds) => format!("{minutes} min {seconds:02} s"),
+        (hours, minutes, _) => format!("{hours} h {minutes:02} min"),
+    }
+}
+
+/// The lines of the summary.
+pub(super) fn lines(times: &Times) -> Vec<String> {
+    if times.total() <= 0.0 {
+        return Vec::new();
+    }
+    let mut total = format!("machining time {}: cutting {}", duration(times.total()), duration(times.cutting));
+    if times.rapid > 0.0 {
+        total += &format!(", rapids {}", duration(times.rapid));
+    }
+    if times.waiting > 0.0 {
+        total += &format!(", waits {}", duration(times.waiting));
+    }
+    if times.unknown > 0 {
+        total += "; rapids of axes without `speeds` not counted";
+    }
+    let mut lines = vec![total];
+    if times.operations.len() > 1 {
+        lines.extend(times.operations.iter().take(MOST_LISTED).map(of_operation));
+        let more = times.operations.len().saturating_sub(MOST_LISTED) as u64 + times.others;
+        lines.extend((more > 0).then(|| format!("  and {more} operations more")));
+    }
+    if times.slowed > 0 {
+        lines.push(format!(
+            "slower than programmed because of axis speeds or the control: {} blocks from line {} on, {} in all",
+            times.slowed,
+            times.slowed_first.line,
+            duration(times.slowed_by)
+        ));
+    }
+    lines
+}
+
+fn of_operation(operation: &OperationTime) -> String {
+    let name = String::from_utf8_lossy(&operation.name);
+    format!("  {}: {} (line {})", name.trim(), duration(operation.total), operation.at.line)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_duration_is_read_at_a_glance() {
+        let said = [0.05, 1.5, 59.999, 61.0, 605.0].map(duration);
+        assert_eq!(said, ["3.0 s", "1 min 30 s", "1 h 00 min", "1 h 01 min", "10 h 05 min"]);
+    }
+}

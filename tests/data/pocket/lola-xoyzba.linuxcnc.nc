@@ -1,0 +1,172 @@
+(PROGRAM without name)
+(CL FILE pocket.cls)
+(MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PROGRAMMED POINT tool tip)
+(TOLERANCE not linearised: tip path between blocks is not checked)
+(ARCS AND CURVES in chords that leave them by at most 0.05)
+(CL data of NX, by its own evidence)
+(3 arcs, 3 of 3 decided arcs agree with their form)
+(AXIS X + moves the table against +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
+(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
+(linear limits not checked: no travel declared [X Y Z])
+(T1 D10 R0 L110 H1, 1 operation, tip Z -2 to 20)
+(T1 posted with L = 110: H1 must hold exactly this)
+(T2 D5 L130 H2, 2 operations, tip Z -15 to 60)
+(T2 posted with L = 130: H2 must hold exactly this)
+(ASSUMED the unit of the CL data, which does not state one, is mm as given with the job)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+(OPERATION POCKET)
+N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T1 M6
+G53 G0 Z0
+G43 H1
+S4000 M3
+G0 A0 B0
+X8 Y0
+Z10
+M8
+Z1
+G1 X7.81 Y1.732 Z0.917 F200
+X7.25 Y3.381 Z0.833
+X6.347 Y4.87 Z0.75
+X5.142 Y6.128 Z0.667
+X3.694 Y7.096 Z0.583
+X2.071 Y7.727 Z0.5
+X0.349 Y7.992 Z0.417
+X-1.389 Y7.878 Z0.333
+X-3.061 Y7.391 Z0.25
+X-4.589 Y6.553 Z0.167
+X-5.898 Y5.405 Z0.083
+X-6.928 Y4 Z0
+X-7.63 Y2.406 Z-0.083
+X-7.97 Y0.697 Z-0.167
+X-7.932 Y-1.044 Z-0.25
+X-7.518 Y-2.736 Z-0.333
+X-6.747 Y-4.298 Z-0.417
+X-5.657 Y-5.657 Z-0.5
+X-4.298 Y-6.747 Z-0.583
+X-2.736 Y-7.518 Z-0.667
+X-1.044 Y-7.932 Z-0.75
+X0.697 Y-7.97 Z-0.833
+X2.406 Y-7.63 Z-0.917
+X4 Y-6.928 Z-1
+X5.405 Y-5.898 Z-1.083
+X6.553 Y-4.589 Z-1.167
+X7.391 Y-3.061 Z-1.25
+X7.878 Y-1.389 Z-1.333
+X7.992 Y0.349 Z-1.417
+X7.727 Y2.071 Z-1.5
+X7.096 Y3.694 Z-1.583
+X6.128 Y5.142 Z-1.667
+X4.87 Y6.347 Z-1.75
+X3.381 Y7.25 Z-1.833
+X1.732 Y7.81 Z-1.917
+X0 Y8 Z-2
+X-20 F600
+X-21.663 Y7.825
+X-23.254 Y7.308
+X-24.702 Y6.472
+X-25.945 Y5.353
+X-26.928 Y4
+X-27.608 Y2.472
+X-27.956 Y0.836
+Y-0.836
+X-27.608 Y-2.472
+X-26.928 Y-4
+X-25.945 Y-5.353
+X-24.702 Y-6.472
+X-23.254 Y-7.308
+X-21.663 Y-7.825
+X-20 Y-8
+X0
+X1.294 Y-8.17
+X2.5 Y-8.67
+X3.536 Y-9.464
+X4.33 Y-10.5
+X4.83 Y-11.706
+X5 Y-13
+Y-20
+X5.081 Y-21.378
+X5.315 Y-22.528
+X5.688 Y-23.469
+X6.185 Y-24.222
+X6.794 Y-24.809
+X7.5 Y-25.25
+X8.727 Y-25.684
+X10.188 Y-25.906
+X11.93 Y-25.988
+X14 Y-26
+Z20
+M9
+G0 Z70
+(OPERATION HOLES)
+N2 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T2 M6
+G53 G0 Z0
+G43 H2
+S2500 M3
+G0 A0 B0
+X-30 Y15
+Z70
+M8
+Z20
+Z2
+G1 Z-6 F150
+G0 Z2
+Z-5.5
+G1 Z-12
+G0 Z2
+Z-11.5
+G1 Z-15
+G0 Z20
+X-10
+Z2
+G1 Z-6
+G0 Z2
+Z-5.5
+G1 Z-12
+G0 Z2
+Z-11.5
+G1 Z-15
+G0 Z20
+Y25
+Z-3
+G1 Z-9
+G4 P0.5
+G0 Z-3
+Z7
+X10
+G1 Z1
+G4 P0.5
+G0 Z7
+G4 P1.5
+M9
+Z57
+N3 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+(T2 stays in the spindle)
+G43 H2
+S2500 M3
+G0 A0 B0
+X0 Y0
+Z110
+M8
+Z60
+M9
+Z110
+G53 G0 Z0
+M5
+M2

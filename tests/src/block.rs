@@ -1,0 +1,74 @@
+//! One block, looked at everywhere: how far the tool really leaves the straight, evenly turning motion.
+//!
+//! Every axis moves linearly, as a control moves it; poses come from the [oracle](crate::oracle).
+
+use nalgebra::{Point3, Vector3};
+
+use crate::oracle::{Oracle, angle_between};
+
+/// Largest deviation of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Deviation {
+    /// Of the tip from the straight line, mm.
+    pub tip: f64,
+    /// Of the tool axis from the arc, rad.
+    pub axis: f64,
+}
+
+/// Distance of a point from the straight line between two others.
+#[must_use]
+pub fn distance_to_line(point: &Point3<f64>, from: &Point3<f64>, to: &Point3<f64>) -> f64 {
+    let line = to - from;
+    let length = line.norm_squared();
+    let along = if length > 0.0 { ((point - from).dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (point - (from + line * along)).norm()
+}
+
+/// Angle of a unit vector from the shorter arc between two others.
+#[must_use]
+pub fn angle_to_arc(axis: &Vector3<f64>, from: &Vector3<f64>, to: &Vector3<f64>) -> f64 {
+    let normal = from.cross(to);
+    if normal.norm() < 1e-7 && from.dot(to) > 0.0 {
+        // So short an arc is its chord.
+        return distance_to_line(&Point3::from(*axis), &Point3::from(*from), &Point3::from(*to));
+    }
+    let ends = angle_between(axis, from).min(angle_between(axis, to));
+    let beside = normal.cross(from).dot(axis) < 0.0 || to.cross(&normal).dot(axis) < 0.0;
+    if beside {
+        return ends;
+    }
+    // The plane goes through `from`: the difference is small, and so is what the rounding of the normal makes of it.
+    let height = normal.normalize().dot(&(axis - from));
+    height.abs().min(1.0).asin().min(ends)
+}
+
+/// The deviation of the block between two sets of axis values from the motion between its own ends, at `points` places.
+#[must_use]
+pub fn deviation(oracle: &Oracle, from: &[f64], to: &[f64], points: usize) -> Deviation {
+    let (start, end) = (oracle.forward(from), oracle.forward(to));
+    deviation_from(oracle, from, to, points, (&start.tip, &start.axis), (&end.tip, &end.axis))
+}
+
+/// The deviation of the block from the motion between two given poses.
+#[must_use]
+pub fn deviation_from(
+    oracle: &Oracle,
+    from: &[f64],
+    to: &[f64],
+    points: usize,
+    start: (&Point3<f64>, &Vector3<f64>),
+    end: (&Point3<f64>, &Vector3<f64>),
+) -> Deviation {
+    let mut largest = Deviation::default();
+    let mut values = from.to_vec();
+    for point in 0..=points {
+        let share = point as f64 / points as f64;
+        for (value, (a, b)) in values.iter_mut().zip(from.iter().zip(to)) {
+            *value = a + (b - a) * share;
+        }
+        let pose = oracle.forward(&values);
+        largest.tip = largest.tip.max(distance_to_line(&pose.tip, start.0, end.0));
+        largest.axis = largest.axis.max(angle_to_arc(&pose.axis, start.1, end.1));
+    }
+    largest
+}
