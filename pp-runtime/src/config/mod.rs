@@ -169,6 +169,8 @@ pub struct Retract {
     pub distance: Option<f64>,
     /// Geometry around the part that the tool has to leave, if no distance is given; default none.
     pub clearance: Option<Clearance>,
+    /// Coolant is off while the rotary axes are rewound; default false.
+    pub rewind_dry: bool,
 }
 
 /// How to get to the part.
@@ -244,6 +246,8 @@ pub struct Program {
     pub end: Vec<String>,
     /// Step of the block numbers; default none: no numbers.
     pub line_numbers: Option<u32>,
+    /// Machining times as comments at the end; default false.
+    pub times: bool,
 }
 
 impl Default for Config {
@@ -265,7 +269,7 @@ impl Default for Config {
             tools: BTreeMap::new(),
             defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 },
             feed: FeedLimits { keep_speeds: true, largest: None, shortest_block: 0.0 },
-            retract: Retract { position: 0.0, distance: None, clearance: None },
+            retract: Retract { position: 0.0, distance: None, clearance: None, rewind_dry: false },
             approach: Approach { distance: 50.0 },
             park: BTreeMap::new(),
             index_angle: 1_f64.to_radians(),

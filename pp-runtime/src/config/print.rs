@@ -173,6 +173,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. distance = 100.0
 # Or, in the workpiece frame, a plane above, a box or a cylinder around the part that the tool has to leave.
 # e.g. clearance = {{ cylinder = {{ radius = 120.0, lower = -50.0, upper = 80.0 }} }}
+# Coolant off while the rotary axes are rewound out of the part.
+#rewind_dry = false
 
 [feed]
 # Blocks in which an axis would be faster than its speed run longer.
@@ -204,6 +206,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 [program]
 #start = []
 #end = []
+# Machining times as comments at the end.
+#times = false
 # Step of the block numbers. Without it there are none.
 # e.g. line_numbers = {step}
 "#,

@@ -233,6 +233,9 @@ impl Config {
         if let Some(value) = self.get(section, "retract.clearance") {
             self.retract.clearance = clearance::read(r, value);
         }
+        if let Some(value) = self.get(section, "retract.rewind_dry") {
+            set(&mut self.retract.rewind_dry, r.boolean(value));
+        }
     }
 
     fn read_wrap<M: Machine>(&mut self, r: &mut Reader<'_>, value: Option<Value<'_>>) {
@@ -284,6 +287,9 @@ impl Config {
         }
         if let Some(value) = self.get(section, "program.end") {
             self.program.end = read_blocks(r, value);
+        }
+        if let Some(value) = self.get(section, "program.times") {
+            set(&mut self.program.times, r.boolean(value));
         }
         if let Some(value) = self.get(section, "program.line_numbers") {
             self.program.line_numbers = r.whole(value, 1..=1000);

@@ -33,5 +33,5 @@ pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
-pub use times::{OperationTime, Times};
+pub use times::{FastestTurn, OperationTime, Times};
 pub use tool::Tool;

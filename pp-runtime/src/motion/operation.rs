@@ -249,6 +249,9 @@ impl<M: Machine> Planner<'_, M> {
     ) -> Planned {
         if place.words != self.place.words {
             self.times.cut(minutes);
+            if let Some((letter, turn)) = self.placer.largest_turn(&self.place.words, &place.words) {
+                self.times.turn(letter, turn / (minutes - slowed), at);
+            }
             if slowed > 0.0 {
                 self.times.slow(at, slowed);
             }

@@ -197,6 +197,14 @@ impl<M: Machine> Placer<M> {
         self.scale.angle(largest.unwrap_or(0))
     }
 
+    /// The rotary that turns furthest, and how far, rad; none if none turns.
+    #[inline]
+    pub(crate) fn largest_turn(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
+        let turns = self.rotaries.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
+        let (index, turn) = turns.max_by_key(|(_, turn)| *turn).filter(|(_, turn)| *turn > 0)?;
+        Some((M::AXES[index].letter, self.scale.angle(turn.cast_signed())))
+    }
+
     /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
     #[inline]
     pub(crate) fn least_minutes(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Option<f64> {

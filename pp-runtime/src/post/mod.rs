@@ -255,6 +255,11 @@ fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>)
         for block in &job.config.program.end {
             encoder.raw(block)?;
         }
+        if job.config.program.times {
+            for line in time::lines(&report.times) {
+                encoder.comment(line.as_bytes())?;
+            }
+        }
         return encoder.step(&Step::End);
     }
     let errors = report.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
