@@ -1,13 +1,14 @@
 //! The words of the command line.
 
 use std::ffi::OsString;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
-use crate::config::{Config, TOLERANCE, Units};
+use crate::config::{AXIS_TOLERANCE, Config, TOLERANCE, Units};
 use crate::control::{self, CONTROLS, Control};
 
 /// Turns CL data (APT/CLS) into a program for one machine.
@@ -61,9 +62,12 @@ pub(super) struct PostArgs {
     /// Unit of the program; without it that of the CL data
     #[arg(long, value_enum)]
     pub(super) output_units: Option<UnitsName>,
-    /// How far the chords of arcs and curves may leave them, mm
+    /// How far the chords of arcs and curves may leave them, and the tip its line while a rotary axis moves, mm
     #[arg(long, value_name = "MM", value_parser = tolerance)]
     pub(super) tolerance: Option<f64>,
+    /// How far the tool axis may leave its even turn from one point to the next, degrees
+    #[arg(long, value_name = "DEG", value_parser = axis_tolerance)]
+    pub(super) axis_tolerance_path: Option<f64>,
     /// LINTOL of the CL data may be wider than the tolerance
     #[arg(long)]
     pub(super) allow_lintol: bool,
@@ -119,6 +123,10 @@ impl PostArgs {
             config.tolerance = tolerance;
             config.given.insert("tolerance");
         }
+        if let Some(tolerance) = self.axis_tolerance_path {
+            config.axis_tolerance_path = tolerance.to_radians();
+            config.given.insert("axis_tolerance_path");
+        }
         config.allow_lintol |= self.allow_lintol;
         let cl = &mut config.cl;
         cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
@@ -157,11 +165,20 @@ fn inert(word: &str) -> Result<String, String> {
 
 /// A tolerance in mm.
 fn tolerance(text: &str) -> Result<f64, String> {
+    within(text, &TOLERANCE, "mm")
+}
+
+/// A tolerance in degrees.
+fn axis_tolerance(text: &str) -> Result<f64, String> {
+    within(text, &AXIS_TOLERANCE, "degrees")
+}
+
+fn within(text: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
-    if TOLERANCE.contains(&value) {
+    if range.contains(&value) {
         Ok(value)
     } else {
-        Err(format!("between {} and {} mm", TOLERANCE.start(), TOLERANCE.end()))
+        Err(format!("between {} and {} {unit}", range.start(), range.end()))
     }
 }
 

@@ -23,7 +23,7 @@ use crate::program::{Coolant, Rotation};
 pub use crate::program::Units;
 pub use machine::Travel;
 pub use print::print;
-pub(crate) use read::TOLERANCE;
+pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,8 +34,10 @@ pub struct Config {
     pub cl: reading::Options,
     /// Work offsets of frames of the CL data other than the first, by number; default none.
     pub frames: BTreeMap<u32, String>,
-    /// How far chords may leave arcs and curves, mm; default 0.01.
+    /// How far chords may leave arcs and curves, and the tip its line while a rotary axis moves, mm; default 0.01.
     pub tolerance: f64,
+    /// How far the tool axis may leave its even turn from one point to the next, rad; default 0.1 degree.
+    pub axis_tolerance_path: f64,
     /// LINTOL may be wider than that; default false.
     pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
@@ -188,6 +190,7 @@ impl Default for Config {
             cl: reading::Options::default(),
             frames: BTreeMap::new(),
             tolerance: 0.01,
+            axis_tolerance_path: 0.1_f64.to_radians(),
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],

@@ -81,8 +81,8 @@ impl MotionBound {
     pub fn of(tip: &Curve, axis: &Vector3<f64>, axis_curve: &Curve, reach: f64, turns: f64) -> Self {
         let rounding = ROUNDING * (1.0 + turns);
         Self {
-            tip: tip.from_chord() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
-            axis: axis_curve.from_great_circle(axis) * (1.0 + RELATIVE_ROUNDING) + rounding,
+            tip: tip.off_chord() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
+            axis: axis_curve.off_great_circle(axis) * (1.0 + RELATIVE_ROUNDING) + rounding,
         }
     }
 }
@@ -96,7 +96,7 @@ impl Curve {
 
     /// Largest distance from the chord.
     #[inline]
-    fn from_chord(&self) -> f64 {
+    fn off_chord(&self) -> f64 {
         let (rate, bend) = (length(&self.rate), length(&self.bend));
         let (anyhow, off) = (self.sagitta(bend), self.third / 24.0);
         let chord = rate - off;
@@ -118,7 +118,7 @@ impl Curve {
 
     /// Largest angle from the great circle, rad; `axis` is the unit vector in the middle.
     #[inline]
-    fn from_great_circle(&self, axis: &Vector3<f64>) -> f64 {
+    fn off_great_circle(&self, axis: &Vector3<f64>) -> f64 {
         let bend = length(&self.bend);
         let plane = (axis + self.bend / 8.0).cross(&self.rate);
         let size = length(&plane);

@@ -9,6 +9,7 @@ mod choose;
 mod expand;
 mod fault;
 mod feed;
+mod linearise;
 mod operation;
 mod place;
 mod planner;

@@ -7,15 +7,13 @@ use crate::program::{self, Location, Move};
 
 use super::fault::Fault;
 use super::feed::{Feeds, Stroke};
+use super::linearise::Pieces;
 use super::place::Place;
-use super::planner::{Phase, Planned, Planner, SAME_AXIS, stop};
+use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
 use super::step::{Feed, Sink, Step};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
-
-/// From this turn on, the middle of a feed block is looked at, rad.
-const LARGE_TURN: f64 = 0.017;
 
 /// A rapid this much below the lowest cut is remarked on, mm.
 const PLUNGE: f64 = 0.001;
@@ -82,7 +80,8 @@ impl<M: Machine> Planner<'_, M> {
         let fault = |fault: Fault| stop(at, fault);
         self.stop_spindle(sink)?;
         self.check_state(motion).map_err(fault)?;
-        let place = self.placer.place(&motion.pose, &self.place, !motion.rapid).map_err(fault)?;
+        let mut place = self.placer.place(&motion.pose, &self.place, !motion.rapid).map_err(fault)?;
+        let before = self.place.pose;
         if motion.rapid {
             if self.config.transition == Transition::Safe
                 && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
@@ -94,33 +93,75 @@ impl<M: Machine> Planner<'_, M> {
             self.watch_plunge(at, &motion.pose);
             sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
         } else {
-            self.feed_to(at, motion, &place, sink)?;
+            place = self.feed_to(at, motion, place, sink)?;
         }
-        self.retreat.follow(&self.place.pose, &motion.pose);
+        self.retreat.follow(&before, &motion.pose);
         self.arrive(place);
         Ok(())
     }
 
-    /// A feed motion from where the tool stands.
+    /// A feed motion from where the tool stands; answers with its place, which may be on another branch.
     #[inline]
     pub(super) fn feed_to(
         &mut self,
         at: Location,
         motion: &Move,
-        place: &Place<M::Axes>,
+        place: Place<M::Axes>,
         sink: &mut impl Sink,
-    ) -> Planned {
-        let feed = self.feed(motion.feed, place).map_err(|fault| stop(at, fault))?;
-        if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
-            let off = self.placer.middle_deviation(&self.place, place);
-            if off > self.statistics.largest_swing {
-                self.statistics.largest_swing = off;
-                self.swing_at = at;
-            }
+    ) -> Result<Place<M::Axes>, Stop> {
+        if self.placer.rotary_travel(&self.place.words, &place.words) > 0.0 {
+            return self.feed_in_pieces(at, motion, place, sink);
         }
-        self.write_feed(place, feed, sink)?;
+        let feed = self.feed(motion.feed, &place).map_err(|fault| stop(at, fault))?;
+        self.write_feed(&place, feed, sink)?;
         self.cut(&motion.pose);
-        Ok(())
+        Ok(place)
+    }
+
+    /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
+    fn feed_in_pieces(
+        &mut self,
+        at: Location,
+        motion: &Move,
+        place: Place<M::Axes>,
+        sink: &mut impl Sink,
+    ) -> Result<Place<M::Axes>, Stop> {
+        let fault = |fault: Fault| stop(at, fault);
+        let place = self.followable(place);
+        let mut pieces = Pieces::new(&self.place, &place, self.tolerance);
+        let mut blocks = 0;
+        while let Some(piece) = pieces.next(&self.placer).map_err(fault)? {
+            self.placer.travel.check(piece.place.axes.as_ref()).map_err(fault)?;
+            let feed = self.feed(motion.feed, &piece.place).map_err(fault)?;
+            blocks += u64::from(piece.place.words != self.place.words);
+            self.write_feed(&piece.place, feed, sink)?;
+            self.place = piece.place;
+            let statistics = &mut self.statistics;
+            statistics.largest_tip_bound = statistics.largest_tip_bound.max(piece.bound.tip);
+            statistics.largest_axis_bound = statistics.largest_axis_bound.max(piece.bound.axis);
+        }
+        self.statistics.inserted += blocks.max(1) - 1;
+        self.cut(&motion.pose);
+        Ok(place)
+    }
+
+    /// The place itself, or that of the same pose on the branch where the tool stands: between branches there is a way
+    /// only where the tool passes the pole within tolerance.
+    fn followable(&self, place: Place<M::Axes>) -> Place<M::Axes> {
+        let certified = |to: &Place<M::Axes>| {
+            let mut pieces = Pieces::new(&self.place, to, self.tolerance);
+            loop {
+                match pieces.next(&self.placer) {
+                    Ok(Some(_)) => {}
+                    Ok(None) => return true,
+                    Err(_) => return false,
+                }
+            }
+        };
+        if !self.placer.changes_branch(&self.place, &place) || certified(&place) {
+            return place;
+        }
+        self.placer.on_branch_of(&self.place, &place).filter(certified).unwrap_or(place)
     }
 
     /// Remembers the lowest level that was cut with this tool axis in this operation.

@@ -149,14 +149,15 @@ impl<M: Machine> Planner<'_, M> {
         self.turn_spindle(at, false, sink)?;
         self.turn_coolant(at, sink)?;
         self.check_state(first).map_err(|fault| stop(at, fault))?;
-        let place = self.placer.place(&first.pose, &self.place, !first.rapid).map_err(|fault| stop(at, fault))?;
+        let mut place = self.placer.place(&first.pose, &self.place, !first.rapid).map_err(|fault| stop(at, fault))?;
+        let before = self.place.pose;
         if first.rapid {
             self.cancel_inverse_time(sink)?;
             sink.step(&Step::Rapid { words: self.placer.words(&place, self.all()) })?;
         } else {
-            self.feed_to(at, first, &place, sink)?;
+            place = self.feed_to(at, first, place, sink)?;
         }
-        self.retreat.follow(&self.place.pose, &first.pose);
+        self.retreat.follow(&before, &first.pose);
         self.arrive(place);
         Ok(())
     }
