@@ -10,35 +10,12 @@ use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::config::Config;
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Limits, Machine, Pose};
-use pp_runtime::machine;
 use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::post::{Job, post};
 use tests::block::deviation_from;
+use tests::further::{HeadTable, NutatingHead, Trunnion};
 use tests::oracle::{Oracle, wrapped};
 use tests::program::Program;
-
-machine! {
-    /// A and C in the table.
-    pub struct Trunnion;
-    chain: C A | X Y Z;
-    d = { C: (0, 0, 0), A: (0, 12.5, -60) };
-    limits = { A: -120..30 };
-}
-
-machine! {
-    /// B in the head, C in the table.
-    pub struct HeadTable;
-    chain: C | X Y Z B;
-    d = { C: (0, 0, 0), B: (8, 0, 140) };
-}
-
-machine! {
-    /// A head that nutates about an axis inclined by 45°.
-    pub struct NutatingHead;
-    chain: X | Y Z C B;
-    axes = { B: Rx(45 deg) * Y };
-    d = { C: (0, 0, 210), B: (0, 25, 180) };
-}
 
 /// Places of a block that are looked at.
 const POINTS: usize = 1000;

@@ -148,6 +148,7 @@ impl<M: Machine> Planner<'_, M> {
             .placer
             .place(&pose, &self.place, true, Some(Target { words, towards: None }))
             .map_err(|fault| stop(at, fault))?;
+        self.statistics.inserted += u64::from(place.words != self.place.words);
         self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
         self.cut(&pose);
         self.place = place;
