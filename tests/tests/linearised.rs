@@ -11,11 +11,11 @@ use pp_runtime::config::Config;
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Limits, Machine, Pose};
 use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
-use pp_runtime::post::{Job, post};
+use pp_runtime::post::{Job, Report, post};
 use tests::block::deviation_from;
 use tests::further::{HeadTable, NutatingHead, Trunnion};
 use tests::oracle::{Oracle, wrapped};
-use tests::program::Program;
+use tests::program::{Feed, Program};
 
 /// Places of a block that are looked at.
 const POINTS: usize = 1000;
@@ -57,13 +57,13 @@ fn swirl() -> Vec<Pose> {
 }
 
 /// Round a bar, for a machine with A alone.
-fn around() -> Vec<Pose> {
+fn around(steps: usize) -> Vec<Pose> {
     let pose = |step: usize| {
         let angle = 0.3 * step as f64;
         let axis = Vector3::new(0.0, -angle.sin(), angle.cos());
-        Pose { tip: Point3::from(axis * 25.0 + Vector3::new(2.0 * step as f64, 4.0, 3.0)), axis: unit(axis) }
+        Pose { tip: Point3::from(axis * 25.0 + Vector3::new(0.1 * step as f64, 4.0, 3.0)), axis: unit(axis) }
     };
-    (0..=24).map(pose).collect()
+    (0..=steps).map(pose).collect()
 }
 
 fn cl_of(poses: &[Pose]) -> String {
@@ -254,25 +254,32 @@ impl<M: Machine> Checker<M> {
     }
 }
 
-fn check<M: Machine>(name: &str, poses: &[Pose], limits: &[(char, f64, f64)]) -> Found {
+/// The poses as CL data has them.
+fn as_written(poses: &[Pose]) -> Vec<Pose> {
     let rounded = |value: f64, digits: f64| (value * digits).round() / digits;
-    let poses: Vec<Pose> = poses
-        .iter()
-        .map(|pose| Pose {
-            tip: pose.tip.map(|value| rounded(value, 1e6)),
-            axis: unit(pose.axis.map(|value| rounded(value, 1e9))),
-        })
-        .collect();
+    let written = |pose: &Pose| Pose {
+        tip: pose.tip.map(|value| rounded(value, 1e6)),
+        axis: unit(pose.axis.map(|value| rounded(value, 1e9))),
+    };
+    poses.iter().map(written).collect()
+}
+
+fn posted<M: Machine>(config: &Config, poses: &[Pose]) -> (Report, String) {
+    let job = Job { cl_name: "test.cls", config, control: &LinuxCnc, units: None };
+    let mut out = Vec::new();
+    let report = post::<M>(&job, &mut Cursor::new(cl_of(poses).as_bytes()), &mut out).expect("memory");
+    assert!(!report.failed, "{}: {:?}", M::NAME, report.diagnostics);
+    (report, String::from_utf8(out).expect("ASCII"))
+}
+
+fn check<M: Machine>(name: &str, poses: &[Pose], limits: &[(char, f64, f64)]) -> Found {
+    let poses = as_written(poses);
     let mut config = config::<M>(PART);
     for (letter, lower, upper) in limits {
         let limits = Limits { lower: lower.to_radians(), upper: upper.to_radians() };
         config.limits.insert(*letter, Some(limits));
     }
-    let job = Job { cl_name: "test.cls", config: &config, control: &LinuxCnc, units: None };
-    let mut out = Vec::new();
-    let report = post::<M>(&job, &mut Cursor::new(cl_of(&poses).as_bytes()), &mut out).expect("memory");
-    let text = String::from_utf8(out).expect("ASCII");
-    assert!(!report.failed, "{name} {}: {:?}", M::NAME, report.diagnostics);
+    let (report, text) = posted::<M>(&config, &poses);
     let mut machine = M::default();
     machine.set_up(Vector3::from(PART), LENGTH);
     let oracle = Oracle::of(&machine);
@@ -310,7 +317,8 @@ linearised! {
     dmu_on_the_swirl: Dmu70e, swirl(), [];
     lola_across_the_dome: LolaXoyzba, traverse(0.0, 25), [];
     lola_on_the_swirl: LolaXoyzba, swirl(), [];
-    multiprodesk_around_the_bar: MultiProDesk, around(), [];
+    multiprodesk_around_the_bar: MultiProDesk, around(24), [];
+    multiprodesk_forty_turns_around_the_bar: MultiProDesk, around(838), [];
     trunnion_across_the_pole: Trunnion, traverse(0.0, 24), [('A', -120.0, 1.0)];
     trunnion_beside_the_pole: Trunnion, traverse(0.6, 25), [];
     trunnion_on_the_swirl: Trunnion, swirl(), [];
@@ -320,4 +328,93 @@ linearised! {
     nutating_head_across_the_pole: NutatingHead, traverse(0.0, 24), [];
     nutating_head_beside_the_pole: NutatingHead, traverse(0.6, 25), [];
     nutating_head_on_the_swirl: NutatingHead, swirl(), [];
+}
+
+/// Minutes that the feed blocks of a program should take: from the approach point on, 900 mm/min along the tip's path.
+fn programmed(config: &Config, poses: &[Pose]) -> f64 {
+    let path: f64 = poses.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum();
+    (config.approach.distance + path) / 900.0
+}
+
+/// Axis values at both ends of each feed block, and its minutes as printed.
+fn timed<M: Machine>(text: &str) -> Vec<(Vec<f64>, Vec<f64>, f64)> {
+    let program = Program::read(text).unwrap_or_else(|refused| panic!("{refused}"));
+    let place = |position: &std::collections::BTreeMap<char, f64>| -> Option<Vec<f64>> {
+        M::AXES.iter().map(|axis| position.get(&axis.letter).copied()).collect()
+    };
+    let mut before: Option<Vec<f64>> = None;
+    let mut blocks = Vec::new();
+    for (line, motion) in program.motions() {
+        let now = place(&motion.position);
+        if let (Some(from), Some(to), Some(feed)) = (&before, &now, motion.feed) {
+            let travel = |wanted: AxisKind| {
+                let axes = M::AXES.iter().enumerate().filter(move |(_, axis)| axis.kind == wanted);
+                axes.map(|(index, _)| (to[index] - from[index]).powi(2)).sum::<f64>().sqrt()
+            };
+            let minutes = match feed {
+                Feed::InverseTime(per_minute) => 1.0 / per_minute,
+                Feed::PerMinute(feed) => {
+                    assert!(travel(AxisKind::Rotary) == 0.0, "line {line}: a rotary axis turns under G94");
+                    travel(AxisKind::Linear) / feed
+                }
+            };
+            blocks.push((from.clone(), to.clone(), minutes));
+        }
+        before = now;
+    }
+    blocks
+}
+
+fn times_add_up<M: Machine>(poses: &[Pose]) {
+    let (poses, config) = (as_written(poses), config::<M>(PART));
+    let (report, text) = posted::<M>(&config, &poses);
+    let wanted = programmed(&config, &poses);
+    assert!((report.times.cutting / wanted - 1.0).abs() < 1e-9, "{}: {:?}, {wanted} min", M::NAME, report.times);
+    assert_eq!(report.times.slowed, 0);
+    // Six digits of an F, and three decimals of linear words in the blocks without a turn.
+    let printed: f64 = timed::<M>(&text).iter().map(|(_, _, minutes)| minutes).sum();
+    assert!((printed / wanted - 1.0).abs() < 1e-5, "{}: {printed} min are printed, {wanted} programmed", M::NAME);
+}
+
+#[test]
+fn block_times_add_up_to_the_tip_path_over_the_feed() {
+    times_add_up::<SpinnerU5620>(&swirl());
+    times_add_up::<Dmu70e>(&swirl());
+    times_add_up::<LolaXoyzba>(&swirl());
+    times_add_up::<MultiProDesk>(&around(24));
+    times_add_up::<Trunnion>(&swirl());
+    times_add_up::<HeadTable>(&traverse(0.6, 25));
+    times_add_up::<NutatingHead>(&swirl());
+}
+
+fn no_axis_is_too_fast<M: Machine>(poses: &[Pose]) {
+    let (poses, mut config) = (as_written(poses), config::<M>(PART));
+    for axis in M::AXES {
+        let speed = if axis.kind == AxisKind::Rotary { 400_f64.to_radians() } else { 1500.0 };
+        config.speeds.insert(axis.letter, speed);
+    }
+    let (report, text) = posted::<M>(&config, &poses);
+    let (times, wanted) = (&report.times, programmed(&config, &poses));
+    assert!(times.slowed > 0 && times.slowed_by > 0.0, "{}: {times:?}", M::NAME);
+    let excess = times.cutting - wanted;
+    assert!((excess - times.slowed_by).abs() < 1e-9 * times.cutting, "{}: {excess} min more, {times:?}", M::NAME);
+    for (from, to, minutes) in timed::<M>(&text) {
+        for (index, axis) in M::AXES.iter().enumerate() {
+            let speed = (to[index] - from[index]).abs() / minutes;
+            let most = if axis.kind == AxisKind::Rotary { 400.0 } else { 1500.0 };
+            assert!(speed <= most * (1.0 + 1e-5), "{}: {} at {speed} of {most}", M::NAME, axis.letter);
+        }
+    }
+    config.feed.keep_speeds = false;
+    assert_eq!(posted::<M>(&config, &poses).0.times.slowed, 0);
+}
+
+#[test]
+fn no_axis_is_faster_than_its_speed_and_the_excess_is_told() {
+    no_axis_is_too_fast::<SpinnerU5620>(&swirl());
+    no_axis_is_too_fast::<Dmu70e>(&swirl());
+    no_axis_is_too_fast::<LolaXoyzba>(&swirl());
+    no_axis_is_too_fast::<MultiProDesk>(&around(24));
+    no_axis_is_too_fast::<Trunnion>(&traverse(0.6, 25));
+    no_axis_is_too_fast::<NutatingHead>(&swirl());
 }

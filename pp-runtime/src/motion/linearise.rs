@@ -233,8 +233,11 @@ impl<M: Machine> Placer<M> {
     /// What is certified of one block.
     #[inline]
     pub(crate) fn certify(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, allowed: Tolerance) -> Piece<M::Axes> {
-        let bound = self.machine.motion(&from.axes, &to.axes);
+        let mut bound = self.machine.motion(&from.axes, &to.axes);
         let (tip_off, axis_off) = (from.rounding.max(to.rounding), self.axis_off(from).max(self.axis_off(to)));
+        if bound.tip > allowed.tip - tip_off && bound.axis <= allowed.axis - axis_off {
+            bound.tip = self.tip_by_halves(from, to, bound.tip);
+        }
         let share = (bound.tip / (allowed.tip - tip_off)).max(bound.axis / (allowed.axis - axis_off));
         let roomy = allowed.tip > tip_off && allowed.axis > axis_off;
         let narrow = from.pose.axis.dot(&to.pose.axis) > WIDEST && !self.rolls_over(from, to);
@@ -243,6 +246,27 @@ impl<M: Machine> Placer<M> {
             bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off },
             share: if roomy && narrow && share.is_finite() { share } else { f64::INFINITY },
         }
+    }
+
+    /// A bound of the tip's deviation from its line, mm, that is smaller than `whole` where the path bends to both sides
+    /// of it: each half leaves its own chord by what is certified of it, and the two chords leave the line by no more than
+    /// the point where they meet.
+    fn tip_by_halves(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, whole: f64) -> f64 {
+        let mut middle = from.axes;
+        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            *value = 0.5 * (*value + end);
+        }
+        let (start, line) = (from.pose.tip, to.pose.tip - from.pose.tip);
+        let along = self.machine.forward_kinematics(&middle).tip - start;
+        let length = line.norm_squared();
+        let part = if length > 0.0 { (along.dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
+        // The ends are where the words put them.
+        let off = (along - line * part).norm() + from.rounding.max(to.rounding);
+        if off > 0.5 * whole {
+            return whole;
+        }
+        let halves = [(&from.axes, &middle), (&middle, &to.axes)].map(|(a, b)| self.machine.motion(a, b).tip);
+        whole.min(off + halves[0].max(halves[1]))
     }
 
     /// How far the arc between written axes may lie from that between programmed ones: twice what an end is off, since
