@@ -632,6 +632,25 @@ fn what_cannot_be_certified_is_an_error_with_its_reason() {
     assert!(coarse.contains("too coarse for a tolerance of 0.0005 mm"), "{coarse}");
 }
 
+crate::machine! {
+    /// Cannot stand the tool upright: between 30° and 150° from the vertical.
+    struct Leaning;
+    chain: C B | X Y Z;
+    tool_axis = (0, 1/2, sqrt(3)/2);
+}
+
+#[test]
+fn an_axis_out_of_reach_between_two_points_is_an_error() {
+    let events = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(180.0, 50.0))];
+    let mut config = config();
+    config.retract.distance = Some(20.0);
+    let run = run::<Leaning>(&config, &events);
+    assert_eq!(run.error().location.line, 4);
+    assert!(run.error().text.starts_with("on the way from the point before: "), "{}", run.error().text);
+    let beside = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(50.0, 50.0))];
+    assert_eq!(self::run::<Leaning>(&config, &beside).diagnostics, []);
+}
+
 #[test]
 fn a_rapid_below_everything_that_was_cut_is_remarked_on() {
     let to = |depth| {
