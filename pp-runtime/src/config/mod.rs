@@ -26,7 +26,7 @@ pub use crate::program::Units;
 pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
 pub use print::print;
-pub(crate) use read::TOLERANCE;
+pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,8 +45,10 @@ pub struct Config {
     pub greedy: bool,
     /// Within this angle of the pole the tool axis is put there, rad; default 0: within what CL data rounds.
     pub axis_tolerance: f64,
-    /// How far chords may leave arcs and curves, mm; default 0.01.
+    /// How far chords may leave arcs and curves, and the tip its line while a rotary axis moves, mm; default 0.01.
     pub tolerance: f64,
+    /// How far the tool axis may leave its even turn from one point to the next, rad; default 0.1 degree.
+    pub axis_tolerance_path: f64,
     /// LINTOL may be wider than that; default false.
     pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
@@ -169,6 +171,8 @@ pub struct Retract {
     pub distance: Option<f64>,
     /// Geometry around the part that the tool has to leave, if no distance is given; default none.
     pub clearance: Option<Clearance>,
+    /// Coolant is off while the rotary axes are rewound; default false.
+    pub rewind_dry: bool,
 }
 
 /// How to get to the part.
@@ -244,6 +248,8 @@ pub struct Program {
     pub end: Vec<String>,
     /// Step of the block numbers; default none: no numbers.
     pub line_numbers: Option<u32>,
+    /// Machining times as comments at the end; default false.
+    pub times: bool,
 }
 
 impl Default for Config {
@@ -257,6 +263,7 @@ impl Default for Config {
             greedy: false,
             axis_tolerance: 0.0,
             tolerance: 0.01,
+            axis_tolerance_path: 0.1_f64.to_radians(),
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],
@@ -265,7 +272,7 @@ impl Default for Config {
             tools: BTreeMap::new(),
             defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 },
             feed: FeedLimits { keep_speeds: true, largest: None, shortest_block: 0.0 },
-            retract: Retract { position: 0.0, distance: None, clearance: None },
+            retract: Retract { position: 0.0, distance: None, clearance: None, rewind_dry: false },
             approach: Approach { distance: 50.0 },
             park: BTreeMap::new(),
             index_angle: 1_f64.to_radians(),
