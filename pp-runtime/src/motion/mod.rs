@@ -23,6 +23,7 @@ mod step;
 mod times;
 mod tool;
 mod travel;
+mod way;
 mod wrap;
 
 #[cfg(test)]

@@ -5,13 +5,14 @@ use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
 
-use super::course::{Change, How, Target, Turns, between};
+use super::course::{Change, How, Target, Turns};
 use super::fault::Fault;
 use super::feed::{Feeds, Pace, Stroke};
 use super::linearise::Pieces;
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
 use super::step::{Feed, MAX_AXES, Sink, Step};
+use super::way::Way;
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
@@ -120,8 +121,8 @@ impl<M: Machine> Planner<'_, M> {
                 How::Rewind => self.rewind(at, motion, words, sink)?,
                 How::Turn => self.cut_to(at, motion, self.place.pose, words, sink)?,
                 How::Via(part) => {
-                    let Some(pose) = between(&from, &motion.pose, part) else { continue };
-                    self.cut_to(at, motion, pose, words, sink)?;
+                    let Some(way) = Way::new(&from, &motion.pose) else { continue };
+                    self.cut_to(at, motion, way.at(part), words, sink)?;
                 }
             }
         }

@@ -7,6 +7,7 @@ use crate::kinematics::{Branch, Machine, Pose};
 use super::super::choose::Rotary;
 use super::super::place::Placer;
 use super::super::step::MAX_AXES;
+use super::super::way::Way;
 use super::search::{State, Turns};
 
 /// Turns of one axis that are looked at for one pose; more lie outside any program.
@@ -20,21 +21,6 @@ const SAME_WORD: i64 = 2;
 
 /// Halvings of a block while it is followed along its branch.
 const MOST_HALVINGS: u32 = 12;
-
-/// Where a path that runs evenly from one pose to another is at a part of its way; `None` if the axes are opposite.
-pub(crate) fn between(from: &Pose, to: &Pose, part: f64) -> Option<Pose> {
-    let tip = from.tip + (to.tip - from.tip) * part;
-    let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
-    let (sine, cosine) = (a.cross(&b).norm(), a.dot(&b));
-    let angle = sine.atan2(cosine);
-    if angle < 1e-12 {
-        return Some(Pose { tip, axis: if part < 0.5 { from.axis } else { to.axis } });
-    }
-    let across = b - a * cosine;
-    let across = across.try_normalize(1e-9)?;
-    let (sine, cosine) = (angle * part).sin_cos();
-    Some(Pose { tip, axis: UnitVector3::new_normalize(a * cosine + across * sine) })
-}
 
 impl<M: Machine> Placer<M> {
     /// Words of all axes from those of the solved rotaries.
@@ -159,7 +145,7 @@ impl<M: Machine> Placer<M> {
         if 36 * turn < self.scale.turn {
             return true;
         }
-        let Some(middle) = between(from.0, to.0, 0.5) else { return false };
+        let Some(middle) = Way::new(from.0, to.0).map(|way| way.at(0.5)) else { return false };
         if halvings == 0 {
             return false;
         }
