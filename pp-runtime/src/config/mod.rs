@@ -12,11 +12,14 @@ mod print;
 mod read;
 #[cfg(test)]
 pub(crate) mod sample;
+mod set_up;
 #[cfg(test)]
 mod tests;
 mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::Rotation3;
 
 use crate::cl as reading;
 use crate::kinematics::Limits;
@@ -27,6 +30,7 @@ pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
 pub use print::print;
 pub(crate) use read::TOLERANCE;
+pub(crate) use set_up::part_angles;
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +57,8 @@ pub struct Config {
     pub output_units: Option<Units>,
     /// Part zero from the table's reference point along the table's directions, mm; default 0, 0, 0.
     pub part_origin: [f64; 3],
+    /// Turns the CL data before anything else: how the part lies on the table; default not at all.
+    pub part_rotation: Rotation3<f64>,
     /// The word of the work offset; default `G54`.
     pub work_offset: String,
     /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
@@ -89,7 +95,7 @@ pub struct Config {
     pub path_tolerance: f64,
     /// Largest spindle speed, rev/min; default none: unchecked.
     pub spindle_max: Option<f64>,
-    /// Lowest tip allowed in the workpiece frame (Z of the CL data), mm; default none: unchecked.
+    /// Lowest Z of a tip of the part as it lies, `part_rotation` applied, mm; default none: unchecked.
     pub floor: Option<f64>,
     /// Refuse CL data in which every tool axis points into the table; default true.
     pub table_check: bool,
@@ -247,6 +253,7 @@ impl Default for Config {
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],
+            part_rotation: Rotation3::identity(),
             work_offset: "G54".to_owned(),
             machine_zero: BTreeMap::new(),
             tools: BTreeMap::new(),

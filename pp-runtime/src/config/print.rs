@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Machine};
 use crate::program::Coolant;
 
-use super::{Config, Rapid, Transition};
+use super::{Config, Rapid, Transition, part_angles};
 
 /// A configuration file for the machine `M` in which every default stands, switched off.
 ///
@@ -22,6 +22,7 @@ pub fn print<M: Machine>() -> String {
 
 fn write_top<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Result {
     let [x, y, z] = config.part_origin.map(number);
+    let [rx, ry, rz] = part_angles(config).map(number);
     let transition = match config.transition {
         Transition::Safe => "safe",
         Transition::Direct => "direct",
@@ -47,6 +48,9 @@ units = "mm"
 
 # Part zero from the table's reference point, along the table's directions.
 #part_origin = [{x}, {y}, {z}]
+# How the part lies on the table: the CL data is turned by [rx, ry, rz] degrees about X, then Y, then Z of the table, or by
+# the rows of a matrix. `floor`, `retract.clearance` and the tips in the header count in the part as it lies.
+#part_rotation = [{rx}, {ry}, {rz}]
 # Work offset of the control: G54 to G59, G59.1 to G59.3.
 #work_offset = "{work_offset}"
 # Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not checked.
@@ -75,7 +79,7 @@ units = "mm"
 #spindle_dwell = {spindle_dwell}
 # Largest spindle speed. Without it speeds are not checked.
 # e.g. spindle_max = 12000
-# Lowest Z of the tool tip in the CL data. Without it depths are not checked.
+# Lowest Z of the tool tip, in the part as it lies on the table. Without it depths are not checked.
 # e.g. floor = 0.0
 # Refuse CL data in which the tool points into the table throughout.
 #table_check = {table_check}
@@ -171,7 +175,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 #position = {position}
 # Distance along the tool axis. Without it to the clearance geometry of the CL data.
 # e.g. distance = 100.0
-# Or, in the workpiece frame, a plane above, a box or a cylinder around the part that the tool has to leave.
+# Or, in the part as it lies on the table, a plane above, a box or a cylinder around the part that the tool has to leave.
 # e.g. clearance = {{ cylinder = {{ radius = 120.0, lower = -50.0, upper = 80.0 }} }}
 
 [feed]

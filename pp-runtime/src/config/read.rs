@@ -12,6 +12,7 @@ use crate::program::{Coolant, Rotation};
 
 use super::cl::CL_POINTS;
 use super::clearance;
+use super::set_up;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
 use super::{Config, Rapid, Tool, Transition, Units};
 
@@ -129,6 +130,9 @@ impl Config {
         }
         if let Some(value) = self.get(top, "part_origin") {
             set(&mut self.part_origin, read_point(r, value));
+        }
+        if let Some(value) = self.get(top, "part_rotation") {
+            set(&mut self.part_rotation, set_up::part_rotation(r, value));
         }
         if let Some(value) = self.get(top, "work_offset") {
             let offsets = WORK_OFFSETS.map(|word| (word, word));

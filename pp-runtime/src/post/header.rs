@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, Units};
+use crate::config::{Config, Units, part_angles};
 use crate::control::Encoder;
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
@@ -70,6 +70,18 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
         if length(tool, config).is_none() {
             list.push(format!("the gauge length of T{number} is unknown: its offset must hold the true one"));
         }
+    }
+    list
+}
+
+/// How the part is set up where that is not the plain case, one sentence each.
+pub(super) fn set_up(config: &Config) -> Vec<String> {
+    let mut list = Vec::new();
+    let [x, y, z] = part_angles(config);
+    if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
+        list.push(format!(
+            "part rotation {x}, {y}, {z}: the CL data is turned by these degrees about X, then Y, then Z of the table"
+        ));
     }
     list
 }
@@ -145,6 +157,7 @@ impl<M: Machine> Header<'_, M> {
             format!("TOLERANCE {NOT_LINEARISED}"),
             format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
         ];
+        lines.extend(set_up(config));
         lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
         if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {

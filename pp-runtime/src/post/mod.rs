@@ -5,6 +5,7 @@
 //! table. The second pass plans and writes motion by motion, in constant memory. The same input gives the same bytes.
 
 mod header;
+mod setting;
 mod survey;
 mod time;
 
@@ -21,6 +22,7 @@ use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Abilities, Cost, Course, Expander, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
 use crate::program::{Coolant, Location};
 
+use setting::Setting;
 use survey::Survey;
 
 /// What is to be posted, and how.
@@ -62,6 +64,8 @@ pub struct Report {
     pub blocks: u64,
     /// Lines of CL data read.
     pub lines: u64,
+    /// How the part is set up where that is not the plain case, one sentence each.
+    pub set_up: Vec<String>,
     /// How the CL data was read: which CAM system wrote it, arcs, frames, words that were passed over.
     pub reading: Vec<String>,
     /// What the course of the rotary axes costs, with and without a view ahead; empty without rotary axes.
@@ -92,6 +96,7 @@ impl Report {
             counted(self.statistics.inverse_time, "block"),
         )];
         lines.extend(time::lines(&self.times));
+        lines.extend(self.set_up.iter().cloned());
         lines.extend(self.reading.iter().cloned());
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
@@ -159,9 +164,15 @@ pub fn post<M: Machine>(
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let machine = job.config.machine::<M>();
     let navigator = machine.as_ref().ok().map(|machine| Navigator::new(machine.clone(), job.config));
-    let mut survey =
-        Survey::take(&mut *input, options.clone(), &M::default().tool_axis(), navigator, Expander::new(job.config))
-            .map_err(PostError::Input)?;
+    let mut survey = Survey::take(
+        &mut *input,
+        options.clone(),
+        Setting::new(job.config),
+        &M::default().tool_axis(),
+        navigator,
+        Expander::new(job.config),
+    )
+    .map_err(PostError::Input)?;
     input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
 
     let mut report = Report {
@@ -193,6 +204,7 @@ pub fn post<M: Machine>(
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
     let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
         .with_course(std::mem::take(&mut survey.course));
+    report.set_up = header::set_up(job.config);
     report.reading = header::reading(job.config, &survey);
     report.assumptions = header::assumptions::<M>(job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
@@ -213,13 +225,14 @@ fn run<M: Machine, R: Read, W: Write>(
     encoder: &mut Encoder<'_, W>,
     report: &mut Report,
 ) -> Result<(), PostError> {
+    let mut setting = Setting::new(job.config);
     let mut last = Location::default();
     let mut remarks = Remarks::default();
     let planned = loop {
         match reader.next_event().map_err(PostError::Input)? {
             Some((at, event)) if survey.first_error.is_none_or(|error| at < error) => {
                 last = at;
-                if let Err(stopped) = planner.event(at, &event, encoder) {
+                if let Err(stopped) = planner.event(at, &setting.event(event), encoder) {
                     break Err(stopped);
                 }
             }

@@ -11,6 +11,8 @@ use crate::kinematics::Machine;
 use crate::motion::{Course, Expander, Navigator};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
+use super::setting::Setting;
+
 /// More tools than this are not one program; it bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
 
@@ -20,7 +22,7 @@ pub(super) struct ToolUse {
     pub(super) call: ToolCall,
     /// Operations that cut or move with it.
     pub(super) operations: u64,
-    /// Lowest and highest tip in the workpiece frame (Z of the CL data), mm.
+    /// Lowest and highest tip of the part as it lies, mm.
     pub(super) tip: Option<(f64, f64)>,
     /// It cuts before any SPINDL/.. behind its call: speed and direction come from the configuration.
     pub(super) spindle_assumed: bool,
@@ -84,6 +86,7 @@ impl Survey {
     pub(super) fn take<M: Machine>(
         input: impl Read,
         options: Options,
+        mut setting: Setting,
         tool_axis: &UnitVector3<f64>,
         mut navigator: Option<Navigator<M>>,
         mut expander: Expander,
@@ -92,6 +95,7 @@ impl Survey {
         let mut survey = Self::default();
         let mut state = State { begun: true, ..State::default() };
         while let Some((at, event)) = reader.next_event()? {
+            let event = setting.event(event);
             let mut straight = |at: Location, event: &Event<'_>| -> Result<(), Silent> {
                 survey.event(at, event, &mut state, tool_axis);
                 Ok(())

@@ -2,11 +2,13 @@
 
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
 use super::*;
 use crate::config::Tool;
 use crate::control::LinuxCnc;
 use crate::motion::machines::{Cb, Head, Xyz};
-use crate::program::Rotation;
+use crate::program::{Clearance, Plane, Rotation};
 
 const PART: &str = "\
 PARTNO BRACKET
@@ -259,4 +261,40 @@ fn an_empty_file_is_no_program() {
     let (text, report) = posted::<Cb>(&Config { part_origin: [0.0; 3], ..Config::default() }, "");
     assert!(report.failed, "an empty file has no motion");
     assert!(!text.contains("M2\n"));
+}
+
+/// The part upside down: every Y and Z, of tips and axes, has the other sign.
+fn overturned(text: &str) -> String {
+    let turned = |line: &str| match line.strip_prefix("GOTO/").or_else(|| line.strip_prefix("CLEARP/")) {
+        Some(numbers) => {
+            let (word, _) = line.split_once('/').expect("a slash");
+            let numbers = numbers.split(',').enumerate().map(|(index, number)| match index % 3 {
+                0 => number.to_owned(),
+                _ => format!("{}", -number.parse::<f64>().expect("a number")),
+            });
+            format!("{word}/{}\n", numbers.collect::<Vec<_>>().join(","))
+        }
+        None => format!("{line}\n"),
+    };
+    // Without an axis of its own the first point would have that of the frame.
+    text.replace("GOTO/0,0,20\n", "GOTO/0,0,20,0,0,1\n").lines().map(turned).collect()
+}
+
+#[test]
+fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it() {
+    let upright = PART.replace("TOOL PATH/SIDE", "GOTO/25,0,9\nTOOL PATH/SIDE");
+    let mut config = Config { floor: Some(-3.0), ..Config::default() };
+    config.retract.clearance = Some(Clearance::Plane(Plane { normal: Vector3::z_axis(), distance: 30.0 }));
+    let (expected, report) = posted::<Cb>(&config, &upright);
+    assert!(!report.failed && report.set_up.is_empty(), "{report:?}");
+    config.part_rotation = Rotation3::from_matrix_unchecked(Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0)));
+    let (text, report) = posted::<Cb>(&config, &overturned(&upright));
+    assert!(!report.failed, "{report:?}");
+    assert_eq!(blocks(&text), blocks(&expected));
+    let said = "part rotation 180, 0, 0: the CL data is turned by these degrees about X, then Y, then Z of the table";
+    assert_eq!(report.set_up, [said]);
+    assert!(text.lines().any(|line| line == format!("({said})")), "{text}");
+    assert!(text.contains("tip Z -3 to 20"), "{text}");
+    config.floor = Some(-2.0);
+    assert!(posted::<Cb>(&config, &overturned(&upright)).1.failed);
 }
