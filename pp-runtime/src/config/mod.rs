@@ -59,6 +59,8 @@ pub struct Config {
     pub part_origin: [f64; 3],
     /// Turns the CL data before anything else: how the part lies on the table; default not at all.
     pub part_rotation: Rotation3<f64>,
+    /// The written word of a rotary axis is its value minus this, rad; default none.
+    pub rotary_offset: BTreeMap<char, f64>,
     /// The word of the work offset; default `G54`.
     pub work_offset: String,
     /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
@@ -254,6 +256,7 @@ impl Default for Config {
             output_units: None,
             part_origin: [0.0; 3],
             part_rotation: Rotation3::identity(),
+            rotary_offset: BTreeMap::new(),
             work_offset: "G54".to_owned(),
             machine_zero: BTreeMap::new(),
             tools: BTreeMap::new(),

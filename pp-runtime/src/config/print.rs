@@ -51,6 +51,9 @@ units = "mm"
 # How the part lies on the table: the CL data is turned by [rx, ry, rz] degrees about X, then Y, then Z of the table, or by
 # the rows of a matrix. `floor`, `retract.clearance` and the tips in the header count in the part as it lies.
 #part_rotation = [{rx}, {ry}, {rz}]
+# The written word of a rotary axis is its value minus this; limits hold for the value. The other rotary entries of the
+# work offset must be zero.
+# e.g. rotary_offset = {{ {rotary_offset} }}
 # Work offset of the control: G54 to G59, G59.1 to G59.3.
 #work_offset = "{work_offset}"
 # Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not checked.
@@ -86,6 +89,7 @@ units = "mm"
 "#,
         name = M::NAME,
         work_offset = config.work_offset,
+        rotary_offset = axes::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held),
         machine_zero = axes::<M>(|axis| axis.kind == AxisKind::Linear),
         park = axes::<M>(|axis| axis.kind == AxisKind::Rotary),
         index_angle = degrees(config.index_angle),

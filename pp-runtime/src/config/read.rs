@@ -72,6 +72,7 @@ impl Config {
         let limits = top.get("limits");
         let speeds = top.get("speeds");
         let grid = top.get("grid");
+        let rotary_offset = top.get("rotary_offset");
         r.remember_top(&top);
 
         for (name, value) in sections {
@@ -96,6 +97,7 @@ impl Config {
         self.machine_zero = read_machine_zero::<M>(r, machine_zero);
         self.limits = read_limits::<M>(r, limits);
         self.grid = read_grid::<M>(r, grid);
+        self.rotary_offset = set_up::rotary_offset::<M>(r, rotary_offset);
         self.speeds = read_axes::<M>(r, speeds)
             .into_iter()
             .filter_map(|(axis, value, _)| Some((axis.letter, along(r, axis, value, Bound::Positive)?)))
@@ -436,19 +438,28 @@ fn read_axes<'a, M: Machine>(
     read
 }
 
+/// The entries of a table whose keys are rotary axes that are solved.
+pub(super) fn solved_rotaries<'a, M: Machine>(
+    r: &mut Reader<'_>,
+    value: Option<Value<'a>>,
+) -> Vec<(&'static Axis, Value<'a>)> {
+    let solved = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held;
+    let mut read = Vec::new();
+    for (axis, value, span) in read_axes::<M>(r, value) {
+        if solved(axis) {
+            read.push((axis, value));
+        } else {
+            let help = format!("these are {}", letters::<M>(solved));
+            r.fault(span, format!("{} is no rotary axis that is solved", axis.letter), Some(help));
+        }
+    }
+    read
+}
+
 /// Steps of rotary axes that divide a turn.
 fn read_grid<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
     let mut grid = BTreeMap::new();
-    for (axis, value, span) in read_axes::<M>(r, value) {
-        if axis.kind != AxisKind::Rotary || axis.held {
-            let help = letters::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held);
-            r.fault(
-                span,
-                format!("{} is no rotary axis that is solved", axis.letter),
-                Some(format!("these are {help}")),
-            );
-            continue;
-        }
+    for (axis, value) in solved_rotaries::<M>(r, value) {
         let Some(step) = r.number(value, Quantity::Angle, Bound::Positive) else { continue };
         let steps = std::f64::consts::TAU / step;
         if (steps - steps.round()).abs() > 1e-9 * steps || steps < 2.0 {

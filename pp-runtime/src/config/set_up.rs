@@ -1,12 +1,20 @@
-//! Set-up of the part: how it lies on the table.
+//! Set-up of the part: how it lies on the table, and what words count from.
+
+use std::collections::BTreeMap;
 
 use nalgebra::{Matrix3, Rotation3};
 
+use crate::kinematics::Machine;
+
 use super::Config;
+use super::read::solved_rotaries;
 use super::value::{Bound, Quantity, Reader, Value};
 
 /// A matrix may miss a rotation by this much: seven digits.
 const ROUNDED: f64 = 1e-6;
+
+/// A whole turn more or less is none, rad.
+const LARGEST_OFFSET: f64 = std::f64::consts::TAU * (1.0 + 1e-12);
 
 const ROTATION: &str =
     "write three angles in degrees, `[rx, ry, rz]`, or the three rows of a matrix, `[[1, 0, 0], [0, 1, 0], [0, 0, 1]]`";
@@ -28,6 +36,19 @@ pub(super) fn part_rotation(r: &mut Reader<'_>, value: Value<'_>) -> Option<Rota
     let about_y = Matrix3::new(cy, 0.0, sy, 0.0, 1.0, 0.0, -sy, 0.0, cy);
     let about_z = Matrix3::new(cz, -sz, 0.0, sz, cz, 0.0, 0.0, 0.0, 1.0);
     Some(Rotation3::from_matrix_unchecked(about_z * about_y * about_x))
+}
+
+/// What the words of rotary axes count from.
+pub(super) fn rotary_offset<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
+    let mut offsets = BTreeMap::new();
+    for (axis, value) in solved_rotaries::<M>(r, value) {
+        let Some(offset) = r.number(value, Quantity::Angle, Bound::Any) else { continue };
+        if offset.abs() > LARGEST_OFFSET {
+            r.fault(value.span(), "an offset of at most 360 degrees is needed here", None);
+        }
+        offsets.insert(axis.letter, offset);
+    }
+    offsets
 }
 
 /// `[rx, ry, rz]` of the configuration, degrees, to nine decimals.
@@ -132,5 +153,14 @@ mod tests {
         assert!(fault("[[1, 0], [0, 1, 0], [0, 0, 1]]").contains("in a row"));
         assert!(fault("[1, 2]").contains("three angles or three rows"));
         assert!(fault("90").contains("a list"));
+    }
+
+    #[test]
+    fn an_offset_belongs_to_a_rotary_axis_that_is_solved() {
+        let read = |text: &str| Config::read::<Sample>(&format!("[rotary_offset]\n{text}\n"));
+        let config = read("C = 12.5").expect("right");
+        assert!((config.rotary_offset[&'C'].to_degrees() - 12.5).abs() < 1e-12);
+        assert_eq!(read("X = 1").expect_err("linear")[0].text, "X is no rotary axis that is solved");
+        assert!(read("C = 361").is_err() && read("C = 360").is_ok());
     }
 }

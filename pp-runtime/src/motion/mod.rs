@@ -12,6 +12,7 @@ mod expand;
 mod fault;
 mod feed;
 mod operation;
+mod origin;
 mod place;
 mod planner;
 mod refuse;

@@ -13,6 +13,7 @@ use crate::program::{Rotation, Turning};
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
 use super::course::{Metric, Target, Towards};
 use super::fault::Fault;
+use super::origin::Origin;
 use super::step::{MAX_AXES, Words};
 use super::travel::Travel;
 
@@ -34,7 +35,7 @@ pub(crate) struct Place<A> {
     pub(crate) branch: Branch,
     /// Axis values that the words stand for, mm and rad.
     pub(crate) axes: A,
-    /// Whole units of the words, by position in the chain.
+    /// Whole units of the axis values that the words stand for, by position in the chain.
     pub(crate) words: [i64; MAX_AXES],
     /// Angle between the programmed axis and the one reached, rad.
     pub(crate) deviation: f64,
@@ -56,8 +57,8 @@ pub(crate) struct Placer<M: Machine> {
     /// Angle to the pole up to which the tool axis counts as being there, rad.
     pub(super) pole_tolerance: f64,
     pub(super) metric: Metric,
-    /// Position in the chain of an indexed rotary, and its step in whole units.
-    grid: Vec<(usize, i64)>,
+    /// Indexed rotaries, and their steps in whole units.
+    grid: Vec<(Rotary, i64)>,
     /// Largest speeds, mm/min and rad/min, by position in the chain.
     speeds: Vec<Option<f64>>,
     /// Feeds are limited by them.
@@ -65,6 +66,8 @@ pub(crate) struct Placer<M: Machine> {
     linear_mask: u16,
     rotary_mask: u16,
     pub(super) scale: AngleScale,
+    /// What the words count from.
+    origin: Origin,
     /// Units of linear words in 1 mm.
     per_mm: f64,
     pub(super) limits: Vec<Option<Limits>>,
@@ -83,17 +86,20 @@ impl<M: Machine> Placer<M> {
         let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
         let scale = AngleScale::new(config.formats.rotary);
         let limits = config.travel::<M>().limits;
+        let origin = Origin::new::<M>(config, scale);
         let solved = |kind: AxisKind| {
             axes.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
         };
         let mask = |kind: AxisKind| solved(kind).fold(0_u16, |mask, index| mask | 1 << index);
         let rotaries: Vec<Rotary> = solved(AxisKind::Rotary)
             .map(|index| {
-                let word = |angle: f64| angle.to_degrees() * scale.per_degree;
+                let rest = origin.rest(index, scale);
+                let word = |angle: f64| (angle.to_degrees() - rest) * scale.per_degree;
                 Rotary {
                     index,
                     lower: limits[index].map(|limits| (word(limits.lower) - LIMIT_NOISE).ceil() as i64),
                     upper: limits[index].map(|limits| (word(limits.upper) + LIMIT_NOISE).floor() as i64),
+                    rest,
                 }
             })
             .collect();
@@ -130,6 +136,7 @@ impl<M: Machine> Placer<M> {
             per_mm: per_unit / units.in_mm(),
             limits,
             travel: Travel::new(&machine, config),
+            origin,
             retract_axis,
             retract_share: share(retract_axis),
             straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
@@ -216,10 +223,10 @@ impl<M: Machine> Placer<M> {
         Some(least)
     }
 
-    /// Words of the axes in a mask.
+    /// The written words of the axes in a mask.
     #[inline]
     pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
-        Words { units: place.words, mask }
+        Words { units: self.origin.written(&place.words), mask }
     }
 
     /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
@@ -255,20 +262,20 @@ impl<M: Machine> Placer<M> {
     /// Indexed axes stand on one of their steps, and do not turn in a cut.
     #[cold]
     fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
-        for &(index, step) in &self.grid {
+        for &(rotary, step) in &self.grid {
+            let index = rotary.index;
             let word = place.words[index];
             let snapped = (2 * word + step).div_euclid(2 * step) * step;
-            let (letter, degrees) = (M::AXES[index].letter, |word| self.scale.degrees(word));
+            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.degrees(word, self.scale));
             place.words[index] = snapped;
-            place.axes.as_mut()[index] = self.scale.angle(snapped);
+            place.axes.as_mut()[index] = rotary.angle(snapped, self.scale);
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             let deviation = angle_between(&reached, &place.pose.axis);
-            let inside = self.rotaries.iter().all(|rotary| rotary.index != index || rotary.holds(snapped));
-            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !inside {
+            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !rotary.holds(snapped) {
                 return Err(Fault::new(format_args!(
                     "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
                     degrees(word),
-                    degrees(step)
+                    self.scale.degrees(step)
                 ))
                 .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
             }
@@ -344,7 +351,7 @@ impl<M: Machine> Placer<M> {
             .map(|solution| {
                 let mut solution = *solution;
                 if let Some(first) = self.rotaries.first() {
-                    solution.axes.as_mut()[first.index] = self.scale.angle(from.words[first.index]);
+                    solution.axes.as_mut()[first.index] = first.angle(from.words[first.index], self.scale);
                 }
                 solution
             })
@@ -364,7 +371,7 @@ impl<M: Machine> Placer<M> {
         let mut place =
             Place { pose: *pose, branch: from.branch, axes: from.axes, words: *words, deviation: 0.0, pole: false };
         for rotary in &self.rotaries {
-            place.axes.as_mut()[rotary.index] = self.scale.angle(words[rotary.index]);
+            place.axes.as_mut()[rotary.index] = rotary.angle(words[rotary.index], self.scale);
         }
         place
     }
@@ -452,7 +459,7 @@ impl<M: Machine> Placer<M> {
         let mut place = Place { branch: solutions[choice.solution].branch, ..*from };
         for rotary in &self.rotaries {
             place.words[rotary.index] = choice.words[rotary.index];
-            place.axes.as_mut()[rotary.index] = self.scale.angle(choice.words[rotary.index]);
+            place.axes.as_mut()[rotary.index] = rotary.angle(choice.words[rotary.index], self.scale);
         }
         Some(place)
     }
@@ -460,7 +467,9 @@ impl<M: Machine> Placer<M> {
     /// Every rotary at zero and held axes at their values.
     pub(crate) fn zero(&self) -> Place<M::Axes> {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
-        Place { pose, branch: Branch::First, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, pole: false }
+        let zero =
+            Place { pose, branch: Branch::First, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, pole: false };
+        self.at(&pose, &zero, &zero.words)
     }
 
     /// Words of a linear axis at a machine coordinate.
@@ -489,18 +498,14 @@ impl<M: Machine> Placer<M> {
 
     /// Words of a rotary at an angle, inside its limits.
     pub(crate) fn rotary_words(&self, index: usize, angle: f64) -> Result<Words, Fault> {
-        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
-        words.units[index] = self.scale.word(angle);
         let rotary = self.rotaries.iter().find(|rotary| rotary.index == index);
-        match rotary {
-            Some(rotary)
-                if rotary.lower.is_some_and(|lower| words.units[index] < lower)
-                    || rotary.upper.is_some_and(|upper| words.units[index] > upper) =>
-            {
-                Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word: words.units[index] }), None]))
-            }
-            _ => Ok(words),
+        let Some(rotary) = rotary else { return Ok(Words::default()) };
+        let mut words = [0; MAX_AXES];
+        words[index] = rotary.word(angle, self.scale);
+        if !rotary.holds(words[index]) {
+            return Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word: words[index] }), None]));
         }
+        Ok(Words { units: self.origin.written(&words), mask: 1 << index })
     }
 
     /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
@@ -523,8 +528,8 @@ fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) ->
 }
 
 /// The steps of indexed rotaries in whole units.
-fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> Vec<(usize, i64)> {
-    let step = |rotary: &Rotary| Some((rotary.index, scale.word(*config.grid.get(&M::AXES[rotary.index].letter)?)));
+fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
+    let step = |rotary: &Rotary| Some((*rotary, scale.word(*config.grid.get(&M::AXES[rotary.index].letter)?)));
     rotaries.iter().filter_map(step).collect()
 }
 

@@ -97,23 +97,23 @@ fn cb(c: f64, b: f64) -> [f64; 3] {
     [sin_b * cos_c, sin_b * sin_c, cos_b]
 }
 
-fn rapid(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
+pub(super) fn rapid(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
     Event::Move(Move { pose: pose(tip, axis), rapid: true, feed: None })
 }
 
-fn feed(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
+pub(super) fn feed(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
     Event::Move(Move { pose: pose(tip, axis), rapid: false, feed: Some(Feed::PerMinute(500.0)) })
 }
 
-fn tool(number: u32) -> Event<'static> {
+pub(super) fn tool(number: u32) -> Event<'static> {
     Event::Tool(ToolCall { number, ..ToolCall::default() })
 }
 
-fn spindle() -> Event<'static> {
+pub(super) fn spindle() -> Event<'static> {
     Event::Spindle(Spindle::On { speed: Some(8000.0), rotation: Some(Rotation::Clockwise) })
 }
 
-fn config() -> Config {
+pub(super) fn config() -> Config {
     Config::default()
 }
 

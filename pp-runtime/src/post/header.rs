@@ -86,6 +86,34 @@ pub(super) fn set_up(config: &Config) -> Vec<String> {
     list
 }
 
+/// What the rotary entries of the work offset must hold: those of the table always, those of the head where any of them
+/// is used.
+fn rotary_entries<M: Machine>(config: &Config) -> Vec<String> {
+    let used = !config.rotary_offset.is_empty();
+    let mut letters: Vec<char> = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
+    letters.extend(rotaries::<M>(Side::Tool).filter(|_| used).map(|axis| axis.letter));
+    let (mut list, mut zero) = (Vec::new(), String::new());
+    for letter in letters {
+        match config.rotary_offset.get(&letter) {
+            Some(offset) => list.push(format!(
+                "words of {letter} are the axis value minus {0}: its entry in {1} must be {0}",
+                rounded(offset.to_degrees()),
+                config.work_offset
+            )),
+            None => zero.push(letter),
+        }
+    }
+    if !zero.is_empty() {
+        list.push(format!("the entries of {} in {} must be zero", spaced(&zero), config.work_offset));
+    }
+    list
+}
+
+/// Without the noise of the last binary digits.
+fn rounded(degrees: f64) -> f64 {
+    (degrees * 1e9).round() / 1e9 + 0.0
+}
+
 /// How the CL data was read, one sentence each.
 pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     let given = if config.cl.dialect.is_some() { "as given" } else { "by its own evidence" };
@@ -164,14 +192,13 @@ impl<M: Machine> Header<'_, M> {
             lines.push("ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped".to_owned());
         }
         lines.extend(unchecked(&self.unchecked));
-        let table: String = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
-        if !table.is_empty() {
+        if rotaries::<M>(Side::Workpiece).next().is_some() {
             lines.push(format!(
                 "valid only for part origin {} from the table reference; do not touch off again",
                 self.point(config.part_origin)
             ));
-            lines.push(format!("the entries of {} in {} must be zero", spaced(&table), config.work_offset));
         }
+        lines.extend(rotary_entries::<M>(config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
         for line in lines {

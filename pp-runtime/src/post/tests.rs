@@ -298,3 +298,13 @@ fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it(
     config.floor = Some(-2.0);
     assert!(posted::<Cb>(&config, &overturned(&upright)).1.failed);
 }
+
+#[test]
+fn the_header_says_what_the_rotary_entries_of_the_work_offset_must_hold() {
+    let mut config = Config::default();
+    config.rotary_offset.insert('C', 12.5_f64.to_radians());
+    let (text, _) = posted::<Cb>(&config, PART);
+    assert!(text.contains("(words of C are the axis value minus 12.5: its entry in G54 must be 12.5)"), "{text}");
+    assert!(text.contains("(the entries of B in G54 must be zero)"), "{text}");
+    assert!(posted::<Cb>(&Config::default(), PART).0.contains("(the entries of C and B in G54 must be zero)"));
+}
