@@ -61,6 +61,10 @@ pub struct Config {
     pub part_rotation: Rotation3<f64>,
     /// The written word of a rotary axis is its value minus this, rad; default none.
     pub rotary_offset: BTreeMap<char, f64>,
+    /// Where linear words count from; default [`ProgramZero::Part`].
+    pub program_zero: ProgramZero,
+    /// What linear words say of the tool; default [`LengthMode::Tip`].
+    pub length_mode: LengthMode,
     /// The word of the work offset; default `G54`.
     pub work_offset: String,
     /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
@@ -193,6 +197,24 @@ pub enum StartBranch {
     Second,
 }
 
+/// Where linear words count from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProgramZero {
+    /// The part zero.
+    Part,
+    /// The table's reference point.
+    Table,
+}
+
+/// What linear words say of the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthMode {
+    /// Where its tip is at the zero position of the rotary axes; the length offset is active.
+    Tip,
+    /// Where its gauge line is; no length offset is active.
+    Gauge,
+}
+
 /// How a rapid inside an operation is written that turns no rotary axis by more than the index angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rapid {
@@ -257,6 +279,8 @@ impl Default for Config {
             part_origin: [0.0; 3],
             part_rotation: Rotation3::identity(),
             rotary_offset: BTreeMap::new(),
+            program_zero: ProgramZero::Part,
+            length_mode: LengthMode::Tip,
             work_offset: "G54".to_owned(),
             machine_zero: BTreeMap::new(),
             tools: BTreeMap::new(),

@@ -54,6 +54,11 @@ units = "mm"
 # The written word of a rotary axis is its value minus this; limits hold for the value. The other rotary entries of the
 # work offset must be zero.
 # e.g. rotary_offset = {{ {rotary_offset} }}
+# Linear words count from the "part" zero, or from the reference point of the "table".
+#program_zero = "part"
+# Linear words say where the "tip" is with all rotary axes at zero and the length offset active, or where the "gauge" line
+# is, without length offset.
+#length_mode = "tip"
 # Work offset of the control: G54 to G59, G59.1 to G59.3.
 #work_offset = "{work_offset}"
 # Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not checked.

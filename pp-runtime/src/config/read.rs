@@ -136,6 +136,12 @@ impl Config {
         if let Some(value) = self.get(top, "part_rotation") {
             set(&mut self.part_rotation, set_up::part_rotation(r, value));
         }
+        if let Some(value) = self.get(top, "program_zero") {
+            set(&mut self.program_zero, r.choice(value, &set_up::PROGRAM_ZEROS));
+        }
+        if let Some(value) = self.get(top, "length_mode") {
+            set(&mut self.length_mode, r.choice(value, &set_up::LENGTH_MODES));
+        }
         if let Some(value) = self.get(top, "work_offset") {
             let offsets = WORK_OFFSETS.map(|word| (word, word));
             set(&mut self.work_offset, r.choice(value, &offsets).map(str::to_owned));

@@ -6,9 +6,12 @@ use nalgebra::{Matrix3, Rotation3};
 
 use crate::kinematics::Machine;
 
-use super::Config;
 use super::read::solved_rotaries;
 use super::value::{Bound, Quantity, Reader, Value};
+use super::{Config, LengthMode, ProgramZero};
+
+pub(super) const PROGRAM_ZEROS: [(&str, ProgramZero); 2] = [("part", ProgramZero::Part), ("table", ProgramZero::Table)];
+pub(super) const LENGTH_MODES: [(&str, LengthMode); 2] = [("tip", LengthMode::Tip), ("gauge", LengthMode::Gauge)];
 
 /// A matrix may miss a rotation by this much: seven digits.
 const ROUNDED: f64 = 1e-6;
@@ -153,6 +156,13 @@ mod tests {
         assert!(fault("[[1, 0], [0, 1, 0], [0, 0, 1]]").contains("in a row"));
         assert!(fault("[1, 2]").contains("three angles or three rows"));
         assert!(fault("90").contains("a list"));
+    }
+
+    #[test]
+    fn program_zero_and_length_mode_are_words() {
+        let config = Config::read::<Sample>("program_zero = 'table'\nlength_mode = 'gauge'\n").expect("right");
+        assert_eq!((config.program_zero, config.length_mode), (ProgramZero::Table, LengthMode::Gauge));
+        assert!(Config::read::<Sample>("length_mode = 'spindle'\n").is_err());
     }
 
     #[test]

@@ -1,10 +1,13 @@
 //! What the written words count from.
 //!
 //! Planning counts axis values, for which limits hold. A written rotary word is the axis value minus `rotary_offset`, and
-//! rounding comes first here, too: what whole units of the word cannot hold of the offset is in the axis value.
+//! rounding comes first here, too: what whole units of the word cannot hold of the offset is in the axis value. A linear
+//! word counts from the part zero or from the table's reference point, and to the tip or to the gauge line of the tool.
 
-use crate::config::Config;
-use crate::kinematics::Machine;
+use nalgebra::{Matrix3, Vector3};
+
+use crate::config::{Config, LengthMode, ProgramZero};
+use crate::kinematics::{AxisKind, Machine};
 
 use super::choose::AngleScale;
 use super::step::MAX_AXES;
@@ -15,6 +18,12 @@ const NOISE: f64 = 1e-6;
 /// From axis values to written words, by position in the chain.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Origin {
+    /// Linear words at the zero position with a tool of no length, mm.
+    zero: [f64; MAX_AXES],
+    /// What 1 mm of gauge length adds to linear words.
+    share: [f64; MAX_AXES],
+    /// What a linear word is more than the axis value, with the tool in the spindle, mm.
+    linear: [f64; MAX_AXES],
     /// Rotary offsets in units of words.
     offsets: [f64; MAX_AXES],
     /// The same in whole units.
@@ -22,7 +31,7 @@ pub(super) struct Origin {
 }
 
 impl Origin {
-    pub(super) fn new<M: Machine>(config: &Config, scale: AngleScale) -> Self {
+    pub(super) fn new<M: Machine>(machine: &M, config: &Config, scale: AngleScale) -> Self {
         let (mut offsets, mut whole) = ([0.0; MAX_AXES], [0; MAX_AXES]);
         for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
             if let Some(offset) = config.rotary_offset.get(&axis.letter) {
@@ -30,7 +39,26 @@ impl Origin {
                 whole[index] = offsets[index].round() as i64;
             }
         }
-        Self { offsets, whole }
+        let zero = match config.program_zero {
+            ProgramZero::Part => [0.0; MAX_AXES],
+            ProgramZero::Table => along_axes(machine, &config.part_origin.into()),
+        };
+        let share = match config.length_mode {
+            LengthMode::Tip => [0.0; MAX_AXES],
+            LengthMode::Gauge => along_axes(machine, &machine.tool_axis()),
+        };
+        Self { zero, share, linear: zero, offsets, whole }
+    }
+
+    /// With another tool in the spindle.
+    pub(super) fn set_gauge_length(&mut self, length: f64) {
+        self.linear = std::array::from_fn(|index| self.zero[index] + length * self.share[index]);
+    }
+
+    /// What the word of a linear axis is more than its value, mm.
+    #[inline]
+    pub(super) fn linear(&self, index: usize) -> f64 {
+        self.linear[index]
     }
 
     /// What whole units do not hold of the offset of a rotary axis, degrees.
@@ -46,11 +74,33 @@ impl Origin {
     }
 }
 
+/// Words of the solved linear axes whose motion together, at the zero position, is a vector; zero for every other axis.
+pub(super) fn along_axes<M: Machine>(machine: &M, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
+    let linear = |index: &usize| M::AXES[*index].kind == AxisKind::Linear && !M::AXES[*index].held;
+    let solved: Vec<usize> = (0..M::AXES.len().min(MAX_AXES)).filter(linear).collect();
+    // Columns: where each axis moves the tool for a positive word.
+    let column = |&index: &usize| {
+        let joint = machine.joint(index);
+        joint.direction.into_inner() * joint.sign
+    };
+    let columns: Vec<Vector3<f64>> = solved.iter().map(column).collect();
+    let mut words = [0.0; MAX_AXES];
+    if columns.len() == 3
+        && let Some(inverse) = Matrix3::from_columns(&columns).try_inverse()
+    {
+        for (&index, word) in solved.iter().zip((inverse * vector).iter()) {
+            words[index] = *word;
+        }
+    }
+    words
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::machines::Cb;
+    use super::super::machines::{Cb, Head};
     use super::super::tests::{Run, config, feed, rapid, run, spindle, tool};
     use super::*;
+    use crate::config::Tool;
 
     /// The axis at `C` and `B` degrees on the C-B table.
     fn axis(c: f64, b: f64) -> [f64; 3] {
@@ -106,6 +156,55 @@ mod tests {
         let fault = posted(&shifted(&[('B', 10.000_03)]), [0.0, 110.0]);
         assert!(fault.error().text.contains("B would have to turn to 110.00003"), "{}", fault.error().text);
         assert_eq!(posted(&shifted(&[('B', 9.999_97)]), [0.0, 110.0]).diagnostics, []);
+    }
+
+    #[test]
+    fn linear_words_count_from_the_table_if_they_are_to() {
+        let mut config = shifted(&[]);
+        config.part_origin = [1.5, -2.25, 40.0];
+        let plain = words(&posted(&config, [100.0, 30.0]));
+        config.program_zero = ProgramZero::Table;
+        let moved = words(&posted(&config, [100.0, 30.0]));
+        let off: Vec<f64> = moved.iter().zip(&plain).map(|(a, b)| ((a - b) * 1e3).round() / 1e3).collect();
+        assert_eq!(off, [0.0, 0.0, 1.5, -2.25, 40.0]);
+        config.output_units = Some(crate::config::Units::Inches);
+        let inches = words(&posted(&config, [100.0, 30.0]));
+        assert!((2..5).all(|axis| (inches[axis] * 25.4 - moved[axis]).abs() < 2e-3), "{inches:?} {moved:?}");
+    }
+
+    #[test]
+    fn words_of_the_gauge_line_need_no_length_offset() {
+        fn both<M: Machine>(axis: [f64; 3], length: f64) -> (Run, Run) {
+            let mut config = config();
+            config.retract.distance = Some(10.0);
+            config.tools.insert(1, Tool { length: Some(length), ..Tool::default() });
+            let events = [tool(1), spindle(), rapid([1.0, 2.0, -60.0], axis), feed([1.0, 2.0, -80.0], axis)];
+            let tip = run::<M>(&config, &events);
+            config.length_mode = LengthMode::Gauge;
+            (tip, run::<M>(&config, &events))
+        }
+        let word = |line: &str, letter: char| -> Option<f64> {
+            line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse().ok())
+        };
+        for (tip, gauge) in [both::<Cb>([0.0, 0.0, 1.0], 80.25), both::<Head>([0.5, 0.0, 0.8], 80.25)] {
+            assert_eq!((tip.diagnostics, &gauge.diagnostics), (vec![], &vec![]));
+            assert!(!gauge.lines.iter().any(|line| line.contains("G43")), "{:?}", gauge.lines);
+            let without: Vec<_> = tip.lines.iter().filter(|line| !line.contains("G43")).collect();
+            assert_eq!(without.len(), gauge.lines.len());
+            for (tip, gauge) in without.into_iter().zip(&gauge.lines).filter(|(tip, _)| !tip.contains("G53")) {
+                let length = |letter| Some(word(gauge, letter)? - word(tip, letter)?);
+                assert!(length('Z').is_none_or(|length| (length - 80.25).abs() < 1e-9), "{tip} {gauge}");
+                assert!(length('X').is_none_or(|length| length.abs() < 1e-9), "{tip} {gauge}");
+            }
+        }
+    }
+
+    #[test]
+    fn words_of_the_gauge_line_need_the_length_of_every_tool() {
+        let mut config = config();
+        config.length_mode = LengthMode::Gauge;
+        let run = posted(&config, [0.0, 0.0]);
+        assert!(run.error().text.contains("the gauge length of T1 is unknown, and `length_mode"), "{:?}", run.error());
     }
 
     #[test]

@@ -5,7 +5,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::config::{Config, Units};
+use crate::config::{Config, LengthMode, Units};
 use crate::kinematics::{Axis, AxisKind, Branch, Joint, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::nc::whole_units;
 use crate::program::{Rotation, Turning};
@@ -35,7 +35,7 @@ pub(crate) struct Place<A> {
     pub(crate) branch: Branch,
     /// Axis values that the words stand for, mm and rad.
     pub(crate) axes: A,
-    /// Whole units of the axis values that the words stand for, by position in the chain.
+    /// Whole units by position in the chain: words of linear axes, and axis values of rotary ones.
     pub(crate) words: [i64; MAX_AXES],
     /// Angle between the programmed axis and the one reached, rad.
     pub(crate) deviation: f64,
@@ -78,6 +78,7 @@ pub(crate) struct Placer<M: Machine> {
     retract_share: f64,
     straight: bool,
     head: bool,
+    gauge_line: bool,
     square: bool,
 }
 
@@ -86,7 +87,7 @@ impl<M: Machine> Placer<M> {
         let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
         let scale = AngleScale::new(config.formats.rotary);
         let limits = config.travel::<M>().limits;
-        let origin = Origin::new::<M>(config, scale);
+        let origin = Origin::new(&machine, config, scale);
         let solved = |kind: AxisKind| {
             axes.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
         };
@@ -141,6 +142,7 @@ impl<M: Machine> Placer<M> {
             retract_share: share(retract_axis),
             straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
+            gauge_line: config.length_mode == LengthMode::Gauge,
             square: square(&machine, axes),
             grid: grid::<M>(config, &rotaries, scale),
             machine,
@@ -152,6 +154,20 @@ impl<M: Machine> Placer<M> {
     /// Solved rotary axes stand on the tool side: the tool's length moves the linear axes.
     pub(crate) fn head(&self) -> bool {
         self.head
+    }
+
+    /// Why the words depend on the length of the tool, if they do.
+    pub(crate) fn needs_length(&self) -> Option<&'static str> {
+        if self.head {
+            Some("this machine turns the tool about its head")
+        } else {
+            self.gauge_line.then_some("`length_mode = \"gauge\"` writes where its gauge line is")
+        }
+    }
+
+    /// The words say where the gauge line is: no length offset is to be active.
+    pub(crate) fn gauge_line(&self) -> bool {
+        self.gauge_line
     }
 
     /// Solved rotary axes stand in the table.
@@ -188,6 +204,7 @@ impl<M: Machine> Placer<M> {
 
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
         self.machine.set_up(self.part_origin, length.unwrap_or(0.0));
+        self.origin.set_gauge_length(length.unwrap_or(0.0));
         self.travel.set_gauge_length(length);
     }
 
@@ -441,11 +458,12 @@ impl<M: Machine> Placer<M> {
         place.axes = axes;
         for (index, value) in place.axes.as_mut().iter_mut().enumerate().take(MAX_AXES) {
             if self.linear_mask & (1 << index) != 0 {
-                let Ok(units) = whole_units(*value, self.per_mm) else {
+                let shift = self.origin.linear(index);
+                let Ok(units) = whole_units(*value + shift, self.per_mm) else {
                     return Err(Fault::new(format_args!("{} is too large for a word", M::AXES[index].letter)));
                 };
                 place.words[index] = units;
-                *value = units as f64 / self.per_mm;
+                *value = units as f64 / self.per_mm - shift;
             }
         }
         self.travel.check(place.axes.as_ref())?;

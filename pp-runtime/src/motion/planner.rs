@@ -570,8 +570,8 @@ impl<'a, M: Machine> Planner<'a, M> {
                 warnings.push(fault.at(at, Severity::Warning));
             }
         };
-        let tool =
-            Tool::resolve(call, &before, self.config, self.placer.head(), remark).map_err(|fault| stop(at, fault))?;
+        let tool = Tool::resolve(call, &before, self.config, self.placer.needs_length(), remark)
+            .map_err(|fault| stop(at, fault))?;
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
         self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         Ok(tool)

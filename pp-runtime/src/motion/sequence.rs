@@ -138,7 +138,9 @@ impl<M: Machine> Planner<'_, M> {
                 self.spindle_stop = false;
                 self.machine_retract(at, sink)?;
             }
-            sink.step(&Step::Length { offset: tool.offset })?;
+            if !self.placer.gauge_line() {
+                sink.step(&Step::Length { offset: tool.offset })?;
+            }
         }
         self.turn_spindle(at, true, sink)?;
         self.check_state(first).map_err(|fault| stop(at, fault))?;

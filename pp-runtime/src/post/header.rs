@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, Units, part_angles};
+use crate::config::{Config, LengthMode, ProgramZero, Units, part_angles};
 use crate::control::Encoder;
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
@@ -82,6 +82,14 @@ pub(super) fn set_up(config: &Config) -> Vec<String> {
         list.push(format!(
             "part rotation {x}, {y}, {z}: the CL data is turned by these degrees about X, then Y, then Z of the table"
         ));
+    }
+    if config.program_zero == ProgramZero::Table {
+        list.push("program zero: linear words count from the reference point of the table".to_owned());
+    }
+    if config.length_mode == LengthMode::Gauge {
+        list.push(
+            "length mode: linear words are coordinates of the gauge line, no length offset may be active".to_owned(),
+        );
     }
     list
 }
@@ -274,15 +282,22 @@ impl<M: Machine> Header<'_, M> {
         let length = length(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
         let offset = given.and_then(|given| given.offset).or(tool.call.offset).unwrap_or(number);
-        text += &format!(" H{offset}, {}", super::counted(tool.operations, "operation"));
+        if config.length_mode == LengthMode::Tip {
+            text += &format!(" H{offset}");
+        }
+        text += &format!(", {}", super::counted(tool.operations, "operation"));
         if let Some((low, high)) = tool.tip {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
         let mut lines = vec![text];
+        let gauge_line = config.length_mode == LengthMode::Gauge;
         if let Some(length) = length
-            && rotaries::<M>(Side::Tool).next().is_some()
+            && (gauge_line || rotaries::<M>(Side::Tool).next().is_some())
         {
-            lines.push(format!("T{number} posted with L = {}: H{offset} must hold exactly this", self.length(length)));
+            let length = self.length(length);
+            let offset = format!("H{offset} must hold exactly this");
+            let who = if gauge_line { "the tool must be exactly this long" } else { &offset };
+            lines.push(format!("T{number} posted with L = {length}: {who}"));
         }
         lines
     }
