@@ -104,6 +104,9 @@ pub(super) struct PostArgs {
     /// Angle to the pole within which the tool axis is put there, degrees
     #[arg(long, value_name = "DEGREES", value_parser = axis_tolerance)]
     pub(super) axis_tolerance: Option<f64>,
+    /// Dry run: move every point out along the tool axis by so many mm, with the spindle off
+    #[arg(long, value_name = "MM", value_parser = lift)]
+    pub(super) lift: Option<f64>,
     /// Number the blocks
     #[arg(long)]
     pub(super) line_numbers: bool,
@@ -141,6 +144,7 @@ impl PostArgs {
             let help = || format!("--prefer {text} is not known here: {}", preferences::<M>());
             config.prefer = Some(preference::<M>(text).ok_or_else(help)?);
         }
+        config.lift = self.lift.or(config.lift);
         config.greedy |= self.greedy;
         config.axis_tolerance = self.axis_tolerance.unwrap_or(config.axis_tolerance);
         let cl = &mut config.cl;
@@ -185,6 +189,15 @@ fn axis_tolerance(text: &str) -> Result<f64, String> {
     match (0.0..=5.0).contains(&degrees) {
         true => Ok(degrees.to_radians()),
         false => Err("0 to 5 degrees are needed".to_owned()),
+    }
+}
+
+/// How far a dry run stays away, mm.
+fn lift(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    match (1.0..=10_000.0).contains(&value) {
+        true => Ok(value),
+        false => Err("1 to 10000 mm are needed".to_owned()),
     }
 }
 

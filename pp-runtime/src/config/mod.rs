@@ -63,6 +63,8 @@ pub struct Config {
     pub rotary_offset: BTreeMap<char, f64>,
     /// Where linear words count from; default [`ProgramZero::Part`].
     pub program_zero: ProgramZero,
+    /// Dry run: every point lies this much further out along the tool axis, and the spindle stays off, mm; default none.
+    pub lift: Option<f64>,
     /// What linear words say of the tool; default [`LengthMode::Tip`].
     pub length_mode: LengthMode,
     /// The word of the work offset; default `G54`.
@@ -281,6 +283,7 @@ impl Default for Config {
             rotary_offset: BTreeMap::new(),
             program_zero: ProgramZero::Part,
             length_mode: LengthMode::Tip,
+            lift: None,
             work_offset: "G54".to_owned(),
             machine_zero: BTreeMap::new(),
             tools: BTreeMap::new(),

@@ -507,6 +507,11 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// A block as it stands: where the machine is behind it, and in which state, nobody knows.
     fn raw(&mut self, at: Location, text: &[u8], sink: &mut impl Sink) -> Planned {
+        if self.config.lift.is_some() {
+            let fault =
+                Fault::new("a dry run writes no NC text of the CL data: nobody knows what it moves or switches on");
+            return Err(stop(at, fault.help("`--insert comment`, or take it out")));
+        }
         if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
             let fault =
                 Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");

@@ -1171,3 +1171,23 @@ fn another_machine_in_the_cl_data_is_remarked_on() {
     let run = run::<Cb>(&config(), &events);
     assert!(run.diagnostics[0].text.contains("made for the machine `UNCX01`"), "{:?}", run.diagnostics);
 }
+
+#[test]
+fn in_a_dry_run_spindle_and_coolant_stay_off() {
+    let events = [
+        tool(1),
+        spindle(),
+        Event::Coolant(Coolant::Flood),
+        feed([0.0, 0.0, -5.0], UP),
+        Event::Spindle(Spindle::On { speed: Some(900.0), rotation: None }),
+        feed([9.0, 0.0, -5.0], UP),
+    ];
+    let config = Config { lift: Some(50.0), spindle_dwell: 1.0, ..config() };
+    let lines = lines::<Cb>(&config, &events);
+    assert!(lines.iter().any(|line| line == "M5"), "{lines:?}");
+    for code in ["M3", "M4", "M8", "M7", "G4 P"] {
+        assert!(!lines.iter().any(|line| line.contains(code)), "{code} in {lines:?}");
+    }
+    let raw = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(b"M3")]);
+    assert!(raw.error().text.contains("a dry run writes no NC text"), "{}", raw.error().text);
+}

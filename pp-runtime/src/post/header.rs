@@ -83,6 +83,9 @@ pub(super) fn set_up(config: &Config) -> Vec<String> {
             "part rotation {x}, {y}, {z}: the CL data is turned by these degrees about X, then Y, then Z of the table"
         ));
     }
+    if let Some(lift) = config.lift {
+        list.push(format!("DRY RUN: every point {lift} mm out along the tool axis, spindle and coolant off"));
+    }
     if config.program_zero == ProgramZero::Table {
         list.push("program zero: linear words count from the reference point of the table".to_owned());
     }

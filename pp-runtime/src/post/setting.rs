@@ -1,9 +1,11 @@
-//! How the part lies on the table: the program as the CL data has it into the program as it is cut.
+//! How the part lies on the table, and how far from it a dry run stays: the program as the CL data has it into the program
+//! as it is run.
 //!
 //! Tips, axes and every other direction and point are multiplied by `part_rotation` here and nowhere else, in front of
 //! everything that looks at a program: survey, course, planner and expander all see the part as it lies, its frame along
 //! the table's directions. What the configuration says of the part (`floor`, `retract.clearance`) counts in that frame,
-//! too; what the CL data says (CLEARP) is turned with it.
+//! too; what the CL data says (CLEARP) is turned with it. A dry run moves every point out along its tool axis; the
+//! clearance geometry stays where the part is.
 
 use nalgebra::{Point3, Rotation3, UnitVector3};
 
@@ -15,6 +17,8 @@ use crate::program::{Arc, Event, Hole, Move, Plane, Spline};
 #[derive(Debug, Clone)]
 pub(super) struct Setting {
     rotation: Rotation3<f64>,
+    /// mm along the tool axis.
+    lift: f64,
     /// Nothing is changed.
     plain: bool,
     /// Control points of the curve that is handed on.
@@ -24,7 +28,8 @@ pub(super) struct Setting {
 impl Setting {
     pub(super) fn new(config: &Config) -> Self {
         let rotation = config.part_rotation;
-        Self { rotation, plain: rotation == Rotation3::identity(), points: Vec::new() }
+        let lift = config.lift.unwrap_or(0.0);
+        Self { rotation, lift, plain: rotation == Rotation3::identity() && config.lift.is_none(), points: Vec::new() }
     }
 
     /// An event of the CL data as it is cut.
@@ -40,14 +45,14 @@ impl Setting {
             Event::Arc(arc) => Event::Arc(Arc {
                 start: self.pose(&arc.start),
                 end: self.pose(&arc.end),
-                centre: self.tip(&arc.centre),
+                centre: self.tip(&arc.centre, &arc.start.axis),
                 normal: self.direction(&arc.normal),
                 ..arc
             }),
             Event::Spline(spline) => {
                 let mut points = std::mem::take(&mut self.points);
                 points.clear();
-                points.extend(spline.points.iter().map(|point| self.tip(point)));
+                points.extend(spline.points.iter().map(|point| self.tip(point, &spline.axis)));
                 self.points = points;
                 Event::Spline(Spline { points: &self.points, axis: self.direction(&spline.axis), ..spline })
             }
@@ -60,11 +65,11 @@ impl Setting {
     }
 
     fn pose(&self, pose: &Pose) -> Pose {
-        Pose { tip: self.tip(&pose.tip), axis: self.direction(&pose.axis) }
+        Pose { tip: self.tip(&pose.tip, &pose.axis), axis: self.direction(&pose.axis) }
     }
 
-    fn tip(&self, tip: &Point3<f64>) -> Point3<f64> {
-        self.rotation * tip
+    fn tip(&self, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Point3<f64> {
+        self.rotation * (tip + axis.into_inner() * self.lift)
     }
 
     fn direction(&self, direction: &UnitVector3<f64>) -> UnitVector3<f64> {
@@ -118,5 +123,25 @@ mod tests {
     fn without_a_set_up_the_cl_data_stays_as_it_is() {
         let from = Event::From(pose([1., 2., 3.], [0., 0., 1.]));
         assert_eq!(Setting::new(&Config::default()).event(from), from);
+    }
+
+    #[test]
+    fn a_dry_run_moves_every_point_along_the_tool_axis() {
+        let lifted = |event| Setting::new(&Config { lift: Some(50.0), ..Config::default() }).event(event) == event;
+        let axis = [0.6, 0.0, 0.8];
+        let (here, there) = (pose([1., 2., 3.], axis), pose([31., 2., 43.], axis));
+        let mut setting = Setting::new(&Config { lift: Some(50.0), ..Config::default() });
+        let motion = |pose| Event::Move(Move { pose, rapid: true, feed: None });
+        assert_eq!(setting.event(motion(here)), motion(there));
+        let (before, after) = ([here.tip; 2], [there.tip; 2]);
+        let curve = |points, axis| Event::Spline(Spline { knots: &[0.0], points, axis, feed: None });
+        assert_eq!(setting.event(curve(&before, here.axis)), curve(&after, here.axis));
+        let arc = |pose: Pose, centre| {
+            let normal = Vector3::z_axis();
+            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle: 1.0, feed: None })
+        };
+        assert_eq!(setting.event(arc(here, Point3::origin())), arc(there, Point3::new(30., 0., 40.)));
+        let plane = Plane { normal: Vector3::z_axis(), distance: 7.0 };
+        assert!(lifted(Event::ClearancePlane(plane)), "the geometry stays");
     }
 }

@@ -308,3 +308,14 @@ fn the_header_says_what_the_rotary_entries_of_the_work_offset_must_hold() {
     assert!(text.contains("(the entries of B in G54 must be zero)"), "{text}");
     assert!(posted::<Cb>(&Config::default(), PART).0.contains("(the entries of C and B in G54 must be zero)"));
 }
+
+#[test]
+fn a_dry_run_says_so_and_runs_the_same_path_further_out() {
+    let (_, report) = posted::<Cb>(&Config::default(), PART);
+    let (text, dry) = posted::<Cb>(&Config { lift: Some(50.0), ..Config::default() }, PART);
+    assert!(!dry.failed && dry.statistics.motions == report.statistics.motions, "{dry:?}");
+    let said = "DRY RUN: every point 50 mm out along the tool axis, spindle and coolant off";
+    assert!(dry.set_up == [said] && text.contains(said), "{text}");
+    assert!(text.contains("\nG1 Z47 F800\nX25\n"), "{text}");
+    assert!(!text.contains("M3\n") && !text.contains("M8\n"), "{text}");
+}
