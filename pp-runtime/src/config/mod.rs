@@ -31,6 +31,7 @@ pub use machine::Travel;
 pub use print::print;
 pub(crate) use read::TOLERANCE;
 pub(crate) use set_up::part_angles;
+pub(crate) use value::{list, nearest};
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,6 +64,8 @@ pub struct Config {
     pub rotary_offset: BTreeMap<char, f64>,
     /// Where linear words count from; default [`ProgramZero::Part`].
     pub program_zero: ProgramZero,
+    /// The operations that are posted; default all.
+    pub operations: Option<Operations>,
     /// Dry run: every point lies this much further out along the tool axis, and the spindle stays off, mm; default none.
     pub lift: Option<f64>,
     /// What linear words say of the tool; default [`LengthMode::Tip`].
@@ -199,6 +202,16 @@ pub enum StartBranch {
     Second,
 }
 
+/// Some operations of a program, counted from 1: they begin at TOOL PATH, tool records, stops and frames, and starts with
+/// no motion between them are one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Operations {
+    /// From this one to that, both included; to the last without it.
+    Range(u64, Option<u64>),
+    /// From the first of this name on.
+    From(String),
+}
+
 /// Where linear words count from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProgramZero {
@@ -283,6 +296,7 @@ impl Default for Config {
             rotary_offset: BTreeMap::new(),
             program_zero: ProgramZero::Part,
             length_mode: LengthMode::Tip,
+            operations: None,
             lift: None,
             work_offset: "G54".to_owned(),
             machine_zero: BTreeMap::new(),

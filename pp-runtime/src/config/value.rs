@@ -280,7 +280,7 @@ impl<'a> Section<'a> {
 }
 
 /// The name that a mistyped one most likely means: at most a third of its letters differ.
-pub(super) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+pub(crate) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let word = word.to_lowercase();
     names
         .map(|name| (strsim::damerau_levenshtein(&word, &name.to_lowercase()), name))
@@ -290,7 +290,7 @@ pub(super) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> O
 }
 
 /// `a`, `b`, `c` in quotes of the given kind.
-pub(super) fn list<'n>(names: impl Iterator<Item = &'n str>, quote: char) -> String {
+pub(crate) fn list<'n>(names: impl Iterator<Item = &'n str>, quote: char) -> String {
     let mut all = String::new();
     for name in names {
         let comma = if all.is_empty() { "" } else { ", " };

@@ -113,8 +113,12 @@ impl<M: Machine> Planner<'_, M> {
         planned: Option<Target>,
         sink: &mut impl Sink,
     ) -> Planned {
+        let opens = self.begin_operation(at, sink)?;
+        if self.selection.over {
+            return Ok(());
+        }
         let wanted = self.next_tool.take();
-        let change = wanted.is_some_and(|wanted| self.tool.is_none_or(|tool| tool.number != wanted.number));
+        let change = opens || wanted.is_some_and(|wanted| self.tool.is_none_or(|tool| tool.number != wanted.number));
         if self.there && self.config.transition == Transition::Direct && !change {
             return self.start_directly(at, first, planned, sink);
         }

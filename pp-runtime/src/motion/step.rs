@@ -133,4 +133,9 @@ pub trait Sink {
     /// # Errors
     /// Those of the output.
     fn step(&mut self, step: &Step<'_>) -> io::Result<()>;
+
+    /// Whether the steps that follow are to be written; a sink that is not asked to select writes all of them.
+    fn show(&mut self, shown: bool) {
+        let _ = shown;
+    }
 }

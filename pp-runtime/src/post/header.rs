@@ -75,8 +75,12 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
 }
 
 /// How the part is set up where that is not the plain case, one sentence each.
-pub(super) fn set_up(config: &Config) -> Vec<String> {
+pub(super) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
+    if let Ok(Some(wanted)) = survey.wanted() {
+        let (first, last, all) = (wanted.start(), wanted.end(), survey.operations);
+        list.push(format!("operations {first} to {last} of {all} only, entered as at their restart points"));
+    }
     let [x, y, z] = part_angles(config);
     if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
         list.push(format!(
@@ -196,7 +200,7 @@ impl<M: Machine> Header<'_, M> {
             format!("TOLERANCE {NOT_LINEARISED}"),
             format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
         ];
-        lines.extend(set_up(config));
+        lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
         if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {

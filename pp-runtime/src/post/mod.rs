@@ -19,7 +19,7 @@ use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine};
-use crate::motion::{Abilities, Cost, Course, Expander, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
+use crate::motion::{Abilities, Cost, Course, Gate, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
 use crate::program::{Coolant, Location};
 
 use setting::Setting;
@@ -47,6 +47,9 @@ pub enum PostError {
     /// The program cannot be written.
     #[error("cannot write the program: {0}")]
     Output(#[source] io::Error),
+    /// The operations that are wanted are not there.
+    #[error("{0}")]
+    Operations(String),
 }
 
 /// What became of a job.
@@ -164,17 +167,14 @@ pub fn post<M: Machine>(
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let machine = job.config.machine::<M>();
     let navigator = machine.as_ref().ok().map(|machine| Navigator::new(machine.clone(), job.config));
-    let mut survey = Survey::take(
-        &mut *input,
-        options.clone(),
-        Setting::new(job.config),
-        &M::default().tool_axis(),
-        navigator,
-        Expander::new(job.config),
-    )
-    .map_err(PostError::Input)?;
+    let mut survey = Survey::take(&mut *input, options.clone(), job.config, navigator).map_err(PostError::Input)?;
     input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
 
+    let wanted = match survey.wanted() {
+        // What is wrong with the CL data is told first: with it, operations may be missing.
+        Err(text) if survey.first_error.is_none() => return Err(PostError::Operations(text)),
+        wanted => wanted.unwrap_or_default(),
+    };
     let mut report = Report {
         tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
         lines: survey.lines,
@@ -203,8 +203,9 @@ pub fn post<M: Machine>(
     }
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
     let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
-        .with_course(std::mem::take(&mut survey.course));
-    report.set_up = header::set_up(job.config);
+        .with_course(std::mem::take(&mut survey.course))
+        .with_operations(wanted);
+    report.set_up = header::set_up(job.config, &survey);
     report.reading = header::reading(job.config, &survey);
     report.assumptions = header::assumptions::<M>(job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
@@ -228,17 +229,18 @@ fn run<M: Machine, R: Read, W: Write>(
     let mut setting = Setting::new(job.config);
     let mut last = Location::default();
     let mut remarks = Remarks::default();
+    let mut gate = Gate::new(encoder, planner.shows());
     let planned = loop {
         match reader.next_event().map_err(PostError::Input)? {
             Some((at, event)) if survey.first_error.is_none_or(|error| at < error) => {
                 last = at;
-                if let Err(stopped) = planner.event(at, &setting.event(event), encoder) {
+                if let Err(stopped) = planner.event(at, &setting.event(event), &mut gate) {
                     break Err(stopped);
                 }
             }
-            _ if survey.first_error.is_some() => break planner.abandon(encoder).map_err(Stop::Output),
+            _ if survey.first_error.is_some() => break planner.abandon(&mut gate).map_err(Stop::Output),
             Some(_) => {}
-            None => break planner.finish(last, encoder),
+            None => break planner.finish(last, &mut gate),
         }
         if planner.has_warnings() {
             planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
