@@ -135,6 +135,8 @@ struct State {
     length: bool,
     tool: Option<u32>,
     spindle: bool,
+    /// The words are those of the gauge line: no length offset is ever active.
+    gauge_line: bool,
     position: Position,
     ended: bool,
 }
@@ -151,7 +153,7 @@ impl Program {
     /// # Errors
     /// [`Refused`] at the first block that a careful control would not run.
     pub fn read(text: &str) -> Result<Self, Refused> {
-        Self::enter(text, None)
+        Self::enter(text, None, false)
     }
 
     /// Reads a program from the block with this number on, as if the control had just been switched on. The tool stands
@@ -160,12 +162,21 @@ impl Program {
     /// # Errors
     /// [`Refused`] at the first block that a careful control would not run.
     pub fn read_from(text: &str, number: u32, tool: u32) -> Result<Self, Refused> {
-        Self::enter(text, Some((number, tool)))
+        Self::enter(text, Some((number, tool)), false)
     }
 
-    fn enter(text: &str, entry: Option<(u32, u32)>) -> Result<Self, Refused> {
+    /// Reads a program whose words are coordinates of the gauge line, from `entry` (number and tool) or from its first
+    /// block: nowhere may a length offset be active.
+    ///
+    /// # Errors
+    /// [`Refused`] at the first block that a careful control would not run.
+    pub fn of_gauge_line(text: &str, entry: Option<(u32, u32)>) -> Result<Self, Refused> {
+        Self::enter(text, entry, true)
+    }
+
+    fn enter(text: &str, entry: Option<(u32, u32)>, gauge_line: bool) -> Result<Self, Refused> {
         let mut program = Self::default();
-        let mut state = State { tool: entry.map(|(_, tool)| tool), ..State::default() };
+        let mut state = State { tool: entry.map(|(_, tool)| tool), gauge_line, ..State::default() };
         let mut reached = entry.is_none();
         if !text.ends_with('\n') {
             return Err(Refused { line: text.lines().count(), why: "the last line does not end".to_owned() });
@@ -311,6 +322,9 @@ impl State {
             }
         }
         if block.code('G', 43.0) {
+            if self.gauge_line {
+                return Err("a length offset under words of the gauge line".to_owned());
+            }
             self.length = true;
             return Ok(Action::Length(whole(block.need('H')?)?));
         }
@@ -346,6 +360,7 @@ impl State {
             work_offset: true,
             tool: self.tool,
             spindle: self.spindle,
+            gauge_line: self.gauge_line,
             // Where the length offset is gone, the program's Z is another one.
             position: position.into_iter().filter(|(letter, _)| "ABC".contains(*letter)).collect(),
             ..Self::default()
@@ -422,7 +437,7 @@ impl State {
             }
             self.position.retain(|letter, _| !written.contains_key(letter));
         } else {
-            if !self.work_offset || !self.length {
+            if !self.work_offset || self.length == self.gauge_line {
                 return Err("a motion without work offset or length offset".to_owned());
             }
             self.position.extend(&written);
@@ -517,6 +532,14 @@ mod tests {
         assert!(refusal("G0 X0\nG2 X1").contains("no business"));
         assert!(refusal("M2").contains("follows the end"));
         assert!(Program::read(START).is_err());
+    }
+
+    #[test]
+    fn words_of_the_gauge_line_are_read_without_length_offset_only() {
+        let without = START.replace("G43 H1\n", "") + "G0 X1\nM2\n";
+        assert_eq!(Program::of_gauge_line(&without, None).expect("no offset").motions().count(), 1);
+        assert!(Program::read(&without).is_err());
+        assert!(Program::of_gauge_line(&format!("{START}G0 X1\nM2\n"), None).is_err());
     }
 
     #[test]

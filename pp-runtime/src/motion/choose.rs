@@ -82,8 +82,13 @@ impl Rotary {
         self.degrees(word, scale).to_radians()
     }
 
+    /// The axis value of a word for people, degrees.
+    pub(crate) fn shown(self, word: i64, scale: AngleScale) -> f64 {
+        (self.degrees(word, scale) * 1e9).round() / 1e9
+    }
+
     /// The axis value of a word, degrees.
-    pub(crate) fn degrees(self, word: i64, scale: AngleScale) -> f64 {
+    fn degrees(self, word: i64, scale: AngleScale) -> f64 {
         scale.degrees(word) + self.rest
     }
 

@@ -283,7 +283,7 @@ impl<M: Machine> Placer<M> {
             let index = rotary.index;
             let word = place.words[index];
             let snapped = (2 * word + step).div_euclid(2 * step) * step;
-            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.degrees(word, self.scale));
+            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
             place.words[index] = snapped;
             place.axes.as_mut()[index] = rotary.angle(snapped, self.scale);
             let reached = self.machine.forward_kinematics(&place.axes).axis;

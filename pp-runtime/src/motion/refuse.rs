@@ -20,7 +20,7 @@ impl<M: Machine> Placer<M> {
         let mut text = String::new();
         for out in outside.iter().flatten() {
             let letter = M::AXES[out.rotary.index].letter;
-            let value = out.rotary.degrees(out.word, self.scale);
+            let value = out.rotary.shown(out.word, self.scale);
             if text.is_empty() {
                 text = format!("{letter} would have to turn to {value}°");
             } else {
@@ -36,7 +36,7 @@ impl<M: Machine> Placer<M> {
         let outside = self.rotaries.iter().find(|rotary| !rotary.holds(nearest[rotary.index]));
         let turned = self.rotaries.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
         let (Some(limit), Some(turned)) = (outside, turned) else { return self.outside_limits(&[None; 2]) };
-        let degrees = |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.degrees(words[rotary.index], self.scale);
+        let degrees = |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.shown(words[rotary.index], self.scale);
         Fault::new(format_args!(
             "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
              tool in the cut",

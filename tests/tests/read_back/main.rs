@@ -10,6 +10,7 @@
 //! - a motion to the next GOTO.
 
 mod points;
+mod set_ups;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::kinematics::{Axis, AxisKind, Machine, Pose, Side, Solution};
-use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
+use pp_runtime::nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 use tests::binaries::{binary, workspace};
 use tests::oracle::{Oracle, angle_between, wrapped};
 use tests::program::{Action, Feed, Motion, Position, Program};
@@ -54,7 +55,29 @@ struct SetUp {
     retract: f64,
     travel: &'static [Travel],
     park: &'static [(char, f64)],
+    counting: Counting,
 }
+
+/// How the part lies, and what words count from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Counting {
+    /// The CL data is multiplied by this.
+    rotation: Matrix3<f64>,
+    /// Degrees between words and values of A, B and C.
+    offsets: [f64; 3],
+    /// Linear words count from the table.
+    from_table: bool,
+    /// Linear words are those of the gauge line.
+    gauge_line: bool,
+}
+
+#[rustfmt::skip]
+const USUAL: Counting = Counting {
+    rotation: Matrix3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+    offsets: [0.0; 3],
+    from_table: false,
+    gauge_line: false,
+};
 
 const PLAIN: SetUp = SetUp {
     config: None,
@@ -65,6 +88,7 @@ const PLAIN: SetUp = SetUp {
     retract: 0.0,
     travel: &[],
     park: &[],
+    counting: USUAL,
 };
 
 const COIL: SetUp = SetUp {
@@ -76,6 +100,7 @@ const COIL: SetUp = SetUp {
     retract: -5.0,
     travel: &[('X', -180.0, -300.0, 0.0), ('Y', -95.0, -200.0, 0.0), ('Z', -310.0, -350.0, 0.0)],
     park: &[('A', 0.0)],
+    counting: USUAL,
 };
 
 const PADS: SetUp = SetUp {
@@ -87,6 +112,7 @@ const PADS: SetUp = SetUp {
     retract: 0.0,
     travel: &[('X', 20.0, -310.0, 310.0), ('Y', -15.0, -255.0, 255.0), ('Z', -520.0, -460.0, 0.0)],
     park: &[('X', 0.0), ('Y', 240.0)],
+    counting: USUAL,
 };
 
 fn data(name: &str) -> PathBuf {
@@ -98,10 +124,14 @@ fn sample(name: &str) -> PathBuf {
 }
 
 fn posted(machine: &str, cl: &PathBuf, set_up: &SetUp) -> String {
+    posted_with(machine, cl, set_up.config.map(data).as_deref())
+}
+
+fn posted_with(machine: &str, cl: &PathBuf, config: Option<&Path>) -> String {
     let mut command = binary(machine);
     command.arg("post").arg(cl);
-    if let Some(config) = set_up.config {
-        command.arg("--config").arg(data(config));
+    if let Some(config) = config {
+        command.arg("--config").arg(config);
     }
     let output = command.output().expect("the binary runs");
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -140,6 +170,8 @@ struct Reader<'a, M: Machine> {
     tool: Option<u32>,
     /// mm in the program's unit of length.
     scale: f64,
+    /// What linear words are more than the axis values, in the order of the axes, mm.
+    shift: Vec<f64>,
     /// The last digit of a linear word, mm.
     unit: f64,
     stage: Stage,
@@ -167,6 +199,7 @@ impl<'a, M: Machine> Reader<'a, M> {
             oracle,
             tool: None,
             scale,
+            shift: vec![0.0; M::AXES.len()],
             unit,
             stage,
             next: 0,
@@ -189,15 +222,32 @@ impl<'a, M: Machine> Reader<'a, M> {
         self.tool = Some(tool);
         self.machine.set_up(Vector3::from(self.set_up.part_origin), self.length());
         self.oracle = Oracle::of(&self.machine);
+        let Counting { from_table, gauge_line, .. } = self.set_up.counting;
+        let mut more = Vector3::zeros();
+        if from_table {
+            more += Vector3::from(self.set_up.part_origin);
+        }
+        if gauge_line {
+            more += self.machine.tool_axis().into_inner() * self.length();
+        }
+        // The linear axes that together move the tool by this at the zero position.
+        self.shift = vec![0.0; M::AXES.len()];
+        self.oracle.bring_tip_to(&Point3::from(more), &mut self.shift);
+    }
+
+    /// Degrees of an axis value for a word.
+    fn angle(&self, letter: char, word: f64) -> f64 {
+        word + "ABC".find(letter).map_or(0.0, |index| self.set_up.counting.offsets[index])
     }
 
     /// Axis values in chain order, mm and rad; `None` while a word is unknown.
     fn values(&self, position: &Position, scale: f64) -> Option<Vec<f64>> {
-        let value = |axis: &Axis| {
+        let value = |(axis, shift): (&Axis, &f64)| {
             let word = *position.get(&axis.letter)?;
-            Some(if axis.kind == AxisKind::Rotary { word.to_radians() } else { word * scale })
+            let rotary = axis.kind == AxisKind::Rotary;
+            Some(if rotary { self.angle(axis.letter, word).to_radians() } else { word * scale - shift })
         };
-        M::AXES.iter().map(value).collect()
+        M::AXES.iter().zip(&self.shift).map(value).collect()
     }
 
     fn letters(kind: AxisKind) -> Vec<char> {
@@ -401,7 +451,8 @@ impl<'a, M: Machine> Reader<'a, M> {
             if axis.kind == AxisKind::Rotary {
                 if let Some(limits) = axis.limits {
                     let (low, high) = (limits.lower.to_degrees() - 1e-9, limits.upper.to_degrees() + 1e-9);
-                    assert!((low..=high).contains(word), "line {line}: {}{word} is beyond its limit", axis.letter);
+                    let inside = (low..=high).contains(&self.angle(axis.letter, *word));
+                    assert!(inside, "line {line}: {}{word} is beyond its limit", axis.letter);
                 }
             } else if let Some((_, zero, low, high)) = self.set_up.travel.iter().find(|travel| travel.0 == axis.letter)
             {
@@ -455,7 +506,9 @@ fn read_back<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) -> Checked 
 }
 
 fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Checked {
-    let program = Program::read(text).unwrap_or_else(|refused| panic!("{refused}"));
+    let gauge_line = set_up.counting.gauge_line;
+    let program = if gauge_line { Program::of_gauge_line(text, None) } else { Program::read(text) };
+    let program = program.unwrap_or_else(|refused| panic!("{refused}"));
     let mut reader = Reader::<M>::new(set_up, cl);
     let steps = &program.steps;
     for (index, step) in steps.iter().enumerate() {
@@ -472,16 +525,16 @@ fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Ch
         }
     }
     assert_eq!(reader.next, cl.points.len(), "GOTOs met and GOTOs in the CL data");
-    let (edge, own) = (reader.edge, path.starts_with(data("")));
+    let (edge, own) = (reader.edge, path.starts_with(data("")) && set_up.counting == USUAL);
     assert!(!own || edge > 1e-4, "another platform may round a point the other way: {edge} units");
     assert!(reader.stage == Stage::Away, "the program ends in the part");
     assert_eq!(reader.parked, set_up.park.iter().map(|(letter, _)| *letter).collect());
-    enter_everywhere(text, &program, cl);
+    enter_everywhere(text, &program, cl, gauge_line);
     reader.checked
 }
 
 /// Entered at any of its numbers, a program does what it does there when it runs from the top.
-fn enter_everywhere(text: &str, whole: &Program, cl: &ClData) {
+fn enter_everywhere(text: &str, whole: &Program, cl: &ClData, gauge_line: bool) {
     let mut tool = 0;
     let mut tools = BTreeMap::new();
     for step in &whole.steps {
@@ -496,7 +549,11 @@ fn enter_everywhere(text: &str, whole: &Program, cl: &ClData) {
     operations.dedup();
     assert!(tools.keys().copied().eq(1..=operations.len() as u32), "an operation has no number: {tools:?}");
     for (number, (tool, line)) in tools {
-        let entered = Program::read_from(text, number, tool).unwrap_or_else(|refused| panic!("N{number}: {refused}"));
+        let entered = match gauge_line {
+            true => Program::of_gauge_line(text, Some((number, tool))),
+            false => Program::read_from(text, number, tool),
+        };
+        let entered = entered.unwrap_or_else(|refused| panic!("N{number}: {refused}"));
         let behind = |motion: &Motion| (motion.machine, motion.rapid, motion.written.clone(), motion.feed);
         let expected: Vec<_> = whole.motions().filter(|(at, _)| *at > line).map(|(_, motion)| behind(motion)).collect();
         let found: Vec<_> = entered.motions().map(|(_, motion)| behind(motion)).collect();
