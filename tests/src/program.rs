@@ -45,6 +45,13 @@ pub enum Action {
     ToolChange(u32),
     /// `G43 H`.
     Length(u32),
+    /// `o if`, `(abort, ..)` and `o endif`: the program stops unless the tool table says this length, mm.
+    LengthGuard {
+        /// mm.
+        length: f64,
+        /// mm.
+        tolerance: f64,
+    },
     /// `S M3` or `S M4`.
     Spindle {
         /// rev/min.
@@ -178,6 +185,7 @@ impl Program {
         let mut program = Self::default();
         let mut state = State { tool: entry.map(|(_, tool)| tool), gauge_line, ..State::default() };
         let mut reached = entry.is_none();
+        let (mut guard, mut warned): (Option<(String, Action)>, bool) = (None, false);
         if !text.ends_with('\n') {
             return Err(Refused { line: text.lines().count(), why: "the last line does not end".to_owned() });
         }
@@ -188,7 +196,28 @@ impl Program {
                 return Err(refused("something follows the end code".to_owned()));
             }
             if let Some(comment) = comment(text).map_err(refused)? {
+                if comment.starts_with("abort,") != (guard.is_some() && !warned) {
+                    return Err(refused("a guard stops the program once, and nothing else does".to_owned()));
+                }
+                warned |= guard.is_some();
                 program.comments.push((line, comment.to_owned()));
+                continue;
+            }
+            if let Some((label, action)) = guard.take() {
+                if !warned || text != format!("{label} endif") {
+                    return Err(refused("a guard does not end".to_owned()));
+                }
+                if reached {
+                    program.steps.push(Step { line: line - 2, number: None, action });
+                }
+                continue;
+            }
+            if text.starts_with('o') {
+                guard = Some(length_guard(text).ok_or_else(|| refused("not a guard".to_owned()))?);
+                warned = false;
+                if reached && !state.length {
+                    return Err(refused("a guard before the length offset".to_owned()));
+                }
                 continue;
             }
             let mut words = words(text).map_err(refused)?;
@@ -224,6 +253,17 @@ fn comment(text: &str) -> Result<Option<&str>, String> {
         return Err("a comment is too long".to_owned());
     }
     Ok(Some(inside))
+}
+
+/// The label of a guard, and what it compares.
+fn length_guard(text: &str) -> Option<(String, Action)> {
+    let (label, condition) = text.split_once(" if ")?;
+    let compared = condition.strip_prefix("[[ABS[#5403 - ")?.split(']').next()?;
+    let tolerance = condition.rsplit(" GT ").next()?.strip_suffix("]]")?;
+    let whole =
+        format!("[[ABS[#5403 - {compared}] GT {tolerance}] AND [ABS[[#5403 * 25.4] - {compared}] GT {tolerance}]]");
+    let action = Action::LengthGuard { length: compared.parse().ok()?, tolerance: tolerance.parse().ok()? };
+    (condition == whole).then(|| (label.to_owned(), action))
 }
 
 fn words(text: &str) -> Result<Vec<Word>, String> {
@@ -540,6 +580,22 @@ mod tests {
         assert_eq!(Program::of_gauge_line(&without, None).expect("no offset").motions().count(), 1);
         assert!(Program::read(&without).is_err());
         assert!(Program::of_gauge_line(&format!("{START}G0 X1\nM2\n"), None).is_err());
+    }
+
+    #[test]
+    fn a_guard_is_whole_or_refused() {
+        let lines =
+            ["o1 if [[ABS[#5403 - 9.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 9.5] GT 0.01]]", "(abort, no)", "o1 endif"];
+        let read = |lines: &[&str]| Program::read(&format!("{START}{}\nM2\n", lines.join("\n")));
+        let program = read(&lines).expect("a guard");
+        let guard = Action::LengthGuard { length: 9.5, tolerance: 0.01 };
+        assert!(program.steps.iter().any(|step| step.action == guard));
+        for left_out in 0..3 {
+            let mut lines = lines.to_vec();
+            lines.remove(left_out);
+            assert!(read(&lines).is_err(), "{lines:?}");
+        }
+        assert!(read(&[&lines[0].replace("25.4] - 9.5", "25.4] - 9.4"), lines[1], lines[2]]).is_err());
     }
 
     #[test]

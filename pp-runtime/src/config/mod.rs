@@ -70,6 +70,11 @@ pub struct Config {
     pub lift: Option<f64>,
     /// What linear words say of the tool; default [`LengthMode::Tip`].
     pub length_mode: LengthMode,
+    /// The posted length is compared at the tool call, where the control can; default `None`: where a rotary axis in the
+    /// head makes it matter.
+    pub length_guard: Option<bool>,
+    /// By how much the lengths may differ, mm; default 0.01.
+    pub length_tolerance: f64,
     /// The word of the work offset; default `G54`.
     pub work_offset: String,
     /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
@@ -296,6 +301,8 @@ impl Default for Config {
             rotary_offset: BTreeMap::new(),
             program_zero: ProgramZero::Part,
             length_mode: LengthMode::Tip,
+            length_guard: None,
+            length_tolerance: 0.01,
             operations: None,
             lift: None,
             work_offset: "G54".to_owned(),

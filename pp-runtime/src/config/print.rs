@@ -59,6 +59,10 @@ units = "mm"
 # Linear words say where the "tip" is with all rotary axes at zero and the length offset active, or where the "gauge" line
 # is, without length offset.
 #length_mode = "tip"
+# Compare the posted length of a tool with the control's tool table at the tool call, where the control can. Without it
+# where a rotary axis in the head makes the length matter.
+# e.g. length_guard = true
+#length_tolerance = {length_tolerance}
 # Work offset of the control: G54 to G59, G59.1 to G59.3.
 #work_offset = "{work_offset}"
 # Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not checked.
@@ -93,6 +97,7 @@ units = "mm"
 #table_check = {table_check}
 "#,
         name = M::NAME,
+        length_tolerance = number(config.length_tolerance),
         work_offset = config.work_offset,
         rotary_offset = axes::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held),
         machine_zero = axes::<M>(|axis| axis.kind == AxisKind::Linear),

@@ -142,6 +142,12 @@ impl Config {
         if let Some(value) = self.get(top, "length_mode") {
             set(&mut self.length_mode, r.choice(value, &set_up::LENGTH_MODES));
         }
+        if let Some(value) = self.get(top, "length_guard") {
+            self.length_guard = r.boolean(value);
+        }
+        if let Some(value) = self.get(top, "length_tolerance") {
+            set(&mut self.length_tolerance, set_up::length_tolerance(r, value));
+        }
         if let Some(value) = self.get(top, "work_offset") {
             let offsets = WORK_OFFSETS.map(|word| (word, word));
             set(&mut self.work_offset, r.choice(value, &offsets).map(str::to_owned));

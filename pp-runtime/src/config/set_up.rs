@@ -16,6 +16,9 @@ pub(super) const LENGTH_MODES: [(&str, LengthMode); 2] = [("tip", LengthMode::Ti
 /// A matrix may miss a rotation by this much: seven digits.
 const ROUNDED: f64 = 1e-6;
 
+/// Finer than the words of the guard, or wider than any tool is measured, mm.
+const LENGTH_TOLERANCE: std::ops::RangeInclusive<f64> = 0.0001..=1.0;
+
 /// A whole turn more or less is none, rad.
 const LARGEST_OFFSET: f64 = std::f64::consts::TAU * (1.0 + 1e-12);
 
@@ -39,6 +42,16 @@ pub(super) fn part_rotation(r: &mut Reader<'_>, value: Value<'_>) -> Option<Rota
     let about_y = Matrix3::new(cy, 0.0, sy, 0.0, 1.0, 0.0, -sy, 0.0, cy);
     let about_z = Matrix3::new(cz, -sz, 0.0, sz, cz, 0.0, 0.0, 0.0, 1.0);
     Some(Rotation3::from_matrix_unchecked(about_z * about_y * about_x))
+}
+
+/// By how much the length in the control's table may differ.
+pub(super) fn length_tolerance(r: &mut Reader<'_>, value: Value<'_>) -> Option<f64> {
+    let tolerance = r.length(value, Bound::Positive)?;
+    if !LENGTH_TOLERANCE.contains(&tolerance) {
+        let (low, high) = (LENGTH_TOLERANCE.start(), LENGTH_TOLERANCE.end());
+        r.fault(value.span(), format!("a tolerance of {low} to {high} mm is needed here"), None);
+    }
+    Some(tolerance)
 }
 
 /// What the words of rotary axes count from.
@@ -163,6 +176,14 @@ mod tests {
         let config = Config::read::<Sample>("program_zero = 'table'\nlength_mode = 'gauge'\n").expect("right");
         assert_eq!((config.program_zero, config.length_mode), (ProgramZero::Table, LengthMode::Gauge));
         assert!(Config::read::<Sample>("length_mode = 'spindle'\n").is_err());
+    }
+
+    #[test]
+    fn the_length_guard_can_be_forced_and_widened() {
+        let read = |text: &str| Config::read::<Sample>(text);
+        let config = read("length_guard = true\nlength_tolerance = 0.05\n").expect("right");
+        assert_eq!((config.length_guard, config.length_tolerance), (Some(true), 0.05));
+        assert!(read("length_tolerance = 0.00001\n").is_err() && read("length_tolerance = 5\n").is_err());
     }
 
     #[test]

@@ -18,7 +18,7 @@ pub(super) type Value<'a> = &'a Spanned<DeValue<'a>>;
 const LONGEST_MM: f64 = 1e5;
 
 /// Keys that the file will know one day; refusing them by name is kinder than "unknown".
-const LATER: [&str; 3] = ["length_guard", "length_tolerance", "mode"];
+const LATER: [&str; 1] = ["mode"];
 
 /// Which numbers make sense.
 #[derive(Debug, Clone, Copy)]

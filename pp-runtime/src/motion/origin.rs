@@ -177,6 +177,7 @@ mod tests {
         fn both<M: Machine>(axis: [f64; 3], length: f64) -> (Run, Run) {
             let mut config = config();
             config.retract.distance = Some(10.0);
+            config.length_guard = Some(false);
             config.tools.insert(1, Tool { length: Some(length), ..Tool::default() });
             let events = [tool(1), spindle(), rapid([1.0, 2.0, -60.0], axis), feed([1.0, 2.0, -80.0], axis)];
             let tip = run::<M>(&config, &events);

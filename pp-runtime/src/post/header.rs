@@ -302,7 +302,11 @@ impl<M: Machine> Header<'_, M> {
             && (gauge_line || rotaries::<M>(Side::Tool).next().is_some())
         {
             let length = self.length(length);
-            let offset = format!("H{offset} must hold exactly this");
+            let own = offset == number;
+            let mut offset = format!("H{offset} must hold exactly this");
+            if !own && config.length_guard != Some(false) {
+                offset += ", and nothing compares it";
+            }
             let who = if gauge_line { "the tool must be exactly this long" } else { &offset };
             lines.push(format!("T{number} posted with L = {length}: {who}"));
         }

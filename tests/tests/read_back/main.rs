@@ -514,6 +514,13 @@ fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Ch
     for (index, step) in steps.iter().enumerate() {
         match &step.action {
             Action::ToolChange(tool) => reader.call(*tool),
+            Action::Length(register) => {
+                let head = M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == Side::Tool);
+                let next = steps.get(index + 1).map(|step| &step.action);
+                let guarded = matches!(next, Some(Action::LengthGuard { length, tolerance })
+                    if (length - reader.length()).abs() < 1e-9 && (tolerance - 0.01).abs() < 1e-12);
+                assert_eq!(guarded, head && Some(*register) == reader.tool, "line {}: the length guard", step.line);
+            }
             Action::Motion(motion) => {
                 let later = steps[index + 1..].iter().find_map(|step| match &step.action {
                     Action::Motion(motion) => Some(motion.machine),
