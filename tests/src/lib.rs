@@ -4,6 +4,7 @@
 //! - [`mod@conformance`]: the checks, for any type that implements
 //!   [`Machine`](pp_runtime::kinematics::Machine); [`conformance!`] makes a test module of them.
 //! - [`random`]: the same random numbers on every platform, forever.
+//! - [`further`]: machines of kinds that the papers do not have.
 //! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
 //! - [`program`]: NC programs, read back word by word.
 //! - [`binaries`]: the machines' binaries, built and run.
@@ -13,6 +14,7 @@
 pub mod binaries;
 pub mod block;
 pub mod conformance;
+pub mod further;
 pub mod oracle;
 pub mod program;
 pub mod random;

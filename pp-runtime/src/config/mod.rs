@@ -29,7 +29,7 @@ pub use crate::program::Units;
 pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
 pub use print::print;
-pub(crate) use read::TOLERANCE;
+pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
 pub(crate) use set_up::part_angles;
 pub(crate) use value::{list, nearest};
 
@@ -50,8 +50,10 @@ pub struct Config {
     pub greedy: bool,
     /// Within this angle of the pole the tool axis is put there, rad; default 0: within what CL data rounds.
     pub axis_tolerance: f64,
-    /// How far chords may leave arcs and curves, mm; default 0.01.
+    /// How far chords may leave arcs and curves, and the tip its line while a rotary axis moves, mm; default 0.01.
     pub tolerance: f64,
+    /// How far the tool axis may leave its even turn from one point to the next, rad; default 0.1 degree.
+    pub axis_tolerance_path: f64,
     /// LINTOL may be wider than that; default false.
     pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
@@ -97,6 +99,8 @@ pub struct Config {
     pub rapid: Rapid,
     /// Feed of a rapid that is written as a feed motion, mm/min; default none.
     pub rapid_feed: Option<f64>,
+    /// How the words of endless rotary axes stay within a turn; default none: they count turns.
+    pub wrap: BTreeMap<char, Wrap>,
     /// Steps of indexed rotary axes, rad; default none: they turn continuously.
     pub grid: BTreeMap<char, f64>,
     /// How to get from one operation to the next; default [`Transition::Safe`].
@@ -189,6 +193,8 @@ pub struct Retract {
     pub distance: Option<f64>,
     /// Geometry around the part that the tool has to leave, if no distance is given; default none.
     pub clearance: Option<Clearance>,
+    /// Coolant is off while the rotary axes are rewound; default false.
+    pub rewind_dry: bool,
 }
 
 /// How to get to the part.
@@ -233,6 +239,17 @@ pub enum LengthMode {
     Tip,
     /// Where its gauge line is; no length offset is active.
     Gauge,
+}
+
+/// How the words of a rotary axis stay within a turn; without it they show as many turns as there are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wrap {
+    /// From 0 up to 360; the control goes the short way.
+    Positive,
+    /// Above -180 up to 180; the control goes the short way.
+    Symmetric,
+    /// From 0 up to 360 with the sense of the motion as sign; a whole turn stands for a zero that is reached backwards.
+    Sign,
 }
 
 /// How a rapid inside an operation is written that turns no rotary axis by more than the index angle.
@@ -281,6 +298,8 @@ pub struct Program {
     pub end: Vec<String>,
     /// Step of the block numbers; default none: no numbers.
     pub line_numbers: Option<u32>,
+    /// Machining times as comments at the end; default false.
+    pub times: bool,
 }
 
 impl Default for Config {
@@ -294,6 +313,7 @@ impl Default for Config {
             greedy: false,
             axis_tolerance: 0.0,
             tolerance: 0.01,
+            axis_tolerance_path: 0.1_f64.to_radians(),
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],
@@ -310,12 +330,13 @@ impl Default for Config {
             tools: BTreeMap::new(),
             defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 },
             feed: FeedLimits { keep_speeds: true, largest: None, shortest_block: 0.0 },
-            retract: Retract { position: 0.0, distance: None, clearance: None },
+            retract: Retract { position: 0.0, distance: None, clearance: None, rewind_dry: false },
             approach: Approach { distance: 50.0 },
             park: BTreeMap::new(),
             index_angle: 1_f64.to_radians(),
             rapid: Rapid::Direct,
             rapid_feed: None,
+            wrap: BTreeMap::new(),
             grid: BTreeMap::new(),
             transition: Transition::Safe,
             reorient_speed: 1800_f64.to_radians(),

@@ -83,8 +83,10 @@ units = "mm"
 # Retract before STOP and OPSTOP.
 #stop_retract = {stop_retract}
 
-# How far the chords of arcs and curves may leave them.
+# How far the chords of arcs and curves may leave them, and the tip its line while a rotary axis moves.
 #tolerance = {tolerance}
+# How far the tool axis may leave its even turn from one point to the next.
+#axis_tolerance_path = {axis_tolerance_path}
 # How far the control may leave the programmed path where it blends blocks.
 #path_tolerance = {path_tolerance}
 # Wait for the spindle, seconds.
@@ -111,6 +113,7 @@ units = "mm"
         reorient_speed = degrees(config.reorient_speed),
         stop_retract = config.stop_retract,
         tolerance = number(config.tolerance),
+        axis_tolerance_path = degrees(config.axis_tolerance_path),
         path_tolerance = number(config.path_tolerance),
         spindle_dwell = number(config.spindle_dwell),
         table_check = config.table_check,
@@ -191,6 +194,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. distance = 100.0
 # Or, in the part as it lies on the table, a plane above, a box or a cylinder around the part that the tool has to leave.
 # e.g. clearance = {{ cylinder = {{ radius = 120.0, lower = -50.0, upper = 80.0 }} }}
+# Coolant off while the rotary axes are rewound out of the part.
+#rewind_dry = false
 
 [feed]
 # Blocks in which an axis would be faster than its speed run longer.
@@ -222,6 +227,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 [program]
 #start = []
 #end = []
+# Machining times as comments at the end.
+#times = false
 # Step of the block numbers. Without it there are none.
 # e.g. line_numbers = {step}
 "#,
@@ -282,6 +289,14 @@ fn write_machine<M: Machine>(out: &mut String) -> std::fmt::Result {
             (None, AxisKind::Linear) => writeln!(out, "# e.g. {} = 20000.0", axis.letter)?,
             (None, AxisKind::Rotary) => writeln!(out, "# e.g. {} = 3600.0", axis.letter)?,
         }
+    }
+    writeln!(
+        out,
+        "\n# Words of endless rotary axes: \"none\" (370 is ten degrees past a turn), \"0..360\" or \"+-180\" (the control\n\
+         # goes the short way), \"sign\" (0..360, the sense of the motion as sign).\n[wrap]"
+    )?;
+    for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.limits.is_none()) {
+        writeln!(out, "#{} = \"none\"", axis.letter)?;
     }
     writeln!(
         out,

@@ -14,13 +14,15 @@ use super::cl::CL_POINTS;
 use super::clearance;
 use super::set_up;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
-use super::{Config, Rapid, Tool, Transition, Units};
+use super::{Config, Rapid, Tool, Transition, Units, Wrap};
 
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
 const COOLANTS: [(&str, Coolant); 4] =
     [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 const TRANSITIONS: [(&str, Transition); 2] = [("safe", Transition::Safe), ("direct", Transition::Direct)];
+const WRAPS: [(&str, Option<Wrap>); 4] =
+    [("none", None), ("0..360", Some(Wrap::Positive)), ("+-180", Some(Wrap::Symmetric)), ("sign", Some(Wrap::Sign))];
 const RAPIDS: [(&str, Rapid); 3] = [("direct", Rapid::Direct), ("split", Rapid::Split), ("feed", Rapid::Feed)];
 pub(super) const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
@@ -29,6 +31,9 @@ const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
 
 /// Tolerances of chords, mm: finer is beyond the words, wider is no path any more.
 pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
+
+/// Tolerances of the tool axis, degrees: finer is beyond the words, wider is no direction any more.
+pub(crate) const AXIS_TOLERANCE: RangeInclusive<f64> = 0.001..=10.0;
 
 /// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
 const DWELL: RangeInclusive<f64> = 0.001..=600.0;
@@ -73,6 +78,7 @@ impl Config {
         let speeds = top.get("speeds");
         let grid = top.get("grid");
         let rotary_offset = top.get("rotary_offset");
+        let wrap = top.get("wrap");
         r.remember_top(&top);
 
         for (name, value) in sections {
@@ -98,6 +104,7 @@ impl Config {
         self.limits = read_limits::<M>(r, limits);
         self.grid = read_grid::<M>(r, grid);
         self.rotary_offset = set_up::rotary_offset::<M>(r, rotary_offset);
+        self.read_wrap::<M>(r, wrap);
         self.speeds = read_axes::<M>(r, speeds)
             .into_iter()
             .filter_map(|(axis, value, _)| Some((axis.letter, along(r, axis, value, Bound::Positive)?)))
@@ -205,6 +212,14 @@ impl Config {
             }
             set(&mut self.tolerance, tolerance);
         }
+        if let Some(value) = self.get(top, "axis_tolerance_path") {
+            let tolerance = r.number(value, Quantity::Angle, Bound::Positive);
+            if tolerance.is_some_and(|tolerance| !within(&AXIS_TOLERANCE, tolerance.to_degrees())) {
+                let (low, high) = (AXIS_TOLERANCE.start(), AXIS_TOLERANCE.end());
+                r.fault(value.span(), format!("a tolerance of {low} to {high} degrees is needed here"), None);
+            }
+            set(&mut self.axis_tolerance_path, tolerance);
+        }
         if let Some(value) = self.get(top, "cl_point") {
             set(&mut self.cl.cl_point, r.choice(value, &CL_POINTS));
         }
@@ -247,6 +262,23 @@ impl Config {
         if let Some(value) = self.get(section, "retract.clearance") {
             self.retract.clearance = clearance::read(r, value);
         }
+        if let Some(value) = self.get(section, "retract.rewind_dry") {
+            set(&mut self.retract.rewind_dry, r.boolean(value));
+        }
+    }
+
+    fn read_wrap<M: Machine>(&mut self, r: &mut Reader<'_>, value: Option<Value<'_>>) {
+        let limits = self.travel::<M>().limits;
+        for (axis, value, span) in read_axes::<M>(r, value) {
+            let index = M::AXES.iter().position(|known| known.letter == axis.letter);
+            let Some(wrap) = r.choice(value, &WRAPS) else { continue };
+            if axis.kind != AxisKind::Rotary || axis.held || index.is_some_and(|index| limits[index].is_some()) {
+                let text = format!("{} is no endless rotary axis: it cannot roll over", axis.letter);
+                r.fault(span, text, Some(format!("`[limits] {} = \"free\"` if it is endless", axis.letter)));
+                continue;
+            }
+            self.wrap.extend(wrap.map(|wrap| (axis.letter, wrap)));
+        }
     }
 
     fn read_feed(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
@@ -284,6 +316,9 @@ impl Config {
         }
         if let Some(value) = self.get(section, "program.end") {
             self.program.end = read_blocks(r, value);
+        }
+        if let Some(value) = self.get(section, "program.times") {
+            set(&mut self.program.times, r.boolean(value));
         }
         if let Some(value) = self.get(section, "program.line_numbers") {
             self.program.line_numbers = r.whole(value, 1..=1000);
@@ -514,4 +549,9 @@ pub(super) fn set<T>(slot: &mut T, value: Option<T>) {
     if let Some(value) = value {
         *slot = value;
     }
+}
+
+/// Inside a range whose ends are degrees that have been radians in between.
+fn within(range: &RangeInclusive<f64>, degrees: f64) -> bool {
+    (range.start() * (1.0 - 1e-12)..=range.end() * (1.0 + 1e-12)).contains(&degrees)
 }

@@ -11,6 +11,7 @@ mod course;
 mod expand;
 mod fault;
 mod feed;
+mod linearise;
 mod operation;
 mod origin;
 mod place;
@@ -24,6 +25,7 @@ mod step;
 mod times;
 mod tool;
 mod travel;
+mod wrap;
 
 #[cfg(test)]
 pub(crate) mod machines;
@@ -35,5 +37,5 @@ pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};
 pub use selection::Gate;
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
-pub use times::{OperationTime, Times};
+pub use times::{FastestTurn, OperationTime, Times};
 pub use tool::Tool;

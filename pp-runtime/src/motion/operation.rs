@@ -8,15 +8,13 @@ use crate::program::{self, Location, Move};
 use super::course::{Change, How, Target, Turns, between};
 use super::fault::Fault;
 use super::feed::{Feeds, Pace, Stroke};
+use super::linearise::Pieces;
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
-use super::step::{Feed, Sink, Step};
+use super::step::{Feed, MAX_AXES, Sink, Step};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
-
-/// From this turn on, the middle of a feed block is looked at, rad.
-const LARGE_TURN: f64 = 0.017;
 
 /// A rapid this much below the lowest cut is remarked on, mm.
 const PLUNGE: f64 = 0.001;
@@ -86,6 +84,7 @@ impl<M: Machine> Planner<'_, M> {
         self.check_state(motion).map_err(fault)?;
         let planned = self.changes(at, motion, number, sink)?;
         let place = self.placer.place(&motion.pose, &self.place, !motion.rapid, planned).map_err(fault)?;
+        let before = self.place.pose;
         if motion.rapid {
             if self.config.transition == Transition::Safe
                 && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
@@ -99,7 +98,7 @@ impl<M: Machine> Planner<'_, M> {
             self.feed_to(at, motion, &place, sink)?;
             self.cut(&motion.pose);
         }
-        self.retreat.follow(&self.place.pose, &motion.pose);
+        self.retreat.follow(&before, &motion.pose);
         self.arrive(place);
         Ok(())
     }
@@ -149,6 +148,7 @@ impl<M: Machine> Planner<'_, M> {
             .placer
             .place(&pose, &self.place, true, Some(Target { words, towards: None }))
             .map_err(|fault| stop(at, fault))?;
+        self.statistics.inserted += u64::from(place.words != self.place.words);
         self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
         self.cut(&pose);
         self.place = place;
@@ -164,15 +164,30 @@ impl<M: Machine> Planner<'_, M> {
         place: &Place<M::Axes>,
         sink: &mut impl Sink,
     ) -> Planned {
-        let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
-        if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
-            let off = self.placer.middle_deviation(&self.place, place);
-            if off > self.statistics.largest_swing {
-                self.statistics.largest_swing = off;
-                self.swing_at = at;
-            }
+        if self.placer.rotary_travel(&self.place.words, &place.words) > 0.0 {
+            return self.feed_in_pieces(at, motion, place, sink);
         }
+        let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
         self.write_feed(at, place, pace, sink)
+    }
+
+    /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
+    fn feed_in_pieces(&mut self, at: Location, motion: &Move, place: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
+        let fault = |fault: Fault| stop(at, fault);
+        let mut pieces = Pieces::new(&self.place, place, self.tolerance);
+        let mut blocks = 0;
+        while let Some(piece) = pieces.next(&self.placer).map_err(fault)? {
+            self.placer.travel.check(piece.place.axes.as_ref()).map_err(fault)?;
+            let pace = self.pace(motion.feed, &piece.place).map_err(fault)?;
+            blocks += u64::from(piece.place.words != self.place.words);
+            self.write_feed(at, &piece.place, pace, sink)?;
+            self.place = piece.place;
+            let statistics = &mut self.statistics;
+            statistics.largest_tip_bound = statistics.largest_tip_bound.max(piece.bound.tip);
+            statistics.largest_axis_bound = statistics.largest_axis_bound.max(piece.bound.axis);
+        }
+        self.statistics.inserted += blocks.max(1) - 1;
+        Ok(())
     }
 
     /// A rapid inside an operation, as the configuration wants it written.
@@ -249,12 +264,16 @@ impl<M: Machine> Planner<'_, M> {
     ) -> Planned {
         if place.words != self.place.words {
             self.times.cut(minutes);
+            if let Some((letter, turn)) = self.placer.largest_turn(&self.place.words, &place.words) {
+                self.times.turn(letter, turn / (minutes - slowed), at);
+            }
             if slowed > 0.0 {
                 self.times.slow(at, slowed);
             }
             self.inverse_time = matches!(feed, Feed::InverseTime(_));
             self.statistics.inverse_time += u64::from(self.inverse_time);
-            sink.step(&Step::Feed { words: self.placer.words(place, self.all()), feed })?;
+            let words = self.speller.spell(&self.placer.written(&self.place), self.placer.words(place, self.all()));
+            sink.step(&Step::Feed { words, feed })?;
         }
         Ok(())
     }
@@ -262,7 +281,19 @@ impl<M: Machine> Planner<'_, M> {
     /// A rapid to the words of a place in some axes.
     pub(super) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
         self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
-        Ok(sink.step(&Step::Rapid { words: self.placer.words(to, mask) })?)
+        let (start, end) = (self.placer.written(&self.place), self.placer.written(to));
+        let mut from = start;
+        let pieces = self.speller.pieces(&start, &end);
+        for piece in 1..=pieces {
+            let mut words = self.placer.words(to, mask);
+            for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
+                words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
+            }
+            let reached = words.units;
+            sink.step(&Step::Rapid { words: self.speller.spell(&from, words) })?;
+            from = reached;
+        }
+        Ok(())
     }
 
     /// Inverse time never stays in force over a rapid.

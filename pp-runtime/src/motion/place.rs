@@ -41,6 +41,8 @@ pub(crate) struct Place<A> {
     pub(crate) deviation: f64,
     /// The tool axis is parallel to the first rotary, which may turn freely.
     pub(crate) pole: bool,
+    /// How far rounding of the linear words takes the tip at most, mm.
+    pub(crate) rounding: f64,
 }
 
 /// Puts poses into words for one machine, one set-up and the current tool.
@@ -57,6 +59,8 @@ pub(crate) struct Placer<M: Machine> {
     /// Angle to the pole up to which the tool axis counts as being there, rad.
     pub(super) pole_tolerance: f64,
     pub(super) metric: Metric,
+    /// Rotaries whose words stay within a turn.
+    wrapped: u16,
     /// Indexed rotaries, and their steps in whole units.
     grid: Vec<(Rotary, i64)>,
     /// Largest speeds, mm/min and rad/min, by position in the chain.
@@ -80,6 +84,8 @@ pub(crate) struct Placer<M: Machine> {
     head: bool,
     gauge_line: bool,
     square: bool,
+    /// The linear axes are square to each other, whatever the rotaries do.
+    orthogonal: bool,
 }
 
 impl<M: Machine> Placer<M> {
@@ -143,7 +149,12 @@ impl<M: Machine> Placer<M> {
             straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
             gauge_line: config.length_mode == LengthMode::Gauge,
-            square: square(&machine, axes),
+            square: orthogonal(&machine, axes) && counted(axes),
+            orthogonal: orthogonal(&machine, axes),
+            wrapped: rotaries
+                .iter()
+                .filter(|rotary| config.wrap.contains_key(&M::AXES[rotary.index].letter))
+                .fold(0, |mask, rotary| mask | 1 << rotary.index),
             grid: grid::<M>(config, &rotaries, scale),
             machine,
             rotaries,
@@ -215,6 +226,14 @@ impl<M: Machine> Placer<M> {
         self.scale.angle(largest.unwrap_or(0))
     }
 
+    /// The rotary that turns furthest, and how far, rad; none if none turns.
+    #[inline]
+    pub(crate) fn largest_turn(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
+        let turns = self.rotaries.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
+        let (index, turn) = turns.max_by_key(|(_, turn)| *turn).filter(|(_, turn)| *turn > 0)?;
+        Some((M::AXES[index].letter, self.scale.angle(turn.cast_signed())))
+    }
+
     /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
     #[inline]
     pub(crate) fn least_minutes(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Option<f64> {
@@ -240,10 +259,16 @@ impl<M: Machine> Placer<M> {
         Some(least)
     }
 
+    /// What is written for the words of a place, by position in the chain.
+    #[inline]
+    pub(crate) fn written(&self, place: &Place<M::Axes>) -> [i64; MAX_AXES] {
+        self.origin.written(&place.words)
+    }
+
     /// The written words of the axes in a mask.
     #[inline]
     pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
-        Words { units: self.origin.written(&place.words), mask }
+        Words { units: self.written(place), mask }
     }
 
     /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
@@ -363,18 +388,9 @@ impl<M: Machine> Placer<M> {
         if solutions.is_empty() {
             return Err(self.unreachable(&there, &from.axes));
         }
-        let kept: Vec<Solution<M::Axes>> = solutions
-            .iter()
-            .map(|solution| {
-                let mut solution = *solution;
-                if let Some(first) = self.rotaries.first() {
-                    solution.axes.as_mut()[first.index] = first.angle(from.words[first.index], self.scale);
-                }
-                solution
-            })
-            .collect();
-        let choice =
-            choose(&kept, &self.rotaries, &from.words, self.scale).map_err(|outside| self.outside_limits(&outside))?;
+        // The rotary that is free stands in the solutions as it stood before.
+        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
+            .map_err(|outside| self.outside_limits(&outside))?;
         let mut place = self.at(&there, from, &choice.words);
         place.branch = from.branch;
         place.pole = true;
@@ -385,8 +401,15 @@ impl<M: Machine> Placer<M> {
     /// A pose with these rotary words; the linear axes are not computed.
     #[inline]
     pub(super) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
-        let mut place =
-            Place { pose: *pose, branch: from.branch, axes: from.axes, words: *words, deviation: 0.0, pole: false };
+        let mut place = Place {
+            pose: *pose,
+            branch: from.branch,
+            axes: from.axes,
+            words: *words,
+            deviation: 0.0,
+            pole: false,
+            rounding: 0.0,
+        };
         for rotary in &self.rotaries {
             place.axes.as_mut()[rotary.index] = rotary.angle(words[rotary.index], self.scale);
         }
@@ -430,19 +453,6 @@ impl<M: Machine> Placer<M> {
         Ok(place)
     }
 
-    /// How far the tip is from the programmed line in the middle of a block, mm.
-    pub(crate) fn middle_deviation(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> f64 {
-        let mut middle = from.axes;
-        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
-            *value = 0.5 * (*value + end);
-        }
-        let tip = self.machine.forward_kinematics(&middle).tip;
-        let (start, line) = (from.pose.tip, to.pose.tip - from.pose.tip);
-        let length = line.norm_squared();
-        let along = if length > 0.0 { ((tip - start).dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
-        (tip - (start + line * along)).norm()
-    }
-
     /// The place of another tip with the rotaries of `at`.
     pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
         let mut place = *at;
@@ -451,11 +461,20 @@ impl<M: Machine> Placer<M> {
     }
 
     #[inline]
-    fn finish(&mut self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    fn finish(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        let place = self.set(place)?;
+        self.travel.check(place.axes.as_ref())?;
+        Ok(place)
+    }
+
+    /// The linear words of a pose whose rotaries are known; the travel is not compared.
+    #[inline]
+    pub(super) fn set(&self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(self.unreachable(&place.pose, &place.axes));
         };
         place.axes = axes;
+        let (mut sum, mut squares) = (0.0, 0.0);
         for (index, value) in place.axes.as_mut().iter_mut().enumerate().take(MAX_AXES) {
             if self.linear_mask & (1 << index) != 0 {
                 let shift = self.origin.linear(index);
@@ -463,11 +482,20 @@ impl<M: Machine> Placer<M> {
                     return Err(Fault::new(format_args!("{} is too large for a word", M::AXES[index].letter)));
                 };
                 place.words[index] = units;
-                *value = units as f64 / self.per_mm - shift;
+                let written = units as f64 / self.per_mm - shift;
+                let off = written - *value;
+                *value = written;
+                sum += off.abs();
+                squares += off * off;
             }
         }
-        self.travel.check(place.axes.as_ref())?;
+        place.rounding = if self.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
+    }
+
+    /// How far rounding of the linear words can take the tip, mm.
+    pub(super) fn largest_rounding(&self) -> f64 {
+        0.5 * self.unit_mm() * if self.orthogonal { 3_f64.sqrt() } else { 3.0 }
     }
 
     /// The rotaries of a pose that only says where motion counts from; `None` if it cannot be reached.
@@ -485,8 +513,15 @@ impl<M: Machine> Placer<M> {
     /// Every rotary at zero and held axes at their values.
     pub(crate) fn zero(&self) -> Place<M::Axes> {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
-        let zero =
-            Place { pose, branch: Branch::First, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, pole: false };
+        let zero = Place {
+            pose,
+            branch: Branch::First,
+            axes: M::HELD,
+            words: [0; MAX_AXES],
+            deviation: 0.0,
+            pole: false,
+            rounding: 0.0,
+        };
         self.at(&pose, &zero, &zero.words)
     }
 
@@ -514,16 +549,33 @@ impl<M: Machine> Placer<M> {
         self.machine_words(index, coordinate)
     }
 
-    /// Words of a rotary at an angle, inside its limits.
-    pub(crate) fn rotary_words(&self, index: usize, angle: f64) -> Result<Words, Fault> {
+    /// Whole units of a rotary at an angle, inside its limits.
+    pub(crate) fn rotary_word(&self, index: usize, angle: f64) -> Result<i64, Fault> {
         let rotary = self.rotaries.iter().find(|rotary| rotary.index == index);
-        let Some(rotary) = rotary else { return Ok(Words::default()) };
+        let Some(rotary) = rotary else { return Ok(0) };
         let mut words = [0; MAX_AXES];
         words[index] = rotary.word(angle, self.scale);
         if !rotary.holds(words[index]) {
             return Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word: words[index] }), None]));
         }
-        Ok(Words { units: self.origin.written(&words), mask: 1 << index })
+        Ok(words[index])
+    }
+
+    /// The word of a parked rotary: of one whose words are wrapped the turn nearest to where it stands.
+    pub(crate) fn nearest_turn(&self, index: usize, word: i64, from: &Place<M::Axes>) -> i64 {
+        let wrapped = |rotary: &&Rotary| rotary.index == index && self.wrapped & (1 << index) != 0;
+        let nearest = |rotary: &Rotary| rotary.nearest(word, from.words[index], self.scale.turn).ok();
+        self.rotaries.iter().find(wrapped).and_then(nearest).unwrap_or(word)
+    }
+
+    /// Whether a control that goes the short way would turn an axis the wrong way in this block.
+    #[inline]
+    pub(super) fn rolls_over(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> bool {
+        let half_turn = |rotary: &Rotary| {
+            self.wrapped & (1 << rotary.index) != 0
+                && 2 * from.words[rotary.index].abs_diff(to.words[rotary.index]) >= self.scale.turn.unsigned_abs()
+        };
+        self.wrapped != 0 && self.rotaries.iter().any(half_turn)
     }
 
     /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
@@ -586,19 +638,25 @@ fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
     nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle) * vector
 }
 
-/// Linear directions that are square to each other and stay so, because no rotary stands between two of them, and X Y Z:
-/// along U V W no control counts F in a block that moves one of these.
-fn square<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
-    let linear = |index: &usize| axes[*index].kind == AxisKind::Linear && !axes[*index].held;
-    let solved: Vec<usize> = (0..axes.len()).filter(linear).collect();
+/// Linear directions that are square to each other and stay so, because no rotary stands between two of them.
+fn orthogonal<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
+    let solved = solved_linear(axes);
     let square = solved.iter().enumerate().all(|(position, &a)| {
         solved[position + 1..]
             .iter()
             .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
     });
-    let counted = solved.iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'));
     let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
-    square && counted && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+}
+
+/// X Y Z: along U V W no control counts F in a block that moves one of these.
+fn counted(axes: &[Axis]) -> bool {
+    solved_linear(axes).iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'))
+}
+
+fn solved_linear(axes: &[Axis]) -> Vec<usize> {
+    (0..axes.len()).filter(|&index| axes[index].kind == AxisKind::Linear && !axes[index].held).collect()
 }
 
 #[cfg(test)]

@@ -19,21 +19,20 @@ use super::course::{Course, Target, Towards};
 use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
+use super::linearise::Tolerance;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
 use super::selection::Selection;
 use super::step::{Sink, Step};
 use super::times::Times;
 use super::tool::{SpindleRequest, Tool};
+use super::wrap::Speller;
 
 /// A motion of the same axis, within this angle, rad: CL data has seven digits.
 pub(super) const SAME_AXIS: f64 = 1e-6;
 
 /// A wait that three decimals hold, and that somebody may want, seconds.
 const DWELL: std::ops::RangeInclusive<f64> = 0.001..=99_999.0;
-
-/// From this distance on, a tip that leaves its line is remarked on, mm.
-const LARGE_SWING: f64 = 0.1;
 
 /// Why planning stopped.
 #[derive(Debug)]
@@ -88,9 +87,12 @@ pub struct Statistics {
     pub largest_at_pole: f64,
     /// Times that the rotary axes were rewound out of the part.
     pub rewinds: u64,
-    /// Largest distance of the tip from the programmed line, mm, seen in the middle of feed blocks that turn an axis
-    /// far.
-    pub largest_swing: f64,
+    /// Blocks inserted into feed motions so that tip and tool axis stay within tolerance.
+    pub inserted: u64,
+    /// Largest certified distance of the tip from its straight line in feed blocks that turn an axis, mm.
+    pub largest_tip_bound: f64,
+    /// Largest certified angle of the tool axis from its even turn in these blocks, rad.
+    pub largest_axis_bound: f64,
 }
 
 /// More records than this between two motions are no habit of a CAM system; it bounds the memory.
@@ -133,6 +135,7 @@ pub struct Planner<'a, M: Machine> {
     pub(super) config: &'a Config,
     pub(super) placer: Placer<M>,
     pub(super) feeds: Feeds,
+    pub(super) speller: Speller,
     pub(super) abilities: Abilities,
     expander: Expander,
     /// Geometry of the configuration, or of CLEARP.
@@ -179,8 +182,8 @@ pub struct Planner<'a, M: Machine> {
     /// The coolant as written; `None` if nobody knows.
     pub(super) coolant: Option<Coolant>,
     pub(super) inverse_time: bool,
-    /// Where the largest swing is.
-    pub(super) swing_at: Location,
+    /// How far feed motions may be left.
+    pub(super) tolerance: Tolerance,
     /// Lowest pose of this tool axis that was cut in this operation.
     pub(super) lowest: Option<Pose>,
     pub(super) plunge_told: bool,
@@ -196,6 +199,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         let place = placer.zero();
         Self {
             feeds: Feeds::new(config, units, placer.unit_mm()),
+            speller: Speller::new::<M>(config, &placer.rotaries, placer.scale.turn),
             config,
             placer,
             abilities,
@@ -226,7 +230,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             coolant_request: Coolant::Off,
             coolant: None,
             inverse_time: false,
-            swing_at: Location::default(),
+            tolerance: Tolerance { tip: config.tolerance, axis: config.axis_tolerance_path },
             lowest: None,
             plunge_told: false,
             statistics: Statistics::default(),
@@ -324,6 +328,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             event => self.other(at, event, sink),
         });
         self.warnings.append(&mut expander.take_warnings());
+        self.tolerance.tip = expander.chord_tolerance();
         self.expander = expander;
         done
     }
@@ -337,14 +342,6 @@ impl<'a, M: Machine> Planner<'a, M> {
         if self.selection.over {
             sink.show(true);
             return self.park(at, sink);
-        }
-        let swing = self.statistics.largest_swing;
-        if swing > LARGE_SWING {
-            let text = format!("on the way to this point the tip leaves the programmed line by {swing:.3} mm or more");
-            let fault = Fault::new(text).help(
-                "a rotary axis turns far in one block here: give the CL data more points, or keep clear of the pole",
-            );
-            self.warnings.push(fault.at(self.swing_at, Severity::Warning));
         }
         self.end(at, sink)
     }

@@ -33,10 +33,14 @@ impl<M: Machine> Planner<'_, M> {
         let out = self.placer.shifted(tip, &here).map_err(context)?;
         let above = self.placer.shifted(tip, &turned).map_err(context)?;
         self.cancel_inverse_time(sink)?;
+        if self.config.retract.rewind_dry {
+            self.coolant_off(sink)?;
+        }
         self.rapid(&out, self.placer.linear_mask(), sink)?;
         self.clear = false;
         self.machine_retract(at, sink)?;
         self.come_in(at, &above, sink)?;
+        self.turn_coolant(at, sink)?;
         self.clear = false;
         self.place = above;
         let pace = self.pace(motion.feed, &turned).map_err(fault)?;

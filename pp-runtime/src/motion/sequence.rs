@@ -163,6 +163,7 @@ impl<M: Machine> Planner<'_, M> {
         self.check_state(first).map_err(|fault| stop(at, fault))?;
         let place =
             self.placer.place(&first.pose, &self.place, !first.rapid, planned).map_err(|fault| stop(at, fault))?;
+        let before = self.place.pose;
         if first.rapid {
             self.cancel_inverse_time(sink)?;
             self.rapid(&place, self.all(), sink)?;
@@ -170,7 +171,7 @@ impl<M: Machine> Planner<'_, M> {
             self.feed_to(at, first, &place, sink)?;
             self.cut(&first.pose);
         }
-        self.retreat.follow(&self.place.pose, &first.pose);
+        self.retreat.follow(&before, &first.pose);
         self.arrive(place);
         Ok(())
     }
@@ -264,7 +265,7 @@ impl<M: Machine> Planner<'_, M> {
         self.park(at, sink)
     }
 
-    pub(super) fn park(&self, at: Location, sink: &mut impl Sink) -> Planned {
+    pub(super) fn park(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
         let parked = |kind: AxisKind| {
             M::AXES
@@ -273,14 +274,14 @@ impl<M: Machine> Planner<'_, M> {
                 .filter(move |(_, axis)| axis.kind == kind && !axis.held)
                 .filter_map(|(index, axis)| self.config.park.get(&axis.letter).map(|&position| (index, position)))
         };
-        let mut rotaries = Words::default();
+        let (mut turned, mut mask) = (self.place, 0);
         for (index, angle) in parked(AxisKind::Rotary) {
-            let words = self.placer.rotary_words(index, angle).map_err(fault)?;
-            rotaries.mask |= words.mask;
-            rotaries.units[index] = words.units[index];
+            let word = self.placer.rotary_word(index, angle).map_err(fault)?;
+            turned.words[index] = self.placer.nearest_turn(index, word, &self.place);
+            mask |= 1 << index;
         }
-        if rotaries.mask != 0 {
-            sink.step(&Step::Rapid { words: rotaries })?;
+        if mask != 0 {
+            self.rapid(&turned, mask, sink)?;
         }
         let mut others = Words::default();
         let mut last = None;

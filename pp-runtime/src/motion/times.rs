@@ -21,6 +21,17 @@ pub struct OperationTime {
     pub total: f64,
 }
 
+/// A turn of a rotary axis in the cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FastestTurn {
+    /// The axis.
+    pub letter: char,
+    /// rad/min.
+    pub speed: f64,
+    /// Where.
+    pub at: Location,
+}
+
 /// Times of a program, minutes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Times {
@@ -38,6 +49,8 @@ pub struct Times {
     pub slowed_by: f64,
     /// Where the first of them is.
     pub slowed_first: Location,
+    /// The fastest turn that the CL data asks for, before axis speeds slow it down.
+    pub fastest: Option<FastestTurn>,
     /// The first operations, in their order.
     pub operations: Vec<OperationTime>,
     /// Operations that are not in the list.
@@ -102,6 +115,13 @@ impl Times {
     pub(super) fn wait(&mut self, minutes: f64) {
         self.waiting += minutes;
         self.add(minutes, false);
+    }
+
+    #[inline]
+    pub(super) fn turn(&mut self, letter: char, speed: f64, at: Location) {
+        if self.fastest.is_none_or(|fastest| speed > fastest.speed) {
+            self.fastest = Some(FastestTurn { letter, speed, at });
+        }
     }
 
     pub(super) fn slow(&mut self, at: Location, minutes: f64) {

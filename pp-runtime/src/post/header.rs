@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, LengthMode, ProgramZero, Units, part_angles};
+use crate::config::{Config, LengthMode, ProgramZero, Units, Wrap, part_angles};
 use crate::control::Encoder;
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
@@ -11,8 +11,6 @@ use crate::program::Rotation;
 
 use super::Job;
 use super::survey::{Survey, ToolUse};
-
-pub(super) const NOT_LINEARISED: &str = "not linearised: tip path between blocks is not checked";
 
 /// Everything the header tells.
 pub(super) struct Header<'a, M: Machine> {
@@ -63,6 +61,14 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
             list.push(format!(
                 "spindle of T{number} from the configuration where the CL data gives none: S{speed} {sense}"
             ));
+        }
+    }
+    for (letter, wrap) in &config.wrap {
+        match wrap {
+            Wrap::Positive | Wrap::Symmetric => {
+                list.push(format!("{letter} rolls over, and the control turns it the short way to every angle"));
+            }
+            Wrap::Sign => list.push(format!("{letter} rolls over, and the control turns it in the sense of the sign")),
         }
     }
     for tool in &survey.tools {
@@ -197,13 +203,17 @@ impl<M: Machine> Header<'_, M> {
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), config.work_offset),
             format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
-            format!("TOLERANCE {NOT_LINEARISED}"),
             format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
         ];
         lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
-        if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        if rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some() {
+            lines.push(format!(
+                "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
+                self.length(config.tolerance),
+                (config.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
+            ));
             lines.push("ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped".to_owned());
         }
         lines.extend(unchecked(&self.unchecked));

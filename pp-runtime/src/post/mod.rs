@@ -116,13 +116,17 @@ impl Report {
                 self.statistics.near_pole, self.statistics.largest_at_pole
             ));
         }
-        lines.push(header::NOT_LINEARISED.to_owned());
-        if self.statistics.largest_swing > 0.0 {
+        let statistics = &self.statistics;
+        if statistics.largest_tip_bound > 0.0 {
             lines.push(format!(
-                "in the middle of blocks that turn an axis by more than a degree the tip is up to {:.3} mm off its line",
-                self.statistics.largest_swing
+                "linearised: {} inserted; while a rotary axis moves at feed the tip leaves its line by at most {:.4} mm, \
+                 the tool axis its even turn by at most {:.4}°",
+                counted(statistics.inserted, "block"),
+                statistics.largest_tip_bound,
+                statistics.largest_axis_bound.to_degrees(),
             ));
         }
+        lines.push("rapids are not linearised".to_owned());
         lines
     }
 
@@ -231,16 +235,25 @@ fn run<M: Machine, R: Read, W: Write>(
     let mut remarks = Remarks::default();
     let mut gate = Gate::new(encoder, planner.shows());
     let planned = loop {
-        match reader.next_event().map_err(PostError::Input)? {
-            Some((at, event)) if survey.first_error.is_none_or(|error| at < error) => {
-                last = at;
-                if let Err(stopped) = planner.event(at, &setting.event(event), &mut gate) {
+        // Looked at where it lies: to move an event costs as much as to look at it.
+        let found = reader.next_event();
+        match &found {
+            Err(_) => {
+                found.map_err(PostError::Input)?;
+            }
+            Ok(Some((at, event))) if survey.first_error.is_none_or(|error| *at < error) => {
+                last = *at;
+                let planned = match setting.event(event) {
+                    Some(turned) => planner.event(*at, &turned, &mut gate),
+                    None => planner.event(*at, event, &mut gate),
+                };
+                if let Err(stopped) = planned {
                     break Err(stopped);
                 }
             }
             _ if survey.first_error.is_some() => break planner.abandon(&mut gate).map_err(Stop::Output),
-            Some(_) => {}
-            None => break planner.finish(last, &mut gate),
+            Ok(Some(_)) => {}
+            Ok(None) => break planner.finish(last, &mut gate),
         }
         if planner.has_warnings() {
             planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
@@ -264,6 +277,11 @@ fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>)
     if !report.failed {
         for block in &job.config.program.end {
             encoder.raw(block)?;
+        }
+        if job.config.program.times {
+            for line in time::lines(&report.times) {
+                encoder.comment(line.as_bytes())?;
+            }
         }
         return encoder.step(&Step::End);
     }

@@ -32,14 +32,14 @@ impl Setting {
         Self { rotation, lift, plain: rotation == Rotation3::identity() && config.lift.is_none(), points: Vec::new() }
     }
 
-    /// An event of the CL data as it is cut.
+    /// An event of the CL data as it is run; `None` if nothing changes.
     #[inline]
-    pub(super) fn event<'s>(&'s mut self, event: Event<'s>) -> Event<'s> {
-        if self.plain { event } else { self.turned(event) }
+    pub(super) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
+        if self.plain { None } else { Some(self.turned(event)) }
     }
 
-    fn turned<'s>(&'s mut self, event: Event<'s>) -> Event<'s> {
-        match event {
+    fn turned<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
+        match *event {
             Event::Move(motion) => Event::Move(Move { pose: self.pose(&motion.pose), ..motion }),
             Event::From(pose) => Event::From(self.pose(&pose)),
             Event::Arc(arc) => Event::Arc(Arc {
@@ -98,49 +98,50 @@ mod tests {
     fn every_point_and_direction_of_an_event_is_turned() {
         let (here, there) = (pose([1., 2., 3.], [0., 0., 1.]), pose([3., 1., 2.], [1., 0., 0.]));
         let motion = |pose| Event::Move(Move { pose, rapid: false, feed: None });
-        assert_eq!(setting().event(motion(here)), motion(there));
-        assert_eq!(setting().event(Event::From(here)), Event::From(there));
+        assert_eq!(setting().event(&motion(here)), Some(motion(there)));
+        assert_eq!(setting().event(&Event::From(here)), Some(Event::From(there)));
         let arc = |pose: Pose, centre: [f64; 3], normal| {
             let (centre, angle) = (Point3::from(centre), 1.0);
             Event::Arc(Arc { start: pose, end: pose, centre, normal, angle, feed: None })
         };
         let turned = arc(there, [6., 4., 5.], Vector3::y_axis());
-        assert_eq!(setting().event(arc(here, [4., 5., 6.], Vector3::x_axis())), turned);
+        assert_eq!(setting().event(&arc(here, [4., 5., 6.], Vector3::x_axis())), Some(turned));
         let hole = |top| {
             let drilling = Drilling::Drill;
             let (depth, clearance, back_to) = (5.0, 1.0, 2.0);
             Event::Hole(Hole { top, depth, clearance, back_to, drilling, feed: None, dwell: None })
         };
-        assert_eq!(setting().event(hole(here)), hole(there));
+        assert_eq!(setting().event(&hole(here)), Some(hole(there)));
         let plane = |normal| Event::ClearancePlane(Plane { normal, distance: 7.0 });
-        assert_eq!(setting().event(plane(Vector3::z_axis())), plane(Vector3::x_axis()));
+        assert_eq!(setting().event(&plane(Vector3::z_axis())), Some(plane(Vector3::x_axis())));
         let (before, after) = ([here.tip], [there.tip]);
         let curve = |points, axis| Event::Spline(Spline { knots: &[0.0], points, axis, feed: None });
-        assert_eq!(setting().event(curve(&before, here.axis)), curve(&after, there.axis));
+        assert_eq!(setting().event(&curve(&before, here.axis)), Some(curve(&after, there.axis)));
     }
 
     #[test]
     fn without_a_set_up_the_cl_data_stays_as_it_is() {
         let from = Event::From(pose([1., 2., 3.], [0., 0., 1.]));
-        assert_eq!(Setting::new(&Config::default()).event(from), from);
+        assert_eq!(Setting::new(&Config::default()).event(&from), None);
     }
 
     #[test]
     fn a_dry_run_moves_every_point_along_the_tool_axis() {
-        let lifted = |event| Setting::new(&Config { lift: Some(50.0), ..Config::default() }).event(event) == event;
+        let lifted =
+            |event| Setting::new(&Config { lift: Some(50.0), ..Config::default() }).event(&event) == Some(event);
         let axis = [0.6, 0.0, 0.8];
         let (here, there) = (pose([1., 2., 3.], axis), pose([31., 2., 43.], axis));
         let mut setting = Setting::new(&Config { lift: Some(50.0), ..Config::default() });
         let motion = |pose| Event::Move(Move { pose, rapid: true, feed: None });
-        assert_eq!(setting.event(motion(here)), motion(there));
+        assert_eq!(setting.event(&motion(here)), Some(motion(there)));
         let (before, after) = ([here.tip; 2], [there.tip; 2]);
         let curve = |points, axis| Event::Spline(Spline { knots: &[0.0], points, axis, feed: None });
-        assert_eq!(setting.event(curve(&before, here.axis)), curve(&after, here.axis));
+        assert_eq!(setting.event(&curve(&before, here.axis)), Some(curve(&after, here.axis)));
         let arc = |pose: Pose, centre| {
             let normal = Vector3::z_axis();
             Event::Arc(Arc { start: pose, end: pose, centre, normal, angle: 1.0, feed: None })
         };
-        assert_eq!(setting.event(arc(here, Point3::origin())), arc(there, Point3::new(30., 0., 40.)));
+        assert_eq!(setting.event(&arc(here, Point3::origin())), Some(arc(there, Point3::new(30., 0., 40.))));
         let plane = Plane { normal: Vector3::z_axis(), distance: 7.0 };
         assert!(lifted(Event::ClearancePlane(plane)), "the geometry stays");
     }

@@ -115,19 +115,30 @@ impl Survey {
         let (mut setting, mut expander) = (Setting::new(config), Expander::new(config));
         let tool_axis = &M::default().tool_axis();
         let mut state = State { begun: true, head: has_head::<M>(), ..State::default() };
-        while let Some((at, event)) = reader.next_event()? {
-            let event = setting.event(event);
+        loop {
+            // Looked at where it lies: to move an event costs as much as to look at it.
+            let found = reader.next_event();
+            let (at, event) = match &found {
+                Ok(Some((at, event))) => (*at, event),
+                Ok(None) => break,
+                Err(_) => {
+                    found?;
+                    break;
+                }
+            };
+            let turned = setting.event(event);
+            let event = turned.as_ref().unwrap_or(event);
             let mut straight = |at: Location, event: &Event<'_>| -> Result<(), Silent> {
                 survey.event(at, event, &mut state, tool_axis);
                 Ok(())
             };
             // What cannot be expanded is the planner's to tell.
-            let _ = expander.event(at, &event, &mut straight);
+            let _ = expander.event(at, event, &mut straight);
             if let Event::Tolerance(_) = event {
                 expander.take_warnings();
             }
             if let Some(navigator) = &mut navigator {
-                navigator.event(&event);
+                navigator.event(event);
             }
         }
         survey.course = navigator.map_or_else(Course::default, Navigator::finish);

@@ -39,6 +39,14 @@ pub(super) fn lines(times: &Times) -> Vec<String> {
         let more = times.operations.len().saturating_sub(MOST_LISTED) as u64 + times.others;
         lines.extend((more > 0).then(|| format!("  and {more} operations more")));
     }
+    if let Some(fastest) = times.fastest {
+        lines.push(format!(
+            "fastest turn asked for in a cut: {} at {:.0} degrees/min (line {})",
+            fastest.letter,
+            fastest.speed.to_degrees(),
+            fastest.at.line
+        ));
+    }
     if times.slowed > 0 {
         lines.push(format!(
             "slower than programmed because of axis speeds or the control: {} blocks from line {} on, {} in all",

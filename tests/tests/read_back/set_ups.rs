@@ -74,7 +74,7 @@ fn any_set_up<M: Machine>(binary: &str, path: &std::path::PathBuf, seed: u64, tu
         let (set_up, text) = set_up::<M>(&mut random, turns);
         let file = folder.path().join("set_up.toml");
         std::fs::write(&file, &text).expect("the folder takes files");
-        let program = posted_with(binary, path, Some(&file));
+        let program = posted_with(binary, path, Some(&file), false);
         let checked: Checked = check::<M>(&program, path, &turned(&cl, &set_up.counting.rotation), &set_up);
         assert_complete(path, &checked);
     }

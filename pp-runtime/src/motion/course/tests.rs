@@ -26,9 +26,8 @@ struct Point {
 
 /// All changes of a course.
 fn changes(mut course: Course) -> Vec<Change> {
-    let rest = |course: &mut Course| std::mem::replace(&mut course.next, None);
     std::iter::from_fn(|| {
-        let change = rest(&mut course)?;
+        let change = course.next.take()?;
         course.next = course.changes.next();
         Some(change)
     })

@@ -1,0 +1,26 @@
+//! Machines of kinds that the source papers do not have.
+
+use pp_runtime::machine;
+
+machine! {
+    /// A and C in the table.
+    pub struct Trunnion;
+    chain: C A | X Y Z;
+    d = { C: (0, 0, 0), A: (0, 12.5, -60) };
+    limits = { A: -120..30 };
+}
+
+machine! {
+    /// B in the head, C in the table.
+    pub struct HeadTable;
+    chain: C | X Y Z B;
+    d = { C: (0, 0, 0), B: (8, 0, 140) };
+}
+
+machine! {
+    /// A head that nutates about an axis inclined by 45°.
+    pub struct NutatingHead;
+    chain: X | Y Z C B;
+    axes = { B: Rx(45 deg) * Y };
+    d = { C: (0, 0, 210), B: (0, 25, 180) };
+}

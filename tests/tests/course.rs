@@ -1,0 +1,166 @@
+//! The course of the rotary axes against trying everything, for machines of every kind.
+//!
+//! Only what a user sees is used here: the branches of a pose, limits and speeds. Turns, costs and the ways through are
+//! counted anew.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+use pp_runtime::config::Config;
+use pp_runtime::kinematics::{AxisKind, Branch, Limits, Machine, Pose};
+use pp_runtime::motion::{Cost, Navigator};
+use pp_runtime::program::{Event, Feed, Move, ToolCall};
+use tests::random::Random;
+
+use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
+use tests::further::{HeadTable, NutatingHead, Trunnion};
+
+/// Words are ten thousandths of a degree.
+const PER_DEGREE: f64 = 1e4;
+const TURN: i64 = 3_600_000;
+
+/// Cuts that turn no axis further than this run through on their branch.
+const SURELY: i64 = TURN / 4;
+
+/// A branch, and the words of the two rotary axes.
+type State = (Branch, [i64; 2]);
+
+struct Shop {
+    limits: [(i64, i64); 2],
+    /// Degrees per minute.
+    speeds: Option<[f64; 2]>,
+}
+
+impl Shop {
+    fn cost(&self, from: &State, to: &State) -> Cost {
+        let travel = [0, 1].map(|axis| (to.1[axis] - from.1[axis]).unsigned_abs());
+        let time = self.speeds.map_or(0, |speeds| {
+            let minutes = |axis: usize| travel[axis] as f64 / PER_DEGREE / speeds[axis];
+            let times = [0, 1].map(|axis| (minutes(axis) * 60e9).round() as u64);
+            times[0].max(times[1])
+        });
+        Cost { time, travel: travel[0] + travel[1], ..Cost::default() }
+    }
+}
+
+fn sum(a: Cost, b: Cost) -> Cost {
+    Cost { rewinds: a.rewinds + b.rewinds, unwished: 0, time: a.time + b.time, travel: a.travel + b.travel }
+}
+
+/// Every state of a pose inside the limits.
+fn states<M: Machine>(machine: &M, rotaries: [usize; 2], shop: &Shop, pose: &Pose) -> Vec<State> {
+    let mut all = Vec::new();
+    for solution in machine.inverse_kinematics(pose, &M::HELD).iter() {
+        let word = |axis: usize| (solution.axes.as_ref()[rotaries[axis]].to_degrees() * PER_DEGREE).round() as i64;
+        for a in (-5..=5).map(|turns| word(0) + turns * TURN) {
+            for b in (-5..=5).map(|turns| word(1) + turns * TURN) {
+                let inside = |word: i64, (lower, upper): (i64, i64)| lower <= word && word <= upper;
+                if inside(a, shop.limits[0]) && inside(b, shop.limits[1]) {
+                    all.push((solution.branch, [a, b]));
+                }
+            }
+        }
+    }
+    all
+}
+
+/// Follows every choice; gives up a way as soon as it costs more than the best one.
+fn try_everything(
+    shop: &Shop,
+    layers: &[(Vec<State>, bool)],
+    here: &State,
+    before: &[State],
+    cost: Cost,
+    least: &mut Option<Cost>,
+) {
+    if least.is_some_and(|least| least <= cost) {
+        return;
+    }
+    let Some(((states, air), rest)) = layers.split_first() else {
+        *least = Some(cost);
+        return;
+    };
+    let mut next: Vec<(Cost, State)> = Vec::new();
+    for to in states {
+        if *air {
+            next.push((sum(cost, shop.cost(here, to)), *to));
+            continue;
+        }
+        for start in before {
+            let runs = start.0 == to.0 && (0..2).all(|axis| (to.1[axis] - start.1[axis]).abs() < SURELY);
+            if runs {
+                let rewound = Cost { rewinds: u32::from(start != here), ..Cost::default() };
+                let cost = sum(sum(cost, rewound), sum(shop.cost(here, start), shop.cost(start, to)));
+                next.push((cost, *to));
+            }
+        }
+    }
+    next.sort_by_key(|(cost, _)| *cost);
+    for (cost, to) in next {
+        try_everything(shop, rest, &to, states, cost, least);
+    }
+}
+
+/// Random short paths of one machine; gives how many had a course, and how many of these needed a rewind.
+fn compare<M: Machine>(seed: u64, paths: usize) -> (usize, usize) {
+    let mut random = Random::new(seed);
+    let mut rotaries =
+        (0..M::AXES.len()).filter(|&index| M::AXES[index].kind == AxisKind::Rotary && !M::AXES[index].held);
+    let rotaries = [rotaries.next().expect("a rotary"), rotaries.next().expect("another")];
+    let letters = rotaries.map(|index| M::AXES[index].letter);
+    let (mut through, mut rewound) = (0, 0);
+    for path in 0..paths {
+        let mut config = Config::default();
+        let limits = [0, 1].map(|axis| {
+            let lower = random.between(if axis == 0 { -400.0 } else { -190.0 }, 0.0);
+            let upper = lower + if axis == 0 { random.between(200.0, 600.0) } else { random.between(60.0, 380.0) };
+            config.limits.insert(letters[axis], Some(Limits { lower: lower.to_radians(), upper: upper.to_radians() }));
+            ((lower * PER_DEGREE).ceil() as i64, (upper * PER_DEGREE).floor() as i64)
+        });
+        let speeds = random.chance(0.5).then(|| [0, 1].map(|_| random.between(500.0, 5000.0)));
+        for (letter, speed) in letters.into_iter().zip(speeds.into_iter().flatten()) {
+            config.speeds.insert(letter, speed.to_radians());
+        }
+        let shop = Shop { limits, speeds };
+        let machine = config.machine::<M>().expect("valid");
+        let mut navigator = Navigator::new(machine.clone(), &config);
+        navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
+
+        // Round and round, so that limits are met.
+        let sense = random.sign();
+        let (mut turn, mut tilt) = (random.between(-180.0, 180.0_f64), random.between(15.0, 70.0_f64));
+        let mut layers = Vec::new();
+        for point in 0..2 + random.below(8) {
+            let (around, up) = (turn.to_radians(), tilt.to_radians());
+            let axis = Vector3::new(up.sin() * around.cos(), up.sin() * around.sin(), up.cos());
+            let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
+            let rapid = point > 0 && random.chance(0.15);
+            navigator.event(&Event::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(100.0)) }));
+            layers.push((states(&machine, rotaries, &shop, &pose), point == 0 || rapid));
+            turn += sense * random.between(-15.0, 75.0);
+            tilt = (tilt + random.between(-12.0, 12.0)).clamp(15.0, 80.0);
+        }
+        let course = navigator.finish();
+        let mut least = None;
+        let start = (Branch::First, [0; 2]);
+        try_everything(&shop, &layers, &start, &[], Cost::default(), &mut least);
+        let Some(least) = least else { continue };
+        assert_eq!(course.cost, least, "{} path {path}, {layers:?}", M::NAME);
+        assert!(course.greedy.is_none_or(|greedy| greedy >= least), "{} path {path}", M::NAME);
+        through += 1;
+        rewound += usize::from(least.rewinds > 0);
+    }
+    (through, rewound)
+}
+
+#[test]
+fn no_choice_of_branches_and_turns_is_better() {
+    let counts = [
+        compare::<SpinnerU5620>(1, 150),
+        compare::<Dmu70e>(2, 150),
+        compare::<LolaXoyzba>(3, 150),
+        compare::<Trunnion>(4, 150),
+        compare::<HeadTable>(5, 150),
+        compare::<NutatingHead>(6, 150),
+    ];
+    let (through, rewound) = counts.iter().fold((0, 0), |sum, count| (sum.0 + count.0, sum.1 + count.1));
+    assert!(through > 250 && rewound > 40, "{counts:?}: the paths say little");
+}
