@@ -17,7 +17,7 @@
 
 use crate::kinematics::{Branch, Machine, MotionBound, Pose, Solution};
 
-use super::choose::OutOfLimits;
+use super::choose::{OutOfLimits, Rotary};
 use super::fault::Fault;
 use super::place::{Place, Placer};
 use super::step::MAX_AXES;
@@ -303,8 +303,8 @@ impl<M: Machine> Placer<M> {
     fn nearest_words(&self, solution: &Solution<M::Axes>, near: &M::Axes) -> [i64; MAX_AXES] {
         let mut words = [0; MAX_AXES];
         for rotary in &self.rotaries {
-            let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
-            let wanted = self.scale.word(near.as_ref()[rotary.index]);
+            let word = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
+            let wanted = rotary.word(near.as_ref()[rotary.index], self.scale);
             let turns = (wanted - word + self.scale.turn / 2).div_euclid(self.scale.turn);
             words[rotary.index] = word + turns * self.scale.turn;
         }
@@ -328,8 +328,8 @@ impl<M: Machine> Placer<M> {
         let solutions = self.machine.inverse_kinematics(&pose, &guess);
         let travel = |solution: &&Solution<M::Axes>| {
             let words = self.nearest_words(solution, &guess);
-            let off = |index: usize| words[index].abs_diff(self.scale.word(guess.as_ref()[index]));
-            self.rotaries.iter().map(|rotary| off(rotary.index)).sum::<u64>()
+            let guessed = |rotary: &Rotary| rotary.word(guess.as_ref()[rotary.index], self.scale);
+            self.rotaries.iter().map(|rotary| words[rotary.index].abs_diff(guessed(rotary))).sum::<u64>()
         };
         let wanted = path.branch.filter(|_| solutions.len() > 1);
         let chosen = match wanted {
@@ -394,12 +394,13 @@ impl<M: Machine> Placer<M> {
         let turned =
             self.rotaries.iter().max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
         let index = turned.map_or(0, |rotary| rotary.index);
+        let shown = |place: &Place<M::Axes>| turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.scale));
         Fault::new(format_args!(
             "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
              of tolerance ({} mm, {:.4}°)",
             M::AXES[index].letter,
-            self.scale.degrees(from.words[index]),
-            self.scale.degrees(to.words[index]),
+            shown(from),
+            shown(to),
             allowed.tip,
             allowed.axis.to_degrees(),
         ))

@@ -273,7 +273,7 @@ impl<M: Machine> Planner<'_, M> {
             }
             self.inverse_time = matches!(feed, Feed::InverseTime(_));
             self.statistics.inverse_time += u64::from(self.inverse_time);
-            let words = self.speller.spell(&self.place.words, self.placer.words(place, self.all()));
+            let words = self.speller.spell(&self.placer.written(&self.place), self.placer.words(place, self.all()));
             sink.step(&Step::Feed { words, feed })?;
         }
         Ok(())
@@ -282,13 +282,13 @@ impl<M: Machine> Planner<'_, M> {
     /// A rapid to the words of a place in some axes.
     pub(super) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
         self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
-        let mut from = self.place.words;
-        let pieces = self.speller.pieces(&from, &to.words);
+        let (start, end) = (self.placer.written(&self.place), self.placer.written(to));
+        let mut from = start;
+        let pieces = self.speller.pieces(&start, &end);
         for piece in 1..=pieces {
             let mut words = self.placer.words(to, mask);
             for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
-                let start = self.place.words[index];
-                words.units[index] = start + (to.words[index] - start) * piece / pieces;
+                words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
             }
             let reached = words.units;
             sink.step(&Step::Rapid { words: self.speller.spell(&from, words) })?;

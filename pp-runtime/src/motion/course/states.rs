@@ -44,7 +44,7 @@ impl<M: Machine> Placer<M> {
     fn axes_of(&self, words: &Turns) -> M::Axes {
         let mut axes = M::HELD;
         for (rotary, word) in self.rotaries.iter().zip(words) {
-            axes.as_mut()[rotary.index] = self.scale.angle(*word);
+            axes.as_mut()[rotary.index] = rotary.angle(*word, self.scale);
         }
         axes
     }
@@ -56,7 +56,7 @@ impl<M: Machine> Placer<M> {
         for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
             let start = out.len();
             let turns = |rotary: &Rotary| {
-                rotary.turns(self.scale.word(solution.axes.as_ref()[rotary.index]), self.scale.turn, MOST_TURNS)
+                rotary.turns(rotary.word(solution.axes.as_ref()[rotary.index], self.scale), self.scale.turn, MOST_TURNS)
             };
             let mut push = |words: Turns| out.push(State { branch: solution.branch, words });
             match &self.rotaries[..] {
@@ -78,7 +78,7 @@ impl<M: Machine> Placer<M> {
         out.clear();
         let [_, second] = self.rotaries[..] else { return };
         for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
-            let word = self.scale.word(solution.axes.as_ref()[second.index]);
+            let word = second.word(solution.axes.as_ref()[second.index], self.scale);
             out.extend(second.turns(word, self.scale.turn, MOST_TURNS));
         }
         out.dedup();
@@ -113,8 +113,9 @@ impl<M: Machine> Placer<M> {
         };
         let near = solutions_at(p + beside * BESIDE_POLE);
         let near = near.iter().find(|solution| near.len() == 1 || solution.branch == state.branch)?;
-        let word =
-            |rotary: &Rotary, angle: f64, from: i64| rotary.nearest(self.scale.word(angle), from, self.scale.turn).ok();
+        let word = |rotary: &Rotary, angle: f64, from: i64| {
+            rotary.nearest(rotary.word(angle, self.scale), from, self.scale.turn).ok()
+        };
         let free = word(&first, near.axes.as_ref()[first.index], state.words[0])?;
         let there = solutions_at(p);
         let tilt = there
@@ -163,7 +164,7 @@ impl<M: Machine> Placer<M> {
         let words = |branch: usize| {
             let mut words = *expected;
             for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
-                let near = self.scale.word(solutions[branch].axes.as_ref()[rotary.index]);
+                let near = rotary.word(solutions[branch].axes.as_ref()[rotary.index], self.scale);
                 *word = rotary.without_limits().nearest(near, *word, self.scale.turn).ok()?;
             }
             Some(words)
@@ -178,7 +179,7 @@ impl<M: Machine> Placer<M> {
         let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
         let mut words = state.words;
         for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
-            let near = self.scale.word(solution.axes.as_ref()[rotary.index]);
+            let near = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
             *word = rotary.without_limits().nearest(near, *word, self.scale.turn).ok()?;
         }
         Some(words)
