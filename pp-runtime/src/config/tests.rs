@@ -23,7 +23,7 @@ fn close(left: f64, right: f64) -> bool {
 
 #[test]
 fn the_printed_file_reads_back_as_the_default() {
-    let mut config = read(&print::<Sample>());
+    let mut config = read(&print::<Sample>(&Config::default()));
     assert_eq!(config.given, BTreeSet::from(["units"]));
     config.given.clear();
     assert_eq!(config, Config::default());
@@ -36,7 +36,7 @@ fn an_empty_file_is_the_default() {
 
 #[test]
 fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
-    let text: String = print::<Sample>()
+    let text: String = print::<Sample>(&Config::default())
         .lines()
         .map(|line| match line.strip_prefix('#') {
             Some(setting) if !setting.is_empty() && !setting.starts_with(' ') => format!("{setting}\n"),
@@ -73,8 +73,10 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
 
 #[test]
 fn every_example_of_the_printed_file_is_accepted() {
-    let text: String =
-        print::<Sample>().lines().map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line))).collect();
+    let text: String = print::<Sample>(&Config::default())
+        .lines()
+        .map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line)))
+        .collect();
     let config = read(&text);
     assert_eq!(config.tools[&12].name.as_deref(), Some("ball 10"));
     assert_eq!(config.tools[&12].rotation, Some(Rotation::Clockwise));

@@ -31,7 +31,7 @@ mod tests;
 
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
-pub use planner::{Abilities, Planner, Statistics, Stop};
+pub use planner::{Abilities, Planner, Registers, Statistics, Stop};
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
 pub use times::{FastestTurn, OperationTime, Times};
 pub use tool::Tool;

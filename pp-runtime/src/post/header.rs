@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
 use crate::config::{Config, Units, Wrap};
-use crate::control::Encoder;
+use crate::control::{Control, Encoder};
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
@@ -28,8 +28,15 @@ fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
     M::AXES.iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
 }
 
+/// The work offset as the control names it.
+fn work_offset(control: &dyn Control, config: &Config) -> String {
+    let word = &config.work_offset;
+    let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
+    format!("{}{spelled}", control.spellings().offset_title)
+}
+
 /// What the program takes for granted because nothing was given, one sentence each.
-pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<String> {
+pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if survey.units_only_given {
         let unit = survey.units.map_or("", Units::name);
@@ -42,7 +49,7 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
         list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
     }
     if !config.is_given("work_offset") {
-        list.push(format!("work offset {}", config.work_offset));
+        list.push(format!("work offset {}", work_offset(control, config)));
     }
     if !config.is_given("retract.position") {
         list.push(format!("retract to machine coordinate {} mm", config.retract.position));
@@ -147,7 +154,7 @@ impl<M: Machine> Header<'_, M> {
         let mut lines = vec![
             format!("CL FILE {}", self.job.cl_name),
             format!("MACHINE {}, CONTROL {}, MODE axes", M::NAME, self.job.control.spellings().title),
-            format!("UNITS {}, WORK OFFSET {}", self.units.name(), config.work_offset),
+            format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
             format!("TOLERANCE {NOT_LINEARISED}"),
@@ -156,7 +163,8 @@ impl<M: Machine> Header<'_, M> {
         lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
         if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
-            lines.push("ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped".to_owned());
+            let note = self.job.control.spellings().rotary_note;
+            lines.push(format!("ROTARY WORDS are absolute and count on past 360: {note}"));
         }
         lines.extend(unchecked(&self.unchecked));
         let table: String = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
@@ -165,17 +173,18 @@ impl<M: Machine> Header<'_, M> {
                 "valid only for part origin {} from the table reference; do not touch off again",
                 self.point(config.part_origin)
             ));
-            lines.push(format!("the entries of {} in {} must be zero", spaced(&table), config.work_offset));
+            lines.push(format!(
+                "the entries of {} in {} must be zero",
+                spaced(&table),
+                work_offset(self.job.control, config)
+            ));
         }
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
         for line in lines {
             encoder.comment(line.as_bytes())?;
         }
-        for block in &config.program.start {
-            encoder.raw(block)?;
-        }
-        Ok(())
+        encoder.start()
     }
 
     fn point(&self, point: [f64; 3]) -> String {
@@ -185,10 +194,7 @@ impl<M: Machine> Header<'_, M> {
 
     /// A length in the unit of the program.
     fn length(&self, mm: f64) -> String {
-        let decimals = match self.units {
-            Units::Millimetres => self.job.config.formats.linear_mm,
-            Units::Inches => self.job.config.formats.linear_inch,
-        };
+        let decimals = self.job.config.formats.linear(self.units);
         let mut text = Vec::new();
         write_decimal(&mut text, Decimal::fixed(mm / self.units.in_mm(), decimals).unwrap_or_default());
         String::from_utf8_lossy(&text).into_owned()
@@ -241,8 +247,16 @@ impl<M: Machine> Header<'_, M> {
         }
         let length = length(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
-        let offset = given.and_then(|given| given.offset).or(tool.call.offset).unwrap_or(number);
-        text += &format!(" H{offset}, {}", super::counted(tool.operations, "operation"));
+        let registers = &self.job.control.spellings().length;
+        let offset = given.and_then(|given| given.offset).or(tool.call.offset);
+        let register = match registers.registers.of_tool(number, offset) {
+            Some(offset) if !registers.address.is_empty() => format!("{}{offset}", registers.address),
+            _ => "the tool table".to_owned(),
+        };
+        if !registers.address.is_empty() {
+            text += &format!(" {register}");
+        }
+        text += &format!(", {}", super::counted(tool.operations, "operation"));
         if let Some((low, high)) = tool.tip {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
@@ -250,7 +264,7 @@ impl<M: Machine> Header<'_, M> {
         if let Some(length) = length
             && rotaries::<M>(Side::Tool).next().is_some()
         {
-            lines.push(format!("T{number} posted with L = {}: H{offset} must hold exactly this", self.length(length)));
+            lines.push(format!("T{number} posted with L = {}: {register} must hold exactly this", self.length(length)));
         }
         lines
     }
