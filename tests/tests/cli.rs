@@ -323,12 +323,24 @@ fn an_unreachable_axis_is_named_with_its_component() {
 }
 
 #[test]
-fn a_table_that_tilts_one_way_refuses_a_cut_through_the_vertical() {
-    for machine in ["spinner-u5-620", "dmu-70e"] {
-        let run = Shop::new().run_on(machine, &["post", &example("concave_4axis.cls")]);
-        assert_eq!(run.status, 1, "{machine}");
-        assert!(run.errors.contains("error: B would have to turn on to -"), "{}", run.errors);
-        assert!(run.errors.contains("help: retract before this point"), "{}", run.errors);
+fn a_table_that_tilts_one_way_cuts_through_the_vertical_only_by_turning_there() {
+    // B goes on to -5°, and then there is no way back to the other side.
+    let run = Shop::new().run_on("spinner-u5-620", &["post", &example("concave_4axis.cls")]);
+    assert_eq!(run.status, 1);
+    assert!(run.errors.contains("error: B would have to turn on to -"), "{}", run.errors);
+    assert!(run.errors.contains("help: retract before this point"), "{}", run.errors);
+    let run = Shop::new().run_on("dmu-70e", &["post", &example("concave_4axis.cls")]);
+    assert_eq!(run.status, 0, "{}", run.errors);
+    assert!(run.errors.contains("blocks inserted; while a rotary axis moves at feed the tip"), "{}", run.errors);
+}
+
+#[test]
+fn a_tolerance_that_is_none_is_refused() {
+    let shop = Shop::with(HEAD);
+    for (flag, value) in [("--axis-tolerance-path", "0"), ("--axis-tolerance-path", "-1"), ("--tolerance", "0")] {
+        let run = shop.run(&["post", "part.cls", &format!("{flag}={value}")]);
+        assert_eq!(run.status, 2, "{flag} {value}");
+        assert!(run.errors.contains("between 0.00"), "{}", run.errors);
     }
 }
 

@@ -1,13 +1,14 @@
 //! The words of the command line.
 
 use std::ffi::OsString;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
-use crate::config::{Config, StartBranch, TOLERANCE, Units, preference, preferences};
+use crate::config::{AXIS_TOLERANCE, Config, StartBranch, TOLERANCE, Units, preference, preferences};
 use crate::control::{self, CONTROLS, Control};
 use crate::kinematics::Machine;
 
@@ -82,9 +83,12 @@ pub(super) struct PostArgs {
     /// Unit of the program; without it that of the CL data
     #[arg(long, value_enum)]
     pub(super) output_units: Option<UnitsName>,
-    /// How far the chords of arcs and curves may leave them, mm
+    /// How far the chords of arcs and curves may leave them, and the tip its line while a rotary axis moves, mm
     #[arg(long, value_name = "MM", value_parser = tolerance)]
     pub(super) tolerance: Option<f64>,
+    /// How far the tool axis may leave its even turn from one point to the next, degrees
+    #[arg(long, value_name = "DEG", value_parser = axis_tolerance)]
+    pub(super) axis_tolerance_path: Option<f64>,
     /// LINTOL of the CL data may be wider than the tolerance
     #[arg(long)]
     pub(super) allow_lintol: bool,
@@ -122,7 +126,7 @@ pub(super) struct PostArgs {
     #[arg(long)]
     pub(super) greedy: bool,
     /// Angle to the pole within which the tool axis is put there, degrees
-    #[arg(long, value_name = "DEGREES", value_parser = axis_tolerance)]
+    #[arg(long, value_name = "DEGREES", value_parser = pole_tolerance)]
     pub(super) axis_tolerance: Option<f64>,
     /// Number the blocks
     #[arg(long)]
@@ -154,6 +158,10 @@ impl PostArgs {
         if let Some(tolerance) = self.tolerance {
             config.tolerance = tolerance;
             config.given.insert("tolerance");
+        }
+        if let Some(tolerance) = self.axis_tolerance_path {
+            config.axis_tolerance_path = tolerance.to_radians();
+            config.given.insert("axis_tolerance_path");
         }
         config.allow_lintol |= self.allow_lintol;
         config.start_branch = self.start_branch.map(Into::into).or(config.start_branch);
@@ -199,8 +207,8 @@ fn inert(word: &str) -> Result<String, String> {
     }
 }
 
-/// An angle in degrees, in rad.
-fn axis_tolerance(text: &str) -> Result<f64, String> {
+/// An angle to the pole in degrees, in rad.
+fn pole_tolerance(text: &str) -> Result<f64, String> {
     let degrees: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
     match (0.0..=5.0).contains(&degrees) {
         true => Ok(degrees.to_radians()),
@@ -210,11 +218,20 @@ fn axis_tolerance(text: &str) -> Result<f64, String> {
 
 /// A tolerance in mm.
 fn tolerance(text: &str) -> Result<f64, String> {
+    within(text, &TOLERANCE, "mm")
+}
+
+/// A tolerance in degrees.
+fn axis_tolerance(text: &str) -> Result<f64, String> {
+    within(text, &AXIS_TOLERANCE, "degrees")
+}
+
+fn within(text: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
-    if TOLERANCE.contains(&value) {
+    if range.contains(&value) {
         Ok(value)
     } else {
-        Err(format!("between {} and {} mm", TOLERANCE.start(), TOLERANCE.end()))
+        Err(format!("between {} and {} {unit}", range.start(), range.end()))
     }
 }
 

@@ -28,8 +28,8 @@ pub use control::{ControlSetup, PathNorm, Smoothing};
 pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
 pub use print::print;
-pub(crate) use read::TOLERANCE;
 use read::WORK_OFFSETS;
+pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,8 +48,10 @@ pub struct Config {
     pub greedy: bool,
     /// Within this angle of the pole the tool axis is put there, rad; default 0: within what CL data rounds.
     pub axis_tolerance: f64,
-    /// How far chords may leave arcs and curves, mm; default 0.01.
+    /// How far chords may leave arcs and curves, and the tip its line while a rotary axis moves, mm; default 0.01.
     pub tolerance: f64,
+    /// How far the tool axis may leave its even turn from one point to the next, rad; default 0.1 degree.
+    pub axis_tolerance_path: f64,
     /// LINTOL may be wider than that; default false.
     pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
@@ -299,6 +301,7 @@ impl Default for Config {
             greedy: false,
             axis_tolerance: 0.0,
             tolerance: 0.01,
+            axis_tolerance_path: 0.1_f64.to_radians(),
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],

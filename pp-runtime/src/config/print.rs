@@ -69,8 +69,10 @@ units = "mm"
 # Retract before STOP and OPSTOP.
 #stop_retract = {stop_retract}
 
-# How far the chords of arcs and curves may leave them.
+# How far the chords of arcs and curves may leave them, and the tip its line while a rotary axis moves.
 #tolerance = {tolerance}
+# How far the tool axis may leave its even turn from one point to the next.
+#axis_tolerance_path = {axis_tolerance_path}
 # How far the control may leave the programmed path where it blends blocks.
 #path_tolerance = {path_tolerance}
 # Wait for the spindle, seconds.
@@ -95,6 +97,7 @@ units = "mm"
         reorient_speed = degrees(config.reorient_speed),
         stop_retract = config.stop_retract,
         tolerance = number(config.tolerance),
+        axis_tolerance_path = degrees(config.axis_tolerance_path),
         path_tolerance = number(config.path_tolerance),
         spindle_dwell = number(config.spindle_dwell),
         table_check = config.table_check,

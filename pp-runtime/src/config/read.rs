@@ -33,6 +33,9 @@ const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
 /// Tolerances of chords, mm: finer is beyond the words, wider is no path any more.
 pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
 
+/// Tolerances of the tool axis, degrees: finer is beyond the words, wider is no direction any more.
+pub(crate) const AXIS_TOLERANCE: RangeInclusive<f64> = 0.001..=10.0;
+
 /// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
 const DWELL: RangeInclusive<f64> = 0.001..=600.0;
 
@@ -199,6 +202,14 @@ impl Config {
                 r.fault(value.span(), format!("a tolerance of {low} to {high} mm is needed here"), None);
             }
             set(&mut self.tolerance, tolerance);
+        }
+        if let Some(value) = self.get(top, "axis_tolerance_path") {
+            let tolerance = r.number(value, Quantity::Angle, Bound::Positive);
+            if tolerance.is_some_and(|tolerance| !within(&AXIS_TOLERANCE, tolerance.to_degrees())) {
+                let (low, high) = (AXIS_TOLERANCE.start(), AXIS_TOLERANCE.end());
+                r.fault(value.span(), format!("a tolerance of {low} to {high} degrees is needed here"), None);
+            }
+            set(&mut self.axis_tolerance_path, tolerance);
         }
         if let Some(value) = self.get(top, "cl_point") {
             set(&mut self.cl.cl_point, r.choice(value, &CL_POINTS));
@@ -520,4 +531,9 @@ pub(super) fn set<T>(slot: &mut T, value: Option<T>) {
     if let Some(value) = value {
         *slot = value;
     }
+}
+
+/// Inside a range whose ends are degrees that have been radians in between.
+fn within(range: &RangeInclusive<f64>, degrees: f64) -> bool {
+    (range.start() * (1.0 - 1e-12)..=range.end() * (1.0 + 1e-12)).contains(&degrees)
 }

@@ -371,6 +371,18 @@ fn words_that_move_something_cannot_be_set_inert() {
     assert_eq!(faults("[cl]\ninert = [\"goto\"]"), ["2:10: goto is read, so it cannot be inert"]);
     assert_eq!(faults("[cl]\ncycle.DRIL.args = []"), ["2:7: `DRIL` is not a kind of CYCLE"]);
     assert_eq!(faults("tolerance = 2"), ["1:13: a tolerance of 0.0001 to 1 mm is needed here"]);
+    for tolerance in ["0.0009", "10.1"] {
+        let text = "1:23: a tolerance of 0.001 to 10 degrees is needed here";
+        assert_eq!(faults(&format!("axis_tolerance_path = {tolerance}")), [text]);
+    }
+    assert!(
+        faults("axis_tolerance_path = 0")[0].contains("above zero")
+            && faults("tolerance = -1")[0].contains("above zero")
+    );
+    for (text, degrees) in [("0.001", 0.001_f64), ("10", 10.0)] {
+        let tolerance = read(&format!("axis_tolerance_path = {text}")).axis_tolerance_path;
+        assert!(close(tolerance, degrees.to_radians()));
+    }
     assert_eq!(
         faults("[frames]\n0 = \"G55\""),
         ["2:1: `0` is not the number of a frame | frames count from 1 in the order of the CL data: 2 = \"G55\""]

@@ -27,8 +27,9 @@
 //! |E| <= |P''(½)|/8 + M/48
 //! ```
 //!
-//! Along the chord `|E'| <= (|P''(½)| + M/2)/2`. Where that is less than the chord is long, the tip never turns back, and
-//! only the part of `P''(½)` normal to the chord counts. The chord is `P'(½)` within `M/24`.
+//! Normal to the chord only the part of `P''(½)` counts that is normal to it. Along the chord, of length `L`, the tip is
+//! at `L s + e(s)` with `|e| <= b s (1 - s)/2`, `b` being the part of `P''(½)` along it and `M/2`: it never turns back if
+//! `b <= 2 L`, and else runs past an end by at most `b/2 (½ - L/b)²`. The chord is `P'(½)` within `M/24`.
 //!
 //! # The tool axis
 //! The same bound, `e`, holds for the distance of `a(s)` from the chord of its arc. That chord lies in the plane of the
@@ -80,8 +81,8 @@ impl MotionBound {
     pub fn of(tip: &Curve, axis: &Vector3<f64>, axis_curve: &Curve, reach: f64, turns: f64) -> Self {
         let rounding = ROUNDING * (1.0 + turns);
         Self {
-            tip: tip.from_chord() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
-            axis: axis_curve.from_great_circle(axis) * (1.0 + RELATIVE_ROUNDING) + rounding,
+            tip: tip.off_chord() * (1.0 + RELATIVE_ROUNDING) + rounding * reach,
+            axis: axis_curve.off_great_circle(axis) * (1.0 + RELATIVE_ROUNDING) + rounding,
         }
     }
 }
@@ -95,20 +96,29 @@ impl Curve {
 
     /// Largest distance from the chord.
     #[inline]
-    fn from_chord(&self) -> f64 {
+    fn off_chord(&self) -> f64 {
         let (rate, bend) = (length(&self.rate), length(&self.bend));
-        let off = self.third / 24.0;
-        if rate - off > 0.5 * bend + 0.25 * self.third {
-            let normal = (length(&self.bend.cross(&self.rate)) + bend * off) / rate;
-            self.sagitta(if normal < bend { normal } else { bend })
+        let (anyhow, off) = (self.sagitta(bend), self.third / 24.0);
+        let chord = rate - off;
+        if chord > 0.0 {
+            let normal = self.sagitta((length(&self.bend.cross(&self.rate)) + bend * off) / rate);
+            let along = (math::abs(self.bend.dot(&self.rate)) + bend * off) / rate + 0.5 * self.third;
+            let past = if 2.0 * chord < along {
+                let share = 0.5 - chord / along;
+                0.5 * along * share * share
+            } else {
+                0.0
+            };
+            let distance = math::hypot(normal, past);
+            if distance < anyhow { distance } else { anyhow }
         } else {
-            self.sagitta(bend)
+            anyhow
         }
     }
 
     /// Largest angle from the great circle, rad; `axis` is the unit vector in the middle.
     #[inline]
-    fn from_great_circle(&self, axis: &Vector3<f64>) -> f64 {
+    fn off_great_circle(&self, axis: &Vector3<f64>) -> f64 {
         let bend = length(&self.bend);
         let plane = (axis + self.bend / 8.0).cross(&self.rate);
         let size = length(&plane);

@@ -140,7 +140,7 @@ impl Expander {
         }
     }
 
-    fn chord_tolerance(&self) -> f64 {
+    pub(super) fn chord_tolerance(&self) -> f64 {
         self.stated.unwrap_or(self.tolerance)
     }
 

@@ -11,6 +11,7 @@ mod course;
 mod expand;
 mod fault;
 mod feed;
+mod linearise;
 mod operation;
 mod place;
 mod planner;

@@ -8,15 +8,13 @@ use crate::program::{self, Location, Move};
 use super::course::{Change, How, Target, Turns, between};
 use super::fault::Fault;
 use super::feed::{Feeds, Pace, Stroke};
+use super::linearise::Pieces;
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
 use super::step::{Feed, MAX_AXES, Sink, Step};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
-
-/// From this turn on, the middle of a feed block is looked at, rad.
-const LARGE_TURN: f64 = 0.017;
 
 /// A rapid this much below the lowest cut is remarked on, mm.
 const PLUNGE: f64 = 0.001;
@@ -69,7 +67,8 @@ impl<M: Machine> Planner<'_, M> {
     pub(super) fn pace(&self, feed: Option<program::Feed>, to: &Place<M::Axes>) -> Result<Pace, Fault> {
         let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
         let per_minute = Feeds::per_minute(feed, self.spindle.map(|(speed, _)| speed))?;
-        let (linear, degrees) = if self.feeds.counts_path() { self.placer.path(&self.place, to) } else { (0.0, 0.0) };
+        let (linear, degrees) =
+            if self.feeds.counts_path() { self.placer.travelled(&self.place, to) } else { (0.0, 0.0) };
         let stroke = Stroke {
             length: (to.pose.tip - self.place.pose.tip).norm(),
             turn: self.placer.rotary_travel(&self.place.words, &to.words),
@@ -89,6 +88,7 @@ impl<M: Machine> Planner<'_, M> {
         self.check_state(motion).map_err(fault)?;
         let planned = self.changes(at, motion, number, sink)?;
         let place = self.placer.place(&motion.pose, &self.place, !motion.rapid, planned).map_err(fault)?;
+        let before = self.place.pose;
         if motion.rapid {
             if self.config.transition == Transition::Safe
                 && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
@@ -102,7 +102,7 @@ impl<M: Machine> Planner<'_, M> {
             self.feed_to(at, motion, &place, sink)?;
             self.cut(&motion.pose);
         }
-        self.retreat.follow(&self.place.pose, &motion.pose);
+        self.retreat.follow(&before, &motion.pose);
         self.arrive(place);
         Ok(())
     }
@@ -152,6 +152,7 @@ impl<M: Machine> Planner<'_, M> {
             .placer
             .place(&pose, &self.place, true, Some(Target { words, towards: None }))
             .map_err(|fault| stop(at, fault))?;
+        self.statistics.inserted += u64::from(place.words != self.place.words);
         self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
         self.cut(&pose);
         self.place = place;
@@ -167,15 +168,30 @@ impl<M: Machine> Planner<'_, M> {
         place: &Place<M::Axes>,
         sink: &mut impl Sink,
     ) -> Planned {
-        let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
-        if self.placer.rotary_travel(&self.place.words, &place.words) > LARGE_TURN {
-            let off = self.placer.middle_deviation(&self.place, place);
-            if off > self.statistics.largest_swing {
-                self.statistics.largest_swing = off;
-                self.swing_at = at;
-            }
+        if self.placer.rotary_travel(&self.place.words, &place.words) > 0.0 {
+            return self.feed_in_pieces(at, motion, place, sink);
         }
+        let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
         self.write_feed(at, place, pace, sink)
+    }
+
+    /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
+    fn feed_in_pieces(&mut self, at: Location, motion: &Move, place: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
+        let fault = |fault: Fault| stop(at, fault);
+        let mut pieces = Pieces::new(&self.place, place, self.tolerance);
+        let mut blocks = 0;
+        while let Some(piece) = pieces.next(&self.placer).map_err(fault)? {
+            self.placer.travel.check(piece.place.axes.as_ref()).map_err(fault)?;
+            let pace = self.pace(motion.feed, &piece.place).map_err(fault)?;
+            blocks += u64::from(piece.place.words != self.place.words);
+            self.write_feed(at, &piece.place, pace, sink)?;
+            self.place = piece.place;
+            let statistics = &mut self.statistics;
+            statistics.largest_tip_bound = statistics.largest_tip_bound.max(piece.bound.tip);
+            statistics.largest_axis_bound = statistics.largest_axis_bound.max(piece.bound.axis);
+        }
+        self.statistics.inserted += blocks.max(1) - 1;
+        Ok(())
     }
 
     /// A rapid inside an operation, as the configuration wants it written.

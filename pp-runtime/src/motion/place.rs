@@ -40,6 +40,8 @@ pub(crate) struct Place<A> {
     pub(crate) deviation: f64,
     /// The tool axis is parallel to the first rotary, which may turn freely.
     pub(crate) pole: bool,
+    /// How far rounding of the linear words takes the tip at most, mm.
+    pub(crate) rounding: f64,
 }
 
 /// Puts poses into words for one machine, one set-up and the current tool.
@@ -80,6 +82,8 @@ pub(crate) struct Placer<M: Machine> {
     straight: bool,
     head: bool,
     square: bool,
+    /// The linear axes are square to each other, whatever the rotaries do.
+    orthogonal: bool,
 }
 
 fn too_large(letter: char) -> Fault {
@@ -155,7 +159,8 @@ impl<M: Machine> Placer<M> {
             retract_share: share(retract_axis),
             straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
-            square: square(&machine, axes),
+            square: orthogonal(&machine, axes) && counted(axes),
+            orthogonal: orthogonal(&machine, axes),
             wrapped: rotaries
                 .iter()
                 .filter(|rotary| config.wrap.contains_key(&M::AXES[rotary.index].letter))
@@ -225,7 +230,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// How far the linear axes go together, mm, and the rotary axes, degrees.
-    pub(crate) fn path(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> (f64, f64) {
+    pub(crate) fn travelled(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> (f64, f64) {
         let length = |mask: u16| {
             let steps = from.axes.as_ref().iter().zip(to.axes.as_ref()).enumerate();
             let steps = steps.filter(|(index, _)| mask & (1 << index) != 0).map(|(_, (from, to))| to - from);
@@ -382,18 +387,9 @@ impl<M: Machine> Placer<M> {
         if solutions.is_empty() {
             return Err(self.unreachable(&there, &from.axes));
         }
-        let kept: Vec<Solution<M::Axes>> = solutions
-            .iter()
-            .map(|solution| {
-                let mut solution = *solution;
-                if let Some(first) = self.rotaries.first() {
-                    solution.axes.as_mut()[first.index] = self.scale.angle(from.words[first.index]);
-                }
-                solution
-            })
-            .collect();
-        let choice =
-            choose(&kept, &self.rotaries, &from.words, self.scale).map_err(|outside| self.outside_limits(&outside))?;
+        // The rotary that is free stands in the solutions as it stood before.
+        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
+            .map_err(|outside| self.outside_limits(&outside))?;
         let mut place = self.at(&there, from, &choice.words);
         place.branch = from.branch;
         place.pole = true;
@@ -404,8 +400,15 @@ impl<M: Machine> Placer<M> {
     /// A pose with these rotary words; the linear axes are not computed.
     #[inline]
     pub(super) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
-        let mut place =
-            Place { pose: *pose, branch: from.branch, axes: from.axes, words: *words, deviation: 0.0, pole: false };
+        let mut place = Place {
+            pose: *pose,
+            branch: from.branch,
+            axes: from.axes,
+            words: *words,
+            deviation: 0.0,
+            pole: false,
+            rounding: 0.0,
+        };
         for rotary in &self.rotaries {
             place.axes.as_mut()[rotary.index] = self.scale.angle(words[rotary.index]);
         }
@@ -449,19 +452,6 @@ impl<M: Machine> Placer<M> {
         Ok(place)
     }
 
-    /// How far the tip is from the programmed line in the middle of a block, mm.
-    pub(crate) fn middle_deviation(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> f64 {
-        let mut middle = from.axes;
-        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
-            *value = 0.5 * (*value + end);
-        }
-        let tip = self.machine.forward_kinematics(&middle).tip;
-        let (start, line) = (from.pose.tip, to.pose.tip - from.pose.tip);
-        let length = line.norm_squared();
-        let along = if length > 0.0 { ((tip - start).dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
-        (tip - (start + line * along)).norm()
-    }
-
     /// The place of another tip with the rotaries of `at`.
     pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
         let mut place = *at;
@@ -470,18 +460,31 @@ impl<M: Machine> Placer<M> {
     }
 
     #[inline]
-    fn finish(&mut self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    fn finish(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        let place = self.set(place)?;
+        self.travel.check(place.axes.as_ref())?;
+        Ok(place)
+    }
+
+    /// The linear words of a pose whose rotaries are known; the travel is not compared.
+    #[inline]
+    pub(super) fn set(&self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(self.unreachable(&place.pose, &place.axes));
         };
         place.axes = axes;
+        let (mut sum, mut squares) = (0.0, 0.0);
         for (index, value) in place.axes.as_mut().iter_mut().enumerate().take(MAX_AXES) {
             if self.linear_mask & (1 << index) != 0 {
                 let Ok(units) = whole_units(*value, self.per_mm) else {
                     return Err(too_large(M::AXES[index].letter));
                 };
                 place.words[index] = units;
-                *value = units as f64 / self.per_mm;
+                let written = units as f64 / self.per_mm;
+                let off = written - *value;
+                *value = written;
+                sum += off.abs();
+                squares += off * off;
             }
         }
         if let Some(index) =
@@ -489,8 +492,13 @@ impl<M: Machine> Placer<M> {
         {
             return Err(too_large(M::AXES[index].letter));
         }
-        self.travel.check(place.axes.as_ref())?;
+        place.rounding = if self.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
+    }
+
+    /// How far rounding of the linear words can take the tip, mm.
+    pub(super) fn largest_rounding(&self) -> f64 {
+        0.5 * self.unit_mm() * if self.orthogonal { 3_f64.sqrt() } else { 3.0 }
     }
 
     /// The rotaries of a pose that only says where motion counts from; `None` if it cannot be reached.
@@ -508,7 +516,15 @@ impl<M: Machine> Placer<M> {
     /// Every rotary at zero and held axes at their values.
     pub(crate) fn zero(&self) -> Place<M::Axes> {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
-        Place { pose, branch: Branch::First, axes: M::HELD, words: [0; MAX_AXES], deviation: 0.0, pole: false }
+        Place {
+            pose,
+            branch: Branch::First,
+            axes: M::HELD,
+            words: [0; MAX_AXES],
+            deviation: 0.0,
+            pole: false,
+            rounding: 0.0,
+        }
     }
 
     /// Words of a linear axis at a machine coordinate.
@@ -558,6 +574,16 @@ impl<M: Machine> Placer<M> {
         let wrapped = |rotary: &&Rotary| rotary.index == index && self.wrapped & (1 << index) != 0;
         let nearest = |rotary: &Rotary| rotary.nearest(word, from.words[index], self.scale.turn).ok();
         self.rotaries.iter().find(wrapped).and_then(nearest).unwrap_or(word)
+    }
+
+    /// Whether a control that goes the short way would turn an axis the wrong way in this block.
+    #[inline]
+    pub(super) fn rolls_over(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> bool {
+        let half_turn = |rotary: &Rotary| {
+            self.wrapped & (1 << rotary.index) != 0
+                && 2 * from.words[rotary.index].abs_diff(to.words[rotary.index]) >= self.scale.turn.unsigned_abs()
+        };
+        self.wrapped != 0 && self.rotaries.iter().any(half_turn)
     }
 
     /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
@@ -620,19 +646,25 @@ fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
     nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle) * vector
 }
 
-/// Linear directions that are square to each other and stay so, because no rotary stands between two of them, and X Y Z:
-/// along U V W no control counts F in a block that moves one of these.
-fn square<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
-    let linear = |index: &usize| axes[*index].kind == AxisKind::Linear && !axes[*index].held;
-    let solved: Vec<usize> = (0..axes.len()).filter(linear).collect();
+/// Linear directions that are square to each other and stay so, because no rotary stands between two of them.
+fn orthogonal<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
+    let solved = solved_linear(axes);
     let square = solved.iter().enumerate().all(|(position, &a)| {
         solved[position + 1..]
             .iter()
             .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
     });
-    let counted = solved.iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'));
     let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
-    square && counted && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+}
+
+/// X Y Z: along U V W no control counts F in a block that moves one of these.
+fn counted(axes: &[Axis]) -> bool {
+    solved_linear(axes).iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'))
+}
+
+fn solved_linear(axes: &[Axis]) -> Vec<usize> {
+    (0..axes.len()).filter(|&index| axes[index].kind == AxisKind::Linear && !axes[index].held).collect()
 }
 
 #[cfg(test)]

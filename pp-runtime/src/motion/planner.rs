@@ -18,6 +18,7 @@ use super::course::{Course, Target, Towards};
 use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
+use super::linearise::Tolerance;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
 use super::step::{Sink, Step};
@@ -30,9 +31,6 @@ pub(super) const SAME_AXIS: f64 = 1e-6;
 
 /// A wait that three decimals hold, and that somebody may want, seconds.
 const DWELL: std::ops::RangeInclusive<f64> = 0.001..=99_999.0;
-
-/// From this distance on, a tip that leaves its line is remarked on, mm.
-const LARGE_SWING: f64 = 0.1;
 
 /// Why planning stopped.
 #[derive(Debug)]
@@ -121,9 +119,12 @@ pub struct Statistics {
     pub largest_at_pole: f64,
     /// Times that the rotary axes were rewound out of the part.
     pub rewinds: u64,
-    /// Largest distance of the tip from the programmed line, mm, seen in the middle of feed blocks that turn an axis
-    /// far.
-    pub largest_swing: f64,
+    /// Blocks inserted into feed motions so that tip and tool axis stay within tolerance.
+    pub inserted: u64,
+    /// Largest certified distance of the tip from its straight line in feed blocks that turn an axis, mm.
+    pub largest_tip_bound: f64,
+    /// Largest certified angle of the tool axis from its even turn in these blocks, rad.
+    pub largest_axis_bound: f64,
 }
 
 /// More records than this between two motions are no habit of a CAM system; it bounds the memory.
@@ -217,8 +218,8 @@ pub struct Planner<'a, M: Machine> {
     /// The coolant as written; `None` if nobody knows.
     pub(super) coolant: Option<Coolant>,
     pub(super) inverse_time: bool,
-    /// Where the largest swing is.
-    pub(super) swing_at: Location,
+    /// How far feed motions may be left.
+    pub(super) tolerance: Tolerance,
     /// Lowest pose of this tool axis that was cut in this operation.
     pub(super) lowest: Option<Pose>,
     pub(super) plunge_told: bool,
@@ -266,7 +267,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             coolant_request: Coolant::Off,
             coolant: None,
             inverse_time: false,
-            swing_at: Location::default(),
+            tolerance: Tolerance { tip: config.tolerance, axis: config.axis_tolerance_path },
             lowest: None,
             plunge_told: false,
             statistics: Statistics::default(),
@@ -357,6 +358,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             event => self.other(at, event, sink),
         });
         self.warnings.append(&mut expander.take_warnings());
+        self.tolerance.tip = expander.chord_tolerance();
         self.expander = expander;
         done
     }
@@ -367,14 +369,6 @@ impl<'a, M: Machine> Planner<'a, M> {
     /// [`Stop`] if there is no way to retract, or the output fails.
     pub fn finish(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         self.settle(None, sink)?;
-        let swing = self.statistics.largest_swing;
-        if swing > LARGE_SWING {
-            let text = format!("on the way to this point the tip leaves the programmed line by {swing:.3} mm or more");
-            let fault = Fault::new(text).help(
-                "a rotary axis turns far in one block here: give the CL data more points, or keep clear of the pole",
-            );
-            self.warnings.push(fault.at(self.swing_at, Severity::Warning));
-        }
         self.end(at, sink)
     }
 

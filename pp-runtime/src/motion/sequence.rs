@@ -165,6 +165,7 @@ impl<M: Machine> Planner<'_, M> {
         self.check_state(first).map_err(|fault| stop(at, fault))?;
         let place =
             self.placer.place(&first.pose, &self.place, !first.rapid, planned).map_err(|fault| stop(at, fault))?;
+        let before = self.place.pose;
         if first.rapid {
             self.cancel_inverse_time(sink)?;
             self.rapid(&place, self.all(), sink)?;
@@ -172,7 +173,7 @@ impl<M: Machine> Planner<'_, M> {
             self.feed_to(at, first, &place, sink)?;
             self.cut(&first.pose);
         }
-        self.retreat.follow(&self.place.pose, &first.pose);
+        self.retreat.follow(&before, &first.pose);
         self.arrive(place);
         Ok(())
     }

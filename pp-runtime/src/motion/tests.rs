@@ -482,7 +482,7 @@ fn inverse_time_stands_where_a_rotary_word_changes_and_f_is_repeated_behind_it()
         rapid([90.0, 0.0, 0.0], cb(0.0, 15.0)),
         feed([91.0, 0.0, 0.0], cb(0.0, 15.0)),
     ];
-    let lines = lines::<Cb>(&config(), &events);
+    let lines = lines::<Cb>(&Config { tolerance: 1.0, ..config() }, &events);
     let first = lines.iter().position(|line| line.starts_with("G93")).expect("inverse time");
     let codes: Vec<String> = lines[first..first + 8]
         .iter()
@@ -507,7 +507,7 @@ fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
         let (sin, cos) = angle.to_radians().sin_cos();
         events.push(feed([30.0 * cos, 30.0 * sin, -f64::from(step) / 300.0], cb(angle, 60.0)));
     }
-    let lines = lines::<Cb>(&config(), &events);
+    let lines = lines::<Cb>(&Config { tolerance: 1.0, ..config() }, &events);
     let turns: Vec<f64> = lines
         .iter()
         .filter(|line| !line.starts_with('('))
@@ -517,6 +517,17 @@ fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
     for (step, turn) in turns.iter().enumerate() {
         assert!((turn - step as f64 * 5.0).abs() < 1e-9, "step {step} stands at {turn}");
     }
+}
+
+/// The line that ends a turn in which one rotary turns and the other stands at zero.
+fn turns_alone(turning: char, standing: char, end: &str, lines: &[String]) -> usize {
+    let zero = format!("{standing}0");
+    let start = lines.iter().position(|line| line.starts_with("X") && line.split(' ').any(|word| word == zero));
+    let start = start.expect("the pole") + 1;
+    let end = lines.iter().position(|line| line.split(' ').any(|word| word == end)).expect("the end of the turn");
+    assert!(start <= end, "{lines:#?}");
+    assert!(lines[start..=end].iter().all(|line| line.contains(turning) && !line.contains(standing)), "{lines:#?}");
+    end
 }
 
 #[test]
@@ -532,9 +543,8 @@ fn a_free_rotary_turns_at_the_vertical_for_what_follows() {
     let vertical = lines.iter().find(|line| line.contains("B0")).expect("the vertical");
     assert!(!vertical.contains('C'), "{vertical}");
     // In place, and the tilt begins with the table where it has to stand.
-    let place = lines.iter().position(|line| line == vertical).expect("the vertical");
-    assert!(lines[place + 1].contains("C45") && !lines[place + 1].contains('B'), "{lines:#?}");
-    assert!(lines[place + 2].contains("B5") && !lines[place + 2].contains('C'), "{lines:#?}");
+    let end = turns_alone('C', 'B', "C45", &lines);
+    assert!(lines[end + 1].contains('B') && !lines[end + 1].contains('C'), "{lines:#?}");
 }
 
 #[test]
@@ -549,17 +559,84 @@ fn rounding_near_the_vertical_does_not_turn_the_table() {
     assert_eq!(turned([-1e-5, 2e-5, 1.0]), (true, 0));
 }
 
+/// Minutes of the blocks in inverse time.
+fn minutes(lines: &[String]) -> f64 {
+    let word = |line: &String| line.rsplit_once(" F").map(|(_, word)| word.parse::<f64>().expect("a number"));
+    let mut inverse = false;
+    let mut sum = 0.0;
+    for line in lines {
+        inverse = (inverse || line.contains("G93")) && !line.contains("G94");
+        sum += if inverse { word(line).map_or(0.0, |word| 1.0 / word) } else { 0.0 };
+    }
+    sum
+}
+
 #[test]
-fn a_tip_that_leaves_its_line_in_the_middle_of_a_block_is_remarked_on_once() {
-    let swing = |to: f64| {
-        let events = [tool(1), spindle(), feed([40.0, 0.0, 0.0], cb(0.0, 30.0)), feed([40.0, 0.0, 0.0], cb(to, 30.0))];
-        run::<Cb>(&config(), &events)
+fn a_motion_that_turns_an_axis_far_becomes_blocks_within_tolerance() {
+    let turned = |to: f64, tolerance: f64| {
+        let events = [tool(1), spindle(), feed([40.0, 0.0, 0.0], cb(0.0, 30.0)), feed([10.0, 40.0, 0.0], cb(to, 30.0))];
+        run::<Cb>(&Config { tolerance, ..config() }, &events)
     };
-    let far = swing(60.0);
-    assert_eq!(far.diagnostics.len(), 1, "{:?}", far.diagnostics);
-    assert_eq!((far.diagnostics[0].severity, far.diagnostics[0].location.line), (Severity::Warning, 4));
-    assert!(far.statistics.largest_swing > 1.0);
-    assert_eq!(swing(2.0).diagnostics, []);
+    let far = turned(60.0, 0.01);
+    assert_eq!(far.diagnostics, []);
+    assert!((20..80).contains(&far.statistics.inserted), "{:?}", far.statistics);
+    let used = far.statistics.largest_tip_bound;
+    assert!(used > 0.009 && used <= 0.01 && far.statistics.largest_axis_bound <= 0.1_f64.to_radians());
+    assert!((minutes(&far.lines) - 50.0 / 500.0).abs() < 1e-6, "the tip keeps its speed: {}", far.text());
+    let finer = turned(60.0, 0.0025).statistics.inserted as f64 / far.statistics.inserted as f64;
+    assert!((1.8..2.6).contains(&finer), "a quarter of the tolerance takes twice the blocks: {finer}");
+    assert_eq!(turned(0.02, 0.01).statistics.inserted, 0);
+}
+
+#[test]
+fn beside_the_pole_the_tool_follows_its_path_and_through_it_the_branch_may_change() {
+    let across = |from: f64, to: f64| {
+        let events = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(from, 4.0)), feed([9.0, 5.0, 0.0], cb(to, 4.0))];
+        let run = run::<Cb>(&config(), &events);
+        assert_eq!(run.diagnostics, []);
+        run
+    };
+    // 0.7 degrees beside the pole there is no way from one branch to the other.
+    let beside = across(10.0, 170.0);
+    assert!(beside.statistics.inserted > 20 && !beside.text().contains("B-4"), "{}", beside.text());
+    assert!(beside.text().contains("C170"));
+    let through = across(10.0, 190.0);
+    assert!(through.statistics.inserted < 10 && through.text().contains("B-4"), "{}", through.text());
+}
+
+#[test]
+fn what_cannot_be_certified_is_an_error_with_its_reason() {
+    let error = |config: &Config, from: [f64; 3], to: [f64; 3]| {
+        let events = [tool(1), spindle(), feed([9.0, 0.0, 0.0], from), feed([9.0, 5.0, 0.0], to)];
+        let run = run::<Cb>(config, &events);
+        (run.error().location.line, run.error().text.clone())
+    };
+    let (line, opposite) = error(&config(), cb(0.0, 90.0), cb(180.0, 90.0));
+    assert!(line == 4 && opposite.contains("turns by 180° in one motion"), "{opposite}");
+    let (_, limit) = error(&config(), cb(0.0, 105.0), cb(120.0, 105.0));
+    assert!(limit.contains("on the way from the point before") && limit.contains("limits -5"), "{limit}");
+    let fine = Config { tolerance: 0.0005, ..config() };
+    let (_, coarse) = error(&fine, cb(0.0, 30.0), cb(90.0, 30.0));
+    assert!(coarse.contains("too coarse for a tolerance of 0.0005 mm"), "{coarse}");
+}
+
+crate::machine! {
+    /// Cannot stand the tool upright: between 30° and 150° from the vertical.
+    struct Leaning;
+    chain: C B | X Y Z;
+    tool_axis = (0, 1/2, sqrt(3)/2);
+}
+
+#[test]
+fn an_axis_out_of_reach_between_two_points_is_an_error() {
+    let events = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(180.0, 50.0))];
+    let mut config = config();
+    config.retract.distance = Some(20.0);
+    let run = run::<Leaning>(&config, &events);
+    assert_eq!(run.error().location.line, 4);
+    assert!(run.error().text.starts_with("on the way from the point before: "), "{}", run.error().text);
+    let beside = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(50.0, 50.0))];
+    assert_eq!(self::run::<Leaning>(&config, &beside).diagnostics, []);
 }
 
 #[test]
@@ -931,10 +1008,10 @@ fn the_table_turns_where_the_tool_passes_the_vertical_between_two_points() {
     let mut config = config();
     config.index_angle = 360_f64.to_radians();
     let run = run::<Cb>(&config, &events);
-    assert!(run.diagnostics.iter().all(|found| found.severity == Severity::Warning), "{}", run.text());
-    let turn = run.lines.iter().position(|line| line.contains("C180")).expect("a turn");
-    assert!(run.lines[turn - 1].contains("B0") && run.lines[turn - 1].contains("X13.33"), "{}", run.text());
-    assert!(!run.lines[turn].contains('B') && run.lines[turn + 1].contains("B20"), "{}", run.text());
+    assert_eq!(run.diagnostics, [], "{}", run.text());
+    let end = turns_alone('C', 'B', "C180", &run.lines);
+    assert!(run.lines[end..].iter().any(|line| line.contains("B20")), "{}", run.text());
+    assert!(run.lines[end + 1..].iter().all(|line| !line.contains('C')), "{}", run.text());
 }
 
 #[test]
@@ -1079,7 +1156,7 @@ fn a_spiral_of_forty_turns_is_written_within_a_turn() {
     let steps = 40 * 36;
     events
         .extend((0..=steps).map(|step| feed([f64::from(step) * 0.05, 0.0, 5.0], axis(f64::from(step) * 10.0 + 200.0))));
-    let lines = run::<Ay>(&config, &events).lines;
+    let lines = lines::<Ay>(&config, &events);
     let word = |line: &String| line.split(' ').find_map(|word| word.strip_prefix('A')?.parse::<f64>().ok());
     let angles: Vec<f64> = lines.iter().filter_map(word).collect();
     assert!(angles.iter().all(|angle| (0.0..360.0).contains(angle)));

@@ -12,8 +12,6 @@ use crate::program::Rotation;
 use super::Job;
 use super::survey::{Survey, ToolUse};
 
-pub(super) const NOT_LINEARISED: &str = "not linearised: tip path between blocks is not checked";
-
 /// Everything the header tells.
 pub(super) struct Header<'a, M: Machine> {
     pub(super) job: &'a Job<'a>,
@@ -157,12 +155,16 @@ impl<M: Machine> Header<'_, M> {
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
-            format!("TOLERANCE {NOT_LINEARISED}"),
             format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
         ];
         lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
-        if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        if rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some() {
+            lines.push(format!(
+                "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
+                self.length(config.tolerance),
+                (config.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
+            ));
             let note = self.job.control.spellings().rotary_note;
             lines.push(format!("ROTARY WORDS are absolute and count on past 360: {note}"));
         }

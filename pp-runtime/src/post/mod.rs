@@ -108,13 +108,17 @@ impl Report {
                 self.statistics.near_pole, self.statistics.largest_at_pole
             ));
         }
-        lines.push(header::NOT_LINEARISED.to_owned());
-        if self.statistics.largest_swing > 0.0 {
+        let statistics = &self.statistics;
+        if statistics.largest_tip_bound > 0.0 {
             lines.push(format!(
-                "in the middle of blocks that turn an axis by more than a degree the tip is up to {:.3} mm off its line",
-                self.statistics.largest_swing
+                "linearised: {} inserted; while a rotary axis moves at feed the tip leaves its line by at most {:.4} mm, \
+                 the tool axis its even turn by at most {:.4}°",
+                counted(statistics.inserted, "block"),
+                statistics.largest_tip_bound,
+                statistics.largest_axis_bound.to_degrees(),
             ));
         }
+        lines.push("rapids are not linearised".to_owned());
         lines
     }
 

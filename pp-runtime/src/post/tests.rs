@@ -84,7 +84,7 @@ fn the_header_says_what_the_program_is_valid_for() {
         "(MACHINE Cb, CONTROL LinuxCNC, MODE axes)",
         "(UNITS mm, WORK OFFSET G54)",
         "(PART ORIGIN X1 Y2 Z50.25 from the table reference)",
-        "(TOLERANCE not linearised: tip path between blocks is not checked)",
+        "(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)",
         "(AXIS C + turns the table left-handed about +Z: word as in ISO 841)",
         "(AXIS X + moves the tool along +X: word as in ISO 841)",
         "(linear limits not checked: no machine_zero [X Y Z])",
@@ -204,7 +204,7 @@ fn what_was_assumed_stands_in_the_summary() {
         "assumed: retract to machine coordinate 0 mm",
         "assumed: spindle of T1 from the configuration",
         "linear limits not checked: no machine_zero (X Y Z)",
-        "not linearised",
+        "rapids are not linearised",
     ] {
         assert!(summary.contains(text), "missing {text} in\n{summary}");
     }

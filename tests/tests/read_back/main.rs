@@ -7,7 +7,7 @@
 //! - a retract in machine coordinates, behind it rotary axes alone, the other linear axes, the retract axis;
 //! - the retract of the set-up, along the tool axis;
 //! - the way in along the tool axis;
-//! - a motion to the next GOTO.
+//! - a motion to the next GOTO, or a piece of it, on its line and within tolerance; the pieces take the time of the whole.
 
 mod points;
 
@@ -19,6 +19,7 @@ use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::kinematics::{Axis, AxisKind, Machine, Pose, Side, Solution};
 use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
 use tests::binaries::{binary, workspace};
+use tests::block::{angle_to_arc, deviation_from, distance_to_line};
 use tests::oracle::{Oracle, angle_between, wrapped};
 use tests::program::{Action, Feed, Motion, Position, Program};
 
@@ -38,6 +39,11 @@ const SIX_DIGITS: f64 = 0.5e-5;
 /// be the other branch.
 const LARGEST_TURN: f64 = 90.0;
 
+/// How far a block may leave the motion of the CL data by default: mm, and degrees of the tool axis.
+const TOLERANCE: (f64, f64) = (0.01, 0.1);
+/// Places of a block that are looked at.
+const BLOCK_POINTS: usize = 100;
+
 /// Travel of a linear axis: letter, machine coordinate at the zero position, lowest, highest; mm.
 type Travel = (char, f64, f64, f64);
 
@@ -54,6 +60,8 @@ struct SetUp {
     retract: f64,
     travel: &'static [Travel],
     park: &'static [(char, f64)],
+    /// Posted with tolerances so wide that no point is inserted.
+    coarse: bool,
 }
 
 const PLAIN: SetUp = SetUp {
@@ -65,6 +73,7 @@ const PLAIN: SetUp = SetUp {
     retract: 0.0,
     travel: &[],
     park: &[],
+    coarse: false,
 };
 
 const COIL: SetUp = SetUp {
@@ -76,6 +85,7 @@ const COIL: SetUp = SetUp {
     retract: -5.0,
     travel: &[('X', -180.0, -300.0, 0.0), ('Y', -95.0, -200.0, 0.0), ('Z', -310.0, -350.0, 0.0)],
     park: &[('A', 0.0)],
+    coarse: false,
 };
 
 const PADS: SetUp = SetUp {
@@ -87,6 +97,7 @@ const PADS: SetUp = SetUp {
     retract: 0.0,
     travel: &[('X', 20.0, -310.0, 310.0), ('Y', -15.0, -255.0, 255.0), ('Z', -520.0, -460.0, 0.0)],
     park: &[('X', 0.0), ('Y', 240.0)],
+    coarse: false,
 };
 
 fn data(name: &str) -> PathBuf {
@@ -102,6 +113,9 @@ fn posted(machine: &str, cl: &PathBuf, set_up: &SetUp) -> String {
     command.arg("post").arg(cl);
     if let Some(config) = set_up.config {
         command.arg("--config").arg(data(config));
+    }
+    if set_up.coarse {
+        command.args(["--tolerance", "1", "--axis-tolerance-path", "10"]);
     }
     let output = command.output().expect("the binary runs");
     let errors = String::from_utf8_lossy(&output.stderr);
@@ -132,6 +146,16 @@ enum Stage {
     Above,
 }
 
+/// A motion of several blocks: where it began, and how long its blocks have taken.
+#[derive(Debug, Clone, Copy)]
+struct UnderWay {
+    tip: Point3<f64>,
+    axis: Vector3<f64>,
+    minutes: f64,
+    /// A block of it moved the tip by less than a unit of the words: it takes the time of its turn.
+    still: bool,
+}
+
 struct Reader<'a, M: Machine> {
     set_up: &'a SetUp,
     cl: &'a ClData,
@@ -146,6 +170,8 @@ struct Reader<'a, M: Machine> {
     next: usize,
     /// Where the tip stands in the CL data's own digits, and the words it stands at.
     place: Option<(Point3<f64>, Position)>,
+    /// The motion that is under way in several blocks.
+    under_way: Option<UnderWay>,
     /// How far the last motions have led the tool out along its axis, mm.
     led_out: f64,
     parked: BTreeSet<char>,
@@ -171,6 +197,7 @@ impl<'a, M: Machine> Reader<'a, M> {
             stage,
             next: 0,
             place: None,
+            under_way: None,
             led_out: 0.0,
             parked,
             edge: 0.5,
@@ -365,7 +392,17 @@ impl<'a, M: Machine> Reader<'a, M> {
         } else {
             assert!(turn <= LARGEST_TURN, "line {line}: a cut turns an axis by {turn}°");
             let written = motion.feed.unwrap_or_else(|| panic!("line {line}: no F"));
-            check_feed(line, written, feed, (tip - from).norm(), turn, self.scale);
+            let before = self.values(&before, self.scale).expect("every word is known in the cut");
+            if self.piece(line, &before, values, written, turn > 0.0) {
+                let reached = self.oracle.forward(values).tip;
+                self.place = Some((reached, motion.position.clone()));
+                self.led_out = 0.0;
+                self.stage = Stage::Running;
+                return;
+            }
+            if self.under_way.take().is_none() {
+                check_feed(line, written, feed, (tip - from).norm(), turn, self.scale);
+            }
         }
         let step = tip - from;
         let leads_out = turn == 0.0 && angle_between(&step, &self.oracle.forward(values).axis) <= 1e-3;
@@ -373,6 +410,54 @@ impl<'a, M: Machine> Reader<'a, M> {
         self.check_point(line, values, &motion.position);
         self.stage = Stage::Running;
         self.pass_repeated();
+    }
+
+    /// Follows a motion that turns an axis, block by block; true if this one ends before the GOTO.
+    fn piece(&mut self, line: usize, before: &[f64], values: &[f64], written: Feed, turns: bool) -> bool {
+        let goto = &self.cl.points[self.next];
+        let Some((tip, _)) = self.place else { return false };
+        let begun = self.under_way.unwrap_or_else(|| {
+            let axis = self.oracle.forward(before).axis.into_inner();
+            UnderWay { tip, axis, minutes: 0.0, still: false }
+        });
+        if !turns && self.under_way.is_none() {
+            return false;
+        }
+        let ends = ((&begun.tip, &begun.axis), (&goto.tip, &goto.axis));
+        let off = deviation_from(&self.oracle, before, values, BLOCK_POINTS, ends.0, ends.1);
+        let (tip_tolerance, axis_tolerance) = if self.set_up.coarse { (1.0, 10.0) } else { TOLERANCE };
+        assert!(off.tip <= tip_tolerance, "line {line}: the tip leaves its line by {} mm", off.tip);
+        assert!(off.axis.to_degrees() <= axis_tolerance, "line {line}: the tool axis is {} rad off", off.axis);
+        let pose = self.oracle.forward(values);
+        let room = 0.5 * self.unit * 3_f64.sqrt() + NOISE;
+        let length = (pose.tip - self.oracle.forward(before).tip).norm();
+        let (minutes, exact) = match written {
+            Feed::InverseTime(word) => (1.0 / word, length / goto.feed),
+            Feed::PerMinute(word) => (length / (word * self.scale), length / goto.feed),
+        };
+        let still = length < self.unit + 2.0 * room;
+        let late = (minutes - exact).abs();
+        assert!(still || late <= (2.0 * room + 1e-5 * length) / goto.feed, "line {line}: a piece takes {minutes} min");
+        let under_way = UnderWay { minutes: begun.minutes + minutes, still: begun.still || still, ..begun };
+        let leaning = angle_between(&pose.axis, &goto.axis).to_degrees();
+        if (pose.tip - goto.tip).norm() <= 2.0 * room && leaning <= 2.0 * ROTARY_UNIT {
+            if self.under_way.is_some() {
+                self.under_way = Some(under_way);
+                let whole = (goto.tip - begun.tip).norm() / goto.feed;
+                let late = (under_way.minutes - whole).abs();
+                assert!(
+                    under_way.still || late <= 2.0 * SIX_DIGITS * whole,
+                    "line {line}: {under_way:?} for {whole} min"
+                );
+            }
+            return false;
+        }
+        let missed = distance_to_line(&pose.tip, &begun.tip, &goto.tip);
+        assert!(missed <= room, "line {line}: the inserted point is {missed} mm off its line");
+        let leaning = angle_to_arc(&pose.axis, &begun.axis, &goto.axis).to_degrees();
+        assert!(leaning <= 3.0 * ROTARY_UNIT, "line {line}: the tool axis of the inserted point is {leaning}° off");
+        self.under_way = Some(under_way);
+        true
     }
 
     fn machine_motion(&mut self, line: usize, motion: &Motion) {
@@ -622,6 +707,7 @@ fn every_slip_is_found<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) {
 
 #[test]
 fn no_wrong_digit_and_no_missing_block_passes() {
-    every_slip_is_found::<SpinnerU5620>("spinner-u5-620", &data("blade/blade.cls"), &PLAIN);
-    every_slip_is_found::<LolaXoyzba>("lola-xoyzba", &data("pads/pads.cls"), &PADS);
+    let coarse = |set_up: SetUp| SetUp { coarse: true, ..set_up };
+    every_slip_is_found::<SpinnerU5620>("spinner-u5-620", &data("blade/blade.cls"), &coarse(PLAIN));
+    every_slip_is_found::<LolaXoyzba>("lola-xoyzba", &data("pads/pads.cls"), &coarse(PADS));
 }

@@ -164,7 +164,7 @@ impl<M: Machine> Placer<M> {
             return false;
         }
         let expected = [0, 1].map(|axis| (from.1[axis] + to.1[axis]) / 2);
-        let Some(words) = self.nearest_words(&middle, &expected) else { return false };
+        let Some(words) = self.nearest_turns(&middle, &expected) else { return false };
         let off = (0..2).map(|axis| (words[axis] - expected[axis]).abs()).max().unwrap_or(0);
         off < turn
             && self.runs_through(from, (&middle, words), halvings - 1)
@@ -172,7 +172,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The solution of a pose nearest to some words, on any branch, without limits.
-    pub(super) fn nearest_words(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
+    pub(super) fn nearest_turns(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
         let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(expected));
         let words = |branch: usize| {
             let mut words = *expected;

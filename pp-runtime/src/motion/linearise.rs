@@ -1,0 +1,508 @@
+//! Linearisation with a guarantee: blocks whose tip and tool axis are *certified* to stay within tolerance.
+//!
+//! CL data means a straight tip path and a tool axis that turns evenly in the plane of its ends; a control moves every
+//! axis linearly instead. [`Pieces`] splits a motion so that [`Machine::motion`] certifies every piece, with the words
+//! as they are written: what rounding takes is taken off the tolerance.
+//!
+//! From the start the longest piece that certifies is taken, then the longest from its end, and so on. The search is a
+//! bisection on the path parameter; because deviations grow with the square of the length, the last one says where to
+//! look next. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand would be a
+//! guess, because axes are not linear in the pose.
+//!
+//! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a turn on the
+//! spot: the rotary that is free at the pole turns there. Its rotary values are stepped from one end to the other, and
+//! the linear axes follow. What does not certify when no rotary word turns by more than one unit is refused.
+//!
+//! Nothing is allocated: a motion is a few places on the stack, however many pieces it has.
+
+use nalgebra::{UnitVector3, Vector3};
+
+use crate::kinematics::{Branch, Machine, MotionBound, Pose, REACH_TOLERANCE, Solution};
+
+use super::choose::OutOfLimits;
+use super::fault::Fault;
+use super::place::{Place, Placer};
+use super::step::MAX_AXES;
+
+/// A piece that uses so much of the tolerance is long enough.
+const LONG_ENOUGH: f64 = 0.97;
+
+/// A longest piece is known to this share of its length.
+const CLOSE: f64 = 0.01;
+
+/// The next try aims at this share of the tolerance's length.
+const AIM: f64 = 0.993;
+
+/// Most tries for one piece: bisection from the whole motion to the last bit takes fewer.
+const TRIES: usize = 120;
+
+/// Cosine of the largest angle between the tool axes of one block; the great circle of a wider one is ill conditioned.
+const WIDEST: f64 = -0.5;
+
+/// How far what is written may leave the motion of the CL data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Tolerance {
+    /// Of the tip, mm.
+    pub(crate) tip: f64,
+    /// Of the tool axis, rad.
+    pub(crate) axis: f64,
+}
+
+/// A piece with what is certified of it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece<A> {
+    /// Where it ends.
+    pub(crate) place: Place<A>,
+    /// Largest deviation from the motion of the CL data, rounding of the words included.
+    pub(crate) bound: MotionBound,
+    /// Share of the tolerance that it uses; above 1 it does not certify.
+    share: f64,
+}
+
+/// The pieces of one motion.
+#[derive(Debug, Clone)]
+pub(crate) struct Pieces<A> {
+    tolerance: Tolerance,
+    /// Where the last piece ended.
+    from: Place<A>,
+    to: Place<A>,
+    way: Way<A>,
+}
+
+/// How the rest of a motion is travelled.
+#[derive(Debug, Clone)]
+#[expect(clippy::large_enum_variant, reason = "one on the stack for a motion: nothing is allocated")]
+enum Way<A> {
+    /// In one block, if that certifies.
+    Whole,
+    /// Along the path.
+    Path(Path),
+    /// Turning on the spot, and then along the path, if that goes on.
+    Spot(Spot<A>, Path),
+    /// Nothing is left.
+    Done,
+}
+
+/// The straight, evenly turning motion of the CL data.
+#[derive(Debug, Clone, Copy)]
+struct Path {
+    start: Pose,
+    /// Unit vector in the plane of the tool axes, square to the first.
+    aside: Vector3<f64>,
+    /// Angle between the tool axes, rad.
+    angle: f64,
+    /// The branch of both ends; `None` where they have none in common.
+    branch: Option<Branch>,
+    /// Shorter steps of the parameter than this are none: half a unit of the words.
+    resolution: f64,
+    /// Parameter of the last piece's end.
+    at: f64,
+    /// How long the last piece was.
+    stride: f64,
+}
+
+/// A turn of the rotaries while the tool stands still.
+#[derive(Debug, Clone, Copy)]
+struct Spot<A> {
+    start: Place<A>,
+    target: Place<A>,
+    /// Shorter steps than this turn no word by a unit.
+    resolution: f64,
+    at: f64,
+    stride: f64,
+}
+
+/// What a search has found.
+enum Found<A> {
+    /// A parameter, and the piece that ends there.
+    Longest(f64, Piece<A>),
+    /// Not even a piece up to this parameter certifies, and shorter ones are none.
+    Stuck(f64),
+}
+
+impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Pieces<A> {
+    /// The pieces from one place to another.
+    pub(crate) fn new(from: &Place<A>, to: &Place<A>, tolerance: Tolerance) -> Self {
+        Self { tolerance, from: *from, to: *to, way: Way::Whole }
+    }
+
+    /// The next piece; `None` behind the last.
+    ///
+    /// # Errors
+    /// If a part of the way cannot be certified, reached, or turned to inside the limits.
+    pub(crate) fn next<M: Machine<Axes = A>>(&mut self, placer: &Placer<M>) -> Result<Option<Piece<A>>, Fault> {
+        loop {
+            match &mut self.way {
+                Way::Done => return Ok(None),
+                Way::Whole => {
+                    let whole = placer.certify(&self.from, &self.to, self.tolerance);
+                    if whole.share <= 1.0 {
+                        self.way = Way::Done;
+                        return Ok(Some(whole));
+                    }
+                    self.way = Way::Path(placer.path(&self.from, &self.to, self.tolerance)?);
+                }
+                Way::Path(path) => {
+                    let whole = placer.certify(&self.from, &self.to, self.tolerance);
+                    if whole.share <= 1.0 {
+                        self.way = Way::Done;
+                        return Ok(Some(whole));
+                    }
+                    let (from, to, tolerance) = (self.from, self.to, self.tolerance);
+                    let walked = *path;
+                    let found = longest(walked.at, walked.stride, walked.resolution, |parameter| {
+                        let place = placer.between(&walked, &from, &to, parameter)?;
+                        Ok(placer.certify(&from, &place, tolerance))
+                    })?;
+                    match found {
+                        Found::Longest(parameter, piece) => {
+                            path.stride = parameter - path.at;
+                            path.at = parameter;
+                            self.from = piece.place;
+                            return Ok(Some(piece));
+                        }
+                        Found::Stuck(until) => {
+                            let target =
+                                if until < 1.0 { placer.between(&walked, &from, &to, until)? } else { self.to };
+                            let spot = placer.spot(&from, &target);
+                            self.way = Way::Spot(spot, Path { at: until, ..walked });
+                        }
+                    }
+                }
+                Way::Spot(spot, path) => {
+                    let (turned, from, tolerance) = (*spot, self.from, self.tolerance);
+                    let rest = placer.certify(&from, &turned.target, tolerance);
+                    if rest.share <= 1.0 {
+                        self.from = rest.place;
+                        self.way = if path.at < 1.0 { Way::Path(*path) } else { Way::Done };
+                        return Ok(Some(rest));
+                    }
+                    let found = longest(turned.at, turned.stride, turned.resolution, |parameter| {
+                        let place = placer.turned(&turned, parameter)?;
+                        Ok(placer.certify(&from, &place, tolerance))
+                    })?;
+                    let Found::Longest(parameter, piece) = found else {
+                        return Err(placer.uncertified(&from, &turned.target, tolerance));
+                    };
+                    spot.stride = parameter - spot.at;
+                    spot.at = parameter;
+                    self.from = piece.place;
+                    return Ok(Some(piece));
+                }
+            }
+        }
+    }
+}
+
+/// The longest piece that certifies, its end between `at` and 1, where the whole does not.
+fn longest<A: Copy>(
+    at: f64,
+    stride: f64,
+    resolution: f64,
+    mut piece_to: impl FnMut(f64) -> Result<Piece<A>, Fault>,
+) -> Result<Found<A>, Fault> {
+    let (mut good, mut bad) = (at, 1.0);
+    let mut best: Option<Piece<A>> = None;
+    let mut next = at + stride;
+    for count in 0..TRIES {
+        let known = good - at;
+        if best.is_some() && bad - good <= CLOSE * known || best.is_none() && bad - at <= resolution {
+            break;
+        }
+        let margin = 0.03 * (bad - good);
+        // Every third try is a plain bisection, whatever the last one promised.
+        if !(next > good + margin && next < bad - margin) || count % 3 == 2 {
+            next = 0.5 * (good + bad);
+        }
+        let piece = piece_to(next)?;
+        let aim = at + (next - at) * AIM / piece.share.sqrt();
+        if piece.share <= 1.0 {
+            (good, best) = (next, Some(piece));
+            if piece.share >= LONG_ENOUGH {
+                break;
+            }
+        } else {
+            bad = next;
+        }
+        next = aim;
+    }
+    Ok(best.map_or(Found::Stuck(bad), |piece| Found::Longest(good, piece)))
+}
+
+impl<M: Machine> Placer<M> {
+    /// What is certified of one block.
+    #[inline]
+    pub(crate) fn certify(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, allowed: Tolerance) -> Piece<M::Axes> {
+        let mut bound = self.machine.motion(&from.axes, &to.axes);
+        let (tip_off, axis_off) = (from.rounding.max(to.rounding), self.axis_off(from).max(self.axis_off(to)));
+        if bound.tip > allowed.tip - tip_off && bound.axis <= allowed.axis - axis_off {
+            bound.tip = self.tip_by_halves(from, to, bound.tip);
+        }
+        let share = (bound.tip / (allowed.tip - tip_off)).max(bound.axis / (allowed.axis - axis_off));
+        let roomy = allowed.tip > tip_off && allowed.axis > axis_off;
+        let narrow = from.pose.axis.dot(&to.pose.axis) > WIDEST && !self.rolls_over(from, to);
+        Piece {
+            place: *to,
+            bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off },
+            share: if roomy && narrow && share.is_finite() { share } else { f64::INFINITY },
+        }
+    }
+
+    /// A bound of the tip's deviation from its line, mm, that is smaller than `whole` where the path bends to both sides
+    /// of it: each half leaves its own chord by what is certified of it, and the two chords leave the line by no more than
+    /// the point where they meet.
+    fn tip_by_halves(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, whole: f64) -> f64 {
+        let mut middle = from.axes;
+        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            *value = 0.5 * (*value + end);
+        }
+        let (start, line) = (from.pose.tip, to.pose.tip - from.pose.tip);
+        let along = self.machine.forward_kinematics(&middle).tip - start;
+        let length = line.norm_squared();
+        let part = if length > 0.0 { (along.dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
+        // The ends are where the words put them.
+        let off = (along - line * part).norm() + from.rounding.max(to.rounding);
+        if off > 0.5 * whole {
+            return whole;
+        }
+        let halves = [(&from.axes, &middle), (&middle, &to.axes)].map(|(a, b)| self.machine.motion(a, b).tip);
+        whole.min(off + halves[0].max(halves[1]))
+    }
+
+    /// How far the arc between written axes may lie from that between programmed ones: twice what an end is off, since
+    /// no block is wider than [`WIDEST`].
+    #[inline]
+    fn axis_off(&self, place: &Place<M::Axes>) -> f64 {
+        2.0 * (0.5 * self.scale.angle(1) * self.rotaries.len() as f64 + place.deviation)
+    }
+
+    /// The path between two places.
+    #[cold]
+    fn path(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, allowed: Tolerance) -> Result<Path, Fault> {
+        let rounding = self.largest_rounding();
+        if rounding >= allowed.tip {
+            return Err(Fault::new(format_args!(
+                "the words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone takes \
+                 the tip up to {rounding:.5} mm off",
+                allowed.tip
+            ))
+            .help("give a wider `tolerance`, or more decimals"));
+        }
+        let (a, b) = (from.pose.axis.into_inner(), to.pose.axis.into_inner());
+        let across = a.cross(&b);
+        let angle = across.norm().atan2(a.dot(&b));
+        if angle > std::f64::consts::PI - REACH_TOLERANCE {
+            return Err(Fault::new("the tool axis turns by 180° in one motion: which way, the CL data does not say")
+                .help("give a point in between"));
+        }
+        let aside = across.cross(&a).try_normalize(0.0).unwrap_or_else(Vector3::zeros);
+        let length = (to.pose.tip - from.pose.tip).norm();
+        let half_unit = |unit: f64, way: f64| if way > 0.0 { 0.5 * unit / way } else { 1.0 };
+        let resolution = half_unit(self.unit_mm(), length).min(half_unit(self.scale.angle(1), angle)).min(1.0);
+        // At the pole both branches meet.
+        let branch = match (from.pole, to.pole) {
+            (true, false) => Some(to.branch),
+            (false, true) => Some(from.branch),
+            _ => (from.branch == to.branch).then_some(from.branch),
+        };
+        Ok(Path { start: from.pose, aside, angle, branch, resolution, at: 0.0, stride: 0.5 })
+    }
+
+    /// Words of a solution's rotaries, in the turn nearest to some axis values.
+    fn nearest_words(&self, solution: &Solution<M::Axes>, near: &M::Axes) -> [i64; MAX_AXES] {
+        let mut words = [0; MAX_AXES];
+        for rotary in &self.rotaries {
+            let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
+            let wanted = self.scale.word(near.as_ref()[rotary.index]);
+            let turns = (wanted - word + self.scale.turn / 2).div_euclid(self.scale.turn);
+            words[rotary.index] = word + turns * self.scale.turn;
+        }
+        words
+    }
+
+    /// The place of a pose of the path: on the branch of the ends, or else nearest to the interpolation between them.
+    fn between(
+        &self,
+        path: &Path,
+        from: &Place<M::Axes>,
+        to: &Place<M::Axes>,
+        parameter: f64,
+    ) -> Result<Place<M::Axes>, Fault> {
+        let (sine, cosine) = (parameter * path.angle).sin_cos();
+        let axis = path.start.axis.into_inner() * cosine + path.aside * sine;
+        let tip = path.start.tip + (to.pose.tip - path.start.tip) * parameter;
+        let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
+        let mut guess = from.axes;
+        let share = (parameter - path.at) / (1.0 - path.at);
+        for (value, end) in guess.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            *value += (end - *value) * share;
+        }
+        let solutions = self.machine.inverse_kinematics(&pose, &guess);
+        let travel = |solution: &&Solution<M::Axes>| {
+            let words = self.nearest_words(solution, &guess);
+            let off = |index: usize| words[index].abs_diff(self.scale.word(guess.as_ref()[index]));
+            self.rotaries.iter().map(|rotary| off(rotary.index)).sum::<u64>()
+        };
+        let wanted = path.branch.filter(|_| solutions.len() > 1);
+        let chosen = match wanted {
+            Some(branch) => solutions.iter().find(|solution| solution.branch == branch),
+            None => solutions.iter().min_by_key(travel),
+        };
+        let on_the_way = |fault: Fault| fault.context("on the way from the point before");
+        let Some(solution) = chosen else { return Err(on_the_way(self.unreachable(&pose, &guess))) };
+        // Whole turns: between the ends, wherever near the pole most of the turning is done.
+        let mut middle = from.axes;
+        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            *value = 0.5 * (*value + end);
+        }
+        self.beside(&pose, from, solution, &middle).map_err(on_the_way)
+    }
+
+    /// The place of a solution, in the turn nearest to some axis values.
+    fn beside(
+        &self,
+        pose: &Pose,
+        from: &Place<M::Axes>,
+        solution: &Solution<M::Axes>,
+        near: &M::Axes,
+    ) -> Result<Place<M::Axes>, Fault> {
+        let words = self.nearest_words(solution, near);
+        for rotary in &self.rotaries {
+            let word = words[rotary.index];
+            if !rotary.holds(word) {
+                return Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word }), None]));
+            }
+        }
+        let mut place = self.at(pose, from, &words);
+        place.deviation = solution.deviation;
+        place.branch = solution.branch;
+        self.set(place)
+    }
+
+    fn spot(&self, start: &Place<M::Axes>, target: &Place<M::Axes>) -> Spot<M::Axes> {
+        let largest = self.rotaries.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));
+        let units = largest.max().unwrap_or(0).max(1);
+        Spot { start: *start, target: *target, resolution: 1.0 / units as f64, at: 0.0, stride: 0.5 }
+    }
+
+    /// A place of a turn on the spot.
+    fn turned(&self, spot: &Spot<M::Axes>, parameter: f64) -> Result<Place<M::Axes>, Fault> {
+        let mut words = spot.start.words;
+        for rotary in &self.rotaries {
+            let change = (spot.target.words[rotary.index] - words[rotary.index]) as f64;
+            words[rotary.index] += (change * parameter).round() as i64;
+        }
+        let tip = spot.start.pose.tip + (spot.target.pose.tip - spot.start.pose.tip) * parameter;
+        let pose = Pose { tip, axis: spot.target.pose.axis };
+        let mut place = self.at(&pose, &spot.start, &words);
+        let reached = self.machine.forward_kinematics(&place.axes).axis;
+        place.deviation = (reached.into_inner() - pose.axis.into_inner()).norm();
+        self.set(place)
+    }
+
+    /// Why a turn on the spot cannot be cut.
+    #[cold]
+    fn uncertified(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, allowed: Tolerance) -> Fault {
+        let turned =
+            self.rotaries.iter().max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
+        let index = turned.map_or(0, |rotary| rotary.index);
+        Fault::new(format_args!(
+            "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
+             of tolerance ({} mm, {:.4}°)",
+            M::AXES[index].letter,
+            self.scale.degrees(from.words[index]),
+            self.scale.degrees(to.words[index]),
+            allowed.tip,
+            allowed.axis.to_degrees(),
+        ))
+        .help("retract before this point and start a new operation, or keep clear of the pole")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Point3;
+
+    use super::super::machines::Cb;
+    use super::*;
+    use crate::config::{Config, Units};
+
+    const TOLERANCE: Tolerance = Tolerance { tip: 0.01, axis: 0.001_745 };
+
+    fn placer() -> Placer<Cb> {
+        let config = Config::default();
+        Placer::new(config.machine::<Cb>().expect("valid"), &config, Units::Millimetres)
+    }
+
+    /// The place of rotary angles in degrees.
+    fn place(placer: &Placer<Cb>, tip: [f64; 3], c: f64, b: f64) -> Place<[f64; 5]> {
+        let mut place = placer.zero();
+        place.words[0] = placer.scale.word(c.to_radians());
+        place.words[1] = placer.scale.word(b.to_radians());
+        let axes = [c.to_radians(), b.to_radians(), 0.0, 0.0, 0.0];
+        let axis = placer.machine.forward_kinematics(&axes).axis;
+        let words = place.words;
+        placer.set(placer.at(&Pose { tip: Point3::from(tip), axis }, &place, &words)).expect("a place")
+    }
+
+    fn pieces(
+        placer: &Placer<Cb>,
+        from: &Place<[f64; 5]>,
+        to: &Place<[f64; 5]>,
+    ) -> Result<Vec<Piece<[f64; 5]>>, Fault> {
+        let mut pieces = Pieces::new(from, to, TOLERANCE);
+        let mut list = Vec::new();
+        while let Some(piece) = pieces.next(placer)? {
+            list.push(piece);
+        }
+        Ok(list)
+    }
+
+    #[test]
+    fn a_free_axis_turns_at_the_pole_in_steps_of_its_value() {
+        let placer = placer();
+        let tip = [40.0, 10.0, 3.0];
+        let (from, to) = (place(&placer, tip, 0.0, 0.0), place(&placer, tip, 90.0, 0.0));
+        let pieces = pieces(&placer, &from, &to).expect("certified");
+        // Chords of a quarter circle of radius √(40² + 10²) within 0.01 mm less rounding.
+        assert!((36..40).contains(&pieces.len()), "{}", pieces.len());
+        let mut last = from;
+        for piece in &pieces {
+            assert!(piece.bound.tip <= TOLERANCE.tip && piece.bound.axis <= TOLERANCE.axis);
+            assert!(piece.place.words[0] > last.words[0] && piece.place.words[1] == 0);
+            let tip = placer.machine.forward_kinematics(&piece.place.axes).tip;
+            assert!((tip - to.pose.tip).norm() <= piece.place.rounding + 1e-12);
+            last = piece.place;
+        }
+        assert_eq!(last, to);
+    }
+
+    #[test]
+    fn a_whole_turn_away_from_the_pole_is_no_turn_on_the_spot() {
+        let placer = placer();
+        let tip = [40.0, 10.0, 3.0];
+        let (from, to) = (place(&placer, tip, 0.0, 20.0), place(&placer, tip, 360.0, 20.0));
+        let fault = pieces(&placer, &from, &to).expect_err("the tool axis would go round");
+        let text = fault.at(crate::program::Location::default(), crate::diag::Severity::Error).text;
+        assert!(text.contains("to 360° on the spot"), "{text}");
+    }
+
+    #[test]
+    fn points_in_between_are_poses_of_the_path() {
+        let placer = placer();
+        let (from, to) = (place(&placer, [0.0; 3], 0.0, 30.0), place(&placer, [30.0, 40.0, 0.0], 60.0, 50.0));
+        let line = to.pose.tip - from.pose.tip;
+        let normal = from.pose.axis.cross(&to.pose.axis).normalize();
+        let mut before = -1.0;
+        for piece in pieces(&placer, &from, &to).expect("certified") {
+            let pose = placer.machine.forward_kinematics(&piece.place.axes);
+            let along = (pose.tip - from.pose.tip).dot(&line) / line.norm_squared();
+            assert!((from.pose.tip + line * along - pose.tip).norm() < 0.001);
+            assert!(pose.axis.dot(&normal).abs() < 3e-6);
+            let turned = from.pose.axis.angle(&pose.axis) / from.pose.axis.angle(&to.pose.axis);
+            assert!((turned - along).abs() < 1e-4, "the axis turns evenly: {turned} at {along}");
+            assert!(along > before);
+            before = along;
+        }
+    }
+}

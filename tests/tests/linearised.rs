@@ -1,0 +1,420 @@
+//! Posted programs keep to the motion of their CL data: printed words, 1000 places of every block, the oracle's matrices.
+//!
+//! And not by wasting blocks: for each motion the least number of points is found by the same search, the longest piece
+//! from the start and so on, with the *true* deviation in place of the certified bound.
+
+use std::fmt::Write as _;
+use std::io::Cursor;
+
+use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use pp_runtime::config::Config;
+use pp_runtime::control::LinuxCnc;
+use pp_runtime::kinematics::{AxisKind, Limits, Machine, Pose};
+use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
+use pp_runtime::post::{Job, Report, post};
+use tests::block::deviation_from;
+use tests::further::{HeadTable, NutatingHead, Trunnion};
+use tests::oracle::{Oracle, wrapped};
+use tests::program::{Feed, Program};
+
+/// Places of a block that are looked at.
+const POINTS: usize = 1000;
+/// The same where a block is only tried.
+const POINTS_TRIED: usize = 150;
+const LENGTH: f64 = 95.0;
+const PART: [f64; 3] = [22.0, -14.0, 65.0];
+
+fn unit(vector: Vector3<f64>) -> UnitVector3<f64> {
+    UnitVector3::new_normalize(vector)
+}
+
+/// Across a hemisphere in a plane that passes `beside` mm from its pole; the tool stands square on it.
+fn traverse(beside: f64, steps: usize) -> Vec<Pose> {
+    let radius: f64 = 45.0;
+    let circle = (radius * radius - beside * beside).sqrt();
+    let (sine, cosine) = 0.35_f64.sin_cos();
+    let pose = |step: usize| {
+        let angle = -1.0 + 2.0 * step as f64 / steps as f64;
+        let (along, up) = (circle * angle.sin(), circle * angle.cos());
+        let from_centre = Vector3::new(along * cosine - beside * sine, along * sine + beside * cosine, up);
+        Pose { tip: Point3::from(from_centre + Vector3::new(30.0, 10.0, 0.0)), axis: unit(from_centre) }
+    };
+    (0..=steps).map(pose).collect()
+}
+
+/// Out along the blade of an impeller, the tool leaning to its side more and more.
+fn swirl() -> Vec<Pose> {
+    let pose = |step: usize| {
+        let share = step as f64 / 24.0;
+        let (sine, cosine) = (2.6 * share).sin_cos();
+        let radius = 15.0 + 45.0 * share;
+        let lean = 0.35 + 0.5 * share;
+        let side = Vector3::new(-sine, cosine, 0.0) * lean.sin() + Vector3::new(cosine, sine, 0.0) * 0.2;
+        let tip = Point3::new(radius * cosine, radius * sine, 30.0 - 25.0 * share * share);
+        Pose { tip, axis: unit(side + Vector3::z() * lean.cos()) }
+    };
+    (0..=24).map(pose).collect()
+}
+
+/// Round a bar, for a machine with A alone.
+fn around(steps: usize) -> Vec<Pose> {
+    let pose = |step: usize| {
+        let angle = 0.3 * step as f64;
+        let axis = Vector3::new(0.0, -angle.sin(), angle.cos());
+        Pose { tip: Point3::from(axis * 25.0 + Vector3::new(0.1 * step as f64, 4.0, 3.0)), axis: unit(axis) }
+    };
+    (0..=steps).map(pose).collect()
+}
+
+fn cl_of(poses: &[Pose]) -> String {
+    let mut cl = format!("UNITS/MM\nTOOL PATH/TEST\nLOADTL/1,LENGTH,{LENGTH}\nSPINDL/RPM,5000,CLW\nFEDRAT/MMPM,900\n");
+    for Pose { tip, axis } in poses {
+        let (t, a) = (tip, axis);
+        writeln!(cl, "GOTO/{:.6},{:.6},{:.6},{:.9},{:.9},{:.9}", t.x, t.y, t.z, a.x, a.y, a.z).expect("memory");
+    }
+    cl + "END-OF-PATH\nFINI\n"
+}
+
+/// What a program was found to be.
+#[derive(Debug, Default)]
+struct Found {
+    motions: usize,
+    inserted: usize,
+    least: usize,
+    /// Motions in which an axis turns on the spot: there is no path whose points could be counted.
+    spots: usize,
+}
+
+fn config<M: Machine>(part_origin: [f64; 3]) -> Config {
+    let mut config = Config { part_origin, ..Config::default() };
+    config.retract.distance = Some(60.0);
+    for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Linear) {
+        config.limits.insert(axis.letter, Some(Limits { lower: -9e4, upper: 9e4 }));
+    }
+    config
+}
+
+/// Axis values of the feed blocks, in chain order; the first is where they begin.
+fn printed<M: Machine>(text: &str) -> Vec<Vec<f64>> {
+    let program = Program::read(text).unwrap_or_else(|refused| panic!("{refused}"));
+    let values = |position: &std::collections::BTreeMap<char, f64>| -> Option<Vec<f64>> {
+        let value = |axis: &pp_runtime::kinematics::Axis| {
+            let word = *position.get(&axis.letter)?;
+            Some(if axis.kind == AxisKind::Rotary { word.to_radians() } else { word })
+        };
+        M::AXES.iter().map(value).collect()
+    };
+    let feeds = program.motions().filter(|(_, motion)| !motion.rapid && !motion.machine);
+    feeds
+        .map(|(line, motion)| values(&motion.position).unwrap_or_else(|| panic!("line {line}: a word is unknown")))
+        .collect()
+}
+
+struct Checker<M: Machine> {
+    machine: M,
+    oracle: Oracle,
+    config: Config,
+}
+
+impl<M: Machine> Checker<M> {
+    fn tolerances(&self) -> (f64, f64) {
+        (self.config.tolerance, self.config.axis_tolerance_path)
+    }
+
+    /// Whether a block keeps to the motion between two poses.
+    fn keeps(&self, from: &[f64], to: &[f64], (start, end): (&Pose, &Pose), points: usize) -> bool {
+        let off = deviation_from(&self.oracle, from, to, points, (&start.tip, &start.axis), (&end.tip, &end.axis));
+        let (tip, axis) = self.tolerances();
+        off.tip <= tip && off.axis <= axis
+    }
+
+    /// A pose of the path.
+    fn pose_at((start, end): (&Pose, &Pose), share: f64) -> Pose {
+        let turn = start.axis.cross(&end.axis);
+        let angle = turn.norm().atan2(start.axis.dot(&end.axis));
+        let aside = turn.cross(&start.axis).try_normalize(0.0).unwrap_or_default();
+        let axis = unit(start.axis.into_inner() * (share * angle).cos() + aside * (share * angle).sin());
+        Pose { tip: start.tip + (end.tip - start.tip) * share, axis }
+    }
+
+    /// The words of a pose: the solution nearest to the printed ones there.
+    fn words_at(&self, pose: &Pose, near: &[f64]) -> Vec<f64> {
+        let mut held = M::HELD;
+        held.as_mut().copy_from_slice(near);
+        let solutions = self.machine.inverse_kinematics(pose, &held);
+        let rotary = self.oracle.rotary();
+        let off = |axes: &[f64]| rotary.iter().map(|&index| wrapped(axes[index] - near[index]).abs()).sum::<f64>();
+        let nearest = solutions
+            .iter()
+            .min_by(|one, other| off(one.axes.as_ref()).total_cmp(&off(other.axes.as_ref())))
+            .expect("the path can be reached");
+        let mut words = nearest.axes.as_ref().to_vec();
+        for &index in &rotary {
+            let value = near[index] + wrapped(words[index] - near[index]);
+            words[index] = ((value.to_degrees() * 1e4).round() / 1e4).to_radians();
+        }
+        self.oracle.bring_tip_to(&pose.tip, &mut words);
+        for index in self.oracle.linear() {
+            words[index] = (words[index] * 1e3).round() / 1e3;
+        }
+        words
+    }
+
+    /// The least number of points between the first and the last of the printed ones; `None` where an axis turns on the
+    /// spot.
+    fn least(&self, ends: (&Pose, &Pose), printed: &[Vec<f64>]) -> Option<usize> {
+        let shares = self.shares(ends, printed)?;
+        let at = |share: f64| {
+            let place = shares.partition_point(|known| *known < share).clamp(1, shares.len() - 1);
+            let part = (share - shares[place - 1]) / (shares[place] - shares[place - 1]);
+            let near: Vec<f64> =
+                printed[place - 1].iter().zip(&printed[place]).map(|(a, b)| a + (b - a) * part).collect();
+            self.words_at(&Self::pose_at(ends, share), &near)
+        };
+        // Of its own part of the path, as the bound has it: the tool does not go back and forth on the line either.
+        let keeps = |from: &[f64], share: f64, to: &[f64], end: f64| {
+            let (start, end) = (Self::pose_at(ends, share), Self::pose_at(ends, end));
+            self.keeps(from, to, (&start, &end), POINTS_TRIED)
+        };
+        let end = printed.last().expect("an end");
+        let (mut from, mut share, mut points) = (printed[0].clone(), 0.0, 0);
+        while !keeps(&from, share, end, 1.0) {
+            let (mut good, mut bad) = (share, 1.0);
+            while bad - good > 0.005 * (good - share) && bad - share > 1e-7 {
+                let middle = 0.5 * (good + bad);
+                let kept = keeps(&from, share, &at(middle), middle);
+                *(if kept { &mut good } else { &mut bad }) = middle;
+            }
+            if good <= share {
+                return None;
+            }
+            (from, share, points) = (at(good), good, points + 1);
+        }
+        Some(points)
+    }
+
+    /// Where on the path the printed points are; `None` if two are at the same place.
+    fn shares(&self, (start, end): (&Pose, &Pose), printed: &[Vec<f64>]) -> Option<Vec<f64>> {
+        let line = end.tip - start.tip;
+        let length = line.norm_squared();
+        let mut shares: Vec<f64> =
+            printed.iter().map(|words| (self.oracle.forward(words).tip - start.tip).dot(&line) / length).collect();
+        let last = shares.len() - 1;
+        (shares[0], shares[last]) = (0.0, 1.0);
+        shares.windows(2).all(|pair| pair[1] - pair[0] > 2e-3 / length.sqrt()).then_some(shares)
+    }
+
+    fn check(&self, poses: &[Pose], blocks: &[Vec<f64>]) -> Found {
+        let mut found = Found::default();
+        let mut index = 0;
+        let mut before = 0;
+        for (place, words) in blocks.iter().enumerate() {
+            let Some(next) = poses.get(index) else { panic!("{}: block {place} is behind the last point", M::NAME) };
+            let pose = self.oracle.forward(words);
+            if (pose.tip - next.tip).norm() > 1.2e-3 || (pose.axis.into_inner() - next.axis.into_inner()).norm() > 5e-6
+            {
+                continue;
+            }
+            if index > 0 {
+                let ends = (&poses[index - 1], next);
+                let run = &blocks[before..=place];
+                for pair in run.windows(2) {
+                    let off = deviation_from(
+                        &self.oracle,
+                        &pair[0],
+                        &pair[1],
+                        POINTS,
+                        (&ends.0.tip, &ends.0.axis),
+                        (&ends.1.tip, &ends.1.axis),
+                    );
+                    let (tip, axis) = self.tolerances();
+                    assert!(off.tip <= tip && off.axis <= axis, "{}, to point {index}: {off:?}", M::NAME);
+                }
+                self.count(ends, run, index, &mut found);
+            }
+            before = place;
+            index += 1;
+        }
+        assert_eq!(index, poses.len(), "{}: every point is met", M::NAME);
+        found
+    }
+
+    fn count(&self, ends: (&Pose, &Pose), run: &[Vec<f64>], index: usize, found: &mut Found) {
+        let inserted = run.len() - 2;
+        found.motions += 1;
+        found.inserted += inserted;
+        match self.least(ends, run) {
+            Some(least) => {
+                found.least += least;
+                let most = ((1.3 * least as f64) as usize).max(least + 1);
+                assert!(inserted <= most, "{}, to point {index}: {inserted} points, {least} would do", M::NAME);
+            }
+            None => found.spots += 1,
+        }
+    }
+}
+
+/// The poses as CL data has them.
+fn as_written(poses: &[Pose]) -> Vec<Pose> {
+    let rounded = |value: f64, digits: f64| (value * digits).round() / digits;
+    let written = |pose: &Pose| Pose {
+        tip: pose.tip.map(|value| rounded(value, 1e6)),
+        axis: unit(pose.axis.map(|value| rounded(value, 1e9))),
+    };
+    poses.iter().map(written).collect()
+}
+
+fn posted<M: Machine>(config: &Config, poses: &[Pose]) -> (Report, String) {
+    let job = Job { cl_name: "test.cls", config, control: &LinuxCnc, units: None };
+    let mut out = Vec::new();
+    let report = post::<M>(&job, &mut Cursor::new(cl_of(poses).as_bytes()), &mut out).expect("memory");
+    assert!(!report.failed, "{}: {:?}", M::NAME, report.diagnostics);
+    (report, String::from_utf8(out).expect("ASCII"))
+}
+
+fn check<M: Machine>(name: &str, poses: &[Pose], limits: &[(char, f64, f64)]) -> Found {
+    let poses = as_written(poses);
+    let mut config = config::<M>(PART);
+    for (letter, lower, upper) in limits {
+        let limits = Limits { lower: lower.to_radians(), upper: upper.to_radians() };
+        config.limits.insert(*letter, Some(limits));
+    }
+    let (report, text) = posted::<M>(&config, &poses);
+    let mut machine = M::default();
+    machine.set_up(Vector3::from(PART), LENGTH);
+    let oracle = Oracle::of(&machine);
+    let found = Checker { machine, oracle, config }.check(&poses, &printed::<M>(&text));
+    assert_eq!(report.statistics.inserted as usize, found.inserted, "{name} {}", M::NAME);
+    println!("{name} {}: {found:?}", M::NAME);
+    found
+}
+
+macro_rules! linearised {
+    ($($test:ident: $machine:ty, $path:expr, $limits:expr;)*) => {
+        $(#[test]
+        fn $test() {
+            let found = check::<$machine>(stringify!($test), &$path, &$limits);
+            assert!(found.inserted > 0 && found.spots <= 1, "{found:?}");
+        })*
+    };
+}
+
+/// The table must turn where it is free, the tilt cannot go through zero.
+const ONE_SIDE: (char, f64, f64) = ('B', -1.0, 110.0);
+/// The tilt goes through zero.
+const BOTH_SIDES: (char, f64, f64) = ('B', -110.0, 110.0);
+
+linearised! {
+    spinner_across_the_pole: SpinnerU5620, traverse(0.0, 24), [ONE_SIDE];
+    spinner_between_points_across_the_pole: SpinnerU5620, traverse(0.0, 25), [ONE_SIDE];
+    spinner_through_the_pole: SpinnerU5620, traverse(0.0, 24), [BOTH_SIDES];
+    spinner_beside_the_pole: SpinnerU5620, traverse(0.6, 25), [BOTH_SIDES];
+    spinner_far_beside_the_pole: SpinnerU5620, traverse(6.0, 24), [];
+    spinner_on_the_swirl: SpinnerU5620, swirl(), [];
+    dmu_across_the_pole: Dmu70e, traverse(0.0, 24), [];
+    dmu_beside_the_pole: Dmu70e, traverse(0.6, 25), [];
+    dmu_far_beside_the_pole: Dmu70e, traverse(6.0, 24), [];
+    dmu_on_the_swirl: Dmu70e, swirl(), [];
+    lola_across_the_dome: LolaXoyzba, traverse(0.0, 25), [];
+    lola_on_the_swirl: LolaXoyzba, swirl(), [];
+    multiprodesk_around_the_bar: MultiProDesk, around(24), [];
+    multiprodesk_forty_turns_around_the_bar: MultiProDesk, around(838), [];
+    trunnion_across_the_pole: Trunnion, traverse(0.0, 24), [('A', -120.0, 1.0)];
+    trunnion_beside_the_pole: Trunnion, traverse(0.6, 25), [];
+    trunnion_on_the_swirl: Trunnion, swirl(), [];
+    head_table_across_the_pole: HeadTable, traverse(0.0, 25), [];
+    head_table_beside_the_pole: HeadTable, traverse(0.6, 25), [];
+    head_table_on_the_swirl: HeadTable, swirl(), [];
+    nutating_head_across_the_pole: NutatingHead, traverse(0.0, 24), [];
+    nutating_head_beside_the_pole: NutatingHead, traverse(0.6, 25), [];
+    nutating_head_on_the_swirl: NutatingHead, swirl(), [];
+}
+
+/// Minutes that the feed blocks of a program should take: from the approach point on, 900 mm/min along the tip's path.
+fn programmed(config: &Config, poses: &[Pose]) -> f64 {
+    let path: f64 = poses.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum();
+    (config.approach.distance + path) / 900.0
+}
+
+/// Axis values at both ends of each feed block, and its minutes as printed.
+fn timed<M: Machine>(text: &str) -> Vec<(Vec<f64>, Vec<f64>, f64)> {
+    let program = Program::read(text).unwrap_or_else(|refused| panic!("{refused}"));
+    let place = |position: &std::collections::BTreeMap<char, f64>| -> Option<Vec<f64>> {
+        M::AXES.iter().map(|axis| position.get(&axis.letter).copied()).collect()
+    };
+    let mut before: Option<Vec<f64>> = None;
+    let mut blocks = Vec::new();
+    for (line, motion) in program.motions() {
+        let now = place(&motion.position);
+        if let (Some(from), Some(to), Some(feed)) = (&before, &now, motion.feed) {
+            let travel = |wanted: AxisKind| {
+                let axes = M::AXES.iter().enumerate().filter(move |(_, axis)| axis.kind == wanted);
+                axes.map(|(index, _)| (to[index] - from[index]).powi(2)).sum::<f64>().sqrt()
+            };
+            let minutes = match feed {
+                Feed::InverseTime(per_minute) => 1.0 / per_minute,
+                Feed::PerMinute(feed) => {
+                    assert!(travel(AxisKind::Rotary) == 0.0, "line {line}: a rotary axis turns under G94");
+                    travel(AxisKind::Linear) / feed
+                }
+            };
+            blocks.push((from.clone(), to.clone(), minutes));
+        }
+        before = now;
+    }
+    blocks
+}
+
+fn times_add_up<M: Machine>(poses: &[Pose]) {
+    let (poses, config) = (as_written(poses), config::<M>(PART));
+    let (report, text) = posted::<M>(&config, &poses);
+    let wanted = programmed(&config, &poses);
+    assert!((report.times.cutting / wanted - 1.0).abs() < 1e-9, "{}: {:?}, {wanted} min", M::NAME, report.times);
+    assert_eq!(report.times.slowed, 0);
+    // Six digits of an F, and three decimals of linear words in the blocks without a turn.
+    let printed: f64 = timed::<M>(&text).iter().map(|(_, _, minutes)| minutes).sum();
+    assert!((printed / wanted - 1.0).abs() < 1e-5, "{}: {printed} min are printed, {wanted} programmed", M::NAME);
+}
+
+#[test]
+fn block_times_add_up_to_the_tip_path_over_the_feed() {
+    times_add_up::<SpinnerU5620>(&swirl());
+    times_add_up::<Dmu70e>(&swirl());
+    times_add_up::<LolaXoyzba>(&swirl());
+    times_add_up::<MultiProDesk>(&around(24));
+    times_add_up::<Trunnion>(&swirl());
+    times_add_up::<HeadTable>(&traverse(0.6, 25));
+    times_add_up::<NutatingHead>(&swirl());
+}
+
+fn no_axis_is_too_fast<M: Machine>(poses: &[Pose]) {
+    let (poses, mut config) = (as_written(poses), config::<M>(PART));
+    for axis in M::AXES {
+        let speed = if axis.kind == AxisKind::Rotary { 400_f64.to_radians() } else { 1500.0 };
+        config.speeds.insert(axis.letter, speed);
+    }
+    let (report, text) = posted::<M>(&config, &poses);
+    let (times, wanted) = (&report.times, programmed(&config, &poses));
+    assert!(times.slowed > 0 && times.slowed_by > 0.0, "{}: {times:?}", M::NAME);
+    let excess = times.cutting - wanted;
+    assert!((excess - times.slowed_by).abs() < 1e-9 * times.cutting, "{}: {excess} min more, {times:?}", M::NAME);
+    for (from, to, minutes) in timed::<M>(&text) {
+        for (index, axis) in M::AXES.iter().enumerate() {
+            let speed = (to[index] - from[index]).abs() / minutes;
+            let most = if axis.kind == AxisKind::Rotary { 400.0 } else { 1500.0 };
+            assert!(speed <= most * (1.0 + 1e-5), "{}: {} at {speed} of {most}", M::NAME, axis.letter);
+        }
+    }
+    config.feed.keep_speeds = false;
+    assert_eq!(posted::<M>(&config, &poses).0.times.slowed, 0);
+}
+
+#[test]
+fn no_axis_is_faster_than_its_speed_and_the_excess_is_told() {
+    no_axis_is_too_fast::<SpinnerU5620>(&swirl());
+    no_axis_is_too_fast::<Dmu70e>(&swirl());
+    no_axis_is_too_fast::<LolaXoyzba>(&swirl());
+    no_axis_is_too_fast::<MultiProDesk>(&around(24));
+    no_axis_is_too_fast::<Trunnion>(&traverse(0.6, 25));
+    no_axis_is_too_fast::<NutatingHead>(&swirl());
+}
