@@ -281,6 +281,36 @@ fn a_block_of_the_program_is_one_line() {
 }
 
 #[test]
+fn a_field_that_does_not_exist_is_found_where_the_file_is_read() {
+    let config = read("[control]\ntool_change = ['T{tool} M6', 'T{next}']\nsafety = ['{units} G90 {work_offset}']\n");
+    assert_eq!(config.control.tool_change.as_deref(), Some(["T{tool} M6".to_owned(), "T{next}".to_owned()].as_slice()));
+    assert_eq!(
+        faults("[control]\ntool_change = ['T{tol} M6']\n"),
+        ["2:16: `{tol}` is no field here | did you mean `{tool}`?"]
+    );
+    assert_eq!(faults("[program]\nstart = ['T{tool}']\n").len(), 1, "no tool has been called there");
+    assert_eq!(faults("[control]\nsafety = ['G90 {units']\n").len(), 1);
+}
+
+#[test]
+fn coolant_codes_are_given_in_pairs_for_kinds_that_exist() {
+    let config = read("[control]\ncoolant = { through = ['M88', 'M89'] }\n");
+    assert_eq!(config.control.coolant[2], Some(["M88".to_owned(), "M89".to_owned()]));
+    assert_eq!(faults("[control]\ncoolant = { air = ['M83'] }\n").len(), 1);
+    assert_eq!(
+        faults("[control]\ncoolant = { throgh = ['M88', 'M89'] }\n"),
+        ["2:13: `throgh` is no kind of coolant | did you mean `through`?"]
+    );
+}
+
+#[test]
+fn a_file_is_read_on_top_of_the_digits_of_the_control() {
+    let start = crate::control::starting_point(&crate::control::Fanuc);
+    let config = start.read_over::<Sample>("[formats]\nfeed = 1\n").expect("no fault");
+    assert_eq!((config.formats.rotary, config.formats.feed, config.formats.linear_whole), (3, 1, 6));
+}
+
+#[test]
 fn text_that_is_not_toml_is_reported_at_its_place() {
     let faults = faults("units = 'mm'\nfloor = \n");
     assert!(faults[0].starts_with("2:"), "{faults:?}");
