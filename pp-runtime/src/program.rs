@@ -16,9 +16,10 @@ pub struct Location {
 }
 
 /// Unit of length of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Units {
     /// `mm`.
+    #[default]
     Millimetres,
     /// `in`, 25.4 mm exactly.
     Inches,

@@ -26,9 +26,29 @@ pub(super) enum Command {
     /// Post CL data: write the program for this machine
     Post(PostArgs),
     /// Print a configuration file that holds every default
-    Config,
+    Config(ConfigArgs),
     /// Print how the kinematics of this machine were derived, and a jog sheet
     Explain(ExplainArgs),
+}
+
+/// Arguments of `config`.
+#[derive(Debug, Args)]
+pub(super) struct ConfigArgs {
+    /// Control whose defaults it holds
+    #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
+    control: String,
+}
+
+impl ConfigArgs {
+    /// The control that was asked for.
+    pub(super) fn control(&self) -> &'static dyn Control {
+        named(&self.control)
+    }
+}
+
+/// The control of a name that the parser has let pass.
+fn named(name: &str) -> &'static dyn Control {
+    control::by_name(name).unwrap_or(CONTROLS[0])
 }
 
 /// Arguments of `explain`.
@@ -126,9 +146,9 @@ pub(super) struct PostArgs {
 }
 
 impl PostArgs {
-    /// The control that was asked for; the parser lets no other name pass.
+    /// The control that was asked for.
     pub(super) fn control(&self) -> &'static dyn Control {
-        control::by_name(&self.control).unwrap_or(CONTROLS[0])
+        named(&self.control)
     }
 
     /// Puts what the command line says on top of what the configuration file says.

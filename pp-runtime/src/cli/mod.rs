@@ -20,7 +20,7 @@ use std::process::ExitCode;
 
 use crate::cl;
 use crate::config::{self, Config};
-use crate::control::Control;
+use crate::control::{self, Control};
 use crate::diag::Severity;
 use crate::kinematics::Machine;
 use crate::post::{Job, PostError, Report, post};
@@ -106,11 +106,14 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
     };
     let format = match &command {
         Command::Post(args) => args.message_format,
-        Command::Config | Command::Explain(_) => MessageFormat::Human,
+        Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
         Command::Post(args) => post_file::<M>(&args, &mut streams, post),
-        Command::Config => print(&mut streams, |out| out.write_all(config::print::<M>().as_bytes())),
+        Command::Config(args) => {
+            let config = control::starting_point(args.control());
+            print(&mut streams, |out| out.write_all(config::print::<M>(&config).as_bytes()))
+        }
         Command::Explain(args) if args.latex => print(&mut streams, explain::latex::<M>),
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, explain::text::<M>),
@@ -236,21 +239,27 @@ fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut 
 }
 
 fn read_config<M: Machine>(args: &PostArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
+    let control = args.control();
+    let start = control::starting_point(control);
     let mut config = match &args.config {
-        None => Config::default(),
+        None => start,
         Some(path) => {
             let bytes = fs::read(path).map_err(|error| Failure::unreadable(path, error))?;
             let text = String::from_utf8(bytes).map_err(|error| {
                 let kind = io::ErrorKind::InvalidData;
                 Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
             })?;
-            Config::read::<M>(&text).map_err(|faults| {
+            start.read_over::<M>(&text).map_err(|faults| {
                 messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
                 Failure::Said
             })?
         }
     };
     args.apply::<M>(&mut config).map_err(Failure::Argument)?;
+    let unfit = control::check(control, &config);
+    if !unfit.is_empty() {
+        return Err(Failure::Argument(unfit.join("\n")));
+    }
     Ok(config)
 }
 
@@ -285,7 +294,7 @@ const REJECTED: &str = "REJECTED ";
 /// A comment of one line as the control spells it.
 fn comment(control: &dyn Control, text: &str) -> Vec<u8> {
     let mut line = Vec::new();
-    control.comment(&text.as_bytes()[..text.len().min(control.comment_length())], &mut line);
+    control.comment(&text.as_bytes()[..text.len().min(control.spellings().comment.length)], &mut line);
     line
 }
 

@@ -4,7 +4,8 @@ use crate::cl::record::CycleKind;
 use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense, not_inert};
 
 use super::Config;
-use super::read::{WORK_OFFSETS, set};
+use super::control::work_offset;
+use super::read::set;
 use super::value::{Reader, Section, Value};
 
 pub(super) const CL_POINTS: [(&str, ClPoint); 2] = [("tip", ClPoint::Tip), ("centre", ClPoint::Centre)];
@@ -88,8 +89,7 @@ impl Config {
         for (key, span, value) in frames.map_or_else(Vec::new, |frames| r.entries(frames)) {
             match key.parse().ok().filter(|number: &u32| *number > 0 && number.to_string() == key) {
                 Some(number) => {
-                    let offsets = WORK_OFFSETS.map(|word| (word, word));
-                    self.frames.extend(r.choice(value, &offsets).map(|word| (number, word.to_owned())));
+                    self.frames.extend(work_offset(r, value).map(|word| (number, word)));
                 }
                 None => {
                     let help = "frames count from 1 in the order of the CL data: 2 = \"G55\"".to_owned();

@@ -6,6 +6,7 @@
 
 mod cl;
 mod clearance;
+mod control;
 mod course;
 mod machine;
 mod print;
@@ -26,9 +27,11 @@ use crate::kinematics::Limits;
 use crate::program::{Clearance, Coolant, Rotation};
 
 pub use crate::program::Units;
+pub use control::{ControlSetup, PathNorm, Smoothing};
 pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
 pub use print::print;
+use read::WORK_OFFSETS;
 pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
 pub(crate) use set_up::part_angles;
 pub(crate) use value::{list, nearest};
@@ -129,6 +132,8 @@ pub struct Config {
     pub formats: Formats,
     /// Blocks around the program.
     pub program: Program,
+    /// How the control differs from its table.
+    pub control: ControlSetup,
     /// Lengths came from a file that does not state its unit: mm assumed.
     pub file_units_assumed: bool,
     /// What was given rather than assumed: keys as they stand in a file, `part_origin`, `retract.position`.
@@ -287,14 +292,47 @@ pub struct Formats {
     pub inverse_time: u32,
     /// Decimals of S; default 0.
     pub speed: u32,
+    /// Digits of linear words before the point; default 9.
+    pub linear_whole: u32,
+    /// Digits of rotary words before the point; default 9.
+    pub rotary_whole: u32,
+    /// Digits of F before the point; default 15.
+    pub feed_whole: u32,
+    /// Digits of S before the point; default 9.
+    pub speed_whole: u32,
+}
+
+impl Formats {
+    /// Digits of a control that sets no bounds.
+    pub const DEFAULT: Self = Self {
+        linear_mm: 3,
+        linear_inch: 4,
+        rotary: 4,
+        feed: 3,
+        inverse_time: 6,
+        speed: 0,
+        linear_whole: 9,
+        rotary_whole: 9,
+        feed_whole: 15,
+        speed_whole: 9,
+    };
+
+    /// Decimals of linear words.
+    #[must_use]
+    pub fn linear(&self, units: Units) -> u32 {
+        match units {
+            Units::Millimetres => self.linear_mm,
+            Units::Inches => self.linear_inch,
+        }
+    }
 }
 
 /// Blocks around the program.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Program {
-    /// Blocks written after the header, as they stand; default none.
+    /// Blocks written after the header; default none.
     pub start: Vec<String>,
-    /// Blocks written before the end code, as they stand; default none.
+    /// Blocks written before the end code; default none.
     pub end: Vec<String>,
     /// Step of the block numbers; default none: no numbers.
     pub line_numbers: Option<u32>,
@@ -349,8 +387,9 @@ impl Default for Config {
             dimensions: BTreeMap::new(),
             limits: BTreeMap::new(),
             speeds: BTreeMap::new(),
-            formats: Formats { linear_mm: 3, linear_inch: 4, rotary: 4, feed: 3, inverse_time: 6, speed: 0 },
+            formats: Formats::DEFAULT,
             program: Program::default(),
+            control: ControlSetup::default(),
             file_units_assumed: false,
             given: BTreeSet::new(),
         }

@@ -7,16 +7,17 @@ use crate::program::Coolant;
 
 use super::{Config, Rapid, Transition, part_angles};
 
-/// A configuration file for the machine `M` in which every default stands, switched off.
+/// A configuration file for the machine `M` in which every default stands, switched off. `config`: the defaults of the
+/// control, or [`Config::default`].
 ///
 /// A line that begins with `#` and a key is a default; a line that begins with `# e.g.` shows a key without default.
 /// Read back as it stands the file gives [`Config::default`], so what nobody changes stays marked as assumed.
 #[must_use]
-pub fn print<M: Machine>() -> String {
+pub fn print<M: Machine>(config: &Config) -> String {
     let mut text = String::new();
     // Writing to a string cannot fail.
-    let _ = write_top::<M>(&mut text, &Config::default());
-    let _ = write_tables::<M>(&mut text, &Config::default());
+    let _ = write_top::<M>(&mut text, config);
+    let _ = write_tables::<M>(&mut text, config);
     text
 }
 
@@ -63,7 +64,8 @@ units = "mm"
 # where a rotary axis in the head makes the length matter.
 # e.g. length_guard = true
 #length_tolerance = {length_tolerance}
-# Work offset of the control: G54 to G59, G59.1 to G59.3.
+# Work offset of the control: "G54", and "G59.1" (LinuxCNC), "G54.1 P3" (Fanuc), "G154 P3" (Haas), "G505" (Siemens) or
+# the row of the datum table, "3" (Heidenhain; G54 to G59 are rows 1 to 6).
 #work_offset = "{work_offset}"
 # Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not checked.
 # e.g. machine_zero = {{ {machine_zero} }}
@@ -222,8 +224,39 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 #feed = {feed}
 #inverse_time = {inverse_time}
 #speed = {speed}
+# Digits before the point: a number with more is refused.
+#linear_whole = {linear_whole}
+#rotary_whole = {rotary_whole}
+#feed_whole = {feed_whole}
+#speed_whole = {speed_whole}
 
-# Blocks written as they stand, after the header and before the end code.
+# Where the control differs from what is usual for it. Blocks hold fields in braces: {{name}}, {{number}}, {{units}},
+# {{work_offset}}, {{path_tolerance}}; those of a tool change {{tool}}, {{next}}, {{offset}} and {{speed}} besides. A word
+# whose field has no value is left out, a block with {{next}} where no tool follows, too.
+[control]
+# Number and name of the program. Without them 1, and the name in the CL data.
+# e.g. program_number = 1234
+# e.g. program_name = "BRACKET"
+# Blocks of a restart point, and of a tool change.
+# e.g. safety = ["{{units}} G17 G40 G49 G80 G90 G94 {{work_offset}}"]
+# e.g. tool_change = ["T{{tool}} M6", "T{{next}}"]
+# Call the tool after the next up while the next one cuts.
+# e.g. preselect = true
+# Codes of a kind of coolant: on, off.
+# e.g. coolant = {{ through = ["M88", "M89"] }}
+# Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
+#smoothing = "none"
+# e.g. smoothing_angle = 0.1
+# What F counts along where a rotary axis moves: "xyz", "xyz+deg", "g93_min" (1/min) or "g93_s" (1/s).
+# e.g. path_norm = "xyz+deg"
+# Whole numbers end with a point.
+# e.g. point = true
+# Every word in every block.
+#every_word = {every_word}
+# Names of axes where they are not their letters.
+# e.g. axes = {{ {axis_names} }}
+
+# Blocks after the header and before the end code, with fields as in [control].
 [program]
 #start = []
 #end = []
@@ -246,9 +279,20 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         feed = formats.feed,
         inverse_time = formats.inverse_time,
         speed = formats.speed,
+        linear_whole = formats.linear_whole,
+        rotary_whole = formats.rotary_whole,
+        feed_whole = formats.feed_whole,
+        speed_whole = formats.speed_whole,
+        every_word = config.control.every_word,
+        axis_names = sample_names::<M>(),
         step = Config::LINE_NUMBER_STEP,
     )?;
     write_machine::<M>(out)
+}
+
+/// The last axis under a name of Siemens.
+fn sample_names<M: Machine>() -> String {
+    M::AXES.last().map_or_else(String::new, |axis| format!("{0} = \"{0}1\"", axis.letter))
 }
 
 /// The last rotary axis at or above zero.

@@ -6,12 +6,14 @@ use std::ops::{Range, RangeInclusive};
 use toml::de::DeTable;
 
 use crate::cl::ClPoint;
+use crate::control::template::OF_PROGRAM;
 use crate::diag::Diagnostic;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Limits, Machine};
 use crate::program::{Coolant, Rotation};
 
 use super::cl::CL_POINTS;
 use super::clearance;
+use super::control::{templates, work_offset};
 use super::set_up;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
 use super::{Config, Rapid, Tool, Transition, Units, Wrap};
@@ -47,6 +49,14 @@ impl Config {
     /// # Errors
     /// Every fault of the file, in its order.
     pub fn read<M: Machine>(text: &str) -> Result<Self, Vec<Diagnostic>> {
+        Self::default().read_over::<M>(text)
+    }
+
+    /// Reads a configuration file for the machine `M` on top of what is in here, the defaults of a control.
+    ///
+    /// # Errors
+    /// Every fault of the file, in its order.
+    pub fn read_over<M: Machine>(mut self, text: &str) -> Result<Self, Vec<Diagnostic>> {
         let mut reader = Reader::new(text);
         let (root, errors) = DeTable::parse_recoverable(text);
         for error in &errors {
@@ -55,9 +65,8 @@ impl Config {
         if reader.has_faults() {
             return Err(reader.into_faults());
         }
-        let mut config = Self::default();
-        config.read_root::<M>(&mut reader, root.get_ref());
-        if reader.has_faults() { Err(reader.into_faults()) } else { Ok(config) }
+        self.read_root::<M>(&mut reader, root.get_ref());
+        if reader.has_faults() { Err(reader.into_faults()) } else { Ok(self) }
     }
 
     fn read_root<M: Machine>(&mut self, r: &mut Reader<'_>, root: &DeTable<'_>) {
@@ -67,7 +76,7 @@ impl Config {
         let named = units.and_then(|value| r.choice(value, &UNITS));
         set(&mut r.units, named);
         self.read_top(r, &mut top);
-        let sections = ["defaults", "course", "retract", "approach", "feed", "formats", "program", "cl"]
+        let sections = ["defaults", "course", "retract", "approach", "feed", "formats", "program", "control", "cl"]
             .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
         let frames = top.get("frames");
@@ -92,6 +101,7 @@ impl Config {
                 }
                 "feed" => self.read_feed(r, &mut section),
                 "formats" => self.read_formats(r, &mut section),
+                "control" => self.read_control::<M>(r, &mut section),
                 "cl" => self.read_cl(r, &mut section),
                 "course" => self.read_course::<M>(r, &mut section),
                 _ => self.read_program(r, &mut section),
@@ -156,8 +166,7 @@ impl Config {
             set(&mut self.length_tolerance, set_up::length_tolerance(r, value));
         }
         if let Some(value) = self.get(top, "work_offset") {
-            let offsets = WORK_OFFSETS.map(|word| (word, word));
-            set(&mut self.work_offset, r.choice(value, &offsets).map(str::to_owned));
+            set(&mut self.work_offset, work_offset(r, value));
         }
         if let Some(value) = self.get(top, "index_angle") {
             set(&mut self.index_angle, r.number(value, Quantity::Angle, Bound::NotNegative));
@@ -302,6 +311,10 @@ impl Config {
             ("formats.feed", &mut formats.feed, 0..=6),
             ("formats.inverse_time", &mut formats.inverse_time, 6..=12),
             ("formats.speed", &mut formats.speed, 0..=3),
+            ("formats.linear_whole", &mut formats.linear_whole, 1..=9),
+            ("formats.rotary_whole", &mut formats.rotary_whole, 1..=9),
+            ("formats.feed_whole", &mut formats.feed_whole, 1..=15),
+            ("formats.speed_whole", &mut formats.speed_whole, 1..=9),
         ] {
             if let Some(value) = section.get(path) {
                 self.given.insert(path);
@@ -312,10 +325,10 @@ impl Config {
 
     fn read_program(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
         if let Some(value) = self.get(section, "program.start") {
-            self.program.start = read_blocks(r, value);
+            self.program.start = templates(r, value, OF_PROGRAM);
         }
         if let Some(value) = self.get(section, "program.end") {
-            self.program.end = read_blocks(r, value);
+            self.program.end = templates(r, value, OF_PROGRAM);
         }
         if let Some(value) = self.get(section, "program.times") {
             set(&mut self.program.times, r.boolean(value));
@@ -404,10 +417,6 @@ pub(super) fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3
     Some([x?, y?, z?])
 }
 
-fn read_blocks(r: &mut Reader<'_>, value: Value<'_>) -> Vec<String> {
-    r.list(value).unwrap_or_default().into_iter().filter_map(|block| r.line(block)).collect()
-}
-
 fn read_machine_zero<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
     let mut read = BTreeMap::new();
     for (axis, value, span) in read_axes::<M>(r, value) {
@@ -468,7 +477,7 @@ fn read_dimensions<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> 
 }
 
 /// The entries of a table whose keys are axes of the machine, with the place of the key.
-fn read_axes<'a, M: Machine>(
+pub(super) fn read_axes<'a, M: Machine>(
     r: &mut Reader<'_>,
     value: Option<Value<'a>>,
 ) -> Vec<(&'static Axis, Value<'a>, Range<usize>)> {

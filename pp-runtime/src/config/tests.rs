@@ -23,7 +23,7 @@ fn close(left: f64, right: f64) -> bool {
 
 #[test]
 fn the_printed_file_reads_back_as_the_default() {
-    let mut config = read(&print::<Sample>());
+    let mut config = read(&print::<Sample>(&Config::default()));
     assert_eq!(config.given, BTreeSet::from(["units"]));
     config.given.clear();
     assert_eq!(config, Config::default());
@@ -36,7 +36,7 @@ fn an_empty_file_is_the_default() {
 
 #[test]
 fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
-    let text: String = print::<Sample>()
+    let text: String = print::<Sample>(&Config::default())
         .lines()
         .map(|line| match line.strip_prefix('#') {
             Some(setting) if !setting.is_empty() && !setting.starts_with(' ') => format!("{setting}\n"),
@@ -73,8 +73,10 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
 
 #[test]
 fn every_example_of_the_printed_file_is_accepted() {
-    let text: String =
-        print::<Sample>().lines().map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line))).collect();
+    let text: String = print::<Sample>(&Config::default())
+        .lines()
+        .map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line)))
+        .collect();
     let config = read(&text);
     assert_eq!(config.tools[&12].name.as_deref(), Some("ball 10"));
     assert_eq!(config.tools[&12].rotation, Some(Rotation::Clockwise));
@@ -275,6 +277,36 @@ fn a_work_offset_that_the_control_does_not_have_is_refused() {
 fn a_block_of_the_program_is_one_line() {
     assert_eq!(read("[program]\nstart = ['G64 P0.01', 'M64 P1']\n").program.start, ["G64 P0.01", "M64 P1"]);
     assert_eq!(faults("[program]\nend = [\"M5\\nM30\"]\n").len(), 1);
+}
+
+#[test]
+fn a_field_that_does_not_exist_is_found_where_the_file_is_read() {
+    let config = read("[control]\ntool_change = ['T{tool} M6', 'T{next}']\nsafety = ['{units} G90 {work_offset}']\n");
+    assert_eq!(config.control.tool_change.as_deref(), Some(["T{tool} M6".to_owned(), "T{next}".to_owned()].as_slice()));
+    assert_eq!(
+        faults("[control]\ntool_change = ['T{tol} M6']\n"),
+        ["2:16: `{tol}` is no field here | did you mean `{tool}`?"]
+    );
+    assert_eq!(faults("[program]\nstart = ['T{tool}']\n").len(), 1, "no tool has been called there");
+    assert_eq!(faults("[control]\nsafety = ['G90 {units']\n").len(), 1);
+}
+
+#[test]
+fn coolant_codes_are_given_in_pairs_for_kinds_that_exist() {
+    let config = read("[control]\ncoolant = { through = ['M88', 'M89'] }\n");
+    assert_eq!(config.control.coolant[2], Some(["M88".to_owned(), "M89".to_owned()]));
+    assert_eq!(faults("[control]\ncoolant = { air = ['M83'] }\n").len(), 1);
+    assert_eq!(
+        faults("[control]\ncoolant = { throgh = ['M88', 'M89'] }\n"),
+        ["2:13: `throgh` is no kind of coolant | did you mean `through`?"]
+    );
+}
+
+#[test]
+fn a_file_is_read_on_top_of_the_digits_of_the_control() {
+    let start = crate::control::starting_point(&crate::control::Fanuc);
+    let config = start.read_over::<Sample>("[formats]\nfeed = 1\n").expect("no fault");
+    assert_eq!((config.formats.rotary, config.formats.feed, config.formats.linear_whole), (3, 1, 6));
 }
 
 #[test]

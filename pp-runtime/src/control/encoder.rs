@@ -2,75 +2,165 @@
 
 use std::io::{self, Write};
 
-use crate::config::Units;
+use crate::config::{ControlSetup, Program, Smoothing, Units};
 use crate::motion::{Feed, Sink, Step, Words};
-use crate::nc::{Decimal, Writer};
+use crate::nc::{Decimal, Numbering, Numerals, Writer, write_number};
+use crate::program::{Coolant, Rotation};
 
-use super::{Control, Spellings};
+use super::belief::{Belief, LengthState};
+use super::spellings::coolant_index;
+use super::template::{Field, fill};
+use super::{Control, Layout, LengthCall, Spellings};
 
 /// What the words of an axis look like.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct Address {
     /// Position in the chain.
     index: usize,
-    letter: u8,
+    /// What stands before the number: `X`, `C1=`.
+    word: String,
     decimals: u32,
+}
+
+/// Values of the fields of templates.
+#[derive(Debug, Default)]
+struct Values {
+    name: String,
+    number: String,
+    units: &'static str,
+    work_offset: String,
+    path_tolerance: String,
+    angle: Option<f64>,
+    turning: &'static str,
+    tool: Option<u32>,
+    next: Option<u32>,
+    offset: Option<u32>,
+    speed: Option<Decimal>,
+    seconds: Option<f64>,
+    numerals: Numerals,
+}
+
+fn text(number: Decimal, numerals: Numerals) -> String {
+    let mut text = Vec::new();
+    write_number(&mut text, number, numerals);
+    String::from_utf8(text).unwrap_or_default()
+}
+
+impl Values {
+    fn get(&self, field: Field) -> Option<String> {
+        let whole = |number: Option<u32>| number.map(|number| number.to_string());
+        // What the format cannot hold was refused with the configuration or by the planner.
+        let decimal = |value: f64, decimals| Decimal::fixed(value, decimals).unwrap_or_default();
+        let plain = Numerals { plus: false, ..self.numerals };
+        match field {
+            Field::Name => Some(self.name.clone()),
+            Field::Number => Some(self.number.clone()),
+            Field::Units => Some(self.units.to_owned()),
+            Field::WorkOffset => Some(self.work_offset.clone()),
+            Field::PathTolerance => Some(self.path_tolerance.clone()),
+            Field::Turning => Some(self.turning.to_owned()),
+            Field::Angle => self.angle.map(|angle| text(decimal(angle, 4), plain)),
+            Field::Tool => whole(self.tool),
+            Field::Next => whole(self.next),
+            Field::Offset => whole(self.offset),
+            Field::Speed => self.speed.map(|speed| text(speed, Numerals::default())),
+            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), plain)),
+            Field::Milliseconds => self.seconds.map(|seconds| text(decimal(seconds * 1e3, 0), Numerals::default())),
+        }
+    }
 }
 
 /// Writes steps in the words of a control, and suppresses what stays in force.
 pub struct Encoder<'a, W: Write> {
     control: &'a dyn Control,
-    spellings: &'static Spellings,
+    codes: &'static Spellings,
     writer: Writer<W>,
     axes: Vec<Address>,
-    units: Units,
-    work_offset: String,
-    path_tolerance: Decimal,
-    /// The motion code in force.
-    motion: &'static str,
-    /// The feed mode in force.
-    feed_mode: &'static str,
+    /// Position of Z in the chain: its word takes a length offset along.
+    z: Option<usize>,
+    setup: ControlSetup,
+    program: Program,
+    values: Values,
+    numerals: Numerals,
+    preselect: bool,
+    belief: Belief,
     line: Vec<u8>,
 }
 
-/// What an encoder needs to know of the job.
-#[derive(Debug, Clone)]
-pub struct Layout {
-    /// Letters of the axes in chain order, and the decimals of their words; blocks hold them as X Y Z U V W A B C.
-    pub axes: Vec<(char, u32)>,
-    /// Unit of lengths.
-    pub units: Units,
-    /// Word of the work offset.
-    pub work_offset: String,
-    /// How far the control may leave the path where it blends blocks, in `units`.
-    pub path_tolerance: f64,
-    /// Step of the block numbers, `None` for none.
-    pub line_numbers: Option<u32>,
+/// The axes in the order in which people read them.
+fn addresses(control: &dyn Control, layout: &Layout) -> Vec<Address> {
+    let mut axes: Vec<(usize, char, u32)> =
+        layout.axes.iter().enumerate().map(|(index, &(letter, decimals))| (index, letter, decimals)).collect();
+    axes.sort_by_key(|&(_, letter, _)| "XYZUVWABC".chars().position(|known| known == letter));
+    axes.into_iter()
+        .map(|(index, letter, decimals)| {
+            let name = layout.setup.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
+            // A name that the control cannot have was refused with the configuration.
+            Address { index, word: control.axis_word(&name).unwrap_or(name), decimals }
+        })
+        .collect()
 }
 
-/// The axes in the order in which people read them.
-fn addresses(layout: &Layout) -> Vec<Address> {
-    let address =
-        |(index, &(letter, decimals)): (usize, &(char, u32))| Address { index, letter: letter as u8, decimals };
-    let mut axes: Vec<Address> = layout.axes.iter().enumerate().map(address).collect();
-    axes.sort_by_key(|axis| b"XYZUVWABC".iter().position(|&letter| letter == axis.letter));
-    axes
+/// What of a text fits into a line of so many bytes, up to a blank if there is one in it, and the rest.
+fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {
+    if text.len() <= length {
+        return (text, None);
+    }
+    match text[..=length].iter().rposition(|&byte| byte == b' ') {
+        Some(blank) => (&text[..blank], Some(&text[blank + 1..])),
+        None => (&text[..length], Some(&text[length..])),
+    }
+}
+
+/// The name of a program as the control can hold it.
+fn program_name(codes: &Spellings, layout: &Layout) -> String {
+    let given = layout.setup.program_name.as_ref().map_or(layout.name.as_slice(), String::as_bytes);
+    let given = given.trim_ascii();
+    let byte = |byte: &u8| match byte.to_ascii_uppercase() {
+        byte if !codes.plain_name => (codes.comment.byte)(byte),
+        byte if byte.is_ascii_alphanumeric() => byte,
+        _ => b'_',
+    };
+    let name: String = given.iter().take(codes.comment.length / 2).map(byte).map(char::from).collect();
+    if name.is_empty() { "NONAME".to_owned() } else { name }
 }
 
 impl<'a, W: Write> Encoder<'a, W> {
     /// An encoder that knows of nothing in force yet.
     pub fn new(control: &'a dyn Control, layout: &Layout, out: W) -> Self {
+        let codes = control.spellings();
+        let setup = layout.setup.clone();
+        let numerals = Numerals { point: setup.point.unwrap_or(codes.numerals.point), ..codes.numerals };
+        let numbering = match (codes.counted, layout.program.line_numbers) {
+            (true, _) => Numbering::EveryLine,
+            (false, Some(step)) => Numbering::Step(step),
+            (false, None) => Numbering::None,
+        };
+        // A tolerance that the format cannot hold was refused with the configuration.
+        let path_tolerance = Decimal::fixed(layout.path_tolerance, 6).unwrap_or_default();
+        let values = Values {
+            name: program_name(codes, layout),
+            number: format!("{:0width$}", setup.program_number.unwrap_or(1), width = codes.number_digits),
+            units: codes.units[usize::from(layout.units == Units::Inches)],
+            work_offset: control.work_offset(&layout.work_offset).unwrap_or_else(|| layout.work_offset.clone()),
+            path_tolerance: text(path_tolerance, Numerals { plus: false, ..numerals }),
+            angle: setup.smoothing_angle.map(f64::to_degrees),
+            turning: codes.turning[usize::from(layout.shortest)],
+            numerals,
+            ..Values::default()
+        };
         Self {
             control,
-            spellings: control.spellings(),
-            writer: Writer::new(out, layout.line_numbers),
-            axes: addresses(layout),
-            units: layout.units,
-            work_offset: layout.work_offset.clone(),
-            // A tolerance that the format cannot hold was refused with the configuration.
-            path_tolerance: Decimal::fixed(layout.path_tolerance, 6).unwrap_or_default(),
-            motion: "",
-            feed_mode: "",
+            codes,
+            writer: Writer::new(out, numbering),
+            axes: addresses(control, layout),
+            z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
+            values,
+            numerals,
+            preselect: setup.preselect.unwrap_or(codes.preselect),
+            setup,
+            program: layout.program.clone(),
+            belief: Belief::default(),
             line: Vec::with_capacity(256),
         }
     }
@@ -80,20 +170,28 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// # Errors
     /// Those of the output.
     pub fn open(&mut self) -> io::Result<()> {
-        for line in self.spellings.opening {
-            self.writer.line(line.as_bytes())?;
-        }
-        Ok(())
+        let opening = self.codes.opening;
+        self.lines(opening)
     }
 
-    /// A block as it stands; nothing is known to be in force behind it.
+    /// The blocks of the configuration behind the header.
     ///
     /// # Errors
     /// Those of the output.
-    pub fn raw(&mut self, block: &str) -> io::Result<()> {
-        self.writer.line(block.as_bytes())?;
-        self.forget();
-        Ok(())
+    pub fn start(&mut self) -> io::Result<()> {
+        let blocks = std::mem::take(&mut self.program.start);
+        self.foreign(&blocks)
+    }
+
+    /// The blocks of the configuration before the end code, and the end.
+    ///
+    /// # Errors
+    /// Those of the output.
+    pub fn end(&mut self) -> io::Result<()> {
+        let blocks = std::mem::take(&mut self.program.end);
+        self.foreign(&blocks)?;
+        self.block(self.codes.end)?;
+        self.lines(self.codes.closing)
     }
 
     /// A comment, on as many lines as it needs.
@@ -101,12 +199,19 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// # Errors
     /// Those of the output.
     pub fn comment(&mut self, text: &[u8]) -> io::Result<()> {
-        for piece in text.chunks(self.control.comment_length()) {
-            self.line.clear();
-            self.control.comment(piece, &mut self.line);
-            self.writer.line(&self.line)?;
+        let mut rest = text;
+        loop {
+            let (piece, behind) = line_of(rest, self.codes.comment.length);
+            if !piece.is_empty() {
+                self.line.clear();
+                self.control.comment(piece, &mut self.line);
+                self.writer.line(&self.line)?;
+            }
+            match behind {
+                Some(behind) => rest = behind,
+                None => return Ok(()),
+            }
         }
-        Ok(())
     }
 
     /// Blocks written so far, comments not counted.
@@ -122,10 +227,25 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.writer.finish()
     }
 
-    fn forget(&mut self) {
-        self.writer.forget_all();
-        self.motion = "";
-        self.feed_mode = "";
+    /// Lines of the frame around the program, which are no blocks.
+    fn lines(&mut self, templates: &[&str]) -> io::Result<()> {
+        for template in templates {
+            if let Some(line) = fill(template, |field| self.values.get(field)) {
+                self.writer.line(line.as_bytes())?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Blocks of the configuration: nothing is known behind them.
+    fn foreign(&mut self, templates: &[String]) -> io::Result<()> {
+        for template in templates {
+            if let Some(line) = fill(template, |field| self.values.get(field)) {
+                self.writer.line(line.as_bytes())?;
+                self.belief.forget();
+            }
+        }
+        Ok(())
     }
 
     fn block(&mut self, code: &str) -> io::Result<()> {
@@ -133,121 +253,290 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.writer.end()
     }
 
-    fn commented(&mut self, prefix: &str, text: &[u8]) -> io::Result<()> {
-        let mut whole = Vec::with_capacity(prefix.len() + text.len());
-        whole.extend_from_slice(prefix.as_bytes());
-        whole.extend_from_slice(text);
-        self.comment(&whole)
+    fn fill(&mut self, template: &str) -> io::Result<()> {
+        match fill(template, |field| self.values.get(field)) {
+            Some(block) => self.block(&block),
+            None => Ok(()),
+        }
+    }
+
+    fn fill_all(&mut self, templates: &[impl AsRef<str>]) -> io::Result<()> {
+        templates.iter().try_for_each(|template| self.fill(template.as_ref()))
+    }
+
+    /// Whether a word is written that the control believes already.
+    #[inline]
+    fn writes(&self, changes: bool) -> bool {
+        changes || self.setup.every_word
     }
 
     #[inline]
     fn any_changes(&self, words: &Words) -> bool {
-        self.axes.iter().any(|axis| words.has(axis.index) && self.writer.changes(axis.letter, words.units[axis.index]))
+        let z = self.z.filter(|_| matches!(self.belief.length, LengthState::Wanted(_)));
+        self.axes.iter().any(|axis| {
+            words.has(axis.index)
+                && (self.belief.axis_changes(axis.index, words.units[axis.index]) || z == Some(axis.index))
+        })
     }
 
     #[inline]
-    fn axis_words(&mut self, words: &Words) {
+    fn axis_words(&mut self, words: &Words, all: bool) {
         for axis in &self.axes {
             if words.has(axis.index) {
-                let number = Decimal { units: words.units[axis.index], decimals: axis.decimals };
-                self.writer.modal(axis.letter, number);
+                let units = words.units[axis.index];
+                let changes = self.belief.axis_changes(axis.index, units);
+                self.belief.set_axis(axis.index, units);
+                if all || changes || self.setup.every_word {
+                    self.writer.word(&axis.word, Decimal { units, decimals: axis.decimals }, self.numerals);
+                }
             }
         }
     }
 
     fn motion(&mut self, code: &'static str) {
-        if self.motion != code {
-            self.motion = code;
+        let changes = self.belief.set_motion(code);
+        if changes || !self.codes.motion_modal || self.setup.every_word {
             self.writer.code(code);
         }
     }
 
     fn feed_mode(&mut self, code: &'static str) {
-        if self.feed_mode != code {
-            self.feed_mode = code;
-            self.writer.code(code);
-            self.writer.forget(b'F');
+        let changes = self.belief.set_feed_mode(code);
+        if changes {
+            self.belief.forget_feed();
         }
+        if self.writes(changes) {
+            self.writer.code(code);
+        }
+    }
+
+    fn feed_word(&mut self, value: Decimal) {
+        let numerals = Numerals { plus: false, ..self.numerals };
+        self.writer.word("F", value, numerals);
+    }
+
+    /// Calls the length offset that waits, in front of a motion or with it.
+    fn call_length(&mut self, words: &Words) -> io::Result<()> {
+        let LengthState::Wanted(register) = self.belief.length else { return Ok(()) };
+        match self.codes.length.call {
+            LengthCall::Alone => {
+                self.belief.length = LengthState::On(register);
+                self.fill(self.codes.length.code)
+            }
+            LengthCall::WithZ if self.z.is_none_or(|z| words.has(z)) => {
+                self.belief.length = LengthState::On(register);
+                if let Some(z) = self.z {
+                    self.belief.forget_axis(z);
+                }
+                let code = fill(self.codes.length.code, |field| self.values.get(field)).unwrap_or_default();
+                self.writer.code(&code);
+                Ok(())
+            }
+            LengthCall::WithZ | LengthCall::WithTool => Ok(()),
+        }
+    }
+
+    fn smooth(&mut self, on: bool) -> io::Result<()> {
+        let level = match self.setup.smoothing {
+            Smoothing::None => return Ok(()),
+            Smoothing::Rough => 0,
+            Smoothing::Medium => 1,
+            Smoothing::Finish => 2,
+        };
+        if self.belief.smooth != on {
+            let codes = self.codes;
+            self.fill_all(if on { codes.smoothing[level] } else { codes.smoothing_off })?;
+            self.belief.smooth = on;
+            // Cycles of some controls bring codes of their own.
+            self.belief.motion = "";
+        }
+        Ok(())
+    }
+
+    fn feed(&mut self, words: &Words, feed: Feed) -> io::Result<()> {
+        if !self.any_changes(words) {
+            return Ok(());
+        }
+        self.smooth(true)?;
+        if self.codes.length.call == LengthCall::Alone {
+            self.call_length(words)?;
+        }
+        match feed {
+            Feed::PerMinute(_) => self.feed_mode(self.codes.per_minute),
+            Feed::InverseTime(_) => self.feed_mode(self.codes.inverse_time.unwrap_or_default()),
+        }
+        self.motion(self.codes.feed);
+        self.call_length(words)?;
+        self.axis_words(words, false);
+        if self.writes(!self.belief.centre) {
+            self.writer.code(self.codes.centre);
+        }
+        self.belief.centre = true;
+        match feed {
+            Feed::PerMinute(value) => {
+                let changes = self.belief.set_feed(value);
+                if self.writes(changes) {
+                    self.feed_word(value);
+                }
+            }
+            Feed::InverseTime(value) => {
+                self.feed_word(value);
+                self.belief.forget_feed();
+            }
+        }
+        self.writer.end()
+    }
+
+    fn rapid(&mut self, words: &Words) -> io::Result<()> {
+        if !self.any_changes(words) {
+            return Ok(());
+        }
+        if self.codes.length.call == LengthCall::Alone {
+            self.call_length(words)?;
+        }
+        self.motion(self.codes.rapid);
+        self.call_length(words)?;
+        self.axis_words(words, false);
+        self.writer.code(self.codes.rapid_end);
+        self.writer.end()
+    }
+
+    /// A rapid in machine coordinates. Not every control keeps its motion code in force, and some end the length offset.
+    fn machine(&mut self, words: &Words) -> io::Result<()> {
+        self.smooth(false)?;
+        let length = &self.codes.length;
+        if length.machine_ends {
+            if !matches!(self.belief.length, LengthState::Off | LengthState::Wanted(_)) {
+                self.writer.code(length.off);
+            }
+            self.belief.length = match self.belief.length {
+                LengthState::On(register) | LengthState::Wanted(register) => LengthState::Wanted(register),
+                LengthState::Off | LengthState::Unknown => LengthState::Off,
+            };
+        }
+        self.belief.motion = "";
+        let [before, behind] = self.codes.machine;
+        self.writer.code(before);
+        self.axis_words(words, true);
+        self.writer.code(behind);
+        for axis in self.axes.iter().filter(|axis| words.has(axis.index)) {
+            self.belief.forget_axis(axis.index);
+        }
+        self.writer.end()
+    }
+
+    fn restart(&mut self, number: u32) -> io::Result<()> {
+        self.smooth(false)?;
+        self.belief.forget();
+        self.writer.number_next(number);
+        match self.setup.safety.take() {
+            Some(safety) => {
+                self.fill_all(&safety)?;
+                self.setup.safety = Some(safety);
+            }
+            None => {
+                self.fill_all(self.codes.safety)?;
+                self.belief.feed_mode = self.codes.per_minute;
+                self.belief.length = LengthState::Off;
+            }
+        }
+        Ok(())
+    }
+
+    fn tool_change(&mut self) -> io::Result<()> {
+        match self.setup.tool_change.take() {
+            Some(blocks) => {
+                self.fill_all(&blocks)?;
+                self.setup.tool_change = Some(blocks);
+            }
+            None => {
+                self.fill_all(self.codes.tool_change)?;
+                self.belief.speed = self.values.speed;
+            }
+        }
+        self.belief.forget_axes();
+        self.belief.forget_feed();
+        self.belief.motion = "";
+        self.belief.length = LengthState::Unknown;
+        Ok(())
+    }
+
+    fn spindle(&mut self, speed: Decimal, rotation: Rotation) -> io::Result<()> {
+        self.values.speed = Some(speed);
+        if let Some(alone) = self.codes.speed
+            && self.writes(self.belief.speed != Some(speed))
+        {
+            self.fill(alone)?;
+        }
+        self.belief.speed = Some(speed);
+        self.fill(self.codes.rotation(rotation))
+    }
+
+    /// On and off of a kind of coolant.
+    fn coolant_codes(&self, kind: Coolant) -> Option<[&str; 2]> {
+        let index = coolant_index(kind)?;
+        let given = self.setup.coolant[index].as_ref().map(|[on, off]| [on.as_str(), off.as_str()]);
+        given.or(self.codes.coolant[index])
+    }
+
+    fn coolant(&mut self, kind: Coolant) -> io::Result<()> {
+        let code = self.coolant_codes(kind).map(|[on, _]| on.to_owned());
+        self.belief.coolant = Some(kind);
+        self.block(&code.unwrap_or_default())
+    }
+
+    /// Off by the code of the kind that is on; by the general one where none is known to be.
+    fn coolant_off(&mut self) -> io::Result<()> {
+        let kind = self.belief.coolant.take();
+        let code =
+            kind.and_then(|kind| self.coolant_codes(kind)).map_or(self.codes.coolant_off, |[_, off]| off).to_owned();
+        self.block(&code)
+    }
+
+    /// The name of an operation, for the eyes of the operator.
+    fn operation(&mut self, name: &[u8]) -> io::Result<()> {
+        let Some([before, behind]) = self.codes.operation else {
+            return self.comment(&[b"OPERATION ", name].concat());
+        };
+        self.line.clear();
+        self.line.extend_from_slice(before.as_bytes());
+        self.line.extend(name.iter().take(self.codes.comment.length).map(|&byte| self.control.message(byte)));
+        self.line.extend_from_slice(behind.as_bytes());
+        self.writer.line(&self.line)
     }
 }
 
 impl<W: Write> Sink for Encoder<'_, W> {
     #[inline]
     fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
-        let codes = self.spellings;
+        let codes = self.codes;
         match *step {
-            Step::Feed { ref words, feed } => {
-                if !self.any_changes(words) {
-                    return Ok(());
-                }
-                match feed {
-                    Feed::PerMinute(_) => self.feed_mode(codes.per_minute),
-                    Feed::InverseTime(_) => self.feed_mode(codes.inverse_time),
-                }
-                self.motion(codes.feed);
-                self.axis_words(words);
-                match feed {
-                    Feed::PerMinute(value) => self.writer.modal(b'F', value),
-                    Feed::InverseTime(value) => {
-                        self.writer.word(b'F', value);
-                        self.writer.forget(b'F');
-                    }
-                }
-                self.writer.end()
-            }
-            Step::Rapid { ref words } => {
-                if !self.any_changes(words) {
-                    return Ok(());
-                }
-                self.motion(codes.rapid);
-                self.axis_words(words);
-                self.writer.end()
-            }
-            Step::Machine { ref words } => {
-                self.writer.code(codes.machine);
-                self.writer.code(codes.rapid);
-                // Not every control keeps the motion code of such a block in force.
-                self.motion = "";
-                for axis in &self.axes {
-                    if words.has(axis.index) {
-                        let number = Decimal { units: words.units[axis.index], decimals: axis.decimals };
-                        self.writer.word(axis.letter, number);
-                        self.writer.forget(axis.letter);
-                    }
-                }
-                self.writer.end()
-            }
-            Step::Restart { number } => {
-                self.forget();
-                self.writer.number_next(number);
-                self.writer.code(match self.units {
-                    Units::Millimetres => codes.millimetres,
-                    Units::Inches => codes.inches,
-                });
-                self.writer.code(codes.cancel);
-                self.feed_mode(codes.per_minute);
-                self.writer.code(&self.work_offset);
-                self.writer.code(codes.blending);
-                self.writer.word(codes.blending_address, self.path_tolerance);
-                self.writer.end()
-            }
+            Step::Feed { ref words, feed } => self.feed(words, feed),
+            Step::Rapid { ref words } => self.rapid(words),
+            Step::Machine { ref words } => self.machine(words),
+            Step::Restart { number } => self.restart(number),
             Step::PerMinute => {
                 self.feed_mode(codes.per_minute);
                 self.writer.end()
             }
-            Step::Tool { number, change: true } => {
-                self.writer.word(b'T', Decimal { units: number.into(), decimals: 0 });
-                self.writer.code(codes.tool_change);
-                self.writer.end()?;
-                self.writer.forget_all();
-                self.motion = "";
-                Ok(())
+            Step::Tool { number, offset, next, speed, change } => {
+                self.values.tool = Some(number);
+                self.values.offset = Some(offset);
+                self.values.next = next.filter(|_| self.preselect);
+                self.values.speed = speed;
+                if change {
+                    self.tool_change()
+                } else {
+                    self.comment(format!("T{number} stays in the spindle").as_bytes())
+                }
             }
-            Step::Tool { number, change: false } => self.comment(format!("T{number} stays in the spindle").as_bytes()),
             Step::Length { offset } => {
-                self.writer.code(codes.length);
-                self.writer.word(b'H', Decimal { units: offset.into(), decimals: 0 });
-                self.writer.end()
+                self.values.offset = Some(offset);
+                if codes.length.call == LengthCall::WithTool {
+                    return Ok(());
+                }
+                self.belief.length = LengthState::Wanted(offset);
+                if codes.length.call == LengthCall::Alone { self.call_length(&Words::default()) } else { Ok(()) }
             }
             Step::LengthGuard { label, tool, length, tolerance } => {
                 for block in self.control.length_guard(label, tool, length, tolerance) {
@@ -255,106 +544,31 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 }
                 Ok(())
             }
-            Step::Spindle { speed, rotation } => {
-                self.writer.word(b'S', speed);
-                self.writer.code(codes.rotation(rotation));
-                self.writer.end()
-            }
+            Step::Spindle { speed, rotation } => self.spindle(speed, rotation),
             Step::SpindleOff => self.block(codes.spindle_off),
             Step::Dwell { seconds } => {
-                self.writer.code(codes.dwell);
-                // A dwell that the format cannot hold was refused with the configuration.
-                let number = Decimal::fixed(self.control.dwell(seconds), 3).unwrap_or_default();
-                self.writer.word(codes.dwell_address, number);
-                self.writer.end()
+                self.values.seconds = Some(seconds);
+                self.fill_all(codes.dwell)
             }
-            Step::Coolant { kind } => self.block(codes.coolant(kind).unwrap_or_default()),
-            Step::CoolantOff => self.block(codes.coolant_off),
+            Step::Coolant { kind } => self.coolant(kind),
+            Step::CoolantOff => self.coolant_off(),
             Step::Stop { optional } => {
+                self.smooth(false)?;
                 self.block(codes.stop[usize::from(optional)])?;
-                self.forget();
+                self.belief.forget();
                 Ok(())
             }
-            Step::Operation { name } => self.commented("OPERATION ", name),
+            Step::Operation { name } => self.operation(name),
             Step::Message { text } => self.comment(text),
             Step::WorkOffset { word } => {
-                self.work_offset.clear();
-                self.work_offset.push_str(word);
+                self.values.work_offset = self.control.work_offset(word).unwrap_or_else(|| word.to_owned());
                 Ok(())
             }
             Step::Raw { text } => {
                 self.writer.line(text)?;
-                self.forget();
+                self.belief.forget();
                 Ok(())
             }
-            Step::End => self.block(codes.end),
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::LinuxCnc;
-    use super::*;
-    use crate::motion::MAX_AXES;
-
-    fn written(write: impl Fn(&mut Encoder<'_, &mut Vec<u8>>) -> io::Result<()>) -> String {
-        let layout = Layout {
-            axes: vec![('C', 4), ('A', 4), ('Z', 3), ('X', 3)],
-            units: Units::Millimetres,
-            work_offset: "G55".into(),
-            path_tolerance: 0.01,
-            line_numbers: None,
-        };
-        let mut out = Vec::new();
-        let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
-        write(&mut encoder).expect("memory takes everything");
-        encoder.finish().expect("memory takes everything");
-        drop(encoder);
-        String::from_utf8(out).expect("ASCII")
-    }
-
-    fn words(units: [i64; 4]) -> Words {
-        let mut words = Words { units: [0; MAX_AXES], mask: 0b1111 };
-        words.units[..4].copy_from_slice(&units);
-        words
-    }
-
-    #[test]
-    fn words_stand_in_the_usual_order_whatever_the_chain_is() {
-        let text = written(|encoder| encoder.step(&Step::Rapid { words: words([10_000, -5, 1500, -1]) }));
-        assert_eq!(text, "G0 X-0.001 Z1.5 A-0.0005 C1\n");
-    }
-
-    #[test]
-    fn a_block_in_which_nothing_changes_is_not_written() {
-        let feed = Feed::InverseTime(Decimal { units: 5, decimals: 0 });
-        let text = written(|encoder| {
-            encoder.step(&Step::Rapid { words: words([1, 2, 3, 4]) })?;
-            encoder.step(&Step::Feed { words: words([1, 2, 3, 4]), feed })?;
-            encoder.step(&Step::Rapid { words: words([1, 2, 3, 4]) })
-        });
-        assert_eq!(text.lines().count(), 1, "{text}");
-    }
-
-    #[test]
-    fn everything_is_written_again_behind_a_restart() {
-        let per_minute = Feed::PerMinute(Decimal { units: 100, decimals: 0 });
-        let text = written(|encoder| {
-            encoder.step(&Step::Feed { words: words([0; 4]), feed: per_minute })?;
-            encoder.step(&Step::Restart { number: 7 })?;
-            encoder.step(&Step::Feed { words: words([0; 4]), feed: per_minute })
-        });
-        assert_eq!(
-            text,
-            "G94 G1 X0 Z0 A0 C0 F100\nN7 G21 G17 G40 G49 G80 G90 G94 G55 G64 P0.01\nG1 X0 Z0 A0 C0 F100\n"
-        );
-    }
-
-    #[test]
-    fn a_long_comment_stands_on_lines_that_the_control_reads() {
-        let text = written(|encoder| encoder.comment(&[b'('; 1000]));
-        assert!(text.lines().all(|line| line.len() < 255 && line.starts_with("([") && line.ends_with("[)")));
-        assert_eq!(text.matches('[').count(), 1000);
     }
 }

@@ -5,7 +5,12 @@
 //! wherever one of them moves. `#5403` is what the tool table says of the tool in the spindle, whatever H is in force, in
 //! the unit of the machine and not in that of the program. Without a P behind `G64` it would round corners as far as speed demands.
 
-use super::{Control, Spellings};
+use crate::config::{Formats, PathNorm};
+use crate::motion::Registers;
+use crate::nc::Numerals;
+
+use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::{Control, numbered};
 
 /// The LinuxCNC dialect.
 #[derive(Debug, Clone, Copy)]
@@ -14,31 +19,52 @@ pub struct LinuxCnc;
 static SPELLINGS: Spellings = Spellings {
     name: "linuxcnc",
     title: "LinuxCNC",
+    formats: Formats::DEFAULT,
+    numerals: Numerals { point: false, plus: false },
+    line_length: 254,
+    counted: false,
+    // Two brackets and the dash.
+    comment: Comments { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
+    operation: None,
     opening: &[],
     end: "M2",
-    line_length: 254,
-    millimetres: "G21",
-    inches: "G20",
-    cancel: "G17 G40 G49 G80 G90",
-    blending: "G64",
-    blending_address: b'P',
+    closing: &[],
+    number_digits: 0,
+    plain_name: false,
+    units: ["G21", "G20"],
+    safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
     per_minute: "G94",
-    inverse_time: "G93",
+    offset_title: "",
+    inverse_time: Some("G93"),
+    path_norm: PathNorm::G93Minutes,
+    feed_per_inch: 1.0,
     rapid: "G0",
+    rapid_end: "",
     feed: "G1",
-    machine: "G53",
-    tool_change: "M6",
-    length: "G43",
-    spindle: ["M3", "M4"],
+    motion_modal: true,
+    centre: "",
+    machine: ["G53 G0", ""],
+    tool_change: &["T{tool} M6", "T{next}"],
+    preselect: false,
+    length: Length {
+        code: "G43 H{offset}",
+        call: LengthCall::Alone,
+        off: "",
+        machine_ends: false,
+        registers: Registers::Shared,
+        address: "H",
+    },
+    speed: None,
+    spindle: ["S{speed} M3", "S{speed} M4"],
     spindle_off: "M5",
     coolant_off: "M9",
-    flood: Some("M8"),
-    mist: Some("M7"),
-    through: None,
-    air: None,
+    coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
     stop: ["M0", "M1"],
-    dwell: "G4",
-    dwell_address: b'P',
+    dwell: &["G4 P{seconds}"],
+    smoothing: [&[], &[], &[]],
+    smoothing_off: &[],
+    turning: ["", ""],
+    rotary_note: "the axes must not be wrapped",
 };
 
 impl Control for LinuxCnc {
@@ -47,21 +73,11 @@ impl Control for LinuxCnc {
     }
 
     fn comment(&self, text: &[u8], line: &mut Vec<u8>) {
-        line.push(b'(');
         if is_order(text) {
-            line.extend_from_slice(b"- ");
+            self.plain_comment(&[b"- ", text].concat(), line);
+        } else {
+            self.plain_comment(text, line);
         }
-        for &byte in text {
-            line.push(match byte {
-                b'(' => b'[',
-                b')' => b']',
-                b'%' => b'_',
-                b'\t' => b' ',
-                0x20..=0x7e => byte,
-                _ => b'?',
-            });
-        }
-        line.push(b')');
     }
 
     fn length_guard(&self, label: u32, tool: u32, length: f64, tolerance: f64) -> Vec<String> {
@@ -75,9 +91,9 @@ impl Control for LinuxCnc {
         ]
     }
 
-    fn comment_length(&self) -> usize {
-        // Two brackets and the dash.
-        SPELLINGS.line_length - 4
+    fn work_offset(&self, word: &str) -> Option<String> {
+        let known = numbered(word, "G", 54..=59) || ["G59.1", "G59.2", "G59.3"].contains(&word);
+        known.then(|| word.to_owned())
     }
 }
 

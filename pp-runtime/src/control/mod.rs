@@ -3,103 +3,39 @@
 //! Controls know steps and words, nothing of CL data, and plan nothing. A new control is a new table in a file of its
 //! own and a line in [`CONTROLS`].
 
+mod belief;
 mod encoder;
+mod fanuc;
+mod fit;
+mod haas;
+mod heidenhain;
+mod layout;
 mod linuxcnc;
+mod siemens;
+mod spellings;
+pub mod template;
+#[cfg(test)]
+mod tests;
 
-use crate::program::{Coolant, Rotation};
+use std::ops::RangeInclusive;
 
-pub use encoder::{Encoder, Layout};
+pub use encoder::Encoder;
+pub use fanuc::Fanuc;
+pub use fit::{abilities, check, starting_point};
+pub use haas::Haas;
+pub use heidenhain::Heidenhain;
+pub use layout::Layout;
 pub use linuxcnc::LinuxCnc;
+pub use siemens::Siemens;
+pub use spellings::{Comments, Length, LengthCall, Spellings};
 
 /// Every control there is, the default first.
-pub const CONTROLS: &[&dyn Control] = &[&LinuxCnc];
+pub const CONTROLS: &[&dyn Control] = &[&LinuxCnc, &Fanuc, &Siemens, &Heidenhain, &Haas];
 
 /// The control of that name, as on the command line.
 #[must_use]
 pub fn by_name(name: &str) -> Option<&'static dyn Control> {
     CONTROLS.iter().copied().find(|control| control.spellings().name.eq_ignore_ascii_case(name))
-}
-
-/// Codes of a control.
-#[derive(Debug, Clone, Copy)]
-pub struct Spellings {
-    /// Name on the command line.
-    pub name: &'static str,
-    /// Name for people.
-    pub title: &'static str,
-    /// Lines before everything else.
-    pub opening: &'static [&'static str],
-    /// Last block.
-    pub end: &'static str,
-    /// Longest line the control reads, line end not counted.
-    pub line_length: usize,
-    /// Lengths in millimetres.
-    pub millimetres: &'static str,
-    /// Lengths in inches.
-    pub inches: &'static str,
-    /// Codes of the safety line that cancel whatever may be active: compensation, length offset, cycle; absolute.
-    pub cancel: &'static str,
-    /// Blending of blocks within a tolerance.
-    pub blending: &'static str,
-    /// Address of that tolerance.
-    pub blending_address: u8,
-    /// Feed per minute.
-    pub per_minute: &'static str,
-    /// Inverse time, F in 1/min.
-    pub inverse_time: &'static str,
-    /// Rapid.
-    pub rapid: &'static str,
-    /// Feed.
-    pub feed: &'static str,
-    /// Prefix of a rapid in machine coordinates.
-    pub machine: &'static str,
-    /// Tool change behind the T word.
-    pub tool_change: &'static str,
-    /// Length offset before the H word; causes no motion here.
-    pub length: &'static str,
-    /// Spindle clockwise and counter-clockwise.
-    pub spindle: [&'static str; 2],
-    /// Spindle stop.
-    pub spindle_off: &'static str,
-    /// Coolant off, all kinds.
-    pub coolant_off: &'static str,
-    /// Flood.
-    pub flood: Option<&'static str>,
-    /// Mist.
-    pub mist: Option<&'static str>,
-    /// Through the spindle.
-    pub through: Option<&'static str>,
-    /// Air.
-    pub air: Option<&'static str>,
-    /// Stop, and stop where the operator has asked for it.
-    pub stop: [&'static str; 2],
-    /// Dwell, before the word with the time.
-    pub dwell: &'static str,
-    /// Address of the dwell time.
-    pub dwell_address: u8,
-}
-
-impl Spellings {
-    /// The code of a kind of coolant; `None` if the control has none for it.
-    #[must_use]
-    pub fn coolant(&self, coolant: Coolant) -> Option<&'static str> {
-        match coolant {
-            Coolant::On | Coolant::Flood => self.flood,
-            Coolant::Mist => self.mist,
-            Coolant::Through => self.through,
-            Coolant::Air => self.air,
-            Coolant::Off => Some(self.coolant_off),
-        }
-    }
-
-    /// The code of a sense of rotation.
-    #[must_use]
-    pub fn rotation(&self, rotation: Rotation) -> &'static str {
-        match rotation {
-            Rotation::Clockwise => self.spindle[0],
-            Rotation::CounterClockwise => self.spindle[1],
-        }
-    }
 }
 
 /// A CNC: its spellings, and what tables cannot say.
@@ -108,14 +44,29 @@ pub trait Control: Sync {
     fn spellings(&self) -> &'static Spellings;
 
     /// Appends one comment line to `line`, made safe: whatever the text holds, the control does not act on it.
-    fn comment(&self, text: &[u8], line: &mut Vec<u8>);
+    fn comment(&self, text: &[u8], line: &mut Vec<u8>) {
+        self.plain_comment(text, line);
+    }
 
-    /// Most bytes of a comment's text that one line holds.
-    fn comment_length(&self) -> usize;
+    /// A comment whose text is no order to the control.
+    fn plain_comment(&self, text: &[u8], line: &mut Vec<u8>) {
+        let comment = &self.spellings().comment;
+        line.extend_from_slice(comment.marks[0].as_bytes());
+        line.extend(text.iter().map(|&byte| (comment.byte)(byte)));
+        line.extend_from_slice(comment.marks[1].as_bytes());
+    }
 
-    /// The number in the dwell word.
-    fn dwell(&self, seconds: f64) -> f64 {
-        seconds
+    /// What becomes of a byte in the name of an operation that is no comment.
+    fn message(&self, byte: u8) -> u8 {
+        (self.spellings().comment.byte)(byte)
+    }
+
+    /// How a work offset of the configuration is written; `None` if the control does not have it.
+    fn work_offset(&self, word: &str) -> Option<String>;
+
+    /// What stands before the number of an axis of this name; `None` if the control cannot have an axis of this name.
+    fn axis_word(&self, name: &str) -> Option<String> {
+        (name.len() == 1 && name.as_bytes()[0].is_ascii_uppercase()).then(|| name.to_owned())
     }
 
     /// Blocks that stop the program with a message where the length of the tool in the spindle, as the control knows it,
@@ -126,15 +77,8 @@ pub trait Control: Sync {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_control_is_found_by_its_name_and_only_by_that() {
-        assert_eq!(by_name("linuxcnc").map(|control| control.spellings().title), Some("LinuxCNC"));
-        assert!(by_name("LinuxCNC").is_some());
-        assert!(by_name("linux").is_none());
-        assert!(by_name("").is_none());
-    }
+/// Whether a word is a prefix and a number of a range, written as people write it.
+fn numbered(word: &str, prefix: &str, range: RangeInclusive<u32>) -> bool {
+    let number = word.strip_prefix(prefix).and_then(|number| Some((number, number.parse::<u32>().ok()?)));
+    number.is_some_and(|(text, number)| range.contains(&number) && number.to_string() == text)
 }

@@ -75,13 +75,18 @@ impl<M: Machine> Planner<'_, M> {
             kind => kind,
         };
         let missing = match kind {
+            Coolant::On | Coolant::Flood => (!self.abilities.flood).then_some("flood"),
             Coolant::Mist => (!self.abilities.mist).then_some("mist"),
             Coolant::Through => (!self.abilities.through).then_some("coolant through the spindle"),
             Coolant::Air => (!self.abilities.air).then_some("air"),
-            Coolant::On | Coolant::Flood | Coolant::Off => None,
+            Coolant::Off => None,
         };
         if let Some(missing) = missing {
-            return Err(stop(at, Fault::new(format_args!("this control has no code for {missing}"))));
+            return Err(stop(
+                at,
+                Fault::new(format_args!("this control has no code for {missing}"))
+                    .help("give it its codes, on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`"),
+            ));
         }
         if kind == Coolant::Off || self.config.lift.is_some() {
             return self.coolant_off(sink);

@@ -1,13 +1,15 @@
-//! F words: mm/min while no rotary moves, inverse time where one does; and how long a block takes.
+//! F words: mm/min while no rotary moves; where one does inverse time, or what the control counts along; and how long a
+//! block takes.
 //!
 //! The tip keeps the programmed feed: a block takes its tip path over the feed. Longer only where an axis would turn or
 //! travel faster than it can, where the control asks for a longest F or a shortest block, and then by as much as it needs.
 
-use crate::config::{Config, Units};
+use crate::config::{Config, PathNorm, Units};
 use crate::nc::Decimal;
 use crate::program;
 
 use super::fault::Fault;
+use super::planner::Abilities;
 use super::step::Feed;
 
 /// Computes F words.
@@ -20,6 +22,11 @@ pub(crate) struct Feeds {
     reorient_speed: f64,
     /// A tip path shorter than this stands still, mm: one unit of the linear words.
     still: f64,
+    norm: PathNorm,
+    /// Units of F in a unit of length.
+    per_length: f64,
+    /// F has this bound.
+    bound: f64,
     /// Shortest block, minutes.
     shortest: f64,
     /// Largest feed of the control, mm/min.
@@ -33,6 +40,10 @@ pub(crate) struct Stroke {
     pub(crate) length: f64,
     /// Largest turn of a rotary axis, rad; zero where no rotary word changes.
     pub(crate) turn: f64,
+    /// Length of the way of the linear axes, mm.
+    pub(crate) linear: f64,
+    /// Length of the way of the rotary axes, degrees.
+    pub(crate) degrees: f64,
     /// The control's own path length is that of the tip while no rotary turns.
     pub(crate) square: bool,
     /// Minutes that the axes take at their largest speeds; 0 where these are not known.
@@ -51,16 +62,24 @@ pub(crate) struct Pace {
 }
 
 impl Feeds {
-    pub(crate) fn new(config: &Config, units: Units, still: f64) -> Self {
+    pub(crate) fn new(config: &Config, units: Units, still: f64, abilities: &Abilities) -> Self {
         Self {
             length_unit: units.in_mm(),
             decimals: config.formats.feed,
             digits: config.formats.inverse_time,
+            norm: abilities.path_norm,
+            per_length: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
+            bound: 10_f64.powi(config.formats.feed_whole as i32),
             reorient_speed: config.reorient_speed,
             still,
             shortest: config.feed.shortest_block / 60.0,
             largest: config.feed.largest.unwrap_or(f64::INFINITY),
         }
+    }
+
+    /// F counts along the path of the control where a rotary axis moves.
+    pub(crate) fn counts_path(&self) -> bool {
+        matches!(self.norm, PathNorm::Xyz | PathNorm::XyzDegrees)
     }
 
     /// mm/min of a programmed feed; `speed`: rev/min of the spindle as written.
@@ -87,12 +106,31 @@ impl Feeds {
         let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min does not fit into a word"));
         let (feed, word) = if stroke.turn == 0.0 && stroke.square {
             let feed = if minutes > programmed { stroke.length / minutes } else { feed };
-            let word = Decimal::fixed(feed / self.length_unit, self.decimals).map_err(overflow)?;
+            let word = Decimal::fixed(feed / self.length_unit * self.per_length, self.decimals).map_err(overflow)?;
             (Feed::PerMinute(word), word)
         } else {
-            let word = Decimal::significant(1.0 / minutes, self.digits).map_err(overflow)?;
-            (Feed::InverseTime(word), word)
+            let inverse = |time: f64| Decimal::significant(1.0 / time, self.digits).map_err(overflow);
+            let along = |path: f64| Decimal::fixed(path / minutes, self.decimals).map_err(overflow);
+            let in_lengths = self.per_length / self.length_unit;
+            let (linear, degrees) = (stroke.linear, stroke.degrees);
+            match self.norm {
+                PathNorm::G93Minutes => inverse(minutes).map(|word| (Feed::InverseTime(word), word))?,
+                PathNorm::G93Seconds => inverse(minutes * 60.0).map(|word| (Feed::InverseTime(word), word))?,
+                PathNorm::Xyz if linear > 0.0 => {
+                    along(linear * in_lengths).map(|word| (Feed::PerMinute(word), word))?
+                }
+                PathNorm::XyzDegrees if linear > 0.0 => {
+                    along(linear.hypot(degrees) * in_lengths).map(|word| (Feed::PerMinute(word), word))?
+                }
+                PathNorm::Xyz | PathNorm::XyzDegrees => along(degrees).map(|word| (Feed::PerMinute(word), word))?,
+            }
         };
+        if word.value() >= self.bound {
+            return Err(Fault::new(format_args!("an F of {} has more digits than the control holds", word.value()))
+                .help(
+                    "`[feed] largest` or `shortest_block` slow such blocks down; `[formats] feed_whole` are the digits",
+                ));
+        }
         if word.units <= 0 {
             return Err(zero(stroke.length / minutes));
         }
@@ -112,12 +150,16 @@ impl Feeds {
 mod tests {
     use super::*;
 
+    fn abilities() -> Abilities {
+        crate::control::abilities(&crate::control::LinuxCnc, &Config::default())
+    }
+
     fn feeds(units: Units) -> Feeds {
-        Feeds::new(&Config::default(), units, 1e-3)
+        Feeds::new(&Config::default(), units, 1e-3, &abilities())
     }
 
     fn stroke(length: f64, degrees: f64) -> Stroke {
-        Stroke { length, turn: degrees.to_radians(), square: true, least: 0.0 }
+        Stroke { length, turn: degrees.to_radians(), square: true, least: 0.0, linear: length, degrees }
     }
 
     #[test]
@@ -170,7 +212,7 @@ mod tests {
         let mut config = Config::default();
         config.feed.largest = Some(5000.0);
         config.feed.shortest_block = 0.006;
-        let feeds = Feeds::new(&config, Units::Millimetres, 1e-3);
+        let feeds = Feeds::new(&config, Units::Millimetres, 1e-3, &abilities());
         let pace = feeds.pace(20_000.0, stroke(10.0, 0.0)).expect("a pace");
         assert_eq!(pace.feed, Feed::PerMinute(Decimal { units: 5_000_000, decimals: 3 }));
         let pace = feeds.pace(4000.0, stroke(0.1, 1.0)).expect("a pace");
@@ -181,5 +223,45 @@ mod tests {
     fn feed_per_revolution_needs_a_speed() {
         assert_eq!(Feeds::per_minute(program::Feed::PerRevolution(0.1), Some(3000.0)), Ok(300.0));
         assert!(Feeds::per_minute(program::Feed::PerRevolution(0.1), None).is_err());
+    }
+
+    #[test]
+    fn without_inverse_time_f_counts_what_the_control_counts() {
+        let write = |word, prefix: &str| {
+            let mut text = prefix.as_bytes().to_vec();
+            crate::nc::write_decimal(&mut text, word);
+            String::from_utf8(text).expect("ASCII")
+        };
+        let word = |norm, units, per_length, linear, degrees| {
+            let abilities = Abilities { path_norm: norm, feed_per_inch: per_length, ..abilities() };
+            let feeds = Feeds::new(&Config::default(), units, 1e-3, &abilities);
+            // A tenth of a minute along the tip path.
+            let pace = feeds.pace(100.0, Stroke { linear, degrees, ..stroke(10.0, 4.0) }).expect("a pace");
+            match pace.feed {
+                Feed::PerMinute(word) => write(word, "F"),
+                Feed::InverseTime(word) => write(word, "inverse F"),
+            }
+        };
+        let mm = Units::Millimetres;
+        assert_eq!(word(PathNorm::XyzDegrees, mm, 1.0, 3.0, 4.0), "F50");
+        assert_eq!(word(PathNorm::Xyz, mm, 1.0, 3.0, 4.0), "F30");
+        assert_eq!(word(PathNorm::Xyz, mm, 1.0, 0.0, 4.0), "F40");
+        assert_eq!(word(PathNorm::XyzDegrees, mm, 1.0, 0.0, 4.0), "F40");
+        assert_eq!(word(PathNorm::G93Minutes, mm, 1.0, 3.0, 4.0), "inverse F10");
+        assert_eq!(word(PathNorm::G93Seconds, mm, 1.0, 3.0, 4.0), "inverse F0.166667");
+        assert_eq!(word(PathNorm::Xyz, Units::Inches, 10.0, 25.4, 4.0), "F100");
+    }
+
+    #[test]
+    fn an_f_with_more_digits_than_the_control_holds_is_refused() {
+        let config = |feed_whole| Config {
+            formats: crate::config::Formats { feed_whole, ..Config::default().formats },
+            ..Config::default()
+        };
+        let pace = |feed_whole| {
+            Feeds::new(&config(feed_whole), Units::Millimetres, 1e-3, &abilities()).pace(10_000.0, stroke(5.0, 0.0))
+        };
+        assert!(pace(5).is_ok());
+        assert!(pace(4).is_err());
     }
 }

@@ -35,7 +35,7 @@ mod tests;
 
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
-pub use planner::{Abilities, Planner, Statistics, Stop};
+pub use planner::{Abilities, Planner, Registers, Statistics, Stop};
 pub use selection::Gate;
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
 pub use times::{FastestTurn, OperationTime, Times};

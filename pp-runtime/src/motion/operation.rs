@@ -68,10 +68,14 @@ impl<M: Machine> Planner<'_, M> {
     pub(super) fn pace(&self, feed: Option<program::Feed>, to: &Place<M::Axes>) -> Result<Pace, Fault> {
         let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
         let per_minute = Feeds::per_minute(feed, self.spindle.map(|(speed, _)| speed))?;
+        let (linear, degrees) =
+            if self.feeds.counts_path() { self.placer.travelled(&self.place, to) } else { (0.0, 0.0) };
         let stroke = Stroke {
             length: (to.pose.tip - self.place.pose.tip).norm(),
             turn: self.placer.rotary_travel(&self.place.words, &to.words),
             square: self.placer.square(),
+            linear,
+            degrees,
             least: self.placer.least_minutes(&self.place, to).unwrap_or(0.0),
         };
         self.feeds.pace(per_minute, stroke)

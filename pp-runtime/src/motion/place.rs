@@ -67,6 +67,8 @@ pub(crate) struct Placer<M: Machine> {
     speeds: Vec<Option<f64>>,
     /// Feeds are limited by them.
     timed: bool,
+    /// Words stay below these, in units.
+    bounds: [i64; MAX_AXES],
     linear_mask: u16,
     rotary_mask: u16,
     pub(super) scale: AngleScale,
@@ -86,6 +88,25 @@ pub(crate) struct Placer<M: Machine> {
     square: bool,
     /// The linear axes are square to each other, whatever the rotaries do.
     orthogonal: bool,
+}
+
+fn too_large(letter: char) -> Fault {
+    Fault::new(format_args!("{letter} is too large for a word of this control"))
+        .help("`[formats] linear_whole` and `rotary_whole` are the digits before the point")
+}
+
+/// Bounds of the words in whole units.
+fn bounds(axes: &[Axis], config: &Config, units: Units) -> [i64; MAX_AXES] {
+    let formats = &config.formats;
+    let bound = |whole: u32, decimals: u32| 10_i64.saturating_pow(whole + decimals);
+    let mut bounds = [i64::MAX; MAX_AXES];
+    for (bound_of, axis) in bounds.iter_mut().zip(axes) {
+        *bound_of = match axis.kind {
+            AxisKind::Linear => bound(formats.linear_whole, formats.linear(units)),
+            AxisKind::Rotary => bound(formats.rotary_whole, formats.rotary),
+        };
+    }
+    bounds
 }
 
 impl<M: Machine> Placer<M> {
@@ -125,10 +146,7 @@ impl<M: Machine> Placer<M> {
             })
             .unwrap_or_default();
         let head = axes.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool);
-        let per_unit = match units {
-            Units::Millimetres => 10_f64.powi(config.formats.linear_mm as i32),
-            Units::Inches => 10_f64.powi(config.formats.linear_inch as i32),
-        };
+        let per_unit = 10_f64.powi(config.formats.linear(units) as i32);
         Self {
             part_origin: config.part_origin.into(),
             endless: rotaries.iter().map(|rotary| rotary.without_limits()).collect(),
@@ -137,6 +155,7 @@ impl<M: Machine> Placer<M> {
             pole_tolerance: config.axis_tolerance.max(REACH_TOLERANCE),
             timed: config.feed.keep_speeds && speeds.iter().any(Option::is_some),
             metric: Metric::new(&rotaries, [0, 1].map(speed), scale),
+            bounds: bounds(axes, config, units),
             linear_mask: mask(AxisKind::Linear),
             rotary_mask: mask(AxisKind::Rotary),
             scale,
@@ -232,6 +251,16 @@ impl<M: Machine> Placer<M> {
         let turns = self.rotaries.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
         let (index, turn) = turns.max_by_key(|(_, turn)| *turn).filter(|(_, turn)| *turn > 0)?;
         Some((M::AXES[index].letter, self.scale.angle(turn.cast_signed())))
+    }
+
+    /// How far the linear axes go together, mm, and the rotary axes, degrees.
+    pub(crate) fn travelled(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> (f64, f64) {
+        let length = |mask: u16| {
+            let steps = from.axes.as_ref().iter().zip(to.axes.as_ref()).enumerate();
+            let steps = steps.filter(|(index, _)| mask & (1 << index) != 0).map(|(_, (from, to))| to - from);
+            steps.map(|step| step * step).sum::<f64>().sqrt()
+        };
+        (length(self.linear_mask), length(self.rotary_mask).to_degrees())
     }
 
     /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
@@ -479,7 +508,7 @@ impl<M: Machine> Placer<M> {
             if self.linear_mask & (1 << index) != 0 {
                 let shift = self.origin.linear(index);
                 let Ok(units) = whole_units(*value + shift, self.per_mm) else {
-                    return Err(Fault::new(format_args!("{} is too large for a word", M::AXES[index].letter)));
+                    return Err(too_large(M::AXES[index].letter));
                 };
                 place.words[index] = units;
                 let written = units as f64 / self.per_mm - shift;
@@ -488,6 +517,11 @@ impl<M: Machine> Placer<M> {
                 sum += off.abs();
                 squares += off * off;
             }
+        }
+        if let Some(index) =
+            (0..M::AXES.len().min(MAX_AXES)).find(|&index| place.words[index].abs() >= self.bounds[index])
+        {
+            return Err(too_large(M::AXES[index].letter));
         }
         place.rounding = if self.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
@@ -529,7 +563,9 @@ impl<M: Machine> Placer<M> {
     pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<Words, Fault> {
         self.travel.check_machine(index, coordinate)?;
         let units = whole_units(coordinate, self.per_mm)
-            .map_err(|_| Fault::new(format_args!("{} is too large for a word", M::AXES[index].letter)))?;
+            .ok()
+            .filter(|units| units.abs() < self.bounds[index])
+            .ok_or_else(|| too_large(M::AXES[index].letter))?;
         let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
         words.units[index] = units;
         Ok(words)

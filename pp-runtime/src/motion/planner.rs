@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::ops::RangeInclusive;
 
-use crate::config::{Config, Transition, Units};
+use crate::config::{Config, PathNorm, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
 use crate::program::{
@@ -58,14 +58,48 @@ impl From<io::Error> for Stop {
 pub(super) type Planned = Result<(), Stop>;
 
 /// What a control has no code for must not be planned.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Abilities {
+    /// Flood coolant.
+    pub flood: bool,
     /// Mist coolant.
     pub mist: bool,
     /// Coolant through the spindle.
     pub through: bool,
     /// Air.
     pub air: bool,
+    /// To call or cancel a length offset may move by the length.
+    pub length_moves: bool,
+    /// What the register of a length offset means.
+    pub registers: Registers,
+    /// What F counts along in a block in which a rotary axis moves.
+    pub path_norm: PathNorm,
+    /// Units of F in one unit of length of an inch program.
+    pub feed_per_inch: f64,
+}
+
+/// What the register of a length offset means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Registers {
+    /// One list for all tools; a tool's own has its number.
+    Shared,
+    /// Cutting edges of each tool, from 1.
+    Edges,
+    /// The row of the tool; there is no choice.
+    Rows,
+}
+
+impl Registers {
+    /// The register of a tool, `given` or its own; `None` if it cannot be the one that is given.
+    #[must_use]
+    pub fn of_tool(self, number: u32, given: Option<u32>) -> Option<u32> {
+        match self {
+            Self::Shared => Some(given.unwrap_or(number)),
+            // CL data that counts its registers like the tools knows of no edges.
+            Self::Edges => Some(given.filter(|given| *given != number).unwrap_or(1)),
+            Self::Rows => Some(number).filter(|number| given.is_none_or(|given| given == *number)),
+        }
+    }
 }
 
 /// What was met on the way.
@@ -165,6 +199,10 @@ pub struct Planner<'a, M: Machine> {
     pub(super) restarts: u32,
 
     pub(super) tool: Option<Tool>,
+    /// Tools in the order in which they come into the spindle, as far as it is known.
+    tools: Vec<u32>,
+    /// Tool changes so far.
+    pub(super) changes: usize,
     /// Tools called so far, with the length and the offset register that the CL data gave last.
     calls: BTreeMap<u32, ToolCall>,
     /// The remark on rapids before the first tool has been made.
@@ -198,7 +236,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         let placer = Placer::new(machine, config, units);
         let place = placer.zero();
         Self {
-            feeds: Feeds::new(config, units, placer.unit_mm()),
+            feeds: Feeds::new(config, units, placer.unit_mm(), &abilities),
             speller: Speller::new::<M>(config, &placer.rotaries, placer.scale.turn),
             config,
             placer,
@@ -220,6 +258,8 @@ impl<'a, M: Machine> Planner<'a, M> {
             retreat: Retreat::default(),
             restarts: 0,
             tool: None,
+            tools: Vec::new(),
+            changes: 0,
             calls: BTreeMap::new(),
             passed_over: false,
             next_tool: None,
@@ -257,6 +297,19 @@ impl<'a, M: Machine> Planner<'a, M> {
     #[must_use]
     pub fn shows(&self) -> bool {
         !self.selection.hidden()
+    }
+
+    /// Knows which tool follows which.
+    #[must_use]
+    pub fn with_tools(mut self, tools: Vec<u32>) -> Self {
+        self.tools = tools;
+        self
+    }
+
+    /// The tool that follows the one of the last change.
+    pub(super) fn tool_after(&self, number: u32) -> Option<u32> {
+        let known = self.tools.get(self.changes.checked_sub(1)?..)?;
+        known.first().filter(|first| **first == number).and(known.get(1)).copied()
     }
 
     /// What was met so far.
@@ -603,8 +656,9 @@ impl<'a, M: Machine> Planner<'a, M> {
                 warnings.push(fault.at(at, Severity::Warning));
             }
         };
-        let tool = Tool::resolve(call, &before, self.config, self.placer.needs_length(), remark)
-            .map_err(|fault| stop(at, fault))?;
+        let (needed, registers) = (self.placer.needs_length(), self.abilities.registers);
+        let tool =
+            Tool::resolve(call, &before, self.config, needed, registers, remark).map_err(|fault| stop(at, fault))?;
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
         self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         Ok(tool)

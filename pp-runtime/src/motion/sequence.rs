@@ -123,6 +123,10 @@ impl<M: Machine> Planner<'_, M> {
             return self.start_directly(at, first, planned, sink);
         }
         self.leave(at, sink)?;
+        if self.abilities.length_moves && self.restarts > 0 {
+            // What the safety line cancels must not move the tool down.
+            self.machine_retract(at, sink)?;
+        }
         // A complete state, the retract included: the program can be entered here.
         self.restart(sink)?;
         self.clear = false;
@@ -134,7 +138,16 @@ impl<M: Machine> Planner<'_, M> {
         if let Some(tool) = wanted.or(self.tool) {
             self.tool = Some(tool);
             self.placer.set_gauge_length(tool.length);
-            sink.step(&Step::Tool { number: tool.number, change })?;
+            self.changes += usize::from(change);
+            let given = self.config.tools.get(&tool.number);
+            let spindle = self.request.resolve(given, self.config).map_err(|fault| stop(at, fault))?;
+            sink.step(&Step::Tool {
+                number: tool.number,
+                offset: tool.offset,
+                next: self.tool_after(tool.number),
+                speed: spindle.map(|(speed, _)| speed),
+                change,
+            })?;
             if change {
                 // The change may leave every axis anywhere, and the spindle still.
                 self.clear = false;

@@ -29,9 +29,9 @@ impl Words {
 /// The feed of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feed {
-    /// Length units per minute; stays in force.
+    /// Units of the control's path per minute; stays in force.
     PerMinute(Decimal),
-    /// 1/min, for this block alone.
+    /// Inverse time, for this block alone.
     InverseTime(Decimal),
 }
 
@@ -68,10 +68,16 @@ pub enum Step<'a> {
     Tool {
         /// Its number.
         number: u32,
+        /// Register of its length.
+        offset: u32,
+        /// The tool after it, if one follows.
+        next: Option<u32>,
+        /// Speed it begins with, rev/min, if that is known.
+        speed: Option<Decimal>,
         /// False if it stands in the spindle already.
         change: bool,
     },
-    /// Length offset; causes no motion.
+    /// The length offset of the motions that follow.
     Length {
         /// Register.
         offset: u32,
@@ -134,8 +140,6 @@ pub enum Step<'a> {
         /// The block.
         text: &'a [u8],
     },
-    /// End of the program.
-    End,
 }
 
 /// Takes the steps of a program.

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
-use super::{Abilities, Navigator, Planner, Stop};
+use super::{Navigator, Planner, Stop};
 use crate::config::{Config, Rapid, Tool, Transition, Units, Wrap};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
@@ -33,22 +33,10 @@ impl Run {
 pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let machine = config.machine::<M>().expect("valid");
     let units = config.output_units.unwrap_or(Units::Millimetres);
-    let layout = Layout {
-        axes: M::AXES
-            .iter()
-            .map(|axis| {
-                let linear = if units == Units::Inches { 4 } else { 3 };
-                (axis.letter, if axis.kind == AxisKind::Rotary { 4 } else { linear })
-            })
-            .collect(),
-        units,
-        work_offset: config.work_offset.clone(),
-        path_tolerance: config.path_tolerance / units.in_mm(),
-        line_numbers: None,
-    };
+    let layout = Layout::new::<M>(config, units, b"");
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
-    let abilities = Abilities { mist: true, through: false, air: false };
+    let abilities = crate::control::abilities(&LinuxCnc, config);
     let mut navigator = Navigator::new(machine.clone(), config);
     events.iter().for_each(|event| navigator.event(event));
     let mut planner = Planner::new(machine, config, units, abilities, false).with_course(navigator.finish());

@@ -5,6 +5,7 @@ use crate::nc::Decimal;
 use crate::program::{Rotation, Spindle, ToolCall};
 
 use super::fault::Fault;
+use super::planner::Registers;
 
 /// Two lengths or diameters of the same tool may differ by this much, mm.
 const SAME: f64 = 0.01;
@@ -39,6 +40,7 @@ impl Tool {
         before: &ToolCall,
         config: &Config,
         needed: Option<&str>,
+        registers: Registers,
         mut warn: impl FnMut(Fault),
     ) -> Result<Self, Fault> {
         let number = call.number;
@@ -75,7 +77,13 @@ impl Tool {
                 "T{number} has a diameter of {ours} mm in the configuration and {theirs} mm in the CL data"
             )));
         }
-        let offset = given.and_then(|tool| tool.offset).or(call.offset).or(before.offset).unwrap_or(number);
+        let offset = given.and_then(|tool| tool.offset).or(call.offset).or(before.offset);
+        let offset = registers.of_tool(number, offset).ok_or_else(|| {
+            Fault::new(format_args!(
+                "T{number} is to have the length of a register of its own, and this control takes that of the tool's row"
+            ))
+            .help(format_args!("leave the register out of the CL data, or give `[tools.{number}] offset = {number}`"))
+        })?;
         Ok(Self { number, length, offset })
     }
 }
@@ -106,6 +114,12 @@ impl SpindleRequest {
         }
         let word = Decimal::fixed(speed, config.formats.speed)
             .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} does not fit into a word")))?;
+        if word.value() >= 10_f64.powi(config.formats.speed_whole as i32) {
+            return Err(Fault::new(format_args!(
+                "a spindle speed of {speed} has more digits than S of this control holds"
+            ))
+            .help("`[formats] speed_whole` are its digits before the point"));
+        }
         if word.units <= 0 {
             return Err(Fault::new(format_args!("a spindle speed of {speed} rev/min is written as S0 or below")));
         }

@@ -1,4 +1,4 @@
-//! Blocks and words of an NC program: numbers, modal suppression, one reused buffer.
+//! Blocks and words of an NC program: numbers and one reused buffer.
 //!
 //! Words arrive as whole units of their last decimal, so nothing here rounds a coordinate and nothing parses. Which
 //! letters and codes there are is the business of [`control`](crate::control).
@@ -6,5 +6,5 @@
 mod number;
 mod writer;
 
-pub use number::{Decimal, Overflow, whole_units, write_decimal};
-pub use writer::Writer;
+pub use number::{Decimal, Numerals, Overflow, whole_units, write_decimal, write_number};
+pub use writer::{Numbering, Writer};

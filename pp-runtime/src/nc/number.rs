@@ -1,5 +1,5 @@
 //! Numbers of words: whole units of the last decimal, written without zeros at their end, never as `-0`, never with an
-//! exponent.
+//! exponent. [`Numerals`] says what a control wants besides: a point in every number, a sign before every number.
 
 /// Largest number of whole units of a word: all integers up to here are exact in an `f64`.
 const LARGEST: f64 = 9_007_199_254_740_992.0;
@@ -18,6 +18,15 @@ pub struct Decimal {
     pub units: i64,
     /// Decimals, at most 18.
     pub decimals: u32,
+}
+
+/// How a control wants the numbers of its axis and feed words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Numerals {
+    /// Whole numbers end with a point: without it the control reads least increments.
+    pub point: bool,
+    /// Numbers from zero on begin with a plus.
+    pub plus: bool,
 }
 
 /// A power of ten; exact up to 10^22.
@@ -125,6 +134,19 @@ pub fn write_decimal(out: &mut Vec<u8>, number: Decimal) {
     out.extend_from_slice(&digits[start..]);
 }
 
+/// Writes a number as a control wants it.
+#[inline]
+pub fn write_number(out: &mut Vec<u8>, number: Decimal, numerals: Numerals) {
+    if numerals.plus && number.units >= 0 {
+        out.push(b'+');
+    }
+    let start = out.len();
+    write_decimal(out, number);
+    if numerals.point && !out[start..].contains(&b'.') {
+        out.push(b'.');
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -155,6 +177,17 @@ mod tests {
         assert_eq!(fixed(-0.0, 3), "0");
         assert_eq!(fixed(-0.000_49, 3), "0");
         assert_eq!(fixed(-0.000_51, 3), "-0.001");
+    }
+
+    #[test]
+    fn a_control_that_wants_a_point_or_a_sign_gets_it_in_every_number() {
+        let written = |units, point, plus| {
+            let mut out = Vec::new();
+            write_number(&mut out, Decimal { units, decimals: 3 }, Numerals { point, plus });
+            String::from_utf8(out).expect("ASCII")
+        };
+        assert_eq!([10_000, -10_000, 0, 500].map(|units| written(units, true, false)), ["10.", "-10.", "0.", "0.5"]);
+        assert_eq!([10_500, -10_500, 0].map(|units| written(units, false, true)), ["+10.5", "-10.5", "+0"]);
     }
 
     #[test]

@@ -1,8 +1,8 @@
-//! Blocks into one reused buffer, flushed in large pieces.
+//! Blocks into one reused buffer, flushed in large pieces. What stays in force is not its business.
 
 use std::io::{self, Write};
 
-use super::number::{Decimal, write_decimal};
+use super::number::{Decimal, Numerals, write_decimal, write_number};
 
 /// Bytes that are collected before they are handed on.
 const PIECE: usize = 64 * 1024;
@@ -10,18 +10,26 @@ const PIECE: usize = 64 * 1024;
 /// Block numbers start again after this one.
 const LAST_NUMBER: u32 = 99_999;
 
-/// Writes blocks word by word and remembers the words that stay in force.
-///
-/// A block without words leaves no line. Words that have not changed since they were last written are left out.
+/// How lines are numbered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Numbering {
+    /// Only the blocks that ask for it.
+    #[default]
+    None,
+    /// `N10`, `N20`: blocks in this step, comments not.
+    Step(u32),
+    /// `0`, `1`, `2`: every line, without N and without end.
+    EveryLine,
+}
+
+/// Writes blocks word by word; a block without words leaves no line.
 #[derive(Debug)]
 pub struct Writer<W: Write> {
     out: W,
     buffer: Vec<u8>,
     /// Where the block begins in the buffer.
     block: usize,
-    /// Last written value of each address A to Z, in units of its own decimals.
-    modal: [Option<i64>; 26],
-    step: Option<u32>,
+    numbering: Numbering,
     next_number: u32,
     /// Number for the next block only, where blocks are not numbered.
     single_number: Option<u32>,
@@ -30,15 +38,14 @@ pub struct Writer<W: Write> {
 }
 
 impl<W: Write> Writer<W> {
-    /// `numbers`: step of the block numbers, `None` for none.
-    pub fn new(out: W, numbers: Option<u32>) -> Self {
+    /// A writer that knows of nothing in force.
+    pub fn new(out: W, numbering: Numbering) -> Self {
         Self {
             out,
             buffer: Vec::with_capacity(PIECE + 4096),
             block: 0,
-            modal: [None; 26],
-            step: numbers.filter(|&step| step > 0),
-            next_number: numbers.unwrap_or(0),
+            numbering,
+            next_number: if let Numbering::Step(step) = numbering { step } else { 0 },
             single_number: None,
             blocks: 0,
             lines: 0,
@@ -50,24 +57,38 @@ impl<W: Write> Writer<W> {
         self.single_number = Some(number);
     }
 
+    /// A blank behind a word, the number at the beginning of a block.
     fn separate(&mut self) {
         if self.buffer.len() > self.block {
             self.buffer.push(b' ');
             return;
         }
-        let number = match self.step {
-            Some(step) => {
+        match self.numbering {
+            Numbering::Step(step) => {
                 let number = self.next_number;
                 self.next_number = if number > LAST_NUMBER - step.min(LAST_NUMBER) { step } else { number + step };
-                Some(number)
+                self.number("N", number);
             }
-            None => self.single_number.take(),
-        };
-        if let Some(number) = number {
-            self.buffer.push(b'N');
-            write_decimal(&mut self.buffer, Decimal { units: number.into(), decimals: 0 });
-            self.buffer.push(b' ');
+            Numbering::EveryLine => self.count(),
+            Numbering::None => {
+                if let Some(number) = self.single_number.take() {
+                    self.number("N", number);
+                }
+            }
         }
+    }
+
+    /// The number of a line where every line has one.
+    fn count(&mut self) {
+        let number = self.next_number;
+        self.next_number += 1;
+        self.number("", number);
+    }
+
+    fn number(&mut self, prefix: &str, number: u32) {
+        self.buffer.extend_from_slice(prefix.as_bytes());
+        write_decimal(&mut self.buffer, Decimal { units: number.into(), decimals: 0 });
+        self.buffer.push(b' ');
     }
 
     /// A code that stands for itself: `G1`, `M30`.
@@ -78,36 +99,11 @@ impl<W: Write> Writer<W> {
         }
     }
 
-    /// A word that is always written.
-    pub fn word(&mut self, address: u8, number: Decimal) {
+    /// A word that is always written: `X` or `C1=` and its number.
+    pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
         self.separate();
-        self.buffer.push(address);
-        write_decimal(&mut self.buffer, number);
-    }
-
-    /// Whether a modal word would be written.
-    #[inline]
-    pub fn changes(&self, address: u8, units: i64) -> bool {
-        self.modal[slot(address)] != Some(units)
-    }
-
-    /// A word that stays in force: left out while it has the value it had. An address keeps its number of decimals.
-    #[inline]
-    pub fn modal(&mut self, address: u8, number: Decimal) {
-        if self.changes(address, number.units) {
-            self.modal[slot(address)] = Some(number.units);
-            self.word(address, number);
-        }
-    }
-
-    /// The value of this address is unknown from here on: its next word is written.
-    pub fn forget(&mut self, address: u8) {
-        self.modal[slot(address)] = None;
-    }
-
-    /// No value is known any more.
-    pub fn forget_all(&mut self) {
-        self.modal = [None; 26];
+        self.buffer.extend_from_slice(prefix.as_bytes());
+        write_number(&mut self.buffer, number, numerals);
     }
 
     /// Ends the block; a block without words leaves nothing behind.
@@ -123,11 +119,14 @@ impl<W: Write> Writer<W> {
         Ok(())
     }
 
-    /// A line of its own without number and modal effect: a comment.
+    /// A line of its own without modal effect, a comment; numbered only where every line is.
     ///
     /// # Errors
     /// Those of the output.
     pub fn line(&mut self, text: &[u8]) -> io::Result<()> {
+        if self.numbering == Numbering::EveryLine {
+            self.count();
+        }
         self.buffer.extend_from_slice(text);
         self.finish_line()
     }
@@ -166,10 +165,6 @@ impl<W: Write> Writer<W> {
     }
 }
 
-fn slot(address: u8) -> usize {
-    usize::from(address.wrapping_sub(b'A')).min(25)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -178,44 +173,17 @@ mod tests {
         Decimal { units, decimals: 3 }
     }
 
-    fn written(numbers: Option<u32>, write: impl Fn(&mut Writer<&mut Vec<u8>>) -> io::Result<()>) -> String {
+    fn written(numbering: Numbering, write: impl Fn(&mut Writer<&mut Vec<u8>>) -> io::Result<()>) -> String {
         let mut out = Vec::new();
-        let mut writer = Writer::new(&mut out, numbers);
+        let mut writer = Writer::new(&mut out, numbering);
         write(&mut writer).expect("memory takes everything");
         writer.finish().expect("memory takes everything");
         String::from_utf8(out).expect("ASCII")
     }
 
     #[test]
-    fn a_word_that_has_not_changed_is_written_once() {
-        let text = written(None, |writer| {
-            for x in [1000, 1000, 2000] {
-                writer.modal(b'X', thousandths(x));
-                writer.modal(b'Y', thousandths(500));
-                writer.end()?;
-            }
-            Ok(())
-        });
-        assert_eq!(text, "X1 Y0.5\nX2\n");
-    }
-
-    #[test]
-    fn a_forgotten_word_is_written_again() {
-        let text = written(None, |writer| {
-            for _ in 0..2 {
-                writer.modal(b'X', thousandths(0));
-                writer.modal(b'Z', thousandths(0));
-                writer.end()?;
-                writer.forget(b'Z');
-            }
-            Ok(())
-        });
-        assert_eq!(text, "X0 Z0\nZ0\n");
-    }
-
-    #[test]
     fn blocks_are_numbered_and_comments_are_not() {
-        let text = written(Some(10), |writer| {
+        let text = written(Numbering::Step(10), |writer| {
             writer.code("G0");
             writer.end()?;
             writer.line(b"(A)")?;
@@ -228,7 +196,7 @@ mod tests {
 
     #[test]
     fn block_numbers_start_again_before_they_have_six_digits() {
-        let text = written(Some(50_000), |writer| {
+        let text = written(Numbering::Step(50_000), |writer| {
             for _ in 0..3 {
                 writer.code("G0");
                 writer.end()?;
@@ -240,7 +208,7 @@ mod tests {
 
     #[test]
     fn a_number_can_be_given_to_one_block_alone() {
-        let text = written(None, |writer| {
+        let text = written(Numbering::None, |writer| {
             writer.number_next(3);
             writer.code("G90");
             writer.end()?;
@@ -252,14 +220,27 @@ mod tests {
 
     #[test]
     fn a_long_program_is_handed_on_in_pieces_and_whole() {
-        let text = written(None, |writer| {
+        let text = written(Numbering::None, |writer| {
             for x in 0..50_000 {
-                writer.modal(b'X', thousandths(x));
+                writer.word("X", thousandths(x), Numerals::default());
                 writer.end()?;
             }
             Ok(())
         });
         assert_eq!(text.lines().count(), 50_000);
         assert!(text.ends_with("X49.999\n"));
+    }
+
+    #[test]
+    fn where_every_line_is_counted_comments_are_too_and_no_number_is_left_out() {
+        let text = written(Numbering::EveryLine, |writer| {
+            writer.line(b"BEGIN")?;
+            writer.number_next(7);
+            writer.code("L");
+            writer.end()?;
+            writer.end()?;
+            writer.line(b"; A")
+        });
+        assert_eq!(text, "0 BEGIN\n1 L\n2 ; A\n");
     }
 }

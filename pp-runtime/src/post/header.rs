@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
 use crate::config::{Config, LengthMode, ProgramZero, Units, Wrap, part_angles};
-use crate::control::Encoder;
+use crate::control::{Control, Encoder};
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
@@ -26,8 +26,15 @@ fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
     M::AXES.iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
 }
 
+/// The work offset as the control names it.
+fn work_offset(control: &dyn Control, config: &Config) -> String {
+    let word = &config.work_offset;
+    let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
+    format!("{}{spelled}", control.spellings().offset_title)
+}
+
 /// What the program takes for granted because nothing was given, one sentence each.
-pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<String> {
+pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if survey.units_only_given {
         let unit = survey.units.map_or("", Units::name);
@@ -40,7 +47,7 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
         list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
     }
     if !config.is_given("work_offset") {
-        list.push(format!("work offset {}", config.work_offset));
+        list.push(format!("work offset {}", work_offset(control, config)));
     }
     if !config.is_given("retract.position") {
         list.push(format!("retract to machine coordinate {} mm", config.retract.position));
@@ -200,7 +207,7 @@ impl<M: Machine> Header<'_, M> {
         let mut lines = vec![
             format!("CL FILE {}", self.job.cl_name),
             format!("MACHINE {}, CONTROL {}, MODE axes", M::NAME, self.job.control.spellings().title),
-            format!("UNITS {}, WORK OFFSET {}", self.units.name(), config.work_offset),
+            format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
             format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
@@ -214,7 +221,8 @@ impl<M: Machine> Header<'_, M> {
                 self.length(config.tolerance),
                 (config.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
             ));
-            lines.push("ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped".to_owned());
+            let note = self.job.control.spellings().rotary_note;
+            lines.push(format!("ROTARY WORDS are absolute and count on past 360: {note}"));
         }
         lines.extend(unchecked(&self.unchecked));
         if rotaries::<M>(Side::Workpiece).next().is_some() {
@@ -229,10 +237,7 @@ impl<M: Machine> Header<'_, M> {
         for line in lines {
             encoder.comment(line.as_bytes())?;
         }
-        for block in &config.program.start {
-            encoder.raw(block)?;
-        }
-        Ok(())
+        encoder.start()
     }
 
     fn point(&self, point: [f64; 3]) -> String {
@@ -242,10 +247,7 @@ impl<M: Machine> Header<'_, M> {
 
     /// A length in the unit of the program.
     fn length(&self, mm: f64) -> String {
-        let decimals = match self.units {
-            Units::Millimetres => self.job.config.formats.linear_mm,
-            Units::Inches => self.job.config.formats.linear_inch,
-        };
+        let decimals = self.job.config.formats.linear(self.units);
         let mut text = Vec::new();
         write_decimal(&mut text, Decimal::fixed(mm / self.units.in_mm(), decimals).unwrap_or_default());
         String::from_utf8_lossy(&text).into_owned()
@@ -298,9 +300,14 @@ impl<M: Machine> Header<'_, M> {
         }
         let length = length(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
-        let offset = given.and_then(|given| given.offset).or(tool.call.offset).unwrap_or(number);
-        if config.length_mode == LengthMode::Tip {
-            text += &format!(" H{offset}");
+        let registers = &self.job.control.spellings().length;
+        let offset = given.and_then(|given| given.offset).or(tool.call.offset);
+        let register = match registers.registers.of_tool(number, offset) {
+            Some(offset) if !registers.address.is_empty() => format!("{}{offset}", registers.address),
+            _ => "the tool table".to_owned(),
+        };
+        if !registers.address.is_empty() && config.length_mode == LengthMode::Tip {
+            text += &format!(" {register}");
         }
         text += &format!(", {}", super::counted(tool.operations, "operation"));
         if let Some((low, high)) = tool.tip {
@@ -312,12 +319,12 @@ impl<M: Machine> Header<'_, M> {
             && (gauge_line || rotaries::<M>(Side::Tool).next().is_some())
         {
             let length = self.length(length);
-            let own = offset == number;
-            let mut offset = format!("H{offset} must hold exactly this");
+            let own = offset.is_none_or(|offset| offset == number);
+            let mut held = format!("{register} must hold exactly this");
             if !own && config.length_guard != Some(false) {
-                offset += ", and nothing compares it";
+                held += ", and nothing compares it";
             }
-            let who = if gauge_line { "the tool must be exactly this long" } else { &offset };
+            let who = if gauge_line { "the tool must be exactly this long" } else { &held };
             lines.push(format!("T{number} posted with L = {length}: {who}"));
         }
         lines

@@ -16,11 +16,11 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 
 use crate::cl::{self, Reader};
 use crate::config::{Config, Units};
-use crate::control::{Control, Encoder, Layout};
+use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine};
-use crate::motion::{Abilities, Cost, Course, Gate, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
-use crate::program::{Coolant, Location};
+use crate::motion::{Cost, Course, Gate, Navigator, Planner, Statistics, Stop, Times};
+use crate::program::Location;
 
 use setting::Setting;
 use survey::Survey;
@@ -205,13 +205,16 @@ pub fn post<M: Machine>(
     if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
         report.course = course_text(&survey.course, job.config);
     }
-    let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
-    let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
+    let layout = Layout::new::<M>(job.config, units, &survey.name);
+    let mut encoder = Encoder::new(job.control, &layout, &mut *output);
+    let abilities = control::abilities(job.control, job.config);
+    let planner = Planner::new(machine.clone(), job.config, units, abilities, survey.upside_down())
         .with_course(std::mem::take(&mut survey.course))
+        .with_tools(std::mem::take(&mut survey.order))
         .with_operations(wanted);
     report.set_up = header::set_up(job.config, &survey);
     report.reading = header::reading(job.config, &survey);
-    report.assumptions = header::assumptions::<M>(job.config, &survey);
+    report.assumptions = header::assumptions::<M>(job.control, job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
     header.write(&report.assumptions, &mut encoder).map_err(PostError::Output)?;
     run(job, &survey, Reader::new(&mut *input, options), planner, &mut encoder, &mut report)?;
@@ -275,15 +278,12 @@ fn run<M: Machine, R: Read, W: Write>(
 /// The end code, or the first error in its place.
 fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>) -> io::Result<()> {
     if !report.failed {
-        for block in &job.config.program.end {
-            encoder.raw(block)?;
-        }
         if job.config.program.times {
             for line in time::lines(&report.times) {
                 encoder.comment(line.as_bytes())?;
             }
         }
-        return encoder.step(&Step::End);
+        return encoder.end();
     }
     let errors = report.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
     if let Some(error) = errors.min_by_key(|error| error.location) {
@@ -291,24 +291,4 @@ fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>)
         encoder.comment(text.as_bytes())?;
     }
     encoder.comment(b"the program ends here: do not run it")
-}
-
-fn layout<M: Machine>(config: &Config, units: Units) -> Layout {
-    let linear = match units {
-        Units::Millimetres => config.formats.linear_mm,
-        Units::Inches => config.formats.linear_inch,
-    };
-    let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { config.formats.rotary };
-    Layout {
-        axes: M::AXES.iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
-        units,
-        work_offset: config.work_offset.clone(),
-        path_tolerance: config.path_tolerance / units.in_mm(),
-        line_numbers: config.program.line_numbers,
-    }
-}
-
-fn abilities(control: &dyn Control) -> Abilities {
-    let has = |coolant| control.spellings().coolant(coolant).is_some();
-    Abilities { mist: has(Coolant::Mist), through: has(Coolant::Through), air: has(Coolant::Air) }
 }

@@ -22,6 +22,9 @@ const MOST_TOOLS: usize = 1000;
 const MOST_NAMES: usize = 1000;
 const MOST_LISTED: usize = 10;
 
+/// So many tool changes are known beforehand; it bounds the memory.
+const MOST_CHANGES: usize = 10_000;
+
 /// One tool of the program.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ToolUse {
@@ -55,6 +58,8 @@ pub(super) struct Survey {
     pub(super) lines: u64,
     /// Tools that move, by number.
     pub(super) tools: Vec<ToolUse>,
+    /// Tools in the order in which they come into the spindle.
+    pub(super) order: Vec<u32>,
     pub(super) diagnostics: Vec<Diagnostic>,
     /// Nothing may be posted from here on.
     pub(super) first_error: Option<Location>,
@@ -211,6 +216,11 @@ impl Survey {
                         let place = state.called_so_far.get_mut(&call.number)?;
                         Some(self.tool(call, place))
                     });
+                    if let Some(call) = state.call.filter(|call| self.order.last() != Some(&call.number))
+                        && self.order.len() < MOST_CHANGES
+                    {
+                        self.order.push(call.number);
+                    }
                     if let Some(index) = state.tool {
                         self.tools[index].operations += 1;
                     }

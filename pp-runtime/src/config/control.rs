@@ -1,0 +1,175 @@
+//! `[control]`: how the control that is chosen differs from its table.
+
+use std::collections::BTreeMap;
+
+use crate::control::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
+use crate::kinematics::Machine;
+
+use super::read::{read_axes, set};
+use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
+use super::{Config, WORK_OFFSETS};
+
+/// What F counts along in a block in which a rotary axis moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PathNorm {
+    /// The linear axes; degrees where none of them moves.
+    Xyz,
+    /// Linear and rotary axes alike: √(Σ mm² + Σ degrees²).
+    XyzDegrees,
+    /// Nothing: F is 1/min.
+    G93Minutes,
+    /// Nothing: F is 1/s.
+    G93Seconds,
+}
+
+/// How much the control smooths the path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Smoothing {
+    /// Not by the program.
+    #[default]
+    None,
+    /// Speed first.
+    Rough,
+    /// Between the two.
+    Medium,
+    /// Surface first.
+    Finish,
+}
+
+/// What differs from the table of the control.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ControlSetup {
+    /// Number of the program; default 1.
+    pub program_number: Option<u32>,
+    /// Name of the program; default that of the CL data.
+    pub program_name: Option<String>,
+    /// Safety blocks of a restart point; default those of the control.
+    pub safety: Option<Vec<String>>,
+    /// Blocks of a tool change; default those of the control.
+    pub tool_change: Option<Vec<String>>,
+    /// The tool after the next is called up; default as usual on the control.
+    pub preselect: Option<bool>,
+    /// Codes of flood, mist, coolant through the spindle and air, on and off; default those of the control.
+    pub coolant: [Option<[String; 2]>; 4],
+    /// Smoothing; default none.
+    pub smoothing: Smoothing,
+    /// Largest turn of the tool axis while the control smooths, rad; default none.
+    pub smoothing_angle: Option<f64>,
+    /// What F counts along; default as the control does.
+    pub path_norm: Option<PathNorm>,
+    /// Whole numbers end with a point; default as usual on the control.
+    pub point: Option<bool>,
+    /// Every word in every block; default false.
+    pub every_word: bool,
+    /// Names of axes on the control; default their letters.
+    pub axes: BTreeMap<char, String>,
+}
+
+const PATH_NORMS: [(&str, PathNorm); 4] = [
+    ("xyz", PathNorm::Xyz),
+    ("xyz+deg", PathNorm::XyzDegrees),
+    ("g93_min", PathNorm::G93Minutes),
+    ("g93_s", PathNorm::G93Seconds),
+];
+const SMOOTHINGS: [(&str, Smoothing); 4] = [
+    ("none", Smoothing::None),
+    ("rough", Smoothing::Rough),
+    ("medium", Smoothing::Medium),
+    ("finish", Smoothing::Finish),
+];
+const COOLANTS: [&str; 4] = ["flood", "mist", "through", "air"];
+
+impl Config {
+    pub(super) fn read_control<M: Machine>(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
+        if let Some(value) = self.get(section, "control.program_number") {
+            self.control.program_number = r.whole(value, 1..=99_999);
+        }
+        if let Some(value) = self.get(section, "control.program_name") {
+            self.control.program_name = r.line(value);
+        }
+        if let Some(value) = self.get(section, "control.safety") {
+            self.control.safety = Some(templates(r, value, OF_PROGRAM));
+        }
+        if let Some(value) = self.get(section, "control.tool_change") {
+            self.control.tool_change = Some(templates(r, value, OF_TOOL));
+        }
+        if let Some(value) = self.get(section, "control.preselect") {
+            self.control.preselect = r.boolean(value);
+        }
+        if let Some(value) = self.get(section, "control.coolant") {
+            self.read_coolant(r, value);
+        }
+        if let Some(value) = self.get(section, "control.smoothing") {
+            set(&mut self.control.smoothing, r.choice(value, &SMOOTHINGS));
+        }
+        if let Some(value) = self.get(section, "control.smoothing_angle") {
+            self.control.smoothing_angle = r.number(value, Quantity::Angle, Bound::Positive);
+        }
+        if let Some(value) = self.get(section, "control.path_norm") {
+            self.control.path_norm = r.choice(value, &PATH_NORMS);
+        }
+        if let Some(value) = self.get(section, "control.point") {
+            self.control.point = r.boolean(value);
+        }
+        if let Some(value) = self.get(section, "control.every_word") {
+            set(&mut self.control.every_word, r.boolean(value));
+        }
+        let axes = self.get(section, "control.axes");
+        for (axis, value, _) in read_axes::<M>(r, axes) {
+            self.control.axes.extend(r.line(value).map(|name| (axis.letter, name)));
+        }
+    }
+
+    /// `through = ["M88", "M89"]`.
+    fn read_coolant(&mut self, r: &mut Reader<'_>, value: Value<'_>) {
+        for (key, span, value) in r.entries(value) {
+            let Some(kind) = COOLANTS.iter().position(|kind| *kind == key) else {
+                let help = match nearest(key, COOLANTS.into_iter()) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None => format!("the kinds are {}", list(COOLANTS.into_iter(), '`')),
+                };
+                r.fault(span, format!("`{key}` is no kind of coolant"), Some(help));
+                continue;
+            };
+            let codes: Vec<String> =
+                r.list(value).unwrap_or_default().into_iter().filter_map(|code| r.line(code)).collect();
+            match <[String; 2]>::try_from(codes) {
+                Ok(codes) if codes.iter().all(|code| !code.trim().is_empty()) => {
+                    self.control.coolant[kind] = Some(codes);
+                }
+                _ => r.fault(value.span(), "two codes are needed here: [on, off]", None),
+            }
+        }
+    }
+}
+
+/// Blocks with named fields.
+pub(super) fn templates(r: &mut Reader<'_>, value: Value<'_>, allowed: &[Field]) -> Vec<String> {
+    let mut blocks = Vec::new();
+    for value in r.list(value).unwrap_or_default() {
+        let Some(block) = r.line(value) else { continue };
+        if let Err(bad) = template::check(&block, allowed) {
+            let names = allowed.iter().map(|field| field.name());
+            let help = match &bad {
+                BadTemplate::Brace => "fields stand in braces: {name}".to_owned(),
+                BadTemplate::Field(name) => match nearest(name, names.clone()) {
+                    Some(near) => format!("did you mean `{{{near}}}`?"),
+                    None => format!("the fields here are {}", list(names, '`')),
+                },
+            };
+            r.fault(value.span(), bad.to_string(), Some(help));
+        }
+        blocks.push(block);
+    }
+    blocks
+}
+
+/// A work offset that one of the controls has; which one has it is seen when it is chosen.
+pub(super) fn work_offset(r: &mut Reader<'_>, value: Value<'_>) -> Option<String> {
+    if let Some(text) = value.get_ref().as_str()
+        && crate::control::CONTROLS.iter().any(|control| control.work_offset(text).is_some())
+    {
+        return Some(text.to_owned());
+    }
+    r.choice(value, &WORK_OFFSETS.map(|word| (word, word))).map(str::to_owned)
+}

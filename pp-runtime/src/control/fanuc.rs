@@ -1,0 +1,119 @@
+//! Fanuc 30i, 31i and their kin.
+//!
+//! A number without a point counts least increments, so every axis and feed word has one; `G4 P` counts milliseconds.
+//! `G43` and `G49` may move Z by the length of the tool. `G43 H` therefore stands in the block that moves Z to the
+//! approach point, and `G49` in the block that moves Z to its machine position.
+
+use crate::config::{Formats, PathNorm};
+use crate::motion::Registers;
+use crate::nc::Numerals;
+
+use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::{Control, numbered};
+
+/// The Fanuc dialect.
+#[derive(Debug, Clone, Copy)]
+pub struct Fanuc;
+
+static SPELLINGS: Spellings = Spellings {
+    name: "fanuc",
+    title: "Fanuc",
+    formats: Formats {
+        rotary: 3,
+        feed: 2,
+        linear_whole: 6,
+        rotary_whole: 6,
+        feed_whole: 6,
+        speed_whole: 5,
+        ..Formats::DEFAULT
+    },
+    numerals: Numerals { point: true, plus: false },
+    line_length: 132,
+    counted: false,
+    comment: Comments { marks: ["(", ")"], length: 72, byte: printed },
+    operation: None,
+    opening: &["%", "O{number} ({name})"],
+    end: "M30",
+    closing: &["%"],
+    number_digits: 4,
+    plain_name: false,
+    units: ["G21", "G20"],
+    safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset}"],
+    per_minute: "G94",
+    offset_title: "",
+    inverse_time: Some("G93"),
+    path_norm: PathNorm::G93Minutes,
+    feed_per_inch: 1.0,
+    rapid: "G0",
+    rapid_end: "",
+    feed: "G1",
+    motion_modal: true,
+    centre: "",
+    machine: ["G53 G0", ""],
+    tool_change: &["T{tool} M6", "T{next}"],
+    preselect: true,
+    length: Length {
+        code: "G43 H{offset}",
+        call: LengthCall::WithZ,
+        off: "G49",
+        machine_ends: true,
+        registers: Registers::Shared,
+        address: "H",
+    },
+    speed: None,
+    spindle: ["S{speed} M3", "S{speed} M4"],
+    spindle_off: "M5",
+    coolant_off: "M9",
+    coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
+    stop: ["M0", "M1"],
+    dwell: &["G4 P{milliseconds}"],
+    smoothing: [&["G05.1 Q1"], &["G05.1 Q1"], &["G05.1 Q1"]],
+    smoothing_off: &["G05.1 Q0"],
+    turning: ["", ""],
+    rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
+};
+
+/// Capitals, digits and signs that every model prints.
+fn printed(byte: u8) -> u8 {
+    match ascii_in_brackets(byte).to_ascii_uppercase() {
+        byte @ (b'A'..=b'Z'
+        | b'0'..=b'9'
+        | b' '
+        | b'+'
+        | b'-'
+        | b'*'
+        | b'/'
+        | b'='
+        | b'.'
+        | b','
+        | b'#'
+        | b'['
+        | b']') => byte,
+        b':' | b';' => b',',
+        b'_' => b'-',
+        _ => b' ',
+    }
+}
+
+impl Control for Fanuc {
+    fn spellings(&self) -> &'static Spellings {
+        &SPELLINGS
+    }
+
+    fn work_offset(&self, word: &str) -> Option<String> {
+        let known = numbered(word, "G", 54..=59) || numbered(word, "G54.1 P", 1..=300);
+        known.then(|| word.to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comments_hold_capitals_and_signs_that_every_model_prints() {
+        let mut line = Vec::new();
+        Fanuc.comment("Fräser: d=10 (ball) ~50% a_b".as_bytes(), &mut line);
+        assert_eq!(String::from_utf8(line).expect("ASCII"), "(FR  SER, D=10 [BALL]  50- A-B)");
+    }
+}

@@ -1,0 +1,77 @@
+//! Whether a configuration fits a control, and what the planner may ask of the two.
+
+use crate::config::{Config, PathNorm, Smoothing};
+use crate::motion::Abilities;
+use crate::program::Coolant;
+
+use super::Control;
+use super::spellings::coolant_index;
+
+/// The configuration of a control before anything else is said.
+#[must_use]
+pub fn starting_point(control: &dyn Control) -> Config {
+    Config { formats: control.spellings().formats.clone(), ..Config::default() }
+}
+
+/// What of the configuration the control cannot do, one sentence each.
+#[must_use]
+pub fn check(control: &dyn Control, config: &Config) -> Vec<String> {
+    let (codes, setup) = (control.spellings(), &config.control);
+    let title = codes.title;
+    let mut faults = Vec::new();
+    for offset in std::iter::once(&config.work_offset).chain(config.frames.values()) {
+        if control.work_offset(offset).is_none() {
+            faults.push(format!("{title} has no work offset `{offset}`"));
+        }
+    }
+    for (letter, name) in &setup.axes {
+        if control.axis_word(name).is_none() {
+            faults.push(format!("{title} cannot have an axis `{name}`, which is to be the name of {letter}"));
+        }
+    }
+    if setup.program_number.is_some_and(|number| number.to_string().len() > codes.number_digits) {
+        faults.push(match codes.number_digits {
+            0 => format!("programs of {title} have no number"),
+            digits => format!("programs of {title} have a number of at most {digits} digits"),
+        });
+    }
+    if codes.counted && config.program.line_numbers.is_some() {
+        faults.push(format!("{title} counts every line by itself: leave `line_numbers` out"));
+    }
+    if setup.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
+        faults.push(format!("{title} has no smoothing levels: give it `path_tolerance`"));
+    }
+    let inverse = matches!(setup.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
+    if inverse && codes.inverse_time.is_none() {
+        faults.push(format!("{title} has no inverse-time feed: `path_norm` is \"xyz\" or \"xyz+deg\""));
+    }
+    let blocks = [&config.program.start, &config.program.end]
+        .into_iter()
+        .chain(&setup.tool_change)
+        .chain(&setup.safety)
+        .flatten();
+    for block in blocks.filter(|block| block.len() > codes.line_length || !block.is_ascii()) {
+        faults.push(format!("{title} reads lines of at most {} bytes of ASCII: `{block}`", codes.line_length));
+    }
+    faults
+}
+
+/// What the planner may ask for.
+#[must_use]
+pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
+    let codes = control.spellings();
+    let has = |kind: Coolant| {
+        let index = coolant_index(kind).unwrap_or_default();
+        config.control.coolant[index].is_some() || codes.coolant[index].is_some()
+    };
+    Abilities {
+        flood: has(Coolant::Flood),
+        mist: has(Coolant::Mist),
+        through: has(Coolant::Through),
+        air: has(Coolant::Air),
+        length_moves: codes.length.call == super::LengthCall::WithZ,
+        registers: codes.length.registers,
+        path_norm: config.control.path_norm.unwrap_or(codes.path_norm),
+        feed_per_inch: codes.feed_per_inch,
+    }
+}

@@ -1,0 +1,84 @@
+//! Haas NGC.
+//!
+//! Codes have two digits, as Haas writes them. As on Fanuc a number needs its point and `G43` stands with Z; the dwell
+//! is in seconds because its P has a point. Coolant through the spindle has an off code of its own.
+
+use crate::config::{Formats, PathNorm};
+use crate::motion::Registers;
+use crate::nc::Numerals;
+
+use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::{Control, numbered};
+
+/// The Haas dialect.
+#[derive(Debug, Clone, Copy)]
+pub struct Haas;
+
+static SPELLINGS: Spellings = Spellings {
+    name: "haas",
+    title: "Haas",
+    formats: Formats {
+        rotary: 3,
+        feed: 2,
+        linear_whole: 6,
+        rotary_whole: 6,
+        feed_whole: 6,
+        speed_whole: 5,
+        ..Formats::DEFAULT
+    },
+    numerals: Numerals { point: true, plus: false },
+    line_length: 254,
+    counted: false,
+    comment: Comments { marks: ["(", ")"], length: 76, byte: ascii_in_brackets },
+    operation: None,
+    opening: &["%", "O{number} ({name})"],
+    end: "M30",
+    closing: &["%"],
+    number_digits: 5,
+    plain_name: false,
+    units: ["G21", "G20"],
+    safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset}"],
+    per_minute: "G94",
+    offset_title: "",
+    inverse_time: Some("G93"),
+    path_norm: PathNorm::G93Minutes,
+    feed_per_inch: 1.0,
+    rapid: "G00",
+    rapid_end: "",
+    feed: "G01",
+    motion_modal: true,
+    centre: "",
+    machine: ["G53 G00", ""],
+    tool_change: &["T{tool} M06", "T{next}"],
+    preselect: true,
+    length: Length {
+        code: "G43 H{offset}",
+        call: LengthCall::WithZ,
+        off: "G49",
+        machine_ends: true,
+        registers: Registers::Shared,
+        address: "H",
+    },
+    speed: None,
+    spindle: ["S{speed} M03", "S{speed} M04"],
+    spindle_off: "M05",
+    coolant_off: "M09",
+    coolant: [Some(["M08", "M09"]), None, Some(["M88", "M89"]), None],
+    stop: ["M00", "M01"],
+    dwell: &["G04 P{seconds}"],
+    smoothing: [&["G187 P1 E{path_tolerance}"], &["G187 P2 E{path_tolerance}"], &["G187 P3 E{path_tolerance}"]],
+    smoothing_off: &["G187"],
+    turning: ["", ""],
+    rotary_note: "the axes must not take the shortest way to an angle of another turn",
+};
+
+impl Control for Haas {
+    fn spellings(&self) -> &'static Spellings {
+        &SPELLINGS
+    }
+
+    fn work_offset(&self, word: &str) -> Option<String> {
+        let known = numbered(word, "G", 54..=59) || numbered(word, "G154 P", 1..=99);
+        known.then(|| word.to_owned())
+    }
+}

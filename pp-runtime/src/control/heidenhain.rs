@@ -1,0 +1,99 @@
+//! Heidenhain TNC 640 and iTNC 530, conversational.
+//!
+//! Every line has a number, comments too, and every motion begins with L: nothing but words, F and R0 stays in force.
+//! There is no inverse time, so F counts along the control's own path. The speed stands in TOOL CALL, which takes the
+//! length from the row of the tool. In a program in inches F counts tenths of an inch. A `~` at the end of a line goes on in the
+//! next, so no comment holds one.
+
+use crate::config::{Formats, PathNorm};
+use crate::motion::Registers;
+use crate::nc::Numerals;
+
+use super::spellings::{Comments, Length, LengthCall, Spellings, printable};
+use super::{Control, numbered};
+
+/// The Heidenhain dialect.
+#[derive(Debug, Clone, Copy)]
+pub struct Heidenhain;
+
+static SPELLINGS: Spellings = Spellings {
+    name: "heidenhain",
+    title: "Heidenhain TNC",
+    formats: Formats { linear_whole: 5, rotary_whole: 5, feed_whole: 5, speed_whole: 5, ..Formats::DEFAULT },
+    numerals: Numerals { point: false, plus: true },
+    line_length: 250,
+    counted: true,
+    comment: Comments { marks: ["; ", ""], length: 200, byte: commented },
+    operation: Some(["* - ", ""]),
+    opening: &["BEGIN PGM {name} {units}"],
+    end: "M30",
+    closing: &["END PGM {name} {units}"],
+    number_digits: 0,
+    plain_name: true,
+    units: ["MM", "INCH"],
+    safety: &[
+        "M129",
+        "PLANE RESET STAY",
+        "{turning}",
+        "CYCL DEF 247 DATUM SETTING ~\n  Q339=+{work_offset} ;DATUM NUMBER",
+    ],
+    per_minute: "",
+    offset_title: "datum row ",
+    inverse_time: None,
+    path_norm: PathNorm::XyzDegrees,
+    feed_per_inch: 10.0,
+    rapid: "L",
+    rapid_end: "R0 FMAX",
+    feed: "L",
+    motion_modal: false,
+    centre: "R0",
+    machine: ["L", "R0 FMAX M91"],
+    tool_change: &["TOOL CALL {tool} Z S{speed}", "TOOL DEF {next}"],
+    preselect: true,
+    length: Length {
+        code: "",
+        call: LengthCall::WithTool,
+        off: "",
+        machine_ends: false,
+        registers: Registers::Rows,
+        address: "",
+    },
+    speed: Some("TOOL CALL S{speed}"),
+    spindle: ["M3", "M4"],
+    spindle_off: "M5",
+    coolant_off: "M9",
+    coolant: [Some(["M8", "M9"]), None, None, None],
+    stop: ["M0", "M1"],
+    dwell: &["CYCL DEF 9.0 DWELL TIME", "CYCL DEF 9.1 DWELL {seconds}"],
+    smoothing: [
+        &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:1 TA{angle}"],
+        &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:1 TA{angle}"],
+        &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:0 TA{angle}"],
+    ],
+    smoothing_off: &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1"],
+    turning: ["M127", "M126"],
+    rotary_note: "M127 is in force, the axes take no shorter way",
+};
+
+fn commented(byte: u8) -> u8 {
+    if byte == b'~' { b'-' } else { printable(byte) }
+}
+
+impl Control for Heidenhain {
+    fn spellings(&self) -> &'static Spellings {
+        &SPELLINGS
+    }
+
+    /// A row of the datum table: G54 to G59 are its first six.
+    fn work_offset(&self, word: &str) -> Option<String> {
+        if numbered(word, "G", 54..=59) {
+            let number: u32 = word.strip_prefix('G')?.parse().ok()?;
+            return Some((number - 53).to_string());
+        }
+        numbered(word, "", 0..=999).then(|| word.to_owned())
+    }
+
+    fn message(&self, byte: u8) -> u8 {
+        commented(byte)
+    }
+}

@@ -1,0 +1,44 @@
+//! What an encoder needs to know of the job.
+
+use crate::config::{Config, ControlSetup, Program, Units, Wrap};
+use crate::kinematics::{AxisKind, Machine};
+
+/// The job as an encoder sees it.
+#[derive(Debug, Clone, Default)]
+pub struct Layout {
+    /// Letters of the axes in chain order, and the decimals of their words; blocks hold them as X Y Z U V W A B C.
+    pub axes: Vec<(char, u32)>,
+    /// Unit of lengths.
+    pub units: Units,
+    /// Work offset as the configuration has it.
+    pub work_offset: String,
+    /// How far the control may leave the path where it blends blocks, in `units`.
+    pub path_tolerance: f64,
+    /// Name of the program in the CL data.
+    pub name: Vec<u8>,
+    /// Rotary axes go the short way.
+    pub shortest: bool,
+    /// What the configuration says of the control.
+    pub setup: ControlSetup,
+    /// Blocks around the program.
+    pub program: Program,
+}
+
+impl Layout {
+    /// The layout of a job for the machine `M`.
+    #[must_use]
+    pub fn new<M: Machine>(config: &Config, units: Units, name: &[u8]) -> Self {
+        let linear = config.formats.linear(units);
+        let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { config.formats.rotary };
+        Self {
+            axes: M::AXES.iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
+            units,
+            work_offset: config.work_offset.clone(),
+            path_tolerance: config.path_tolerance / units.in_mm(),
+            name: name.to_vec(),
+            shortest: config.wrap.values().any(|wrap| *wrap != Wrap::Sign),
+            setup: config.control.clone(),
+            program: config.program.clone(),
+        }
+    }
+}

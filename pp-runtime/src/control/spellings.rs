@@ -1,0 +1,173 @@
+//! The table of a control: what its codes look like.
+//!
+//! Texts with braces are [templates](super::template).
+
+use crate::config::{Formats, PathNorm};
+use crate::motion::Registers;
+use crate::nc::Numerals;
+use crate::program::{Coolant, Rotation};
+
+/// Codes of a control.
+#[derive(Debug)]
+pub struct Spellings {
+    /// Name on the command line.
+    pub name: &'static str,
+    /// Name for people.
+    pub title: &'static str,
+    /// Digits of its words.
+    pub formats: Formats,
+    /// What its numbers look like.
+    pub numerals: Numerals,
+    /// Longest line the control reads, line end not counted.
+    pub line_length: usize,
+    /// Every line has a number, from 0 on and without N.
+    pub counted: bool,
+    /// Comments.
+    pub comment: Comments,
+    /// What the name of an operation stands between, where that is no comment.
+    pub operation: Option<[&'static str; 2]>,
+    /// Lines before everything else.
+    pub opening: &'static [&'static str],
+    /// Last block.
+    pub end: &'static str,
+    /// Lines behind the last block.
+    pub closing: &'static [&'static str],
+    /// Digits of the program number; 0: programs have none.
+    pub number_digits: usize,
+    /// The program's name is one word of capitals, digits and `_`.
+    pub plain_name: bool,
+    /// `{units}` for millimetres and for inches.
+    pub units: [&'static str; 2],
+    /// Safety blocks of a restart point: everything cancelled, absolute, feed per minute, work offset.
+    pub safety: &'static [&'static str],
+    /// Feed per minute.
+    pub per_minute: &'static str,
+    /// What people call a work offset, before its word.
+    pub offset_title: &'static str,
+    /// Inverse time, F in 1/min; `None` if the control has none.
+    pub inverse_time: Option<&'static str>,
+    /// What F counts along where a rotary axis moves.
+    pub path_norm: PathNorm,
+    /// Units of F in one unit of length of an inch program.
+    pub feed_per_inch: f64,
+    /// Rapid.
+    pub rapid: &'static str,
+    /// Behind the words of a rapid.
+    pub rapid_end: &'static str,
+    /// Feed.
+    pub feed: &'static str,
+    /// The motion code stays in force.
+    pub motion_modal: bool,
+    /// Path without compensation of the radius, behind the axis words; stays in force.
+    pub centre: &'static str,
+    /// Around the words of a rapid in machine coordinates.
+    pub machine: [&'static str; 2],
+    /// Tool call, and the tool after it.
+    pub tool_change: &'static [&'static str],
+    /// The tool after it is called up unless the configuration says otherwise.
+    pub preselect: bool,
+    /// Length offset.
+    pub length: Length,
+    /// Speed in a block of its own, where that of the spindle cannot hold it.
+    pub speed: Option<&'static str>,
+    /// Spindle clockwise and counter-clockwise.
+    pub spindle: [&'static str; 2],
+    /// Spindle stop.
+    pub spindle_off: &'static str,
+    /// Coolant off.
+    pub coolant_off: &'static str,
+    /// Flood, mist, through the spindle and air: on and off.
+    pub coolant: [Option<[&'static str; 2]>; 4],
+    /// Stop, and stop where the operator has asked for it.
+    pub stop: [&'static str; 2],
+    /// Dwell.
+    pub dwell: &'static [&'static str],
+    /// Smoothing on, for roughing, medium and finishing; empty if only `safety` can ask for it.
+    pub smoothing: [&'static [&'static str]; 3],
+    /// Smoothing off.
+    pub smoothing_off: &'static [&'static str],
+    /// Whether rotary axes turn as their words say, or the short way.
+    pub turning: [&'static str; 2],
+    /// What words beyond 360° take for granted about the rotary axes of this control.
+    pub rotary_note: &'static str,
+}
+
+/// How comments look.
+#[derive(Debug)]
+pub struct Comments {
+    /// Before and behind the text.
+    pub marks: [&'static str; 2],
+    /// Most bytes of text in one line.
+    pub length: usize,
+    /// What becomes of a byte.
+    pub byte: fn(u8) -> u8,
+}
+
+/// How a length offset is called.
+#[derive(Debug)]
+pub struct Length {
+    /// The code.
+    pub code: &'static str,
+    /// Where it stands.
+    pub call: LengthCall,
+    /// Cancels it in a block of machine coordinates.
+    pub off: &'static str,
+    /// A block of machine coordinates ends it.
+    pub machine_ends: bool,
+    /// What the register means.
+    pub registers: Registers,
+    /// Address of the register, for people.
+    pub address: &'static str,
+}
+
+/// Where a length offset is called.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthCall {
+    /// In a block of its own: it moves nothing.
+    Alone,
+    /// In the block that moves Z: it may move by itself.
+    WithZ,
+    /// The tool call has done it.
+    WithTool,
+}
+
+/// The place of a kind of coolant in a table.
+pub(super) fn coolant_index(coolant: Coolant) -> Option<usize> {
+    match coolant {
+        Coolant::On | Coolant::Flood => Some(0),
+        Coolant::Mist => Some(1),
+        Coolant::Through => Some(2),
+        Coolant::Air => Some(3),
+        Coolant::Off => None,
+    }
+}
+
+impl Spellings {
+    /// The code of a sense of rotation.
+    #[must_use]
+    pub fn rotation(&self, rotation: Rotation) -> &'static str {
+        match rotation {
+            Rotation::Clockwise => self.spindle[0],
+            Rotation::CounterClockwise => self.spindle[1],
+        }
+    }
+}
+
+/// A printable byte of ASCII that closes no comment in brackets.
+pub(super) fn ascii_in_brackets(byte: u8) -> u8 {
+    match byte {
+        b'(' => b'[',
+        b')' => b']',
+        b'%' => b'_',
+        _ => printable(byte),
+    }
+}
+
+/// A printable byte of ASCII.
+pub(super) fn printable(byte: u8) -> u8 {
+    match byte {
+        b'\t' => b' ',
+        0x20..=0x7e => byte,
+        _ => b'?',
+    }
+}

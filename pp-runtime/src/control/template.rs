@@ -1,0 +1,200 @@
+//! Blocks with named fields: `T{tool} M6`.
+//!
+//! The tables of the controls and the blocks of a configuration are written in them. A word whose field has no value is
+//! left out; a block that speaks of a tool that does not exist is left out as a whole.
+
+use std::fmt;
+
+/// What a block can hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Field {
+    /// Name of the program, in the characters of the control.
+    Name,
+    /// Number of the program, with leading zeros.
+    Number,
+    /// Code or word of the unit of length.
+    Units,
+    /// Work offset as the control spells it.
+    WorkOffset,
+    /// How far the control may leave the path, in the unit of the program.
+    PathTolerance,
+    /// Number of the tool.
+    Tool,
+    /// Number of the next tool.
+    Next,
+    /// Length offset of the tool.
+    Offset,
+    /// Spindle speed, rev/min.
+    Speed,
+    /// A time in seconds.
+    Seconds,
+    /// A time in milliseconds.
+    Milliseconds,
+    /// Largest turn of the tool axis while the control smooths, degrees.
+    Angle,
+    /// Whether rotary axes go the short way.
+    Turning,
+}
+
+/// Fields of a whole program.
+pub const OF_PROGRAM: &[Field] = &[Field::Name, Field::Number, Field::Units, Field::WorkOffset, Field::PathTolerance];
+
+/// Fields where a tool is called.
+pub const OF_TOOL: &[Field] = &[
+    Field::Name,
+    Field::Number,
+    Field::Units,
+    Field::WorkOffset,
+    Field::PathTolerance,
+    Field::Tool,
+    Field::Next,
+    Field::Offset,
+    Field::Speed,
+];
+
+impl Field {
+    const ALL: [Self; 13] = [
+        Self::Name,
+        Self::Number,
+        Self::Units,
+        Self::WorkOffset,
+        Self::PathTolerance,
+        Self::Tool,
+        Self::Next,
+        Self::Offset,
+        Self::Speed,
+        Self::Seconds,
+        Self::Milliseconds,
+        Self::Angle,
+        Self::Turning,
+    ];
+
+    /// Its name between braces.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Name => "name",
+            Self::Number => "number",
+            Self::Units => "units",
+            Self::WorkOffset => "work_offset",
+            Self::PathTolerance => "path_tolerance",
+            Self::Tool => "tool",
+            Self::Next => "next",
+            Self::Offset => "offset",
+            Self::Speed => "speed",
+            Self::Seconds => "seconds",
+            Self::Milliseconds => "milliseconds",
+            Self::Angle => "angle",
+            Self::Turning => "turning",
+        }
+    }
+}
+
+/// What is wrong with a template.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum BadTemplate {
+    /// A brace without its other half.
+    Brace,
+    /// No field of this name has a value there.
+    Field(String),
+}
+
+impl fmt::Display for BadTemplate {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Brace => write!(out, "a brace is not closed, or closes nothing"),
+            Self::Field(name) => write!(out, "`{{{name}}}` is no field here"),
+        }
+    }
+}
+
+/// The next field of a text: what stands before it, its name, what stands behind it.
+fn split(text: &str) -> Option<(&str, &str, &str)> {
+    let (before, rest) = text.split_once('{')?;
+    let (name, behind) = rest.split_once('}')?;
+    Some((before, name, behind))
+}
+
+/// Whether a text is a template that holds only the fields `allowed`.
+///
+/// # Errors
+/// The first thing that is wrong.
+pub fn check(text: &str, allowed: &[Field]) -> Result<(), BadTemplate> {
+    let mut rest = text;
+    while let Some((before, name, behind)) = split(rest) {
+        if before.contains('}') || name.contains('{') {
+            return Err(BadTemplate::Brace);
+        }
+        if !allowed.iter().any(|field| field.name() == name) {
+            return Err(BadTemplate::Field(name.to_owned()));
+        }
+        rest = behind;
+    }
+    if rest.contains(['{', '}']) { Err(BadTemplate::Brace) } else { Ok(()) }
+}
+
+/// The block of a template; `None` if nothing of it is left, or the next tool is named and there is none.
+pub(super) fn fill(text: &str, value: impl Fn(Field) -> Option<String>) -> Option<String> {
+    let mut words = Vec::new();
+    for word in text.split(' ') {
+        let (mut rest, mut written) = (word, String::new());
+        let mut missing = false;
+        while let Some((before, name, behind)) = split(rest) {
+            written.push_str(before);
+            let field = Field::ALL.into_iter().find(|field| field.name() == name);
+            match field.and_then(&value).filter(|value| !value.is_empty()) {
+                Some(value) => written.push_str(&value),
+                None if field == Some(Field::Next) => return None,
+                None => missing = true,
+            }
+            rest = behind;
+        }
+        if !missing {
+            written.push_str(rest);
+            words.push(written);
+        }
+    }
+    Some(words.join(" ")).filter(|block| !block.trim().is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn filled(text: &str, tool: Option<u32>, speed: Option<u32>) -> Option<String> {
+        fill(text, |field| match field {
+            Field::Tool | Field::Next => tool.map(|tool| tool.to_string()),
+            Field::Speed => speed.map(|speed| speed.to_string()),
+            _ => None,
+        })
+    }
+
+    #[test]
+    fn a_word_without_value_is_left_out_and_so_is_a_block_of_such_words() {
+        assert_eq!(filled("TOOL CALL {tool} Z S{speed}", Some(5), Some(900)).as_deref(), Some("TOOL CALL 5 Z S900"));
+        assert_eq!(filled("TOOL CALL {tool} Z S{speed}", Some(5), None).as_deref(), Some("TOOL CALL 5 Z"));
+        assert_eq!(filled("S{speed} M3", None, None).as_deref(), Some("M3"));
+        assert_eq!(filled("S{speed}", None, None), None);
+    }
+
+    #[test]
+    fn without_a_next_tool_nothing_is_said_of_it() {
+        assert_eq!(filled("TOOL DEF {next}", Some(6), None).as_deref(), Some("TOOL DEF 6"));
+        assert_eq!(filled("TOOL DEF {next}", None, None), None);
+    }
+
+    #[test]
+    fn blanks_of_a_block_stay() {
+        assert_eq!(filled("  Q1=+{tool}  ;A", Some(3), None).as_deref(), Some("  Q1=+3  ;A"));
+    }
+
+    #[test]
+    fn an_unknown_field_and_a_lonely_brace_are_found() {
+        assert_eq!(check("T{tool} M6", OF_TOOL), Ok(()));
+        assert_eq!(check("T{tol} M6", OF_TOOL), Err(BadTemplate::Field("tol".into())));
+        assert_eq!(check("T{tool} M6", OF_PROGRAM), Err(BadTemplate::Field("tool".into())));
+        for text in ["T{tool", "T}", "{a{tool}}", "}{tool}", "{tool}}"] {
+            assert!(check(text, OF_TOOL).is_err(), "{text}");
+        }
+    }
+}

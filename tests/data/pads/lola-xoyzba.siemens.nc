@@ -1,0 +1,77 @@
+; PROGRAM PADS
+; CL FILE pads.cls
+; MACHINE LolaXoyzba, CONTROL Siemens 840D, MODE axes
+; UNITS mm, WORK OFFSET G57
+; PART ORIGIN X12.5 Y-8 Z40 from the table reference
+; PROGRAMMED POINT tool tip
+; ARCS AND CURVES in chords that leave them by at most 0.01
+; CL data of NX, by its own evidence
+; AXIS X + moves the table against +X: word as in ISO 841
+; AXIS Y + moves the tool along +Y: word as in ISO 841
+; AXIS Z + moves the tool along +Z: word as in ISO 841
+; AXIS B + turns the tool right-handed about +Y: word as in ISO 841
+; AXIS A + turns the tool right-handed about +X: word as in ISO 841
+; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
+; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; T21 bull 12 D12 R1 L120.25 D1, 1 operation, tip Z -9.4 to 0.521
+; T21 posted with L = 120.25: D1 must hold exactly this
+; T22 D12 R1 L96.5 D52, 1 operation, tip Z -3.3 to -1.375
+; T22 posted with L = 96.5: D52 must hold exactly this
+; ASSUMED retract to machine coordinate 0 mm
+MSG("SOUTH")
+N1 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G57
+M9
+SUPA G0 Z0 D0
+T21
+M6
+T22
+SUPA G0 Z0 D0
+D1
+S5200 M3
+G0 A18.266 B2.2556
+X7.995 Y-63.387
+Z-5.627
+M8
+G1 X7.864 Y-62.29 Z-8.948 F300
+X22.064 Y-60.597 F700
+X22.138 Y-61.224 Z-7.05
+M9
+G0 X24.942 Y-84.731 Z64.116
+SUPA G0 Z0 D0
+D1
+G0 A35.8066 B4.9348
+X10.74 Y-121.986
+Z-5.421
+M8
+X8.647 Y-104.434 Z-29.661
+G1 X14.559 Y-101.652 Z-32.489 F300
+X28.758 Y-99.959 F700
+X28.898 Y-101.129 Z-30.873
+M9
+G0 X34.13 Y-145.008 Z29.726
+MSG("NORTH")
+N2 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G57
+M9
+SUPA G0 Z0 D0
+T22
+M6
+SUPA G0 Z0 D0
+D52
+S6100 M3
+G0 A-15.5586 B-2.129
+X-8.957 Y60.13
+Z21.98
+M8
+G1 X-7.884 Y52.084 Z-6.9 F300
+X-22.058 Y50.192 F700
+X-22.13 Y50.729 Z-4.975
+M9
+G0 X-24.814 Y70.846 Z67.227
+SUPA G0 Z0 D0
+M5
+SUPA G0 X0 Y240 D0
+M30

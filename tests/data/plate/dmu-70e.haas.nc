@@ -1,0 +1,84 @@
+%
+O00001 (PLATE)
+(PROGRAM PLATE)
+(CL FILE plate.ncl)
+(MACHINE Dmu70e, CONTROL Haas, MODE axes)
+(UNITS in, WORK OFFSET G54)
+(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PROGRAMMED POINT tool tip)
+(ARCS AND CURVES in chords that leave them by at most 0.001)
+(CL data of Creo, by its own evidence)
+(1 arc, 1 of 1 decided arcs agree with their form)
+(AXIS C + turns the table left-handed about +Z: word as in ISO 841)
+(AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word)
+(as in ISO 841)
+(AXIS X + moves the tool along +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed,)
+(the tool axis within 0.1 deg)
+(ROTARY WORDS are absolute and count on past 360: the axes must not take the)
+(shortest way to an angle of another turn)
+(linear limits not checked: no travel declared [X Y Z])
+(valid only for part origin X0 Y0 Z0 from the table reference; do not touch)
+(off again)
+(the entries of C and B in G54 must be zero)
+(T3 D0.25 L4 H3, 1 operation, tip Z -0.4 to 1)
+(ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+N1 G20 G17 G40 G49 G80 G90 G94 G54
+M09
+G53 G00 Z0.
+T3 M06
+G49 G53 G00 Z0.
+S3000 M03
+G00 B0. C0.
+X0. Y0.5
+G43 H3 Z1.
+G01 Z-0.1 F20.
+X1.
+X1.0434 Y0.4962
+X1.0855 Y0.4849
+X1.125 Y0.4665
+X1.1607 Y0.4415
+X1.1915 Y0.4107
+X1.2165 Y0.375
+X1.2349 Y0.3355
+X1.2462 Y0.2934
+X1.25 Y0.25
+X1.2462 Y0.2066
+X1.2349 Y0.1645
+X1.2165 Y0.125
+X1.1915 Y0.0893
+X1.1607 Y0.0585
+X1.125 Y0.0335
+X1.0855 Y0.0151
+X1.0434 Y0.0038
+X1. Y0.
+X0.
+Y-0.25
+Z1.
+G00 X0.25 Y0.25
+Z0.1
+G01 Z-0.15 F4.
+G00 Z-0.1303
+G01 Z-0.3
+G00 Z-0.2803
+G01 Z-0.4
+G00 Z0.5
+X0.75
+Z0.1
+G01 Z-0.15
+G00 Z-0.1303
+G01 Z-0.3
+G00 Z-0.2803
+G01 Z-0.4
+G00 Z0.5
+Z1.
+Z3.
+G49 G53 G00 Z0.
+M05
+M30
+%

@@ -1,0 +1,81 @@
+%
+O00001 (TWO_TOOLS)
+(PROGRAM TWO_TOOLS)
+(CL FILE two_tools.cls)
+(MACHINE SpinnerU5620, CONTROL Haas, MODE axes)
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PROGRAMMED POINT tool tip)
+(ARCS AND CURVES in chords that leave them by at most 0.01)
+(CL data of NX, by its own evidence)
+(AXIS C + turns the table left-handed about +Z: word as in ISO 841)
+(AXIS B + turns the table left-handed about +Y: word as in ISO 841)
+(AXIS X + moves the tool along +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the)
+(tool axis within 0.1 deg)
+(ROTARY WORDS are absolute and count on past 360: the axes must not take the)
+(shortest way to an angle of another turn)
+(linear limits not checked: no travel declared [X Y Z])
+(valid only for part origin X0 Y0 Z0 from the table reference; do not touch)
+(off again)
+(the entries of C and B in G54 must be zero)
+(T1 D20 R0 L120 H1, 1 operation, tip Z -26 to 49.301)
+(T2 D8 R0 L95 H2, 1 operation, tip Z -3.759 to 52.623)
+(ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+(OPERATION TILTED_FACE)
+N1 G21 G17 G40 G49 G80 G90 G94 G54
+M09
+G53 G00 Z0.
+T1 M06
+T2
+G49 G53 G00 Z0.
+S3000 M03
+G00 B30. C0.
+X71.66 Y-28.
+G43 H1 Z75.096
+M08
+G01 Z25.096 F1000.
+X135.66 F900.
+Y-14.
+X71.66
+Y0.
+X135.66
+Y14.
+X71.66
+Y28.
+X135.66
+G00 Z85.096
+M09
+G49 G53 G00 Z0.
+M05
+M00
+(OPERATION TILTED_SLOT)
+G49 G53 G00 Z0.
+N2 G21 G17 G40 G49 G80 G90 G94 G54
+M09
+G53 G00 Z0.
+T2 M06
+G49 G53 G00 Z0.
+S7000 M03
+G00 B20. C-90.
+X70.097 Y-30.
+G43 H2 Z65.886
+M08
+G01 Z15.887 F500.
+Y-10. Z14.887 F350.
+Y-30. Z13.887
+Y-10. Z12.886
+Y-30. Z11.886
+Y-10.
+Y-30.
+G00 Z71.887
+M09
+G49 G53 G00 Z0.
+M05
+M30
+%

@@ -1,0 +1,82 @@
+; PROGRAM TWO_TOOLS
+; CL FILE two_tools.cls
+; MACHINE SpinnerU5620, CONTROL Siemens 840D, MODE axes
+; UNITS mm, WORK OFFSET G54
+; PART ORIGIN X0 Y0 Z0 from the table reference
+; PROGRAMMED POINT tool tip
+; ARCS AND CURVES in chords that leave them by at most 0.01
+; CL data of NX, by its own evidence
+; AXIS C + turns the table left-handed about +Z: word as in ISO 841
+; AXIS B + turns the table left-handed about +Y: word as in ISO 841
+; AXIS X + moves the tool along +X: word as in ISO 841
+; AXIS Y + moves the tool along +Y: word as in ISO 841
+; AXIS Z + moves the tool along +Z: word as in ISO 841
+; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
+; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; linear limits not checked: no travel declared (X Y Z)
+; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+; the entries of C and B in G54 must be zero
+; T1 D20 R0 L120 D1, 1 operation, tip Z -26 to 49.301
+; T2 D8 R0 L95 D1, 1 operation, tip Z -3.759 to 52.623
+; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+; ASSUMED work offset G54
+; ASSUMED retract to machine coordinate 0 mm
+; ASSUMED approach from 50 mm along the tool axis
+MSG("TILTED_FACE")
+N1 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T1
+M6
+T2
+SUPA G0 Z0 D0
+D1
+S3000 M3
+G0 B30 C0
+X71.66 Y-28
+Z75.096
+M8
+G1 Z25.096 F1000
+X135.66 F900
+Y-14
+X71.66
+Y0
+X135.66
+Y14
+X71.66
+Y28
+X135.66
+G0 Z85.096
+M9
+SUPA G0 Z0 D0
+M5
+M0
+MSG("TILTED_SLOT")
+N2 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T2
+M6
+SUPA G0 Z0 D0
+D1
+S7000 M3
+G0 B20 C-90
+X70.097 Y-30
+Z65.886
+M8
+G1 Z15.887 F500
+Y-10 Z14.887 F350
+Y-30 Z13.887
+Y-10 Z12.886
+Y-30 Z11.886
+Y-10
+Y-30
+G0 Z71.887
+M9
+SUPA G0 Z0 D0
+M5
+M30
