@@ -78,6 +78,7 @@ impl Config {
         let speeds = top.get("speeds");
         let grid = top.get("grid");
         let rotary_offset = top.get("rotary_offset");
+        let clamp = top.get("clamp");
         let wrap = top.get("wrap");
         r.remember_top(&top);
 
@@ -103,6 +104,7 @@ impl Config {
         self.machine_zero = read_machine_zero::<M>(r, machine_zero);
         self.limits = read_limits::<M>(r, limits);
         self.grid = read_grid::<M>(r, grid);
+        self.clamp = set_up::clamps::<M>(r, clamp);
         self.rotary_offset = set_up::rotary_offset::<M>(r, rotary_offset);
         self.read_wrap::<M>(r, wrap);
         self.speeds = read_axes::<M>(r, speeds)

@@ -260,6 +260,7 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 self.writer.code(codes.rotation(rotation));
                 self.writer.end()
             }
+            Step::Code { text } => self.block(text),
             Step::SpindleOff => self.block(codes.spindle_off),
             Step::Dwell { seconds } => {
                 self.writer.code(codes.dwell);

@@ -6,6 +6,7 @@
 
 mod auxiliary;
 mod choose;
+mod clamps;
 mod clearance;
 mod course;
 mod expand;
@@ -32,6 +33,7 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
+pub use clamps::{Moving, Nowhere};
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};

@@ -432,3 +432,16 @@ fn operations_are_found_by_name_and_what_is_not_there_is_said() {
     assert_eq!(said(post(Operations::Range(3, Some(5)))), "the CL data has 4 operations: there is no operation 5");
     assert!(said(post(Operations::Range(7, None))).contains("no operation 7"));
 }
+
+#[test]
+fn clamps_hold_the_axes_of_an_operation_that_does_not_turn_them() {
+    let mut config = Config::default();
+    let codes = crate::config::ClampCodes { on: "M10".to_owned(), off: "M11".to_owned() };
+    config.clamp.insert('C', codes);
+    let (text, report) = posted::<Cb>(&config, FOUR);
+    assert!(!report.failed, "{report:?}");
+    assert_eq!(text.matches("\nM11\nG0 B").count(), 4, "{text}");
+    assert_eq!(text.matches("\nM10\n").count(), 4, "{text}");
+    let (plain, _) = posted::<Cb>(&Config::default(), FOUR);
+    assert_eq!(text.replace("M10\n", "").replace("M11\n", ""), plain);
+}
