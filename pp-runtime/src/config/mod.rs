@@ -4,6 +4,7 @@
 //! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
 //! writes angles in degrees. Nothing here plans or writes a motion.
 
+mod axes;
 mod cl;
 mod clearance;
 mod course;

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Rotation3};
 
 use crate::kinematics::Machine;
 
-use super::read::solved_rotaries;
+use super::axes::solved_rotaries;
 use super::value::{Bound, Quantity, Reader, Section, Value};
 use super::{ClampCodes, Config, LengthMode, ProgramZero};
 

@@ -23,6 +23,7 @@ mod rewind;
 mod selection;
 mod sequence;
 mod step;
+mod structure;
 mod times;
 mod tool;
 mod travel;

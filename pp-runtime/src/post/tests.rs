@@ -445,3 +445,22 @@ fn clamps_hold_the_axes_of_an_operation_that_does_not_turn_them() {
     let (plain, _) = posted::<Cb>(&Config::default(), FOUR);
     assert_eq!(text.replace("M10\n", "").replace("M11\n", ""), plain);
 }
+
+#[test]
+fn the_last_operation_that_is_posted_is_left_along_the_tool() {
+    let mut config = Config { operations: Some(Operations::Range(1, Some(1))), ..Config::default() };
+    config.transition = crate::config::Transition::Direct;
+    config.retract.distance = Some(12.0);
+    let (text, report) = posted::<Cb>(&config, FOUR);
+    assert!(!report.failed, "{report:?}");
+    assert!(text.ends_with("\nM9\nG0 Z14\nG53 G0 Z0\nM5\nM2\n"), "{text}");
+}
+
+#[test]
+fn a_rapid_before_the_first_tool_is_no_operation() {
+    let early = FOUR.replace("TOOL PATH/ROUGH", "RAPID\nGOTO/0,0,90,0,0,1\nTOOL PATH/ROUGH");
+    let operations = Some(Operations::Range(4, None));
+    let (text, report) = posted::<Cb>(&Config { operations, ..Config::default() }, &early);
+    assert!(!report.failed && report.set_up[0].contains("4 to 4 of 4"), "{report:?}");
+    assert!(text.contains("(OPERATION CHAMFER)\nN4 "), "{text}");
+}
