@@ -24,7 +24,7 @@ pub(super) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     /// Post CL data: write the program for this machine
-    Post(PostArgs),
+    Post(Box<PostArgs>),
     /// Print a configuration file that holds every default
     Config(ConfigArgs),
     /// Print how the kinematics of this machine were derived, and a jog sheet

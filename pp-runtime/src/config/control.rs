@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use crate::control::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
 use crate::kinematics::Machine;
 
-use super::read::{read_axes, set};
+use super::axes::read_axes;
+use super::read::set;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
 use super::{Config, WORK_OFFSETS};
 

@@ -4,6 +4,7 @@
 //! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
 //! writes angles in degrees. Nothing here plans or writes a motion.
 
+mod axes;
 mod cl;
 mod clearance;
 mod control;
@@ -75,6 +76,8 @@ pub struct Config {
     pub lift: Option<f64>,
     /// What linear words say of the tool; default [`LengthMode::Tip`].
     pub length_mode: LengthMode,
+    /// Codes of the clamps of rotary axes; default none.
+    pub clamp: BTreeMap<char, ClampCodes>,
     /// The posted length is compared at the tool call, where the control can; default `None`: where a rotary axis in the
     /// head makes it matter.
     pub length_guard: Option<bool>,
@@ -218,6 +221,15 @@ pub enum StartBranch {
     Second,
 }
 
+/// What switches the clamp of a rotary axis.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ClampCodes {
+    /// The axis is held.
+    pub on: String,
+    /// It may turn.
+    pub off: String,
+}
+
 /// Some operations of a program, counted from 1: they begin at TOOL PATH, tool records, stops and frames, and starts with
 /// no motion between them are one.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -359,6 +371,7 @@ impl Default for Config {
             rotary_offset: BTreeMap::new(),
             program_zero: ProgramZero::Part,
             length_mode: LengthMode::Tip,
+            clamp: BTreeMap::new(),
             length_guard: None,
             length_tolerance: 0.01,
             operations: None,

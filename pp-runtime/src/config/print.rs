@@ -349,6 +349,13 @@ fn write_machine<M: Machine>(out: &mut String) -> std::fmt::Result {
     for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
         writeln!(out, "# e.g. {} = 1.0", axis.letter)?;
     }
+    writeln!(
+        out,
+        "\n# Codes that hold a rotary axis where it stays still between two approaches, and that let it turn.\n[clamp]"
+    )?;
+    for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        writeln!(out, "# e.g. {} = {{ on = \"M10\", off = \"M11\" }}", axis.letter)?;
+    }
     Ok(())
 }
 

@@ -6,9 +6,9 @@ use nalgebra::{Matrix3, Rotation3};
 
 use crate::kinematics::Machine;
 
-use super::read::solved_rotaries;
-use super::value::{Bound, Quantity, Reader, Value};
-use super::{Config, LengthMode, ProgramZero};
+use super::axes::solved_rotaries;
+use super::value::{Bound, Quantity, Reader, Section, Value};
+use super::{ClampCodes, Config, LengthMode, ProgramZero};
 
 pub(super) const PROGRAM_ZEROS: [(&str, ProgramZero); 2] = [("part", ProgramZero::Part), ("table", ProgramZero::Table)];
 pub(super) const LENGTH_MODES: [(&str, LengthMode); 2] = [("tip", LengthMode::Tip), ("gauge", LengthMode::Gauge)];
@@ -21,6 +21,8 @@ const LENGTH_TOLERANCE: std::ops::RangeInclusive<f64> = 0.0001..=1.0;
 
 /// A whole turn more or less is none, rad.
 const LARGEST_OFFSET: f64 = std::f64::consts::TAU * (1.0 + 1e-12);
+
+const CLAMP: &str = "write `C = { on = \"M10\", off = \"M11\" }`";
 
 const ROTATION: &str =
     "write three angles in degrees, `[rx, ry, rz]`, or the three rows of a matrix, `[[1, 0, 0], [0, 1, 0], [0, 0, 1]]`";
@@ -42,6 +44,34 @@ pub(super) fn part_rotation(r: &mut Reader<'_>, value: Value<'_>) -> Option<Rota
     let about_y = Matrix3::new(cy, 0.0, sy, 0.0, 1.0, 0.0, -sy, 0.0, cy);
     let about_z = Matrix3::new(cz, -sz, 0.0, sz, cz, 0.0, 0.0, 0.0, 1.0);
     Some(Rotation3::from_matrix_unchecked(about_z * about_y * about_x))
+}
+
+/// Codes that switch the clamps of rotary axes.
+pub(super) fn clamps<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, ClampCodes> {
+    let mut clamps = BTreeMap::new();
+    for (axis, value) in solved_rotaries::<M>(r, value) {
+        let mut section = Section::of(r, format!("clamp.{}", axis.letter), Some(value));
+        let [on, off] = ["on", "off"].map(|key| section.get(key).and_then(|value| clamp_code(r, value)));
+        section.finish(r);
+        match (on, off) {
+            (Some(on), Some(off)) if on != off => drop(clamps.insert(axis.letter, ClampCodes { on, off })),
+            _ => r.fault(value.span(), "two different codes are needed here", Some(CLAMP.to_owned())),
+        }
+    }
+    clamps
+}
+
+/// An M code, perhaps with parameters that move nothing.
+fn clamp_code(r: &mut Reader<'_>, value: Value<'_>) -> Option<String> {
+    let code = r.line(value)?;
+    let number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let mut words = code.split(' ');
+    let first = words.next().and_then(|word| word.strip_prefix('M')).is_some_and(number);
+    if first && words.all(|word| word.strip_prefix(['P', 'Q', 'L', 'E']).is_some_and(number)) {
+        return Some(code);
+    }
+    r.fault(value.span(), format!("\"{code}\" is not an M code"), Some(CLAMP.to_owned()));
+    None
 }
 
 /// By how much the length in the control's table may differ.
@@ -184,6 +214,23 @@ mod tests {
         let config = read("length_guard = true\nlength_tolerance = 0.05\n").expect("right");
         assert_eq!((config.length_guard, config.length_tolerance), (Some(true), 0.05));
         assert!(read("length_tolerance = 0.00001\n").is_err() && read("length_tolerance = 5\n").is_err());
+    }
+
+    #[test]
+    fn a_clamp_has_two_m_codes() {
+        let read = |text: &str| Config::read::<Sample>(&format!("[clamp]\n{text}\n"));
+        let config = read("C = { on = 'M10', off = 'M64 P1' }").expect("right");
+        assert_eq!(config.clamp[&'C'], ClampCodes { on: "M10".to_owned(), off: "M64 P1".to_owned() });
+        for wrong in [
+            "C = { on = 'M10' }",
+            "C = { on = 'M10', off = 'M10' }",
+            "C = { on = 'G0 X5', off = 'M11' }",
+            "C = { on = 'M10 X5', off = 'M11' }",
+            "X = { on = 'M10', off = 'M11' }",
+            "C = 'M10'",
+        ] {
+            assert!(read(wrong).is_err(), "{wrong}");
+        }
     }
 
     #[test]

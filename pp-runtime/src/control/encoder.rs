@@ -545,6 +545,7 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 Ok(())
             }
             Step::Spindle { speed, rotation } => self.spindle(speed, rotation),
+            Step::Code { text } => self.block(text),
             Step::SpindleOff => self.block(codes.spindle_off),
             Step::Dwell { seconds } => {
                 self.values.seconds = Some(seconds);

@@ -6,6 +6,7 @@
 
 mod auxiliary;
 mod choose;
+mod clamps;
 mod clearance;
 mod course;
 mod expand;
@@ -22,6 +23,7 @@ mod rewind;
 mod selection;
 mod sequence;
 mod step;
+mod structure;
 mod times;
 mod tool;
 mod travel;
@@ -33,6 +35,7 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
+pub use clamps::{Moving, Nowhere};
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use planner::{Abilities, Planner, Registers, Statistics, Stop};

@@ -197,6 +197,7 @@ impl<M: Machine> Planner<'_, M> {
 
     /// A rapid inside an operation, as the configuration wants it written.
     fn rapid_to(&mut self, at: Location, motion: &Move, place: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
+        self.clamps.note(&self.place.words, &place.words);
         match self.config.rapid {
             Rapid::Direct => {}
             Rapid::Split => {
@@ -268,6 +269,7 @@ impl<M: Machine> Planner<'_, M> {
         sink: &mut impl Sink,
     ) -> Planned {
         if place.words != self.place.words {
+            self.clamps.note(&self.place.words, &place.words);
             self.times.cut(minutes);
             if let Some((letter, turn)) = self.placer.largest_turn(&self.place.words, &place.words) {
                 self.times.turn(letter, turn / (minutes - slowed), at);

@@ -6,7 +6,7 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::config::{Config, LengthMode, Units};
-use crate::kinematics::{Axis, AxisKind, Branch, Joint, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
+use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::nc::whole_units;
 use crate::program::{Rotation, Turning};
 
@@ -15,6 +15,7 @@ use super::course::{Metric, Target, Towards};
 use super::fault::Fault;
 use super::origin::Origin;
 use super::step::{MAX_AXES, Words};
+use super::structure::{counted, held_tool_axis, orthogonal, poles};
 use super::travel::Travel;
 
 /// Word units that floating-point noise of a limit may amount to.
@@ -643,56 +644,6 @@ fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> 
 fn angle_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> f64 {
     let (a, b) = (a.into_inner(), b.into_inner());
     a.cross(&b).norm().atan2(a.dot(&b))
-}
-
-/// Tool axes within reach that leave the first of two rotaries free: along its direction and against it.
-fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
-    let [first, _] = rotaries else { return Vec::new() };
-    let mut direction = machine.joint(first.index).direction.into_inner();
-    for index in (0..first.index).rev().filter(|&index| M::AXES[index].kind == AxisKind::Rotary) {
-        direction = turned(&machine.joint(index), M::HELD.as_ref()[index], &direction);
-    }
-    let free = |axis: &UnitVector3<f64>| {
-        let pose = Pose { tip: Point3::origin(), axis: *axis };
-        machine.inverse_kinematics(&pose, &M::HELD).iter().any(|solution| solution.singular)
-    };
-    [direction, -direction].map(UnitVector3::new_normalize).into_iter().filter(free).collect()
-}
-
-/// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.
-fn held_tool_axis<M: Machine>(machine: &M) -> Vector3<f64> {
-    let mut axis = machine.tool_axis().into_inner();
-    for (index, described) in M::AXES.iter().enumerate().rev() {
-        if described.kind == AxisKind::Rotary && described.held && described.side == Side::Tool {
-            axis = turned(&machine.joint(index), M::HELD.as_ref()[index], &axis);
-        }
-    }
-    axis
-}
-
-fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
-    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle) * vector
-}
-
-/// Linear directions that are square to each other and stay so, because no rotary stands between two of them.
-fn orthogonal<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
-    let solved = solved_linear(axes);
-    let square = solved.iter().enumerate().all(|(position, &a)| {
-        solved[position + 1..]
-            .iter()
-            .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
-    });
-    let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
-    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
-}
-
-/// X Y Z: along U V W no control counts F in a block that moves one of these.
-fn counted(axes: &[Axis]) -> bool {
-    solved_linear(axes).iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'))
-}
-
-fn solved_linear(axes: &[Axis]) -> Vec<usize> {
-    (0..axes.len()).filter(|&index| axes[index].kind == AxisKind::Linear && !axes[index].held).collect()
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ use crate::program::{
     Clearance, Compensation, Coolant, Dwell, Event, Location, Move, Rotation, Spindle, ToolCall, Turning,
 };
 
+use super::clamps::Clamps;
 use super::course::{Course, Target, Towards};
 use super::expand::Expander;
 use super::fault::Fault;
@@ -228,6 +229,7 @@ pub struct Planner<'a, M: Machine> {
     pub(super) statistics: Statistics,
     pub(super) times: Times,
     pub(super) selection: Selection,
+    pub(super) clamps: Clamps,
 }
 
 impl<'a, M: Machine> Planner<'a, M> {
@@ -235,6 +237,7 @@ impl<'a, M: Machine> Planner<'a, M> {
     pub fn new(machine: M, config: &'a Config, units: Units, abilities: Abilities, upside_down: bool) -> Self {
         let placer = Placer::new(machine, config, units);
         let place = placer.zero();
+        let clamps = Clamps::new::<M>(config, &placer.rotaries);
         Self {
             feeds: Feeds::new(config, units, placer.unit_mm(), &abilities),
             speller: Speller::new::<M>(config, &placer.rotaries, placer.scale.turn),
@@ -276,6 +279,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             statistics: Statistics::default(),
             times: Times::default(),
             selection: Selection::default(),
+            clamps,
         }
     }
 

@@ -39,6 +39,7 @@ impl<M: Machine> Planner<'_, M> {
         self.rapid(&out, self.placer.linear_mask(), sink)?;
         self.clear = false;
         self.machine_retract(at, sink)?;
+        self.clamps.note(&here.words, &above.words);
         self.come_in(at, &above, sink)?;
         self.turn_coolant(at, sink)?;
         self.clear = false;

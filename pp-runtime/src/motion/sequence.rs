@@ -3,7 +3,7 @@
 //! 1. coolant off, inverse time cancelled;
 //! 2. out along the tool axis, then the retract axis to its machine position;
 //! 3. tool, length offset, spindle, dwell;
-//! 4. rotary axes alone;
+//! 4. rotary axes alone, between their clamps;
 //! 5. the other linear axes;
 //! 6. the retract axis down to the approach point;
 //! 7. coolant on;
@@ -100,6 +100,7 @@ impl<M: Machine> Planner<'_, M> {
     fn restart(&mut self, sink: &mut impl Sink) -> Planned {
         self.restarts += 1;
         sink.step(&Step::Restart { number: self.restarts })?;
+        self.clamps.forget();
         self.inverse_time = false;
         Ok(())
     }
@@ -179,6 +180,7 @@ impl<M: Machine> Planner<'_, M> {
         let before = self.place.pose;
         if first.rapid {
             self.cancel_inverse_time(sink)?;
+            self.clamps.note(&self.place.words, &place.words);
             self.rapid(&place, self.all(), sink)?;
         } else {
             self.feed_to(at, first, &place, sink)?;
@@ -214,6 +216,7 @@ impl<M: Machine> Planner<'_, M> {
         sink: &mut impl Sink,
     ) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
+        self.clamps.approach();
         let place = self.placer.place(&first.pose, &self.place, false, planned).map_err(fault)?;
         let distance = self.config.approach.distance;
         let above = if first.rapid && next.is_some_and(|next| straight_down(&first.pose, &next.pose)) {
@@ -262,7 +265,10 @@ impl<M: Machine> Planner<'_, M> {
         }
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
         let retract_axis = 1 << self.placer.retract_axis();
-        for mask in [rotary, linear & !retract_axis, linear & retract_axis] {
+        self.unclamp(&above.words, sink)?;
+        self.rapid(above, rotary, sink)?;
+        self.clamp(sink)?;
+        for mask in [linear & !retract_axis, linear & retract_axis] {
             self.rapid(above, mask, sink)?;
         }
         Ok(())
@@ -294,7 +300,9 @@ impl<M: Machine> Planner<'_, M> {
             mask |= 1 << index;
         }
         if mask != 0 {
+            self.clamp_parked(mask, false, sink)?;
             self.rapid(&turned, mask, sink)?;
+            self.clamp_parked(mask, true, sink)?;
         }
         let mut others = Words::default();
         let mut last = None;

@@ -101,6 +101,11 @@ pub enum Step<'a> {
         /// Sense of rotation.
         rotation: Rotation,
     },
+    /// A code of the configuration that moves nothing and leaves in force what is.
+    Code {
+        /// As it is written.
+        text: &'a str,
+    },
     /// Spindle off.
     SpindleOff,
     /// Wait.

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
-use super::{Navigator, Planner, Stop};
+use super::{Navigator, Nowhere, Planner, Stop};
 use crate::config::{Config, Rapid, Tool, Transition, Units, Wrap};
 use crate::control::{Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
@@ -39,7 +39,16 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let abilities = crate::control::abilities(&LinuxCnc, config);
     let mut navigator = Navigator::new(machine.clone(), config);
     events.iter().for_each(|event| navigator.event(event));
-    let mut planner = Planner::new(machine, config, units, abilities, false).with_course(navigator.finish());
+    let course = navigator.finish();
+    let mut planner = Planner::new(machine.clone(), config, units, abilities, false).with_course(course.clone());
+    if !config.clamp.is_empty() {
+        for event in events {
+            planner.event(Location::default(), event, &mut Nowhere).expect("a rehearsal");
+        }
+        planner.finish(Location::default(), &mut Nowhere).expect("a rehearsal");
+        let moving = planner.rehearsed();
+        planner = Planner::new(machine, config, units, abilities, false).with_course(course).with_clamps(moving);
+    }
     let mut diagnostics = Vec::new();
     let mut at = Location::default();
     let mut planned = Ok(());

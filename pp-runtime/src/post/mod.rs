@@ -1,6 +1,6 @@
 //! The pipeline: CL text → events → steps → blocks. The only module that sees both ends.
 //!
-//! The text is read twice. The survey collects what the header needs and what can only be known at the end: every
+//! The text is read twice, and a third time where rotary axes have clamps. The survey collects what the header needs and what can only be known at the end: every
 //! diagnostic of the reader, the tools with their operations and extremes, and whether all tool axes point into the
 //! table. The second pass plans and writes motion by motion, in constant memory. The same input gives the same bytes.
 
@@ -19,7 +19,7 @@ use crate::config::{Config, Units};
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine};
-use crate::motion::{Cost, Course, Gate, Navigator, Planner, Statistics, Stop, Times};
+use crate::motion::{Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
 use crate::program::Location;
 
 use setting::Setting;
@@ -208,10 +208,22 @@ pub fn post<M: Machine>(
     let layout = Layout::new::<M>(job.config, units, &survey.name);
     let mut encoder = Encoder::new(job.control, &layout, &mut *output);
     let abilities = control::abilities(job.control, job.config);
-    let planner = Planner::new(machine.clone(), job.config, units, abilities, survey.upside_down())
-        .with_course(std::mem::take(&mut survey.course))
-        .with_tools(std::mem::take(&mut survey.order))
-        .with_operations(wanted);
+    let (upside_down, order) = (survey.upside_down(), std::mem::take(&mut survey.order));
+    let course = std::mem::take(&mut survey.course);
+    let planner = |course| {
+        Planner::new(machine.clone(), job.config, units, abilities, upside_down)
+            .with_course(course)
+            .with_tools(order.clone())
+    };
+    let moving = if job.config.clamp.is_empty() {
+        Moving::default()
+    } else {
+        let reader = Reader::new(&mut *input, options.clone());
+        let moving = rehearse(job, &survey, reader, planner(course.clone())).map_err(PostError::Input)?;
+        input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
+        moving
+    };
+    let planner = planner(course).with_operations(wanted).with_clamps(moving);
     report.set_up = header::set_up(job.config, &survey);
     report.reading = header::reading(job.config, &survey);
     report.assumptions = header::assumptions::<M>(job.control, job.config, &survey);
@@ -228,40 +240,14 @@ pub fn post<M: Machine>(
 fn run<M: Machine, R: Read, W: Write>(
     job: &Job<'_>,
     survey: &Survey,
-    mut reader: Reader<R>,
+    reader: Reader<R>,
     mut planner: Planner<'_, M>,
     encoder: &mut Encoder<'_, W>,
     report: &mut Report,
 ) -> Result<(), PostError> {
-    let mut setting = Setting::new(job.config);
-    let mut last = Location::default();
     let mut remarks = Remarks::default();
     let mut gate = Gate::new(encoder, planner.shows());
-    let planned = loop {
-        // Looked at where it lies: to move an event costs as much as to look at it.
-        let found = reader.next_event();
-        match &found {
-            Err(_) => {
-                found.map_err(PostError::Input)?;
-            }
-            Ok(Some((at, event))) if survey.first_error.is_none_or(|error| *at < error) => {
-                last = *at;
-                let planned = match setting.event(event) {
-                    Some(turned) => planner.event(*at, &turned, &mut gate),
-                    None => planner.event(*at, event, &mut gate),
-                };
-                if let Err(stopped) = planned {
-                    break Err(stopped);
-                }
-            }
-            _ if survey.first_error.is_some() => break planner.abandon(&mut gate).map_err(Stop::Output),
-            Ok(Some(_)) => {}
-            Ok(None) => break planner.finish(last, &mut gate),
-        }
-        if planner.has_warnings() {
-            planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
-        }
-    };
+    let planned = plan(job, survey, reader, &mut planner, &mut gate, &mut remarks).map_err(PostError::Input)?;
     planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
     report.diagnostics.append(&mut remarks.conclude());
     report.statistics = planner.statistics();
@@ -273,6 +259,56 @@ fn run<M: Machine, R: Read, W: Write>(
         Err(Stop::Fault(diagnostic)) => report.fault(diagnostic),
     }
     close(job, report, encoder).map_err(PostError::Output)
+}
+
+/// Plans the CL data from its first event to its last.
+fn plan<M: Machine>(
+    job: &Job<'_>,
+    survey: &Survey,
+    mut reader: Reader<impl Read>,
+    planner: &mut Planner<'_, M>,
+    sink: &mut impl Sink,
+    remarks: &mut Remarks,
+) -> io::Result<Result<(), Stop>> {
+    let mut setting = Setting::new(job.config);
+    let mut last = Location::default();
+    loop {
+        // Looked at where it lies: to move an event costs as much as to look at it.
+        let found = reader.next_event();
+        match &found {
+            Err(_) => {
+                found?;
+            }
+            Ok(Some((at, event))) if survey.first_error.is_none_or(|error| *at < error) => {
+                last = *at;
+                let planned = match setting.event(event) {
+                    Some(turned) => planner.event(*at, &turned, sink),
+                    None => planner.event(*at, event, sink),
+                };
+                if let Err(stopped) = planned {
+                    return Ok(Err(stopped));
+                }
+            }
+            _ if survey.first_error.is_some() => return Ok(planner.abandon(sink).map_err(Stop::Output)),
+            Ok(Some(_)) => {}
+            Ok(None) => return Ok(planner.finish(last, sink)),
+        }
+        if planner.has_warnings() {
+            planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
+        }
+    }
+}
+
+/// Which rotary axes stay still for how long: the whole program is planned and nothing written.
+fn rehearse<M: Machine>(
+    job: &Job<'_>,
+    survey: &Survey,
+    reader: Reader<impl Read>,
+    mut planner: Planner<'_, M>,
+) -> io::Result<Moving> {
+    // What goes wrong here goes wrong again when the program is written, and is told then.
+    let _ = plan(job, survey, reader, &mut planner, &mut Nowhere, &mut Remarks::default())?;
+    Ok(planner.rehearsed())
 }
 
 /// The end code, or the first error in its place.

@@ -432,3 +432,35 @@ fn operations_are_found_by_name_and_what_is_not_there_is_said() {
     assert_eq!(said(post(Operations::Range(3, Some(5)))), "the CL data has 4 operations: there is no operation 5");
     assert!(said(post(Operations::Range(7, None))).contains("no operation 7"));
 }
+
+#[test]
+fn clamps_hold_the_axes_of_an_operation_that_does_not_turn_them() {
+    let mut config = Config::default();
+    let codes = crate::config::ClampCodes { on: "M10".to_owned(), off: "M11".to_owned() };
+    config.clamp.insert('C', codes);
+    let (text, report) = posted::<Cb>(&config, FOUR);
+    assert!(!report.failed, "{report:?}");
+    assert_eq!(text.matches("\nM11\nG0 B").count(), 4, "{text}");
+    assert_eq!(text.matches("\nM10\n").count(), 4, "{text}");
+    let (plain, _) = posted::<Cb>(&Config::default(), FOUR);
+    assert_eq!(text.replace("M10\n", "").replace("M11\n", ""), plain);
+}
+
+#[test]
+fn the_last_operation_that_is_posted_is_left_along_the_tool() {
+    let mut config = Config { operations: Some(Operations::Range(1, Some(1))), ..Config::default() };
+    config.transition = crate::config::Transition::Direct;
+    config.retract.distance = Some(12.0);
+    let (text, report) = posted::<Cb>(&config, FOUR);
+    assert!(!report.failed, "{report:?}");
+    assert!(text.ends_with("\nM9\nG0 Z14\nG53 G0 Z0\nM5\nM2\n"), "{text}");
+}
+
+#[test]
+fn a_rapid_before_the_first_tool_is_no_operation() {
+    let early = FOUR.replace("TOOL PATH/ROUGH", "RAPID\nGOTO/0,0,90,0,0,1\nTOOL PATH/ROUGH");
+    let operations = Some(Operations::Range(4, None));
+    let (text, report) = posted::<Cb>(&Config { operations, ..Config::default() }, &early);
+    assert!(!report.failed && report.set_up[0].contains("4 to 4 of 4"), "{report:?}");
+    assert!(text.contains("(OPERATION CHAMFER)\nN4 "), "{text}");
+}

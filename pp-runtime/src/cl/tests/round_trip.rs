@@ -228,7 +228,8 @@ fn content(record: &Record<'_>) -> String {
         let end = start + text[start..].find('}').map_or(0, |end| end + 1);
         text.replace_range(start..end, "_");
     }
-    text
+    // A zero has no sign.
+    ["-0.0,", "-0.0]", "-0.0)", "-0.0 "].iter().fold(text, |text, zero| text.replace(zero, &zero[1..]))
 }
 
 proptest! {

@@ -1,0 +1,202 @@
+//! Clamps of rotary axes: off before an axis moves, on where it stays still until the tool leaves the part again, and
+//! nothing between simultaneous blocks.
+//!
+//! Whether an axis stays still is known at the end of an approach only from what follows. A rehearsal plans the whole
+//! program once without writing and says it, one mask for each approach: what moves is what the planner itself moves.
+
+use crate::config::{ClampCodes, Config};
+use crate::kinematics::Machine;
+
+use super::choose::Rotary;
+use super::planner::{Planned, Planner};
+use super::step::{MAX_AXES, Sink, Step};
+
+/// One clamp.
+#[derive(Debug, Clone, PartialEq)]
+struct Clamp {
+    /// Position of its axis in the chain.
+    index: usize,
+    codes: ClampCodes,
+    /// It is on; `None` if nobody knows.
+    on: Option<bool>,
+}
+
+/// The axes that move between an approach and the next, for each approach: a bit by position in the chain.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Moving(Vec<u16>);
+
+/// Takes the steps of a rehearsal.
+#[derive(Debug, Clone, Copy)]
+pub struct Nowhere;
+
+impl Sink for Nowhere {
+    fn step(&mut self, _: &Step<'_>) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+/// The clamps of a machine.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Clamps {
+    clamps: Vec<Clamp>,
+    /// As rehearsed; `None` in the rehearsal itself.
+    rehearsed: Option<Moving>,
+    seen: Moving,
+    /// Approaches so far.
+    approaches: usize,
+}
+
+impl Clamps {
+    pub(super) fn new<M: Machine>(config: &Config, rotaries: &[Rotary]) -> Self {
+        let clamp = |rotary: &Rotary| {
+            let codes = config.clamp.get(&M::AXES[rotary.index].letter)?.clone();
+            Some(Clamp { index: rotary.index, codes, on: None })
+        };
+        Self { clamps: rotaries.iter().filter_map(clamp).collect(), ..Self::default() }
+    }
+
+    /// Whoever enters the program here knows nothing.
+    pub(super) fn forget(&mut self) {
+        self.clamps.iter_mut().for_each(|clamp| clamp.on = None);
+    }
+
+    /// An approach begins.
+    pub(super) fn approach(&mut self) {
+        self.approaches += 1;
+        if !self.clamps.is_empty() && self.rehearsed.is_none() {
+            self.seen.0.push(0);
+        }
+    }
+
+    /// A block of an operation moves from some words to others.
+    #[inline]
+    pub(super) fn note(&mut self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) {
+        if let Some(seen) = self.seen.0.last_mut() {
+            for clamp in self.clamps.iter().filter(|clamp| from[clamp.index] != to[clamp.index]) {
+                *seen |= 1 << clamp.index;
+            }
+        }
+    }
+
+    /// Axes that move until the next approach; without a rehearsal all of them.
+    fn moving(&self) -> u16 {
+        let Some(Moving(masks)) = &self.rehearsed else { return u16::MAX };
+        self.approaches.checked_sub(1).and_then(|index| masks.get(index)).copied().unwrap_or(u16::MAX)
+    }
+
+    /// Switches the clamps of the axes in a mask.
+    fn switch(&mut self, mask: u16, on: bool, sink: &mut impl Sink) -> Planned {
+        for clamp in self.clamps.iter_mut().filter(|clamp| mask & (1 << clamp.index) != 0 && clamp.on != Some(on)) {
+            clamp.on = Some(on);
+            sink.step(&Step::Code { text: if on { &clamp.codes.on } else { &clamp.codes.off } })?;
+        }
+        Ok(())
+    }
+}
+
+impl<M: Machine> Planner<'_, M> {
+    /// Switches clamps as a rehearsal of the same program has found.
+    #[must_use]
+    pub fn with_clamps(mut self, rehearsed: Moving) -> Self {
+        self.clamps.rehearsed = Some(rehearsed);
+        self
+    }
+
+    /// What a rehearsal has found.
+    #[must_use]
+    pub fn rehearsed(self) -> Moving {
+        self.clamps.seen
+    }
+
+    /// Before the rotary axes go to some words alone.
+    pub(super) fn unclamp(&mut self, to: &[i64; MAX_AXES], sink: &mut impl Sink) -> Planned {
+        let turns = |clamp: &&Clamp| clamp.on.is_none() || self.place.words[clamp.index] != to[clamp.index];
+        let turning = self.clamps.clamps.iter().filter(turns).fold(0, |mask, clamp| mask | 1 << clamp.index);
+        let moving = self.clamps.moving();
+        self.clamps.switch(turning | moving, false, sink)
+    }
+
+    /// Behind that.
+    pub(super) fn clamp(&mut self, sink: &mut impl Sink) -> Planned {
+        let moving = self.clamps.moving();
+        self.clamps.switch(!moving, true, sink)
+    }
+
+    /// Around the parking of the axes in a mask: `on` behind it.
+    pub(super) fn clamp_parked(&mut self, mask: u16, on: bool, sink: &mut impl Sink) -> Planned {
+        self.clamps.switch(mask, on, sink)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::machines::Cb;
+    use super::super::tests::{config, feed, rapid, run, spindle, tool};
+    use super::*;
+    use crate::program::Event;
+
+    fn axis(c: f64, b: f64) -> [f64; 3] {
+        let ((sin_c, cos_c), (sin_b, cos_b)) = (c.to_radians().sin_cos(), b.to_radians().sin_cos());
+        [sin_b * cos_c, sin_b * sin_c, cos_b]
+    }
+
+    /// Clamp codes and the words of rotary axes, in their order.
+    fn switched(config: &Config, events: &[Event<'_>]) -> Vec<String> {
+        let run = run::<Cb>(config, events);
+        assert_eq!(run.diagnostics, []);
+        let clamp = |word: &&str| ["M10", "M11", "M12", "M13"].contains(word);
+        let told = |line: &String| {
+            let words: Vec<&str> = line.split(' ').filter(|word| clamp(word) || word.starts_with(['B', 'C'])).collect();
+            (!words.is_empty() && !line.starts_with(['(', 'N'])).then(|| words.join(" "))
+        };
+        run.lines.iter().filter_map(told).collect()
+    }
+
+    fn clamped() -> Config {
+        let mut config = config();
+        let codes = |on: &str, off: &str| ClampCodes { on: on.to_owned(), off: off.to_owned() };
+        config.clamp.insert('C', codes("M10", "M11"));
+        config.clamp.insert('B', codes("M12", "M13"));
+        config
+    }
+
+    #[test]
+    fn an_axis_is_clamped_where_it_stays_still_and_not_while_it_moves() {
+        let events = [
+            Event::Operation(b"PLANE"),
+            tool(1),
+            spindle(),
+            feed([1.0, 0.0, 0.0], axis(0.0, 30.0)),
+            feed([2.0, 0.0, 0.0], axis(0.0, 30.0)),
+            Event::Operation(b"ROUND"),
+            feed([1.0, 0.0, 0.0], axis(0.0, 30.0)),
+            feed([2.0, 0.0, 0.0], axis(0.0, 35.0)),
+            feed([3.0, 0.0, 0.0], axis(0.0, 40.0)),
+        ];
+        let found = switched(&clamped(), &events);
+        let (plane, round) = (["M11", "M13", "B30 C0", "M10", "M12"], ["M11", "M13", "B30 C0", "M10"]);
+        assert_eq!((&found[..5], &found[5..9]), (&plane.map(str::to_owned)[..], &round.map(str::to_owned)[..]));
+        let turns = found[9..].iter().all(|line| line.starts_with('B'));
+        assert!(turns && found.len() > 10, "nothing between simultaneous blocks: {found:?}");
+    }
+
+    #[test]
+    fn a_rapid_that_indexes_switches_the_clamps_of_the_axes_that_turn() {
+        let events = [
+            tool(1),
+            spindle(),
+            feed([1.0, 0.0, 0.0], axis(0.0, 30.0)),
+            rapid([1.0, 0.0, 40.0], axis(90.0, 30.0)),
+            feed([2.0, 0.0, 0.0], axis(90.0, 30.0)),
+        ];
+        assert_eq!(switched(&clamped(), &events), ["M11", "M13", "B30 C0", "M10", "M12", "M11", "C90", "M10"]);
+    }
+
+    #[test]
+    fn a_parked_axis_is_clamped_where_it_is_parked() {
+        let mut config = clamped();
+        config.park.insert('B', 0.0);
+        let events = [tool(1), spindle(), feed([1.0, 0.0, 0.0], axis(0.0, 30.0))];
+        assert_eq!(switched(&config, &events), ["M11", "M13", "B30 C0", "M10", "M12", "M13", "B0", "M12"]);
+    }
+}
