@@ -282,7 +282,7 @@ impl<M: Machine> Planner<'_, M> {
     pub(super) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
         self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
         let mut from = self.place.words;
-        let pieces = self.speller.pieces(&from, &to.words);
+        let pieces = self.speller.pieces(&from, &to.words, mask);
         for piece in 1..=pieces {
             let mut words = self.placer.words(to, mask);
             for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {

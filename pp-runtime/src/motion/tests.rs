@@ -718,6 +718,28 @@ fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
 }
 
 #[test]
+fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
+    let mut config = config();
+    config.wrap.insert('C', Wrap::Positive);
+    config.limits.insert('B', Some(crate::kinematics::Limits { lower: 0.0, upper: 2.0 }));
+    config.retract.distance = Some(20.0);
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0, 0.0, -80.0], cb(0.0, 30.0)),
+        feed([10.0, 0.0, -80.0], cb(0.0, 30.0)),
+        rapid([10.0, 0.0, 60.0], cb(180.0, 30.0)),
+        feed([10.0, 0.0, 50.0], cb(180.0, 30.0)),
+    ];
+    let lines = lines::<Cb>(&config, &events);
+    let turned = lines.iter().position(|line| line == "C180").expect("the second half of the turn");
+    assert_eq!(lines[turned - 1], "G0 C90");
+    // No block on the way down that counts from where the tool was in the cut.
+    let down: Vec<&str> = lines[turned + 1..turned + 4].iter().map(|line| &line[..1]).collect();
+    assert_eq!(down, ["X", "Z", "Z"], "{lines:?}");
+}
+
+#[test]
 fn an_operation_begins_in_the_branch_and_turn_that_last() {
     let rotaries = |config: &Config, poses: &[[f64; 3]]| {
         let mut events = vec![tool(1), spindle()];
