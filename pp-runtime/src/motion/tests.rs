@@ -718,6 +718,20 @@ fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
 }
 
 #[test]
+fn a_rewind_never_begins_by_going_down_to_the_clearance() {
+    let mut config = config();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
+    let plane = Plane { normal: Vector3::z_axis(), distance: 30.0 };
+    let mut events = vec![tool(1), spindle(), Event::ClearancePlane(plane)];
+    events.extend([170.0, 183.0, 186.0].map(|angle| feed([10.0, 0.0, 60.0], cb(angle, 30.0))));
+    let run = run::<Cb>(&config, &events);
+    assert_eq!(run.statistics.rewinds, 1);
+    let rewound = run.lines.iter().rposition(|line| line.starts_with("G0 C")).expect("a rewind");
+    // At G94 straight to the machine retract.
+    assert_eq!(run.lines[rewound - 2..rewound], ["G94", "G53 G0 Z0"], "{}", run.text());
+}
+
+#[test]
 fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
     let mut config = config();
     config.wrap.insert('C', Wrap::Positive);
