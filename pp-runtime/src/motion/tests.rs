@@ -754,6 +754,36 @@ fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
 }
 
 #[test]
+fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
+    let mut config = config();
+    config.transition = Transition::Direct;
+    config.retract.distance = Some(20.0);
+    let limit = 180_f64.to_radians();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
+    let events = [
+        tool(1),
+        spindle(),
+        feed([10.0, 0.0, 0.0], cb(160.0, 30.0)),
+        feed([10.0, 0.0, 0.0], cb(170.0, 30.0)),
+        Event::Operation(b"NEXT"),
+        Event::Spindle(Spindle::On { speed: Some(3000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::Coolant(Coolant::Flood),
+        // The table reaches its limit on the way.
+        feed([10.0, 0.0, 0.0], cb(190.0, 30.0)),
+    ];
+    let on = run::<Cb>(&config, &events);
+    assert_eq!(on.statistics.rewinds, 1, "{:?} {}", on.diagnostics, on.text());
+    let next = on.lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
+    assert_eq!(on.lines[next + 1..next + 3], ["S3000 M3", "M8"], "{}", on.text());
+    // With the spindle off nothing is cut on the way either.
+    let mut off = events;
+    off[5] = Event::Spindle(Spindle::Off);
+    let off = run::<Cb>(&config, &off);
+    assert!(off.error().text.contains("with the spindle off"), "{:?}", off.error());
+    assert_eq!(off.lines[next + 1..], ["M5"], "{}", off.text());
+}
+
+#[test]
 fn an_operation_begins_in_the_branch_and_turn_that_last() {
     let rotaries = |config: &Config, poses: &[[f64; 3]]| {
         let mut events = vec![tool(1), spindle()];
