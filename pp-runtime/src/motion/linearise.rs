@@ -151,7 +151,7 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Pieces<A> {
                     let (from, to, tolerance) = (self.from, self.to, self.tolerance);
                     let walked = *path;
                     let found = longest(walked.at, walked.stride, walked.resolution, |parameter| {
-                        let place = placer.between(&walked, &from, &to, parameter)?;
+                        let place = placer.between(&walked, (&from, &to), parameter, tolerance)?;
                         Ok(placer.certify(&from, &place, tolerance))
                     })?;
                     match found {
@@ -162,8 +162,11 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Pieces<A> {
                             return Ok(Some(piece));
                         }
                         Found::Stuck(until) => {
-                            let target =
-                                if until < 1.0 { placer.between(&walked, &from, &to, until)? } else { self.to };
+                            let target = if until < 1.0 {
+                                placer.between(&walked, (&from, &to), until, tolerance)?
+                            } else {
+                                self.to
+                            };
                             let spot = placer.spot(&from, &target);
                             self.way = Way::Spot(spot, Path { at: until, ..walked });
                         }
@@ -324,11 +327,11 @@ impl<M: Machine> Placer<M> {
     fn between(
         &self,
         path: &Path,
-        from: &Place<M::Axes>,
-        to: &Place<M::Axes>,
+        (from, to): (&Place<M::Axes>, &Place<M::Axes>),
         parameter: f64,
     ) -> Result<Place<M::Axes>, Fault> {
         let (sine, cosine) = (parameter * path.angle).sin_cos();
+        allowed: Tolerance,
         let axis = path.start.axis.into_inner() * cosine + path.aside * sine;
         let tip = path.start.tip + (to.pose.tip - path.start.tip) * parameter;
         let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
@@ -355,7 +358,7 @@ impl<M: Machine> Placer<M> {
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
             *value = 0.5 * (*value + end);
         }
-        self.beside(&pose, from, solution, &middle).map_err(on_the_way)
+        self.beside(&pose, from, solution, &middle, allowed).map_err(on_the_way)
     }
 
     /// The place of a solution, in the turn nearest to some axis values.
@@ -367,6 +370,7 @@ impl<M: Machine> Placer<M> {
         near: &M::Axes,
     ) -> Result<Place<M::Axes>, Fault> {
         let words = self.nearest_words(solution, near);
+        allowed: Tolerance,
         for rotary in &self.rotaries {
             let word = words[rotary.index];
             if !rotary.holds(word) {
@@ -378,6 +382,7 @@ impl<M: Machine> Placer<M> {
         place.branch = solution.branch;
         self.set(place)
     }
+        self.hold_indexed(&mut place, from, allowed)?;
 
     fn spot(&self, start: &Place<M::Axes>, target: &Place<M::Axes>) -> Spot<M::Axes> {
         let largest = self.rotaries.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));

@@ -1222,6 +1222,23 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
 }
 
 #[test]
+fn an_indexed_axis_stays_where_it_is_while_another_turns() {
+    let mut config = config();
+    config.grid.insert('B', 5_f64.to_radians());
+    let around = |by: f64| {
+        let mut events = vec![tool(1), spindle()];
+        events.extend((0..=6).map(|step| feed([100.0, 0.0, 0.0], cb(by * f64::from(step), 30.0))));
+        run::<Cb>(&config, &events)
+    };
+    // An even turn from one direction to the next would take B along, by 0.003 degrees.
+    let near = around(2.0);
+    assert_eq!(near.diagnostics, []);
+    assert!(near.statistics.inserted > 0, "{}", near.text());
+    assert_eq!(near.lines.iter().filter(|line| line.contains('B')).count(), 1, "{}", near.text());
+    assert!(around(20.0).error().text.contains("in the cut, and it is indexed"));
+}
+
+#[test]
 fn a_spiral_of_forty_turns_is_written_within_a_turn() {
     let mut config = config();
     config.wrap.insert('A', Wrap::Positive);
