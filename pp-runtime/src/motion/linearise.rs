@@ -272,11 +272,13 @@ impl<M: Machine> Placer<M> {
         whole.min(off + halves[0].max(halves[1]))
     }
 
-    /// How far the arc between written axes may lie from that between programmed ones: twice what an end is off, since
-    /// no block is wider than [`WIDEST`].
+    /// How far the arc between written axes may lie from that between the poses: twice what an end is off, since no block
+    /// is wider than [`WIDEST`]. A place at the pole has the pole for its pose, however far that was from the programmed
+    /// axis: that is a tolerance of its own.
     #[inline]
     fn axis_off(&self, place: &Place<M::Axes>) -> f64 {
-        2.0 * (0.5 * self.scale.angle(1) * self.rotaries.len() as f64 + place.deviation)
+        let deviation = if place.pole { 0.0 } else { place.deviation };
+        2.0 * (0.5 * self.scale.angle(1) * self.rotaries.len() as f64 + deviation)
     }
 
     /// The path between two places.
@@ -329,9 +331,9 @@ impl<M: Machine> Placer<M> {
         path: &Path,
         (from, to): (&Place<M::Axes>, &Place<M::Axes>),
         parameter: f64,
+        allowed: Tolerance,
     ) -> Result<Place<M::Axes>, Fault> {
         let (sine, cosine) = (parameter * path.angle).sin_cos();
-        allowed: Tolerance,
         let axis = path.start.axis.into_inner() * cosine + path.aside * sine;
         let tip = path.start.tip + (to.pose.tip - path.start.tip) * parameter;
         let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
@@ -368,9 +370,9 @@ impl<M: Machine> Placer<M> {
         from: &Place<M::Axes>,
         solution: &Solution<M::Axes>,
         near: &M::Axes,
+        allowed: Tolerance,
     ) -> Result<Place<M::Axes>, Fault> {
         let words = self.nearest_words(solution, near);
-        allowed: Tolerance,
         for rotary in &self.rotaries {
             let word = words[rotary.index];
             if !rotary.holds(word) {
@@ -380,9 +382,9 @@ impl<M: Machine> Placer<M> {
         let mut place = self.at(pose, from, &words);
         place.deviation = solution.deviation;
         place.branch = solution.branch;
+        self.hold_indexed(&mut place, from, allowed)?;
         self.set(place)
     }
-        self.hold_indexed(&mut place, from, allowed)?;
 
     fn spot(&self, start: &Place<M::Axes>, target: &Place<M::Axes>) -> Spot<M::Axes> {
         let largest = self.rotaries.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));

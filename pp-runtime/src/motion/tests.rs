@@ -1239,6 +1239,20 @@ fn an_indexed_axis_stays_where_it_is_while_another_turns() {
 }
 
 #[test]
+fn an_axis_tolerance_at_the_pole_is_none_of_the_path() {
+    let mut config = config();
+    config.axis_tolerance = 0.5_f64.to_radians();
+    let beside = 0.4_f64.to_radians();
+    let across = |tilt: f64| [tilt.to_radians().sin(), beside, tilt.to_radians().cos()];
+    let mut events = vec![tool(1), spindle()];
+    events.extend([-4.0, -2.0, 0.0, 2.0, 4.0].map(|tilt| feed([tilt, 0.0, 0.0], across(tilt))));
+    let run = run::<Cb>(&config, &events);
+    assert_eq!(run.diagnostics, [], "{}", run.text());
+    assert_eq!(run.statistics.near_pole, 1);
+    assert!((run.statistics.largest_at_pole - beside).abs() < 1e-4, "{:?}", run.statistics);
+}
+
+#[test]
 fn a_spiral_of_forty_turns_is_written_within_a_turn() {
     let mut config = config();
     config.wrap.insert('A', Wrap::Positive);
