@@ -754,6 +754,52 @@ fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
 }
 
 #[test]
+fn the_table_turns_for_a_cut_from_the_pole_where_the_operation_begins() {
+    let mut config = config();
+    config.retract.distance = Some(20.0);
+    let events = [
+        tool(1),
+        spindle(),
+        rapid([0.0, 0.0, 50.0], UP),
+        rapid([0.0, 0.0, 5.0], UP),
+        feed([0.0; 3], UP),
+        feed([10.0, 0.0, 0.0], UP),
+        feed([20.0, 0.0, 0.0], cb(90.0, 20.0)),
+    ];
+    let run = run::<Cb>(&config, &events);
+    assert_eq!((run.statistics.sequences, run.statistics.rewinds), (1, 0), "{}", run.text());
+    assert!(run.lines.contains(&"G0 B0 C90".to_owned()), "{}", run.text());
+}
+
+#[test]
+fn a_free_axis_stands_inside_limits_that_exclude_zero() {
+    let mut config = config();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: 0.5, upper: 6.0 }));
+    let lines = lines::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), feed([10.0, 0.0, 0.0], UP)]);
+    assert!(lines.contains(&"G0 B0 C28.6479".to_owned()), "{lines:?}");
+}
+
+#[test]
+fn first_and_second_pass_count_from_the_same_place() {
+    let mut config = config();
+    config.limits.insert('B', Some(crate::kinematics::Limits { lower: -1.2, upper: 1.8 }));
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -5.2, upper: 5.2 }));
+    let events = [
+        Event::From(pose([0.0, 0.0, 100.0], cb(100.0, 20.0))),
+        // Not written, for there is no tool; the table keeps its value at the pole.
+        rapid([0.0, 0.0, 90.0], UP),
+        tool(1),
+        spindle(),
+        feed([0.0; 3], cb(-60.0, 30.0)),
+        feed([0.0; 3], cb(-60.0, 80.0)),
+    ];
+    // From C100 the branch with B- is nearer, which does not tilt as far.
+    let run = run::<Cb>(&config, &events);
+    assert!(run.diagnostics.iter().all(|found| found.severity == Severity::Warning), "{:?}", run.diagnostics);
+    assert!(run.lines.contains(&"G0 B30 C-60".to_owned()), "{}", run.text());
+}
+
+#[test]
 fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
     let mut config = config();
     config.transition = Transition::Direct;

@@ -197,10 +197,9 @@ impl<M: Machine> Navigator<M> {
             // The planner passes over these.
             Event::Move(motion) if !self.armed && motion.rapid && !self.placer.head() => self.count_from(&motion.pose),
             Event::Move(motion) => {
-                let air = self.begun || motion.rapid;
-                self.begun = false;
+                let begins = std::mem::take(&mut self.begun);
                 self.placed = true;
-                self.go(&motion.pose, air);
+                self.go(&motion.pose, begins || motion.rapid, begins);
                 self.towards = None;
                 self.motion += 1;
             }
@@ -211,15 +210,14 @@ impl<M: Machine> Navigator<M> {
 
     /// Nothing has moved yet: this is where the rotaries count from.
     fn count_from(&mut self, pose: &Pose) {
-        let mut from = self.placer.zero();
-        from.words = self.placer.all_words(&self.ways[0].search.words());
+        let from = self.placer.standing(&self.ways[0].search.words());
         if let Some(place) = self.placer.reference(pose, &from) {
             let words = self.placer.turns_of(&place.words);
             self.ways.iter_mut().for_each(|way| way.search.restart(words));
         }
     }
 
-    fn go(&mut self, pose: &Pose, air: bool) {
+    fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
         if self.ways[0].ended {
             return;
         }
@@ -236,7 +234,7 @@ impl<M: Machine> Navigator<M> {
             return;
         }
         for way in 0..self.ways.len() {
-            if !self.ways[way].ended && !self.step(way, &pose, pole.as_ref(), air) {
+            if !self.ways[way].ended && !self.step(way, (&pose, pole.as_ref()), air, begins) {
                 self.ways[way].ended = true;
             }
         }
@@ -245,7 +243,7 @@ impl<M: Machine> Navigator<M> {
     }
 
     /// One motion of one search. False if there is no way.
-    fn step(&mut self, way: usize, pose: &Pose, pole: Option<&UnitVector3<f64>>, air: bool) -> bool {
+    fn step(&mut self, way: usize, (pose, pole): (&Pose, Option<&UnitVector3<f64>>), air: bool, begins: bool) -> bool {
         let motion = self.motion;
         let (placer, search) = (&self.placer, &mut self.ways[way].search);
         let from = self.here.filter(|_| !air);
@@ -261,7 +259,8 @@ impl<M: Machine> Navigator<M> {
                 search.free(motion, &self.states, self.towards, wished)
             }
             (None, Some(_)) => {
-                search.free_to_pole(motion, &self.second, self.towards);
+                let Some(first) = placer.rotaries.first() else { return false };
+                search.free_to_pole((motion, begins), (*first, &self.second), self.towards);
                 true
             }
             (Some(_), Some(_)) if self.pole.is_some() => true,

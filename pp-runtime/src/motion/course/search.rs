@@ -130,7 +130,8 @@ struct Survivor {
     cost: Cost,
     /// Its last change.
     head: Head,
-    /// At the pole: the motion in the air, since the first rotary came free, that can turn it.
+    /// At the pole: the motion in the air that can turn the first rotary. The last that begins an operation, for it turns
+    /// the axes anyhow; else the first since the rotary came free.
     air: Option<u64>,
 }
 
@@ -327,18 +328,25 @@ impl Search {
         true
     }
 
-    /// A motion in the air to the pole, where the first rotary may stand anywhere; `second`: words of the other.
-    pub(crate) fn free_to_pole(&mut self, motion: u64, second: &[i64], towards: Option<Towards>) {
+    /// A motion in the air to the pole, where the first rotary may stand anywhere; `second`: words of the other. `begins`:
+    /// an operation begins with it.
+    pub(crate) fn free_to_pole(
+        &mut self,
+        (motion, begins): (u64, bool),
+        (first, second): (Rotary, &[i64]),
+        towards: Option<Towards>,
+    ) {
         self.next.clear();
         for from in &self.survivors {
             for &second in second {
-                let state = State { words: [from.state.words[0], second], ..from.state };
+                let state = State { words: [first.clamped(from.state.words[0]), second], ..from.state };
                 let cost = from.cost.plus(self.metric.cost(&from.state.words, &state.words));
-                let head = match second == from.state.words[1] && towards.is_none() {
-                    true => from.head,
-                    false => self.history.push(from.head, motion, How::Take, state.words),
+                let (head, air) = match state.words == from.state.words && towards.is_none() {
+                    true => (from.head, from.air.filter(|_| !begins).unwrap_or(motion)),
+                    // What turns the rotary must not stand in front of this in the course.
+                    false => (self.history.push(from.head, motion, How::Take, state.words), motion),
                 };
-                Self::keep(&mut self.next, Survivor { state, cost, head, air: Some(motion) });
+                Self::keep(&mut self.next, Survivor { state, cost, head, air: Some(air) });
             }
         }
         self.layer.clear();

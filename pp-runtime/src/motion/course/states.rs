@@ -5,7 +5,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use crate::kinematics::{Branch, Machine, Pose};
 
 use super::super::choose::Rotary;
-use super::super::place::Placer;
+use super::super::place::{Place, Placer};
 use super::super::step::MAX_AXES;
 use super::search::{State, Turns};
 
@@ -57,6 +57,11 @@ impl<M: Machine> Placer<M> {
 
     fn axes_of(&self, words: &Turns) -> M::Axes {
         let mut axes = M::HELD;
+    /// Where nothing but the rotaries is known.
+    pub(super) fn standing(&self, words: &Turns) -> Place<M::Axes> {
+        Place { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
+    }
+
         for (rotary, word) in self.rotaries.iter().zip(words) {
             axes.as_mut()[rotary.index] = self.scale.angle(*word);
         }
