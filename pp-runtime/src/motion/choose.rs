@@ -83,6 +83,16 @@ impl Rotary {
         self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
     }
 
+    /// The smallest word, 0 of an endless axis.
+    pub(crate) fn lower_end(self) -> i64 {
+        self.lower.unwrap_or_default()
+    }
+
+    /// The largest word, 0 of an endless axis.
+    pub(crate) fn upper_end(self) -> i64 {
+        self.upper.unwrap_or_default()
+    }
+
     /// The word inside the limits that is nearest to this one, whatever the turn.
     pub(crate) fn clamped(self, word: i64) -> i64 {
         let word = self.upper.map_or(word, |upper| word.min(upper));

@@ -119,7 +119,8 @@ pub struct Navigator<M: Machine> {
     /// ROTABL/NEXT.
     towards: Option<Towards>,
     states: Vec<State>,
-    before: Vec<State>,
+    /// Words near which turns are looked at where there are too many to look at all.
+    near: Vec<Turns>,
     second: Vec<i64>,
 }
 
@@ -157,7 +158,7 @@ impl<M: Machine> Navigator<M> {
             begun: true,
             towards: None,
             states: Vec::new(),
-            before: Vec::new(),
+            near: Vec::new(),
             second: Vec::new(),
         }
     }
@@ -223,10 +224,13 @@ impl<M: Machine> Navigator<M> {
         }
         let pole = self.placer.pole(&pose.axis);
         let pose = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
-        std::mem::swap(&mut self.states, &mut self.before);
+        self.near.clear();
+        if self.placer.wide() {
+            self.ways.iter().for_each(|way| way.search.near(air, &mut self.near));
+        }
         match pole {
             Some(_) => self.placer.second_words(&pose, &mut self.second),
-            None => self.placer.states(&pose, &mut self.states),
+            None => self.placer.states(&pose, &self.near, &mut self.states),
         }
         let reached = if pole.is_some() { !self.second.is_empty() } else { !self.states.is_empty() };
         if !reached {
@@ -294,7 +298,8 @@ impl<M: Machine> Navigator<M> {
     }
 }
 
-/// A cut between two poses beside the pole; where every state runs into a limit on the way, it is split there.
+/// A cut between two poses beside the pole. Where no state runs through it is split: at its place nearest to a pole that it
+/// passes, since an axis may turn by more than half a turn there, and where a state runs into a limit on the way.
 fn cut<M: Machine>(
     placer: &Placer<M>,
     search: &mut Search,
@@ -303,20 +308,33 @@ fn cut<M: Machine>(
     to: &Pose,
     states: &[State],
 ) -> bool {
-    let mut here = *from;
-    let mut done = 0.0;
+    let (mut here, mut done) = (*from, 0.0);
+    let mut passing = placer.passing(from, to);
+    let (mut near, mut split) = (Vec::new(), Vec::new());
     for _ in 0..MOST_CROSSINGS {
         let merged = placer.merged(states) || placer.merged(search.layer());
         if search.cut(motion, states, None, |a, b| placer.connected((&here, a), (to, b), merged)) {
             return true;
         }
-        let Some(part) = crossing(placer, search, from, to, &here, done) else { return false };
-        let Some(there) = between(from, to, part) else { return false };
-        let mut split = Vec::new();
-        placer.states(&there, &mut split);
-        if !search.cut(motion, &split, Some(part), |a, b| placer.connected((&here, a), (&there, b), false)) {
-            return false;
+        near.clear();
+        if placer.wide() {
+            search.near(false, &mut near);
         }
+        let mut split_at = |search: &mut Search, part: f64| {
+            let there = between(from, to, part)?;
+            placer.states(&there, &near, &mut split);
+            let reached =
+                search.cut(motion, &split, Some(part), |a, b| placer.connected((&here, a), (&there, b), false));
+            reached.then_some(there)
+        };
+        if let Some(part) = passing.filter(|part| *part > done)
+            && let Some(there) = split_at(search, part)
+        {
+            (here, done, passing) = (there, part, None);
+            continue;
+        }
+        let Some(part) = crossing(placer, search, (from, to), (&here, done), &near) else { return false };
+        let Some(there) = split_at(search, part) else { return false };
         (here, done) = (there, part);
     }
     false
@@ -326,10 +344,9 @@ fn cut<M: Machine>(
 fn crossing<M: Machine>(
     placer: &Placer<M>,
     search: &Search,
-    from: &Pose,
-    to: &Pose,
-    here: &Pose,
-    done: f64,
+    (from, to): (&Pose, &Pose),
+    (here, done): (&Pose, f64),
+    near: &[Turns],
 ) -> Option<f64> {
     let mut split = Vec::new();
     let mut first: Option<f64> = None;
@@ -350,7 +367,7 @@ fn crossing<M: Machine>(
             continue;
         }
         let Some(pose) = between(from, to, inside) else { continue };
-        placer.states(&pose, &mut split);
+        placer.states(&pose, near, &mut split);
         if split.len() > 1 {
             first = Some(inside);
         }

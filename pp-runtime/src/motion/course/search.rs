@@ -266,6 +266,17 @@ impl Search {
         self.survivors.iter().min_by_key(|survivor| survivor.cost).map_or([0; 2], |survivor| survivor.state.words)
     }
 
+    /// Where the axes stand that have been rewound least; in front of a motion in the air only where the cheapest way has
+    /// led, or there would be ever more.
+    pub(crate) fn near(&self, air: bool, out: &mut Vec<Turns>) {
+        if air {
+            return out.push(self.words());
+        }
+        let fewest = self.survivors.iter().map(|survivor| survivor.cost.rewinds).min();
+        let least = self.survivors.iter().filter(|survivor| Some(survivor.cost.rewinds) == fewest);
+        out.extend(least.map(|survivor| survivor.state.words));
+    }
+
     /// The states of the last pose that a rewind can reach, in the order of preference.
     pub(crate) fn layer(&self) -> &[State] {
         &self.layer
@@ -310,9 +321,10 @@ impl Search {
             let ways = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
             let Some((cost, from)) = ways.min_by_key(|(cost, _)| *cost) else { continue };
             let travel = |to: &State| self.metric.cost(&from.state.words, &to.words).travel;
-            // Without a word about it the least travel is taken.
-            let expected =
-                towards.is_none() && states.iter().all(|other| other == state || travel(other) > travel(state));
+            // Without a word about it the least travel is taken; of an axis with many turns not all are looked at.
+            let expected = towards.is_none()
+                && self.metric.short(&from.state.words, &state.words)
+                && states.iter().all(|other| other == state || travel(other) > travel(state));
             let head = match expected {
                 true => from.head,
                 false => self.history.push(from.head, motion, How::Take, state.words),
