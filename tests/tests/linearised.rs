@@ -42,6 +42,15 @@ fn traverse(beside: f64, steps: usize) -> Vec<Pose> {
     (0..=steps).map(pose).collect()
 }
 
+/// One motion from one side of the pole to the other, `beside` rad from it.
+fn past(beside: f64) -> Vec<Pose> {
+    let pose = |along: f64| {
+        let axis = Vector3::new(along.sin(), beside.sin() * along.cos(), beside.cos() * along.cos());
+        Pose { tip: Point3::new(20.0 * along, 0.0, 0.0), axis: unit(axis) }
+    };
+    vec![pose(-0.1), pose(0.6)]
+}
+
 /// Out along the blade of an impeller, the tool leaning to its side more and more.
 fn swirl() -> Vec<Pose> {
     let pose = |step: usize| {
@@ -314,6 +323,8 @@ linearised! {
     dmu_across_the_pole: Dmu70e, traverse(0.0, 24), [];
     dmu_beside_the_pole: Dmu70e, traverse(0.6, 25), [];
     dmu_far_beside_the_pole: Dmu70e, traverse(6.0, 24), [];
+    dmu_past_the_pole_on_one_side: Dmu70e, past(0.002), [];
+    dmu_past_the_pole_on_the_other: Dmu70e, past(-0.002), [];
     dmu_on_the_swirl: Dmu70e, swirl(), [];
     lola_across_the_dome: LolaXoyzba, traverse(0.0, 25), [];
     lola_on_the_swirl: LolaXoyzba, swirl(), [];
@@ -327,6 +338,8 @@ linearised! {
     head_table_on_the_swirl: HeadTable, swirl(), [];
     nutating_head_across_the_pole: NutatingHead, traverse(0.0, 24), [];
     nutating_head_beside_the_pole: NutatingHead, traverse(0.6, 25), [];
+    nutating_head_past_the_pole_on_one_side: NutatingHead, past(0.002), [('B', 0.0, 180.0), ('C', -400.0, 400.0)];
+    nutating_head_past_the_pole_on_the_other: NutatingHead, past(-0.002), [('B', 0.0, 180.0), ('C', -400.0, 400.0)];
     nutating_head_on_the_swirl: NutatingHead, swirl(), [];
 }
 

@@ -107,6 +107,22 @@ impl Rotary {
         self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
     }
 
+    /// The smallest word, 0 of an endless axis.
+    pub(crate) fn lower_end(self) -> i64 {
+        self.lower.unwrap_or_default()
+    }
+
+    /// The largest word, 0 of an endless axis.
+    pub(crate) fn upper_end(self) -> i64 {
+        self.upper.unwrap_or_default()
+    }
+
+    /// The word inside the limits that is nearest to this one, whatever the turn.
+    pub(crate) fn clamped(self, word: i64) -> i64 {
+        let word = self.upper.map_or(word, |upper| word.min(upper));
+        self.lower.map_or(word, |lower| word.max(lower))
+    }
+
     /// Every word inside the limits that is `word` modulo a turn, nearest to zero first, at most `most` of them; of an
     /// endless axis the one nearest to zero.
     pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {

@@ -7,12 +7,12 @@ use crate::program::Clearance;
 /// Cosine between tool axis and the direction of a plane below which the axis does not lead there.
 const ALONG: f64 = 1e-3;
 
-/// mm along `axis` until the tool is outside and stays there, 0 or less if it is; `None` if it never leaves.
+/// mm along `axis` until the tool is outside and stays there, 0 if it is; `None` if it never leaves.
 pub(super) fn way_out(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
     match *clearance {
         Clearance::Plane(plane) => {
             let along = axis.dot(&plane.normal);
-            (along > ALONG).then(|| (plane.distance - tip.coords.dot(&plane.normal)) / along)
+            (along > ALONG).then(|| ((plane.distance - tip.coords.dot(&plane.normal)) / along).max(0.0))
         }
         Clearance::Box { lower, upper } => {
             let spans = [0, 1, 2].map(|i| span(tip[i], axis[i], lower[i], upper[i]));
@@ -88,6 +88,7 @@ mod tests {
         assert_eq!(out(&plane, [0.0, 0.0, 20.0], [0.0, 0.0, 1.0]), Some(30.0));
         assert_eq!(out(&plane, [0.0, 0.0, 20.0], [1.0, 0.0, 0.0]), None);
         assert_eq!(out(&plane, [0.0, 0.0, 20.0], [0.0, 0.0, -1.0]), None);
+        assert_eq!(out(&plane, [0.0, 0.0, 60.0], [0.0, 0.0, 1.0]), Some(0.0));
     }
 
     fn inside(clearance: &Clearance, point: &Point3<f64>) -> bool {

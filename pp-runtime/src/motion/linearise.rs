@@ -146,7 +146,7 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Pieces<A> {
                     let (from, to, tolerance) = (self.from, self.to, self.tolerance);
                     let walked = *path;
                     let found = longest(walked.at, walked.stride, walked.resolution, |parameter| {
-                        let place = placer.between(&walked, &from, &to, parameter)?;
+                        let place = placer.between(&walked, (&from, &to), parameter, tolerance)?;
                         Ok(placer.certify(&from, &place, tolerance))
                     })?;
                     match found {
@@ -157,8 +157,11 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Pieces<A> {
                             return Ok(Some(piece));
                         }
                         Found::Stuck(until) => {
-                            let target =
-                                if until < 1.0 { placer.between(&walked, &from, &to, until)? } else { self.to };
+                            let target = if until < 1.0 {
+                                placer.between(&walked, (&from, &to), until, tolerance)?
+                            } else {
+                                self.to
+                            };
                             let spot = placer.spot(&from, &target);
                             self.way = Way::Spot(spot, Path { at: until, ..walked });
                         }
@@ -264,11 +267,13 @@ impl<M: Machine> Placer<M> {
         whole.min(off + halves[0].max(halves[1]))
     }
 
-    /// How far the arc between written axes may lie from that between programmed ones: twice what an end is off, since
-    /// no block is wider than [`WIDEST`].
+    /// How far the arc between written axes may lie from that between the poses: twice what an end is off, since no block
+    /// is wider than [`WIDEST`]. A place at the pole has the pole for its pose, however far that was from the programmed
+    /// axis: that is a tolerance of its own.
     #[inline]
     fn axis_off(&self, place: &Place<M::Axes>) -> f64 {
-        2.0 * (0.5 * self.scale.angle(1) * self.rotaries.len() as f64 + place.deviation)
+        let deviation = if place.pole { 0.0 } else { place.deviation };
+        2.0 * (0.5 * self.scale.angle(1) * self.rotaries.len() as f64 + deviation)
     }
 
     /// The path between two places.
@@ -315,9 +320,9 @@ impl<M: Machine> Placer<M> {
     fn between(
         &self,
         path: &Path,
-        from: &Place<M::Axes>,
-        to: &Place<M::Axes>,
+        (from, to): (&Place<M::Axes>, &Place<M::Axes>),
         parameter: f64,
+        allowed: Tolerance,
     ) -> Result<Place<M::Axes>, Fault> {
         let pose = path.way.at(parameter);
         let mut guess = from.axes;
@@ -343,7 +348,7 @@ impl<M: Machine> Placer<M> {
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
             *value = 0.5 * (*value + end);
         }
-        self.beside(&pose, from, solution, &middle).map_err(on_the_way)
+        self.beside(&pose, from, solution, &middle, allowed).map_err(on_the_way)
     }
 
     /// The place of a solution, in the turn nearest to some axis values.
@@ -353,6 +358,7 @@ impl<M: Machine> Placer<M> {
         from: &Place<M::Axes>,
         solution: &Solution<M::Axes>,
         near: &M::Axes,
+        allowed: Tolerance,
     ) -> Result<Place<M::Axes>, Fault> {
         let words = self.nearest_words(solution, near);
         for rotary in &self.rotaries {
@@ -364,6 +370,7 @@ impl<M: Machine> Placer<M> {
         let mut place = self.at(pose, from, &words);
         place.deviation = solution.deviation;
         place.branch = solution.branch;
+        self.hold_indexed(&mut place, from, allowed)?;
         self.set(place)
     }
 

@@ -156,6 +156,7 @@ impl<M: Machine> Planner<'_, M> {
         self.statistics.inserted += u64::from(place.words != self.place.words);
         self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
         self.cut(&pose);
+        self.count_deviation(&place);
         self.place = place;
         Ok(())
     }
@@ -290,7 +291,7 @@ impl<M: Machine> Planner<'_, M> {
         self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
         let (start, end) = (self.placer.written(&self.place), self.placer.written(to));
         let mut from = start;
-        let pieces = self.speller.pieces(&start, &end);
+        let pieces = self.speller.pieces(&start, &end, mask);
         for piece in 1..=pieces {
             let mut words = self.placer.words(to, mask);
             for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
@@ -317,6 +318,15 @@ impl<M: Machine> Planner<'_, M> {
     #[inline]
     pub(super) fn arrive(&mut self, place: Place<M::Axes>) {
         self.statistics.motions += 1;
+        self.count_deviation(&place);
+        self.place = place;
+        self.placed = true;
+        self.there = true;
+        self.clear = false;
+    }
+
+    #[inline]
+    fn count_deviation(&mut self, place: &Place<M::Axes>) {
         if place.deviation > NO_DEVIATION && place.pole {
             self.statistics.near_pole += 1;
             self.statistics.largest_at_pole = self.statistics.largest_at_pole.max(place.deviation);
@@ -324,10 +334,6 @@ impl<M: Machine> Planner<'_, M> {
             self.statistics.deviations += 1;
             self.statistics.largest_deviation = self.statistics.largest_deviation.max(place.deviation);
         }
-        self.place = place;
-        self.placed = true;
-        self.there = true;
-        self.clear = false;
     }
 
     pub(super) fn count_sequence(&mut self) {

@@ -13,6 +13,7 @@ use crate::program::{Rotation, Turning};
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
 use super::course::{Metric, Target, Towards};
 use super::fault::Fault;
+use super::linearise::Tolerance;
 use super::origin::Origin;
 use super::step::{MAX_AXES, Words};
 use super::structure::{counted, held_tool_axis, orthogonal, poles};
@@ -359,6 +360,36 @@ impl<M: Machine> Placer<M> {
                     degrees(snapped)
                 ))
                 .help("program this operation with a fixed tool axis"));
+            }
+        }
+        Ok(())
+    }
+
+    /// On the way of a cut an indexed axis stays where it is, and the tool axis leaves its even turn by what that takes.
+    #[inline]
+    pub(super) fn hold_indexed(
+        &self,
+        place: &mut Place<M::Axes>,
+        from: &Place<M::Axes>,
+        allowed: Tolerance,
+    ) -> Result<(), Fault> {
+        for &(rotary, step) in &self.grid {
+            let index = rotary.index;
+            let (wanted, held) = (place.words[index], from.words[index]);
+            place.words[index] = held;
+            place.axes.as_mut()[index] = from.axes.as_ref()[index];
+            let reached = self.machine.forward_kinematics(&place.axes).axis;
+            place.deviation = place.deviation.max(angle_between(&reached, &place.pose.axis));
+            // What an end is off counts twice: see `certify`.
+            if 2.0 * place.deviation >= allowed.axis {
+                let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed in steps of {}°",
+                    degrees(held),
+                    degrees(wanted),
+                    self.scale.degrees(step)
+                ))
+                .help("program this operation with a fixed tool axis, or with points closer together"));
             }
         }
         Ok(())

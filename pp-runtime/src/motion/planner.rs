@@ -423,6 +423,9 @@ impl<'a, M: Machine> Planner<'a, M> {
         let number = self.counted;
         self.counted += 1;
         if self.phase == Phase::Start {
+            if self.there && self.config.transition == Transition::Direct {
+                self.prepare_directly(at, motion, sink)?;
+            }
             let planned = self.changes(at, motion, number, sink)?;
             self.phase = Phase::First { at, motion: *motion, planned, operation: true };
             return Ok(());

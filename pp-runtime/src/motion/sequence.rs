@@ -170,11 +170,17 @@ impl<M: Machine> Planner<'_, M> {
         self.approach(at, first, next, planned, sink)
     }
 
+    /// What an operation that goes on where the last one ended wants before the tool moves: the course may have something
+    /// to cut before its first motion.
+    pub(super) fn prepare_directly(&mut self, at: Location, first: &Move, sink: &mut impl Sink) -> Planned {
+        self.turn_spindle(at, false, sink)?;
+        self.stop_spindle(sink)?;
+        self.check_state(first).map_err(|fault| stop(at, fault))?;
+        self.turn_coolant(at, sink)
+    }
+
     /// An operation that goes on where the last one ended, because the configuration wants it so.
     fn start_directly(&mut self, at: Location, first: &Move, planned: Option<Target>, sink: &mut impl Sink) -> Planned {
-        self.turn_spindle(at, false, sink)?;
-        self.turn_coolant(at, sink)?;
-        self.check_state(first).map_err(|fault| stop(at, fault))?;
         let place =
             self.placer.place(&first.pose, &self.place, !first.rapid, planned).map_err(|fault| stop(at, fault))?;
         let before = self.place.pose;

@@ -715,6 +715,118 @@ fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
 }
 
 #[test]
+fn a_rewind_never_begins_by_going_down_to_the_clearance() {
+    let mut config = config();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
+    let plane = Plane { normal: Vector3::z_axis(), distance: 30.0 };
+    let mut events = vec![tool(1), spindle(), Event::ClearancePlane(plane)];
+    events.extend([170.0, 183.0, 186.0].map(|angle| feed([10.0, 0.0, 60.0], cb(angle, 30.0))));
+    let run = run::<Cb>(&config, &events);
+    assert_eq!(run.statistics.rewinds, 1);
+    let rewound = run.lines.iter().rposition(|line| line.starts_with("G0 C")).expect("a rewind");
+    // At G94 straight to the machine retract.
+    assert_eq!(run.lines[rewound - 2..rewound], ["G94", "G53 G0 Z0"], "{}", run.text());
+}
+
+#[test]
+fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
+    let mut config = config();
+    config.wrap.insert('C', Wrap::Positive);
+    config.limits.insert('B', Some(crate::kinematics::Limits { lower: 0.0, upper: 2.0 }));
+    config.retract.distance = Some(20.0);
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0, 0.0, -80.0], cb(0.0, 30.0)),
+        feed([10.0, 0.0, -80.0], cb(0.0, 30.0)),
+        rapid([10.0, 0.0, 60.0], cb(180.0, 30.0)),
+        feed([10.0, 0.0, 50.0], cb(180.0, 30.0)),
+    ];
+    let lines = lines::<Cb>(&config, &events);
+    let turned = lines.iter().position(|line| line == "C180").expect("the second half of the turn");
+    assert_eq!(lines[turned - 1], "G0 C90");
+    // No block on the way down that counts from where the tool was in the cut.
+    let down: Vec<&str> = lines[turned + 1..turned + 4].iter().map(|line| &line[..1]).collect();
+    assert_eq!(down, ["X", "Z", "Z"], "{lines:?}");
+}
+
+#[test]
+fn the_table_turns_for_a_cut_from_the_pole_where_the_operation_begins() {
+    let mut config = config();
+    config.retract.distance = Some(20.0);
+    let events = [
+        tool(1),
+        spindle(),
+        rapid([0.0, 0.0, 50.0], UP),
+        rapid([0.0, 0.0, 5.0], UP),
+        feed([0.0; 3], UP),
+        feed([10.0, 0.0, 0.0], UP),
+        feed([20.0, 0.0, 0.0], cb(90.0, 20.0)),
+    ];
+    let run = run::<Cb>(&config, &events);
+    assert_eq!((run.statistics.sequences, run.statistics.rewinds), (1, 0), "{}", run.text());
+    assert!(run.lines.contains(&"G0 B0 C90".to_owned()), "{}", run.text());
+}
+
+#[test]
+fn a_free_axis_stands_inside_limits_that_exclude_zero() {
+    let mut config = config();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: 0.5, upper: 6.0 }));
+    let lines = lines::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), feed([10.0, 0.0, 0.0], UP)]);
+    assert!(lines.contains(&"G0 B0 C28.6479".to_owned()), "{lines:?}");
+}
+
+#[test]
+fn first_and_second_pass_count_from_the_same_place() {
+    let mut config = config();
+    config.limits.insert('B', Some(crate::kinematics::Limits { lower: -1.2, upper: 1.8 }));
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -5.2, upper: 5.2 }));
+    let events = [
+        Event::From(pose([0.0, 0.0, 100.0], cb(100.0, 20.0))),
+        // Not written, for there is no tool; the table keeps its value at the pole.
+        rapid([0.0, 0.0, 90.0], UP),
+        tool(1),
+        spindle(),
+        feed([0.0; 3], cb(-60.0, 30.0)),
+        feed([0.0; 3], cb(-60.0, 80.0)),
+    ];
+    // From C100 the branch with B- is nearer, which does not tilt as far.
+    let run = run::<Cb>(&config, &events);
+    assert!(run.diagnostics.iter().all(|found| found.severity == Severity::Warning), "{:?}", run.diagnostics);
+    assert!(run.lines.contains(&"G0 B30 C-60".to_owned()), "{}", run.text());
+}
+
+#[test]
+fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
+    let mut config = config();
+    config.transition = Transition::Direct;
+    config.retract.distance = Some(20.0);
+    let limit = 180_f64.to_radians();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
+    let events = [
+        tool(1),
+        spindle(),
+        feed([10.0, 0.0, 0.0], cb(160.0, 30.0)),
+        feed([10.0, 0.0, 0.0], cb(170.0, 30.0)),
+        Event::Operation(b"NEXT"),
+        Event::Spindle(Spindle::On { speed: Some(3000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::Coolant(Coolant::Flood),
+        // The table reaches its limit on the way.
+        feed([10.0, 0.0, 0.0], cb(190.0, 30.0)),
+    ];
+    let on = run::<Cb>(&config, &events);
+    assert_eq!(on.statistics.rewinds, 1, "{:?} {}", on.diagnostics, on.text());
+    let next = on.lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
+    assert_eq!(on.lines[next + 1..next + 3], ["S3000 M3", "M8"], "{}", on.text());
+    // With the spindle off nothing is cut on the way either.
+    let mut off = events;
+    off[5] = Event::Spindle(Spindle::Off);
+    let off = run::<Cb>(&config, &off);
+    assert!(off.error().text.contains("with the spindle off"), "{:?}", off.error());
+    assert_eq!(off.lines[next + 1..], ["M5"], "{}", off.text());
+}
+
+#[test]
 fn an_operation_begins_in_the_branch_and_turn_that_last() {
     let rotaries = |config: &Config, poses: &[[f64; 3]]| {
         let mut events = vec![tool(1), spindle()];
@@ -1150,6 +1262,37 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
     config.axis_tolerance = 1_f64.to_radians();
     assert_eq!(with(&config, &[cb(36.0, 30.0)]).diagnostics, []);
+}
+
+#[test]
+fn an_indexed_axis_stays_where_it_is_while_another_turns() {
+    let mut config = config();
+    config.grid.insert('B', 5_f64.to_radians());
+    let around = |by: f64| {
+        let mut events = vec![tool(1), spindle()];
+        events.extend((0..=6).map(|step| feed([100.0, 0.0, 0.0], cb(by * f64::from(step), 30.0))));
+        run::<Cb>(&config, &events)
+    };
+    // An even turn from one direction to the next would take B along, by 0.003 degrees.
+    let near = around(2.0);
+    assert_eq!(near.diagnostics, []);
+    assert!(near.statistics.inserted > 0, "{}", near.text());
+    assert_eq!(near.lines.iter().filter(|line| line.contains('B')).count(), 1, "{}", near.text());
+    assert!(around(20.0).error().text.contains("in the cut, and it is indexed"));
+}
+
+#[test]
+fn an_axis_tolerance_at_the_pole_is_none_of_the_path() {
+    let mut config = config();
+    config.axis_tolerance = 0.5_f64.to_radians();
+    let beside = 0.4_f64.to_radians();
+    let across = |tilt: f64| [tilt.to_radians().sin(), beside, tilt.to_radians().cos()];
+    let mut events = vec![tool(1), spindle()];
+    events.extend([-4.0, -2.0, 0.0, 2.0, 4.0].map(|tilt| feed([tilt, 0.0, 0.0], across(tilt))));
+    let run = run::<Cb>(&config, &events);
+    assert_eq!(run.diagnostics, [], "{}", run.text());
+    assert_eq!(run.statistics.near_pole, 1);
+    assert!((run.statistics.largest_at_pole - beside).abs() < 1e-4, "{:?}", run.statistics);
 }
 
 #[test]

@@ -35,8 +35,8 @@ impl Speller {
         Self { axes: rotaries.iter().filter_map(wrapped).collect(), turn }
     }
 
-    /// Blocks into which a motion has to be cut, so that the control turns every axis the way that is meant.
-    pub(crate) fn pieces(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> i64 {
+    /// Blocks into which a motion of some axes has to be cut, so that the control turns each of them the way that is meant.
+    pub(crate) fn pieces(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], mask: u16) -> i64 {
         let pieces = |axis: &Wrapped| {
             let travel = (to[axis.index] - from[axis.index]).abs();
             match axis.wrap {
@@ -45,7 +45,7 @@ impl Speller {
                 Wrap::Sign => travel / self.turn + 1,
             }
         };
-        self.axes.iter().map(pieces).max().unwrap_or(1)
+        self.axes.iter().filter(|axis| mask & (1 << axis.index) != 0).map(pieces).max().unwrap_or(1)
     }
 
     /// The words of a block from where the axes stand.
@@ -118,7 +118,7 @@ mod tests {
             let axes = vec![Wrapped { index: 0, wrap, last: None }];
             let mut to = [0; MAX_AXES];
             to[0] = travel;
-            Speller { axes, turn: 360 }.pieces(&[0; MAX_AXES], &to)
+            Speller { axes, turn: 360 }.pieces(&[0; MAX_AXES], &to, 1)
         };
         assert_eq!(
             [0, 179, 180, -180, 359, 360, 720].map(|travel| pieces(Wrap::Positive, travel)),

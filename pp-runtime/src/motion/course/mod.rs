@@ -119,7 +119,8 @@ pub struct Navigator<M: Machine> {
     /// ROTABL/NEXT.
     towards: Option<Towards>,
     states: Vec<State>,
-    before: Vec<State>,
+    /// Words near which turns are looked at where there are too many to look at all.
+    near: Vec<Turns>,
     second: Vec<i64>,
 }
 
@@ -157,7 +158,7 @@ impl<M: Machine> Navigator<M> {
             begun: true,
             towards: None,
             states: Vec::new(),
-            before: Vec::new(),
+            near: Vec::new(),
             second: Vec::new(),
         }
     }
@@ -197,10 +198,9 @@ impl<M: Machine> Navigator<M> {
             // The planner passes over these.
             Event::Move(motion) if !self.armed && motion.rapid && !self.placer.head() => self.count_from(&motion.pose),
             Event::Move(motion) => {
-                let air = self.begun || motion.rapid;
-                self.begun = false;
+                let begins = std::mem::take(&mut self.begun);
                 self.placed = true;
-                self.go(&motion.pose, air);
+                self.go(&motion.pose, begins || motion.rapid, begins);
                 self.towards = None;
                 self.motion += 1;
             }
@@ -211,24 +211,26 @@ impl<M: Machine> Navigator<M> {
 
     /// Nothing has moved yet: this is where the rotaries count from.
     fn count_from(&mut self, pose: &Pose) {
-        let mut from = self.placer.zero();
-        from.words = self.placer.all_words(&self.ways[0].search.words());
+        let from = self.placer.standing(&self.ways[0].search.words());
         if let Some(place) = self.placer.reference(pose, &from) {
             let words = self.placer.turns_of(&place.words);
             self.ways.iter_mut().for_each(|way| way.search.restart(words));
         }
     }
 
-    fn go(&mut self, pose: &Pose, air: bool) {
+    fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
         if self.ways[0].ended {
             return;
         }
         let pole = self.placer.pole(&pose.axis);
         let pose = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
-        std::mem::swap(&mut self.states, &mut self.before);
+        self.near.clear();
+        if self.placer.wide() {
+            self.ways.iter().for_each(|way| way.search.near(air, &mut self.near));
+        }
         match pole {
             Some(_) => self.placer.second_words(&pose, &mut self.second),
-            None => self.placer.states(&pose, &mut self.states),
+            None => self.placer.states(&pose, &self.near, &mut self.states),
         }
         let reached = if pole.is_some() { !self.second.is_empty() } else { !self.states.is_empty() };
         if !reached {
@@ -236,7 +238,7 @@ impl<M: Machine> Navigator<M> {
             return;
         }
         for way in 0..self.ways.len() {
-            if !self.ways[way].ended && !self.step(way, &pose, pole.as_ref(), air) {
+            if !self.ways[way].ended && !self.step(way, (&pose, pole.as_ref()), air, begins) {
                 self.ways[way].ended = true;
             }
         }
@@ -245,7 +247,7 @@ impl<M: Machine> Navigator<M> {
     }
 
     /// One motion of one search. False if there is no way.
-    fn step(&mut self, way: usize, pose: &Pose, pole: Option<&UnitVector3<f64>>, air: bool) -> bool {
+    fn step(&mut self, way: usize, (pose, pole): (&Pose, Option<&UnitVector3<f64>>), air: bool, begins: bool) -> bool {
         let motion = self.motion;
         let (placer, search) = (&self.placer, &mut self.ways[way].search);
         let from = self.here.filter(|_| !air);
@@ -261,7 +263,8 @@ impl<M: Machine> Navigator<M> {
                 search.free(motion, &self.states, self.towards, wished)
             }
             (None, Some(_)) => {
-                search.free_to_pole(motion, &self.second, self.towards);
+                let Some(first) = placer.rotaries.first() else { return false };
+                search.free_to_pole((motion, begins), (*first, &self.second), self.towards);
                 true
             }
             (Some(_), Some(_)) if self.pole.is_some() => true,
@@ -295,7 +298,8 @@ impl<M: Machine> Navigator<M> {
     }
 }
 
-/// A cut between two poses beside the pole; where every state runs into a limit on the way, it is split there.
+/// A cut between two poses beside the pole. Where no state runs through it is split: at its place nearest to a pole that it
+/// passes, since an axis may turn by more than half a turn there, and where a state runs into a limit on the way.
 fn cut<M: Machine>(
     placer: &Placer<M>,
     search: &mut Search,
@@ -306,28 +310,47 @@ fn cut<M: Machine>(
 ) -> bool {
     // Between opposite axes no way is known, and none is split.
     let way = Way::new(from, to);
-    let mut here = *from;
-    let mut done = 0.0;
+    let (mut here, mut done) = (*from, 0.0);
+    let mut passing = placer.passing(from, to);
+    let (mut near, mut split) = (Vec::new(), Vec::new());
     for _ in 0..MOST_CROSSINGS {
         let merged = placer.merged(states) || placer.merged(search.layer());
         if search.cut(motion, states, None, |a, b| placer.connected((&here, a), (to, b), merged)) {
             return true;
         }
         let Some(way) = &way else { return false };
-        let Some(part) = crossing(placer, search, way, &here, done) else { return false };
-        let there = way.at(part);
-        let mut split = Vec::new();
-        placer.states(&there, &mut split);
-        if !search.cut(motion, &split, Some(part), |a, b| placer.connected((&here, a), (&there, b), false)) {
-            return false;
+        near.clear();
+        if placer.wide() {
+            search.near(false, &mut near);
         }
+        let mut split_at = |search: &mut Search, part: f64| {
+            let there = way.at(part);
+            placer.states(&there, &near, &mut split);
+            let reached =
+                search.cut(motion, &split, Some(part), |a, b| placer.connected((&here, a), (&there, b), false));
+            reached.then_some(there)
+        };
+        if let Some(part) = passing.filter(|part| *part > done)
+            && let Some(there) = split_at(search, part)
+        {
+            (here, done, passing) = (there, part, None);
+            continue;
+        }
+        let Some(part) = crossing(placer, search, way, (&here, done), &near) else { return false };
+        let Some(there) = split_at(search, part) else { return false };
         (here, done) = (there, part);
     }
     false
 }
 
 /// The first part of the way at which a state of the last layer is about to leave its limits while another turn is inside.
-fn crossing<M: Machine>(placer: &Placer<M>, search: &Search, way: &Way, here: &Pose, done: f64) -> Option<f64> {
+fn crossing<M: Machine>(
+    placer: &Placer<M>,
+    search: &Search,
+    way: &Way,
+    (here, done): (&Pose, f64),
+    near: &[Turns],
+) -> Option<f64> {
     let mut split = Vec::new();
     let mut first: Option<f64> = None;
     for state in search.layer() {
@@ -346,7 +369,7 @@ fn crossing<M: Machine>(placer: &Placer<M>, search: &Search, way: &Way, here: &P
         if inside <= done || first.is_some_and(|first| first <= inside) {
             continue;
         }
-        placer.states(&way.at(inside), &mut split);
+        placer.states(&way.at(inside), near, &mut split);
         if split.len() > 1 {
             first = Some(inside);
         }

@@ -130,7 +130,8 @@ struct Survivor {
     cost: Cost,
     /// Its last change.
     head: Head,
-    /// At the pole: the motion in the air, since the first rotary came free, that can turn it.
+    /// At the pole: the motion in the air that can turn the first rotary. The last that begins an operation, for it turns
+    /// the axes anyhow; else the first since the rotary came free.
     air: Option<u64>,
 }
 
@@ -265,6 +266,17 @@ impl Search {
         self.survivors.iter().min_by_key(|survivor| survivor.cost).map_or([0; 2], |survivor| survivor.state.words)
     }
 
+    /// Where the axes stand that have been rewound least; in front of a motion in the air only where the cheapest way has
+    /// led, or there would be ever more.
+    pub(crate) fn near(&self, air: bool, out: &mut Vec<Turns>) {
+        if air {
+            return out.push(self.words());
+        }
+        let fewest = self.survivors.iter().map(|survivor| survivor.cost.rewinds).min();
+        let least = self.survivors.iter().filter(|survivor| Some(survivor.cost.rewinds) == fewest);
+        out.extend(least.map(|survivor| survivor.state.words));
+    }
+
     /// The states of the last pose that a rewind can reach, in the order of preference.
     pub(crate) fn layer(&self) -> &[State] {
         &self.layer
@@ -316,9 +328,10 @@ impl Search {
             let ways = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
             let Some((cost, from)) = ways.min_by_key(|(cost, _)| *cost) else { continue };
             let travel = |to: &State| self.metric.cost(&from.state.words, &to.words).travel;
-            // Without a word about it the least travel is taken.
-            let expected =
-                towards.is_none() && states.iter().all(|other| other == state || travel(other) > travel(state));
+            // Without a word about it the least travel is taken; of an axis with many turns not all are looked at.
+            let expected = towards.is_none()
+                && self.metric.short(&from.state.words, &state.words)
+                && states.iter().all(|other| other == state || travel(other) > travel(state));
             let head = match expected {
                 true => from.head,
                 false => self.history.push(from.head, motion, How::Take, state.words),
@@ -328,18 +341,25 @@ impl Search {
         self.finish_layer(states)
     }
 
-    /// A motion in the air to the pole, where the first rotary may stand anywhere; `second`: words of the other.
-    pub(crate) fn free_to_pole(&mut self, motion: u64, second: &[i64], towards: Option<Towards>) {
+    /// A motion in the air to the pole, where the first rotary may stand anywhere; `second`: words of the other. `begins`:
+    /// an operation begins with it.
+    pub(crate) fn free_to_pole(
+        &mut self,
+        (motion, begins): (u64, bool),
+        (first, second): (Rotary, &[i64]),
+        towards: Option<Towards>,
+    ) {
         self.next.clear();
         for from in &self.survivors {
             for &second in second {
-                let state = State { words: [from.state.words[0], second], ..from.state };
+                let state = State { words: [first.clamped(from.state.words[0]), second], ..from.state };
                 let cost = from.cost.plus(self.metric.cost(&from.state.words, &state.words));
-                let head = match second == from.state.words[1] && towards.is_none() {
-                    true => from.head,
-                    false => self.history.push(from.head, motion, How::Take, state.words),
+                let (head, air) = match state.words == from.state.words && towards.is_none() {
+                    true => (from.head, from.air.filter(|_| !begins).unwrap_or(motion)),
+                    // What turns the rotary must not stand in front of this in the course.
+                    false => (self.history.push(from.head, motion, How::Take, state.words), motion),
                 };
-                Self::keep(&mut self.next, Survivor { state, cost, head, air: Some(motion) });
+                Self::keep(&mut self.next, Survivor { state, cost, head, air: Some(air) });
             }
         }
         self.finish_layer(&[]);

@@ -5,12 +5,13 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use crate::kinematics::{Branch, Machine, Pose};
 
 use super::super::choose::Rotary;
-use super::super::place::Placer;
+use super::super::place::{Place, Placer};
 use super::super::step::MAX_AXES;
 use super::super::way::Way;
 use super::search::{State, Turns};
 
-/// Turns of one axis that are looked at for one pose; more lie outside any program.
+/// Turns of one axis that are looked at for one pose, nearest to zero first. Of a wider axis those at its ends and those in
+/// which the course stands are looked at besides.
 const MOST_TURNS: i64 = 24;
 
 /// Distance from the pole at which the direction of a path into it is read, rad.
@@ -19,8 +20,9 @@ const BESIDE_POLE: f64 = 1e-8;
 /// Words this near to each other are the same after a detour through the pole.
 const SAME_WORD: i64 = 2;
 
-/// Halvings of a block while it is followed along its branch.
-const MOST_HALVINGS: u32 = 12;
+/// Halvings of a block while it is followed along its branch: half a turn, until it is no wider than the least distance
+/// from a pole beside which the axes still turn.
+const MOST_HALVINGS: u32 = 30;
 
 impl<M: Machine> Placer<M> {
     /// Words of all axes from those of the solved rotaries.
@@ -41,6 +43,11 @@ impl<M: Machine> Placer<M> {
         turns
     }
 
+    /// Where nothing but the rotaries is known.
+    pub(super) fn standing(&self, words: &Turns) -> Place<M::Axes> {
+        Place { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
+    }
+
     fn axes_of(&self, words: &Turns) -> M::Axes {
         let mut axes = M::HELD;
         for (rotary, word) in self.rotaries.iter().zip(words) {
@@ -50,8 +57,9 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first, then
-    /// the turns nearest to zero, positive before negative. An endless axis stands within half a turn of zero.
-    pub(super) fn states(&self, pose: &Pose, out: &mut Vec<State>) {
+    /// the turns nearest to zero, positive before negative. An endless axis stands within half a turn of zero. `near`: of an
+    /// axis with too many turns those next to these words are among them, and those at its ends.
+    pub(super) fn states(&self, pose: &Pose, near: &[Turns], out: &mut Vec<State>) {
         out.clear();
         for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
             let start = out.len();
@@ -68,9 +76,31 @@ impl<M: Machine> Placer<M> {
                 [only] => turns(only).for_each(|a| push([a, 0])),
                 _ => push([0; 2]),
             }
+            if self.wide() {
+                let ends = [Rotary::lower_end, Rotary::upper_end]
+                    .map(|end| [0, 1].map(|axis| self.rotaries.get(axis).map_or(0, |rotary| end(*rotary))));
+                for near in ends.iter().chain(near) {
+                    let mut words = [0; 2];
+                    let inside = self.rotaries.iter().enumerate().all(|(axis, rotary)| {
+                        let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
+                        let nearest = rotary.nearest(word, near[axis], self.scale.turn);
+                        words[axis] = nearest.unwrap_or_default();
+                        nearest.is_ok()
+                    });
+                    if inside && out[start..].iter().all(|known| known.words != words) {
+                        out.push(State { branch: solution.branch, words });
+                    }
+                }
+            }
             let far = |state: &State| state.words[0].abs() + state.words[1].abs();
             out[start..].sort_by_key(|state| (far(state), [-state.words[0], -state.words[1]]));
         }
+    }
+
+    /// An axis has more turns inside its limits than are looked at.
+    pub(super) fn wide(&self) -> bool {
+        let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.scale.turn);
+        self.rotaries.iter().filter_map(turns).any(|turns| turns >= MOST_TURNS)
     }
 
     /// The words of the second rotary at a pole.
@@ -99,6 +129,23 @@ impl<M: Machine> Placer<M> {
                 && a.cross(&p).dot(&normal) > 0.0
                 && p.cross(&b).dot(&normal) > 0.0;
             touches.then(|| (angle(&a, &p) / angle(&a, &b), *pole))
+        })
+    }
+
+    /// The part of its way at which a path is nearest to a pole, if it passes it rather than staying on one side.
+    pub(super) fn passing(&self, from: &Pose, to: &Pose) -> Option<f64> {
+        let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
+        let normal = a.cross(&b).try_normalize(1e-12)?;
+        self.poles.iter().find_map(|pole| {
+            let p = pole.into_inner();
+            let beside = |axis: &Vector3<f64>| axis - p * p.dot(axis);
+            let (before, behind) = (beside(&a), beside(&b));
+            if before.dot(&behind) > -0.5 * before.norm() * behind.norm() {
+                return None;
+            }
+            let nearest = p - normal * p.dot(&normal);
+            let angle = |a: &Vector3<f64>, b: &Vector3<f64>| a.cross(b).norm().atan2(a.dot(b));
+            Some(angle(&a, &nearest) / angle(&a, &b)).filter(|part| *part > 0.0 && *part < 1.0)
         })
     }
 

@@ -102,7 +102,7 @@ fn everything<M: Machine>(config: &Config, points: &[Point]) -> Option<Cost> {
         .iter()
         .map(|point| {
             let mut states = Vec::new();
-            placer.states(&point.pose, &mut states);
+            placer.states(&point.pose, &[], &mut states);
             states
         })
         .collect();
@@ -204,4 +204,34 @@ fn a_hundred_thousand_motions_leave_nothing_behind_but_changes() {
     let course = course::<Cb>(&config, &points);
     assert_eq!(course.cost.rewinds, 0);
     assert!(changes(course).len() <= 1);
+}
+
+#[test]
+fn a_spiral_goes_on_where_an_axis_has_more_turns_than_are_looked_at() {
+    let mut config = Config::default();
+    let spiral: Vec<Point> = (0..=40 * 36).map(|step| path((f64::from(step) * 10.0, 30.0), &[])[0]).collect();
+    config.limits.insert('C', limits(-99_999.0, 99_999.0));
+    assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 0);
+    // From end to end, and not a turn more.
+    config.limits.insert('C', limits(-7200.0, 7200.0));
+    assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 0);
+    config.limits.insert('C', limits(-7200.0, 7199.0));
+    assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 1);
+}
+
+#[test]
+fn a_cut_runs_through_however_near_it_passes_the_pole() {
+    let mut config = Config::default();
+    config.limits.insert('B', limits(-110.0, 110.0));
+    for beside in [1.1e-6, 2e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+        let pose = |tilt: f64| {
+            let axis = UnitVector3::new_normalize(Vector3::new(tilt.sin(), beside, tilt.cos()));
+            Point { pose: Pose { tip: Point3::origin(), axis }, rapid: false }
+        };
+        let course = course::<Cb>(&config, &[-1.0, 1.0].map(pose));
+        assert_eq!(course.cost.rewinds, 0);
+        // To the start, and half a turn at the pole.
+        assert!(course.cost.travel > 1_700_000, "{beside}: {course:?}");
+        assert!(course.greedy.is_some(), "{beside}");
+    }
 }
