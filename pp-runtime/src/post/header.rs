@@ -116,7 +116,8 @@ pub(super) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
 
 /// What the rotary entries of the work offset must hold: those of the table always, those of the head where any of them
 /// is used.
-fn rotary_entries<M: Machine>(config: &Config) -> Vec<String> {
+fn rotary_entries<M: Machine>(control: &dyn Control, config: &Config) -> Vec<String> {
+    let entries_of = work_offset(control, config);
     let used = !config.rotary_offset.is_empty();
     let mut letters: Vec<char> = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
     letters.extend(rotaries::<M>(Side::Tool).filter(|_| used).map(|axis| axis.letter));
@@ -126,13 +127,13 @@ fn rotary_entries<M: Machine>(config: &Config) -> Vec<String> {
             Some(offset) => list.push(format!(
                 "words of {letter} are the axis value minus {0}: its entry in {1} must be {0}",
                 rounded(offset.to_degrees()),
-                config.work_offset
+                entries_of
             )),
             None => zero.push(letter),
         }
     }
     if !zero.is_empty() {
-        list.push(format!("the entries of {} in {} must be zero", spaced(&zero), config.work_offset));
+        list.push(format!("the entries of {} in {entries_of} must be zero", spaced(&zero)));
     }
     list
 }
@@ -231,7 +232,7 @@ impl<M: Machine> Header<'_, M> {
                 self.point(config.part_origin)
             ));
         }
-        lines.extend(rotary_entries::<M>(config));
+        lines.extend(rotary_entries::<M>(self.job.control, config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
         for line in lines {

@@ -16,7 +16,7 @@
 ; T21 bull 12 D12 R1 L120.25 D1, 1 operation, tip Z -9.4 to 0.521
 ; T21 posted with L = 120.25: D1 must hold exactly this
 ; T22 D12 R1 L96.5 D52, 1 operation, tip Z -3.3 to -1.375
-; T22 posted with L = 96.5: D52 must hold exactly this
+; T22 posted with L = 96.5: D52 must hold exactly this, and nothing compares it
 ; ASSUMED retract to machine coordinate 0 mm
 MSG("SOUTH")
 N1 TRAFOOF
