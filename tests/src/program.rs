@@ -45,6 +45,13 @@ pub enum Action {
     ToolChange(u32),
     /// `G43 H`.
     Length(u32),
+    /// `o if`, `(abort, ..)` and `o endif`: the program stops unless the tool table says this length, mm.
+    LengthGuard {
+        /// mm.
+        length: f64,
+        /// mm.
+        tolerance: f64,
+    },
     /// `S M3` or `S M4`.
     Spindle {
         /// rev/min.
@@ -135,6 +142,8 @@ struct State {
     length: bool,
     tool: Option<u32>,
     spindle: bool,
+    /// The words are those of the gauge line: no length offset is ever active.
+    gauge_line: bool,
     position: Position,
     ended: bool,
 }
@@ -151,7 +160,7 @@ impl Program {
     /// # Errors
     /// [`Refused`] at the first block that a careful control would not run.
     pub fn read(text: &str) -> Result<Self, Refused> {
-        Self::enter(text, None)
+        Self::enter(text, None, false)
     }
 
     /// Reads a program from the block with this number on, as if the control had just been switched on. The tool stands
@@ -160,13 +169,23 @@ impl Program {
     /// # Errors
     /// [`Refused`] at the first block that a careful control would not run.
     pub fn read_from(text: &str, number: u32, tool: u32) -> Result<Self, Refused> {
-        Self::enter(text, Some((number, tool)))
+        Self::enter(text, Some((number, tool)), false)
     }
 
-    fn enter(text: &str, entry: Option<(u32, u32)>) -> Result<Self, Refused> {
+    /// Reads a program whose words are coordinates of the gauge line, from `entry` (number and tool) or from its first
+    /// block: nowhere may a length offset be active.
+    ///
+    /// # Errors
+    /// [`Refused`] at the first block that a careful control would not run.
+    pub fn of_gauge_line(text: &str, entry: Option<(u32, u32)>) -> Result<Self, Refused> {
+        Self::enter(text, entry, true)
+    }
+
+    fn enter(text: &str, entry: Option<(u32, u32)>, gauge_line: bool) -> Result<Self, Refused> {
         let mut program = Self::default();
-        let mut state = State { tool: entry.map(|(_, tool)| tool), ..State::default() };
+        let mut state = State { tool: entry.map(|(_, tool)| tool), gauge_line, ..State::default() };
         let mut reached = entry.is_none();
+        let (mut guard, mut warned): (Option<(String, Action)>, bool) = (None, false);
         if !text.ends_with('\n') {
             return Err(Refused { line: text.lines().count(), why: "the last line does not end".to_owned() });
         }
@@ -177,7 +196,28 @@ impl Program {
                 return Err(refused("something follows the end code".to_owned()));
             }
             if let Some(comment) = comment(text).map_err(refused)? {
+                if comment.starts_with("abort,") != (guard.is_some() && !warned) {
+                    return Err(refused("a guard stops the program once, and nothing else does".to_owned()));
+                }
+                warned |= guard.is_some();
                 program.comments.push((line, comment.to_owned()));
+                continue;
+            }
+            if let Some((label, action)) = guard.take() {
+                if !warned || text != format!("{label} endif") {
+                    return Err(refused("a guard does not end".to_owned()));
+                }
+                if reached {
+                    program.steps.push(Step { line: line - 2, number: None, action });
+                }
+                continue;
+            }
+            if text.starts_with('o') {
+                guard = Some(length_guard(text).ok_or_else(|| refused("not a guard".to_owned()))?);
+                warned = false;
+                if reached && !state.length {
+                    return Err(refused("a guard before the length offset".to_owned()));
+                }
                 continue;
             }
             let mut words = words(text).map_err(refused)?;
@@ -213,6 +253,17 @@ fn comment(text: &str) -> Result<Option<&str>, String> {
         return Err("a comment is too long".to_owned());
     }
     Ok(Some(inside))
+}
+
+/// The label of a guard, and what it compares.
+fn length_guard(text: &str) -> Option<(String, Action)> {
+    let (label, condition) = text.split_once(" if ")?;
+    let compared = condition.strip_prefix("[[ABS[#5403 - ")?.split(']').next()?;
+    let tolerance = condition.rsplit(" GT ").next()?.strip_suffix("]]")?;
+    let whole =
+        format!("[[ABS[#5403 - {compared}] GT {tolerance}] AND [ABS[[#5403 * 25.4] - {compared}] GT {tolerance}]]");
+    let action = Action::LengthGuard { length: compared.parse().ok()?, tolerance: tolerance.parse().ok()? };
+    (condition == whole).then(|| (label.to_owned(), action))
 }
 
 fn words(text: &str) -> Result<Vec<Word>, String> {
@@ -311,6 +362,9 @@ impl State {
             }
         }
         if block.code('G', 43.0) {
+            if self.gauge_line {
+                return Err("a length offset under words of the gauge line".to_owned());
+            }
             self.length = true;
             return Ok(Action::Length(whole(block.need('H')?)?));
         }
@@ -346,6 +400,7 @@ impl State {
             work_offset: true,
             tool: self.tool,
             spindle: self.spindle,
+            gauge_line: self.gauge_line,
             // Where the length offset is gone, the program's Z is another one.
             position: position.into_iter().filter(|(letter, _)| "ABC".contains(*letter)).collect(),
             ..Self::default()
@@ -422,7 +477,7 @@ impl State {
             }
             self.position.retain(|letter, _| !written.contains_key(letter));
         } else {
-            if !self.work_offset || !self.length {
+            if !self.work_offset || self.length == self.gauge_line {
                 return Err("a motion without work offset or length offset".to_owned());
             }
             self.position.extend(&written);
@@ -517,6 +572,30 @@ mod tests {
         assert!(refusal("G0 X0\nG2 X1").contains("no business"));
         assert!(refusal("M2").contains("follows the end"));
         assert!(Program::read(START).is_err());
+    }
+
+    #[test]
+    fn words_of_the_gauge_line_are_read_without_length_offset_only() {
+        let without = START.replace("G43 H1\n", "") + "G0 X1\nM2\n";
+        assert_eq!(Program::of_gauge_line(&without, None).expect("no offset").motions().count(), 1);
+        assert!(Program::read(&without).is_err());
+        assert!(Program::of_gauge_line(&format!("{START}G0 X1\nM2\n"), None).is_err());
+    }
+
+    #[test]
+    fn a_guard_is_whole_or_refused() {
+        let lines =
+            ["o1 if [[ABS[#5403 - 9.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 9.5] GT 0.01]]", "(abort, no)", "o1 endif"];
+        let read = |lines: &[&str]| Program::read(&format!("{START}{}\nM2\n", lines.join("\n")));
+        let program = read(&lines).expect("a guard");
+        let guard = Action::LengthGuard { length: 9.5, tolerance: 0.01 };
+        assert!(program.steps.iter().any(|step| step.action == guard));
+        for left_out in 0..3 {
+            let mut lines = lines.to_vec();
+            lines.remove(left_out);
+            assert!(read(&lines).is_err(), "{lines:?}");
+        }
+        assert!(read(&[&lines[0].replace("25.4] - 9.5", "25.4] - 9.4"), lines[1], lines[2]]).is_err());
     }
 
     #[test]

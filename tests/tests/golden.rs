@@ -189,7 +189,7 @@ fn on_a_table_the_safe_sequence_goes_out_and_in_along_z() {
 fn with_a_rotary_in_the_head_the_safe_sequence_goes_out_and_in_along_the_tool() {
     let program = posted("examples/cl/two_tools.cls", None, "lola-xoyzba");
     let blocks = blocks(&program);
-    let first: Vec<&str> = blocks[7..13].to_vec();
+    let first: Vec<&str> = blocks[9..15].to_vec();
     assert_eq!(
         first,
         [

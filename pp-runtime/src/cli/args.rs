@@ -8,7 +8,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
-use crate::config::{AXIS_TOLERANCE, Config, StartBranch, TOLERANCE, Units, preference, preferences};
+use crate::config::{AXIS_TOLERANCE, Config, Operations, StartBranch, TOLERANCE, Units, preference, preferences};
 use crate::control::{self, CONTROLS, Control};
 use crate::kinematics::Machine;
 
@@ -108,6 +108,15 @@ pub(super) struct PostArgs {
     /// Angle to the pole within which the tool axis is put there, degrees
     #[arg(long, value_name = "DEGREES", value_parser = pole_tolerance)]
     pub(super) axis_tolerance: Option<f64>,
+    /// Dry run: move every point out along the tool axis by so many mm, with the spindle off
+    #[arg(long, value_name = "MM", value_parser = lift)]
+    pub(super) lift: Option<f64>,
+    /// Post these operations only: `3..5`, `3..` or `3`
+    #[arg(long, value_name = "M..N", value_parser = operations)]
+    pub(super) ops: Option<Operations>,
+    /// Post from this operation on
+    #[arg(long, value_name = "NAME", conflicts_with = "ops")]
+    pub(super) from_op: Option<String>,
     /// Number the blocks
     #[arg(long)]
     pub(super) line_numbers: bool,
@@ -149,6 +158,8 @@ impl PostArgs {
             let help = || format!("--prefer {text} is not known here: {}", preferences::<M>());
             config.prefer = Some(preference::<M>(text).ok_or_else(help)?);
         }
+        config.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
+        config.lift = self.lift.or(config.lift);
         config.greedy |= self.greedy;
         config.axis_tolerance = self.axis_tolerance.unwrap_or(config.axis_tolerance);
         let cl = &mut config.cl;
@@ -193,6 +204,32 @@ fn pole_tolerance(text: &str) -> Result<f64, String> {
     match (0.0..=5.0).contains(&degrees) {
         true => Ok(degrees.to_radians()),
         false => Err("0 to 5 degrees are needed".to_owned()),
+    }
+}
+
+/// A range of operations, both ends included.
+fn operations(text: &str) -> Result<Operations, String> {
+    let number = |text: &str| {
+        let number = text.trim().parse().ok().filter(|number| *number > 0);
+        number.ok_or_else(|| "operations count from 1: `3..5`, `3..` or `3` is needed".to_owned())
+    };
+    let (first, last) = match text.split_once("..") {
+        Some((first, "")) => (number(first)?, None),
+        Some((first, last)) => (number(first)?, Some(number(last)?)),
+        None => (number(text)?, Some(number(text)?)),
+    };
+    match last {
+        Some(last) if last < first => Err(format!("this range is empty: `{last}..{first}`?")),
+        last => Ok(Operations::Range(first, last)),
+    }
+}
+
+/// How far a dry run stays away, mm.
+fn lift(text: &str) -> Result<f64, String> {
+    let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    match (1.0..=10_000.0).contains(&value) {
+        true => Ok(value),
+        false => Err("1 to 10000 mm are needed".to_owned()),
     }
 }
 

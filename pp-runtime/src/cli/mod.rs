@@ -181,6 +181,7 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
     let report = match posted {
         Ok(report) => report,
         Err(PostError::Input(error)) => return Err(Failure::Unreadable(name, error)),
+        Err(PostError::Operations(text)) => return Err(Failure::Argument(text)),
         Err(PostError::Output(error)) => return Err(Failure::unwritable(&args.output, error)),
     };
     written.map_err(|error| Failure::unwritable(&args.output, error))?;

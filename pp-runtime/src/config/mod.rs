@@ -12,11 +12,14 @@ mod print;
 mod read;
 #[cfg(test)]
 pub(crate) mod sample;
+mod set_up;
 #[cfg(test)]
 mod tests;
 mod value;
 
 use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::Rotation3;
 
 use crate::cl as reading;
 use crate::kinematics::Limits;
@@ -27,6 +30,8 @@ pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
 pub use print::print;
 pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
+pub(crate) use set_up::part_angles;
+pub(crate) use value::{list, nearest};
 
 /// Set-up of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,6 +60,23 @@ pub struct Config {
     pub output_units: Option<Units>,
     /// Part zero from the table's reference point along the table's directions, mm; default 0, 0, 0.
     pub part_origin: [f64; 3],
+    /// Turns the CL data before anything else: how the part lies on the table; default not at all.
+    pub part_rotation: Rotation3<f64>,
+    /// The written word of a rotary axis is its value minus this, rad; default none.
+    pub rotary_offset: BTreeMap<char, f64>,
+    /// Where linear words count from; default [`ProgramZero::Part`].
+    pub program_zero: ProgramZero,
+    /// The operations that are posted; default all.
+    pub operations: Option<Operations>,
+    /// Dry run: every point lies this much further out along the tool axis, and the spindle stays off, mm; default none.
+    pub lift: Option<f64>,
+    /// What linear words say of the tool; default [`LengthMode::Tip`].
+    pub length_mode: LengthMode,
+    /// The posted length is compared at the tool call, where the control can; default `None`: where a rotary axis in the
+    /// head makes it matter.
+    pub length_guard: Option<bool>,
+    /// By how much the lengths may differ, mm; default 0.01.
+    pub length_tolerance: f64,
     /// The word of the work offset; default `G54`.
     pub work_offset: String,
     /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
@@ -93,7 +115,7 @@ pub struct Config {
     pub path_tolerance: f64,
     /// Largest spindle speed, rev/min; default none: unchecked.
     pub spindle_max: Option<f64>,
-    /// Lowest tip allowed in the workpiece frame (Z of the CL data), mm; default none: unchecked.
+    /// Lowest Z of a tip of the part as it lies, `part_rotation` applied, mm; default none: unchecked.
     pub floor: Option<f64>,
     /// Refuse CL data in which every tool axis points into the table; default true.
     pub table_check: bool,
@@ -191,6 +213,34 @@ pub enum StartBranch {
     Second,
 }
 
+/// Some operations of a program, counted from 1: they begin at TOOL PATH, tool records, stops and frames, and starts with
+/// no motion between them are one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Operations {
+    /// From this one to that, both included; to the last without it.
+    Range(u64, Option<u64>),
+    /// From the first of this name on.
+    From(String),
+}
+
+/// Where linear words count from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProgramZero {
+    /// The part zero.
+    Part,
+    /// The table's reference point.
+    Table,
+}
+
+/// What linear words say of the tool.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthMode {
+    /// Where its tip is at the zero position of the rotary axes; the length offset is active.
+    Tip,
+    /// Where its gauge line is; no length offset is active.
+    Gauge,
+}
+
 /// How the words of a rotary axis stay within a turn; without it they show as many turns as there are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wrap {
@@ -267,6 +317,14 @@ impl Default for Config {
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],
+            part_rotation: Rotation3::identity(),
+            rotary_offset: BTreeMap::new(),
+            program_zero: ProgramZero::Part,
+            length_mode: LengthMode::Tip,
+            length_guard: None,
+            length_tolerance: 0.01,
+            operations: None,
+            lift: None,
             work_offset: "G54".to_owned(),
             machine_zero: BTreeMap::new(),
             tools: BTreeMap::new(),

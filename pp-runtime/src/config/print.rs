@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Machine};
 use crate::program::Coolant;
 
-use super::{Config, Rapid, Transition};
+use super::{Config, Rapid, Transition, part_angles};
 
 /// A configuration file for the machine `M` in which every default stands, switched off.
 ///
@@ -22,6 +22,7 @@ pub fn print<M: Machine>() -> String {
 
 fn write_top<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Result {
     let [x, y, z] = config.part_origin.map(number);
+    let [rx, ry, rz] = part_angles(config).map(number);
     let transition = match config.transition {
         Transition::Safe => "safe",
         Transition::Direct => "direct",
@@ -47,6 +48,21 @@ units = "mm"
 
 # Part zero from the table's reference point, along the table's directions.
 #part_origin = [{x}, {y}, {z}]
+# How the part lies on the table: the CL data is turned by [rx, ry, rz] degrees about X, then Y, then Z of the table, or by
+# the rows of a matrix. `floor`, `retract.clearance` and the tips in the header count in the part as it lies.
+#part_rotation = [{rx}, {ry}, {rz}]
+# The written word of a rotary axis is its value minus this; limits hold for the value. The other rotary entries of the
+# work offset must be zero.
+# e.g. rotary_offset = {{ {rotary_offset} }}
+# Linear words count from the "part" zero, or from the reference point of the "table".
+#program_zero = "part"
+# Linear words say where the "tip" is with all rotary axes at zero and the length offset active, or where the "gauge" line
+# is, without length offset.
+#length_mode = "tip"
+# Compare the posted length of a tool with the control's tool table at the tool call, where the control can. Without it
+# where a rotary axis in the head makes the length matter.
+# e.g. length_guard = true
+#length_tolerance = {length_tolerance}
 # Work offset of the control: G54 to G59, G59.1 to G59.3.
 #work_offset = "{work_offset}"
 # Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not checked.
@@ -77,13 +93,15 @@ units = "mm"
 #spindle_dwell = {spindle_dwell}
 # Largest spindle speed. Without it speeds are not checked.
 # e.g. spindle_max = 12000
-# Lowest Z of the tool tip in the CL data. Without it depths are not checked.
+# Lowest Z of the tool tip, in the part as it lies on the table. Without it depths are not checked.
 # e.g. floor = 0.0
 # Refuse CL data in which the tool points into the table throughout.
 #table_check = {table_check}
 "#,
         name = M::NAME,
+        length_tolerance = number(config.length_tolerance),
         work_offset = config.work_offset,
+        rotary_offset = axes::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held),
         machine_zero = axes::<M>(|axis| axis.kind == AxisKind::Linear),
         park = axes::<M>(|axis| axis.kind == AxisKind::Rotary),
         index_angle = degrees(config.index_angle),
@@ -174,7 +192,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 #position = {position}
 # Distance along the tool axis. Without it to the clearance geometry of the CL data.
 # e.g. distance = 100.0
-# Or, in the workpiece frame, a plane above, a box or a cylinder around the part that the tool has to leave.
+# Or, in the part as it lies on the table, a plane above, a box or a cylinder around the part that the tool has to leave.
 # e.g. clearance = {{ cylinder = {{ radius = 120.0, lower = -50.0, upper = 80.0 }} }}
 # Coolant off while the rotary axes are rewound out of the part.
 #rewind_dry = false

@@ -12,6 +12,7 @@ use crate::program::{Coolant, Rotation};
 
 use super::cl::CL_POINTS;
 use super::clearance;
+use super::set_up;
 use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
 use super::{Config, Rapid, Tool, Transition, Units, Wrap};
 
@@ -76,6 +77,7 @@ impl Config {
         let limits = top.get("limits");
         let speeds = top.get("speeds");
         let grid = top.get("grid");
+        let rotary_offset = top.get("rotary_offset");
         let wrap = top.get("wrap");
         r.remember_top(&top);
 
@@ -101,6 +103,7 @@ impl Config {
         self.machine_zero = read_machine_zero::<M>(r, machine_zero);
         self.limits = read_limits::<M>(r, limits);
         self.grid = read_grid::<M>(r, grid);
+        self.rotary_offset = set_up::rotary_offset::<M>(r, rotary_offset);
         self.read_wrap::<M>(r, wrap);
         self.speeds = read_axes::<M>(r, speeds)
             .into_iter()
@@ -136,6 +139,21 @@ impl Config {
         }
         if let Some(value) = self.get(top, "part_origin") {
             set(&mut self.part_origin, read_point(r, value));
+        }
+        if let Some(value) = self.get(top, "part_rotation") {
+            set(&mut self.part_rotation, set_up::part_rotation(r, value));
+        }
+        if let Some(value) = self.get(top, "program_zero") {
+            set(&mut self.program_zero, r.choice(value, &set_up::PROGRAM_ZEROS));
+        }
+        if let Some(value) = self.get(top, "length_mode") {
+            set(&mut self.length_mode, r.choice(value, &set_up::LENGTH_MODES));
+        }
+        if let Some(value) = self.get(top, "length_guard") {
+            self.length_guard = r.boolean(value);
+        }
+        if let Some(value) = self.get(top, "length_tolerance") {
+            set(&mut self.length_tolerance, set_up::length_tolerance(r, value));
         }
         if let Some(value) = self.get(top, "work_offset") {
             let offsets = WORK_OFFSETS.map(|word| (word, word));
@@ -467,19 +485,28 @@ fn read_axes<'a, M: Machine>(
     read
 }
 
+/// The entries of a table whose keys are rotary axes that are solved.
+pub(super) fn solved_rotaries<'a, M: Machine>(
+    r: &mut Reader<'_>,
+    value: Option<Value<'a>>,
+) -> Vec<(&'static Axis, Value<'a>)> {
+    let solved = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held;
+    let mut read = Vec::new();
+    for (axis, value, span) in read_axes::<M>(r, value) {
+        if solved(axis) {
+            read.push((axis, value));
+        } else {
+            let help = format!("these are {}", letters::<M>(solved));
+            r.fault(span, format!("{} is no rotary axis that is solved", axis.letter), Some(help));
+        }
+    }
+    read
+}
+
 /// Steps of rotary axes that divide a turn.
 fn read_grid<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
     let mut grid = BTreeMap::new();
-    for (axis, value, span) in read_axes::<M>(r, value) {
-        if axis.kind != AxisKind::Rotary || axis.held {
-            let help = letters::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held);
-            r.fault(
-                span,
-                format!("{} is no rotary axis that is solved", axis.letter),
-                Some(format!("these are {help}")),
-            );
-            continue;
-        }
+    for (axis, value) in solved_rotaries::<M>(r, value) {
         let Some(step) = r.number(value, Quantity::Angle, Bound::Positive) else { continue };
         let steps = std::f64::consts::TAU / step;
         if (steps - steps.round()).abs() > 1e-9 * steps || steps < 2.0 {

@@ -191,8 +191,7 @@ fn the_clearance_geometry_is_a_plane_a_box_or_a_cylinder() {
 
 #[test]
 fn a_key_of_a_later_version_is_not_supported_yet() {
-    assert_eq!(faults("program_zero = 'part'\n"), ["1:1: `program_zero` is not supported yet"]);
-    assert_eq!(faults("[rotary_offset]\nC = 12.5\n"), ["1:2: `rotary_offset` is not supported yet"]);
+    assert_eq!(faults("mode = 'tcp'\n"), ["1:1: `mode` is not supported yet"]);
 }
 
 #[test]

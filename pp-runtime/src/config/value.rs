@@ -18,8 +18,7 @@ pub(super) type Value<'a> = &'a Spanned<DeValue<'a>>;
 const LONGEST_MM: f64 = 1e5;
 
 /// Keys that the file will know one day; refusing them by name is kinder than "unknown".
-const LATER: [&str; 7] =
-    ["part_rotation", "rotary_offset", "program_zero", "length_mode", "length_guard", "length_tolerance", "mode"];
+const LATER: [&str; 1] = ["mode"];
 
 /// Which numbers make sense.
 #[derive(Debug, Clone, Copy)]
@@ -281,7 +280,7 @@ impl<'a> Section<'a> {
 }
 
 /// The name that a mistyped one most likely means: at most a third of its letters differ.
-pub(super) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
+pub(crate) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let word = word.to_lowercase();
     names
         .map(|name| (strsim::damerau_levenshtein(&word, &name.to_lowercase()), name))
@@ -291,7 +290,7 @@ pub(super) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> O
 }
 
 /// `a`, `b`, `c` in quotes of the given kind.
-pub(super) fn list<'n>(names: impl Iterator<Item = &'n str>, quote: char) -> String {
+pub(crate) fn list<'n>(names: impl Iterator<Item = &'n str>, quote: char) -> String {
     let mut all = String::new();
     for name in names {
         let comma = if all.is_empty() { "" } else { ", " };

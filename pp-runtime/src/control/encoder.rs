@@ -249,6 +249,12 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 self.writer.word(b'H', Decimal { units: offset.into(), decimals: 0 });
                 self.writer.end()
             }
+            Step::LengthGuard { label, tool, length, tolerance } => {
+                for block in self.control.length_guard(label, tool, length, tolerance) {
+                    self.writer.line(block.as_bytes())?;
+                }
+                Ok(())
+            }
             Step::Spindle { speed, rotation } => {
                 self.writer.word(b'S', speed);
                 self.writer.code(codes.rotation(rotation));

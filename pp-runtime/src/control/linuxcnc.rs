@@ -2,7 +2,8 @@
 //!
 //! The program ends with M2 and has no `%` frame: a file that lost its end has no M2 and is refused by the control.
 //! `G43 H` moves nothing, `G4 P` counts seconds, `G93` wants an F in every G1 block, and F in `G94` counts along X Y Z
-//! wherever one of them moves. Without a P behind `G64` it would round corners as far as speed demands.
+//! wherever one of them moves. `#5403` is what the tool table says of the tool in the spindle, whatever H is in force, in
+//! the unit of the machine and not in that of the program. Without a P behind `G64` it would round corners as far as speed demands.
 
 use super::{Control, Spellings};
 
@@ -63,6 +64,17 @@ impl Control for LinuxCnc {
         line.push(b')');
     }
 
+    fn length_guard(&self, label: u32, tool: u32, length: f64, tolerance: f64) -> Vec<String> {
+        let [length, tolerance] = [length, tolerance].map(|mm| (mm * 1e4).round() / 1e4);
+        // The table of a machine in inches holds another number; no tool fits both ways.
+        let off = |table: &str| format!("[ABS[{table} - {length}] GT {tolerance}]");
+        vec![
+            format!("o{label} if [{} AND {}]", off("#5403"), off("[#5403 * 25.4]")),
+            format!("(abort, T{tool} was posted with L = {length} mm: the tool table says something else)"),
+            format!("o{label} endif"),
+        ]
+    }
+
     fn comment_length(&self) -> usize {
         // Two brackets and the dash.
         SPELLINGS.line_length - 4
@@ -95,6 +107,14 @@ mod tests {
         assert_eq!(comment("50 % ; x"), "(50 _ ; x)");
         assert_eq!(comment("a\tb\r\nc"), "(a b??c)");
         assert_eq!(comment("Fräser"), "(Fr??ser)");
+    }
+
+    #[test]
+    fn the_length_guard_compares_with_the_table_in_either_unit() {
+        let blocks = LinuxCnc.length_guard(3, 12, 4.5 * 25.4, 0.01);
+        let condition = "o3 if [[ABS[#5403 - 114.3] GT 0.01] AND [ABS[[#5403 * 25.4] - 114.3] GT 0.01]]";
+        let message = "(abort, T12 was posted with L = 114.3 mm: the tool table says something else)";
+        assert_eq!(blocks, [condition, message, "o3 endif"]);
     }
 
     #[test]

@@ -117,6 +117,13 @@ pub trait Control: Sync {
     fn dwell(&self, seconds: f64) -> f64 {
         seconds
     }
+
+    /// Blocks that stop the program with a message where the length of the tool in the spindle, as the control knows it,
+    /// is off the posted one by more than a tolerance, mm; `label` occurs once in a program. None where a control cannot
+    /// compare.
+    fn length_guard(&self, _label: u32, _tool: u32, _length: f64, _tolerance: f64) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 #[cfg(test)]

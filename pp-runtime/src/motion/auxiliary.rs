@@ -1,7 +1,7 @@
 //! Spindle and coolant: what the CL data wants, what the configuration adds, and what has been written.
 
 use crate::kinematics::Machine;
-use crate::program::{Coolant, Location, Spindle};
+use crate::program::{Coolant, Location, Rotation, Spindle};
 
 use super::fault::Fault;
 use super::planner::{Phase, Planned, Planner, stop};
@@ -25,6 +25,9 @@ impl<M: Machine> Planner<'_, M> {
             Some((speed, rotation)) => {
                 self.spindle_stop = false;
                 let turning = (speed.value(), rotation);
+                if self.config.lift.is_some() {
+                    return self.dry_spindle(again, turning, sink);
+                }
                 if again || self.spindle != Some(turning) {
                     let starts = again || self.spindle.is_none_or(|(_, before)| before != rotation);
                     self.spindle = Some(turning);
@@ -39,6 +42,12 @@ impl<M: Machine> Planner<'_, M> {
             None => self.spindle_stop |= self.spindle.is_some(),
         }
         Ok(())
+    }
+
+    /// In a dry run the spindle turns on paper only; whoever enters here makes sure that it stands.
+    fn dry_spindle(&mut self, again: bool, turning: (f64, Rotation), sink: &mut impl Sink) -> Planned {
+        self.spindle = Some(turning);
+        if again { Ok(sink.step(&Step::SpindleOff)?) } else { Ok(()) }
     }
 
     /// Stops the spindle, if that is what the CL data wanted behind its last motion.
@@ -74,7 +83,7 @@ impl<M: Machine> Planner<'_, M> {
         if let Some(missing) = missing {
             return Err(stop(at, Fault::new(format_args!("this control has no code for {missing}"))));
         }
-        if kind == Coolant::Off {
+        if kind == Coolant::Off || self.config.lift.is_some() {
             return self.coolant_off(sink);
         }
         if self.coolant != Some(kind) {

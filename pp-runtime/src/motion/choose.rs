@@ -8,7 +8,9 @@ use crate::kinematics::Solution;
 use super::step::MAX_AXES;
 
 /// A solved rotary axis and the words it may have.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+///
+/// Words here count axis values: what the written words count from is taken away when they are written.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rotary {
     /// Position in the chain.
     pub(crate) index: usize,
@@ -16,10 +18,12 @@ pub(crate) struct Rotary {
     pub(crate) lower: Option<i64>,
     /// Largest word, inclusive; `None` is endless.
     pub(crate) upper: Option<i64>,
+    /// The axis value at word 0, degrees: what is left of an offset that whole units do not hold.
+    pub(crate) rest: f64,
 }
 
 /// A rotary axis that no whole turn brings inside its limits.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct OutOfLimits {
     /// The axis.
     pub(crate) rotary: Rotary,
@@ -56,18 +60,38 @@ impl AngleScale {
         (angle.to_degrees() * self.per_degree).round() as i64
     }
 
-    /// The angle that a word stands for, rad.
+    /// The angle between words, rad.
     pub(crate) fn angle(self, word: i64) -> f64 {
         self.degrees(word).to_radians()
     }
 
-    /// The word in degrees.
+    /// The same in degrees.
     pub(crate) fn degrees(self, word: i64) -> f64 {
         word as f64 / self.per_degree
     }
 }
 
 impl Rotary {
+    /// The word nearest to an axis value.
+    pub(crate) fn word(self, angle: f64, scale: AngleScale) -> i64 {
+        ((angle.to_degrees() - self.rest) * scale.per_degree).round() as i64
+    }
+
+    /// The axis value of a word, rad.
+    pub(crate) fn angle(self, word: i64, scale: AngleScale) -> f64 {
+        self.degrees(word, scale).to_radians()
+    }
+
+    /// The axis value of a word for people, degrees.
+    pub(crate) fn shown(self, word: i64, scale: AngleScale) -> f64 {
+        (self.degrees(word, scale) * 1e9).round() / 1e9
+    }
+
+    /// The axis value of a word, degrees.
+    fn degrees(self, word: i64, scale: AngleScale) -> f64 {
+        scale.degrees(word) + self.rest
+    }
+
     /// Whether whole turns are free.
     pub(crate) fn endless(self) -> bool {
         self.lower.is_none() || self.upper.is_none()
@@ -157,7 +181,7 @@ pub(crate) fn choose<A: AsRef<[f64]>>(
         let mut fits = true;
         for rotary in rotaries {
             let index = rotary.index;
-            match rotary.nearest(scale.word(solution.axes.as_ref()[index]), previous[index], scale.turn) {
+            match rotary.nearest(rotary.word(solution.axes.as_ref()[index], scale), previous[index], scale.turn) {
                 Ok(word) => {
                     travel += (word - previous[index]).abs();
                     words[index] = word;
@@ -193,7 +217,12 @@ mod tests {
 
     fn rotary(index: usize, limits: Option<(f64, f64)>) -> Rotary {
         let word = |degrees: f64| (degrees * 1e4) as i64;
-        Rotary { index, lower: limits.map(|(lower, _)| word(lower)), upper: limits.map(|(_, upper)| word(upper)) }
+        Rotary {
+            index,
+            lower: limits.map(|(lower, _)| word(lower)),
+            upper: limits.map(|(_, upper)| word(upper)),
+            rest: 0.0,
+        }
     }
 
     fn chosen(

@@ -15,14 +15,13 @@
 //!
 //! Nothing is allocated: a motion is a few places on the stack, however many pieces it has.
 
-use nalgebra::{UnitVector3, Vector3};
+use crate::kinematics::{Branch, Machine, MotionBound, Pose, Solution};
 
-use crate::kinematics::{Branch, Machine, MotionBound, Pose, REACH_TOLERANCE, Solution};
-
-use super::choose::OutOfLimits;
+use super::choose::{OutOfLimits, Rotary};
 use super::fault::Fault;
 use super::place::{Place, Placer};
 use super::step::MAX_AXES;
+use super::way;
 
 /// A piece that uses so much of the tolerance is long enough.
 const LONG_ENOUGH: f64 = 0.97;
@@ -86,11 +85,7 @@ enum Way<A> {
 /// The straight, evenly turning motion of the CL data.
 #[derive(Debug, Clone, Copy)]
 struct Path {
-    start: Pose,
-    /// Unit vector in the plane of the tool axes, square to the first.
-    aside: Vector3<f64>,
-    /// Angle between the tool axes, rad.
-    angle: f64,
+    way: way::Way,
     /// The branch of both ends; `None` where they have none in common.
     branch: Option<Branch>,
     /// Shorter steps of the parameter than this are none: half a unit of the words.
@@ -293,32 +288,28 @@ impl<M: Machine> Placer<M> {
             ))
             .help("give a wider `tolerance`, or more decimals"));
         }
-        let (a, b) = (from.pose.axis.into_inner(), to.pose.axis.into_inner());
-        let across = a.cross(&b);
-        let angle = across.norm().atan2(a.dot(&b));
-        if angle > std::f64::consts::PI - REACH_TOLERANCE {
+        let Some(way) = way::Way::new(&from.pose, &to.pose) else {
             return Err(Fault::new("the tool axis turns by 180° in one motion: which way, the CL data does not say")
                 .help("give a point in between"));
-        }
-        let aside = across.cross(&a).try_normalize(0.0).unwrap_or_else(Vector3::zeros);
-        let length = (to.pose.tip - from.pose.tip).norm();
+        };
         let half_unit = |unit: f64, way: f64| if way > 0.0 { 0.5 * unit / way } else { 1.0 };
-        let resolution = half_unit(self.unit_mm(), length).min(half_unit(self.scale.angle(1), angle)).min(1.0);
+        let resolution =
+            half_unit(self.unit_mm(), way.length()).min(half_unit(self.scale.angle(1), way.angle())).min(1.0);
         // At the pole both branches meet.
         let branch = match (from.pole, to.pole) {
             (true, false) => Some(to.branch),
             (false, true) => Some(from.branch),
             _ => (from.branch == to.branch).then_some(from.branch),
         };
-        Ok(Path { start: from.pose, aside, angle, branch, resolution, at: 0.0, stride: 0.5 })
+        Ok(Path { way, branch, resolution, at: 0.0, stride: 0.5 })
     }
 
     /// Words of a solution's rotaries, in the turn nearest to some axis values.
     fn nearest_words(&self, solution: &Solution<M::Axes>, near: &M::Axes) -> [i64; MAX_AXES] {
         let mut words = [0; MAX_AXES];
         for rotary in &self.rotaries {
-            let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
-            let wanted = self.scale.word(near.as_ref()[rotary.index]);
+            let word = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
+            let wanted = rotary.word(near.as_ref()[rotary.index], self.scale);
             let turns = (wanted - word + self.scale.turn / 2).div_euclid(self.scale.turn);
             words[rotary.index] = word + turns * self.scale.turn;
         }
@@ -333,10 +324,7 @@ impl<M: Machine> Placer<M> {
         parameter: f64,
         allowed: Tolerance,
     ) -> Result<Place<M::Axes>, Fault> {
-        let (sine, cosine) = (parameter * path.angle).sin_cos();
-        let axis = path.start.axis.into_inner() * cosine + path.aside * sine;
-        let tip = path.start.tip + (to.pose.tip - path.start.tip) * parameter;
-        let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
+        let pose = path.way.at(parameter);
         let mut guess = from.axes;
         let share = (parameter - path.at) / (1.0 - path.at);
         for (value, end) in guess.as_mut().iter_mut().zip(to.axes.as_ref()) {
@@ -345,8 +333,8 @@ impl<M: Machine> Placer<M> {
         let solutions = self.machine.inverse_kinematics(&pose, &guess);
         let travel = |solution: &&Solution<M::Axes>| {
             let words = self.nearest_words(solution, &guess);
-            let off = |index: usize| words[index].abs_diff(self.scale.word(guess.as_ref()[index]));
-            self.rotaries.iter().map(|rotary| off(rotary.index)).sum::<u64>()
+            let guessed = |rotary: &Rotary| rotary.word(guess.as_ref()[rotary.index], self.scale);
+            self.rotaries.iter().map(|rotary| words[rotary.index].abs_diff(guessed(rotary))).sum::<u64>()
         };
         let wanted = path.branch.filter(|_| solutions.len() > 1);
         let chosen = match wanted {
@@ -413,12 +401,13 @@ impl<M: Machine> Placer<M> {
         let turned =
             self.rotaries.iter().max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
         let index = turned.map_or(0, |rotary| rotary.index);
+        let shown = |place: &Place<M::Axes>| turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.scale));
         Fault::new(format_args!(
             "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
              of tolerance ({} mm, {:.4}°)",
             M::AXES[index].letter,
-            self.scale.degrees(from.words[index]),
-            self.scale.degrees(to.words[index]),
+            shown(from),
+            shown(to),
             allowed.tip,
             allowed.axis.to_degrees(),
         ))

@@ -13,16 +13,19 @@ mod fault;
 mod feed;
 mod linearise;
 mod operation;
+mod origin;
 mod place;
 mod planner;
 mod refuse;
 mod retreat;
 mod rewind;
+mod selection;
 mod sequence;
 mod step;
 mod times;
 mod tool;
 mod travel;
+mod way;
 mod wrap;
 
 #[cfg(test)]
@@ -33,6 +36,7 @@ mod tests;
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use planner::{Abilities, Planner, Statistics, Stop};
+pub use selection::Gate;
 pub use step::{Feed, MAX_AXES, Sink, Step, Words};
 pub use times::{FastestTurn, OperationTime, Times};
 pub use tool::Tool;

@@ -5,13 +5,14 @@ use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
 
-use super::course::{Change, How, Target, Turns, between};
+use super::course::{Change, How, Target, Turns};
 use super::fault::Fault;
 use super::feed::{Feeds, Pace, Stroke};
 use super::linearise::Pieces;
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
 use super::step::{Feed, MAX_AXES, Sink, Step};
+use super::way::Way;
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;
@@ -120,8 +121,8 @@ impl<M: Machine> Planner<'_, M> {
                 How::Rewind => self.rewind(at, motion, words, sink)?,
                 How::Turn => self.cut_to(at, motion, self.place.pose, words, sink)?,
                 How::Via(part) => {
-                    let Some(pose) = between(&from, &motion.pose, part) else { continue };
-                    self.cut_to(at, motion, pose, words, sink)?;
+                    let Some(way) = Way::new(&from, &motion.pose) else { continue };
+                    self.cut_to(at, motion, way.at(part), words, sink)?;
                 }
             }
         }
@@ -273,7 +274,7 @@ impl<M: Machine> Planner<'_, M> {
             }
             self.inverse_time = matches!(feed, Feed::InverseTime(_));
             self.statistics.inverse_time += u64::from(self.inverse_time);
-            let words = self.speller.spell(&self.place.words, self.placer.words(place, self.all()));
+            let words = self.speller.spell(&self.placer.written(&self.place), self.placer.words(place, self.all()));
             sink.step(&Step::Feed { words, feed })?;
         }
         Ok(())
@@ -282,13 +283,13 @@ impl<M: Machine> Planner<'_, M> {
     /// A rapid to the words of a place in some axes.
     pub(super) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
         self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
-        let mut from = self.place.words;
-        let pieces = self.speller.pieces(&from, &to.words, mask);
+        let (start, end) = (self.placer.written(&self.place), self.placer.written(to));
+        let mut from = start;
+        let pieces = self.speller.pieces(&start, &end, mask);
         for piece in 1..=pieces {
             let mut words = self.placer.words(to, mask);
             for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
-                let start = self.place.words[index];
-                words.units[index] = start + (to.words[index] - start) * piece / pieces;
+                words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
             }
             let reached = words.units;
             sink.step(&Step::Rapid { words: self.speller.spell(&from, words) })?;

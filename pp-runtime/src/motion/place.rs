@@ -5,7 +5,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::config::{Config, Units};
+use crate::config::{Config, LengthMode, Units};
 use crate::kinematics::{Axis, AxisKind, Branch, Joint, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::nc::whole_units;
 use crate::program::{Rotation, Turning};
@@ -14,6 +14,7 @@ use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
 use super::course::{Metric, Target, Towards};
 use super::fault::Fault;
 use super::linearise::Tolerance;
+use super::origin::Origin;
 use super::step::{MAX_AXES, Words};
 use super::travel::Travel;
 
@@ -35,7 +36,7 @@ pub(crate) struct Place<A> {
     pub(crate) branch: Branch,
     /// Axis values that the words stand for, mm and rad.
     pub(crate) axes: A,
-    /// Whole units of the words, by position in the chain.
+    /// Whole units by position in the chain: words of linear axes, and axis values of rotary ones.
     pub(crate) words: [i64; MAX_AXES],
     /// Angle between the programmed axis and the one reached, rad.
     pub(crate) deviation: f64,
@@ -61,8 +62,8 @@ pub(crate) struct Placer<M: Machine> {
     pub(super) metric: Metric,
     /// Rotaries whose words stay within a turn.
     wrapped: u16,
-    /// Position in the chain of an indexed rotary, and its step in whole units.
-    grid: Vec<(usize, i64)>,
+    /// Indexed rotaries, and their steps in whole units.
+    grid: Vec<(Rotary, i64)>,
     /// Largest speeds, mm/min and rad/min, by position in the chain.
     speeds: Vec<Option<f64>>,
     /// Feeds are limited by them.
@@ -70,6 +71,8 @@ pub(crate) struct Placer<M: Machine> {
     linear_mask: u16,
     rotary_mask: u16,
     pub(super) scale: AngleScale,
+    /// What the words count from.
+    origin: Origin,
     /// Units of linear words in 1 mm.
     per_mm: f64,
     pub(super) limits: Vec<Option<Limits>>,
@@ -80,6 +83,7 @@ pub(crate) struct Placer<M: Machine> {
     retract_share: f64,
     straight: bool,
     head: bool,
+    gauge_line: bool,
     square: bool,
     /// The linear axes are square to each other, whatever the rotaries do.
     orthogonal: bool,
@@ -90,17 +94,20 @@ impl<M: Machine> Placer<M> {
         let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
         let scale = AngleScale::new(config.formats.rotary);
         let limits = config.travel::<M>().limits;
+        let origin = Origin::new(&machine, config, scale);
         let solved = |kind: AxisKind| {
             axes.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
         };
         let mask = |kind: AxisKind| solved(kind).fold(0_u16, |mask, index| mask | 1 << index);
         let rotaries: Vec<Rotary> = solved(AxisKind::Rotary)
             .map(|index| {
-                let word = |angle: f64| angle.to_degrees() * scale.per_degree;
+                let rest = origin.rest(index, scale);
+                let word = |angle: f64| (angle.to_degrees() - rest) * scale.per_degree;
                 Rotary {
                     index,
                     lower: limits[index].map(|limits| (word(limits.lower) - LIMIT_NOISE).ceil() as i64),
                     upper: limits[index].map(|limits| (word(limits.upper) + LIMIT_NOISE).floor() as i64),
+                    rest,
                 }
             })
             .collect();
@@ -137,10 +144,12 @@ impl<M: Machine> Placer<M> {
             per_mm: per_unit / units.in_mm(),
             limits,
             travel: Travel::new(&machine, config),
+            origin,
             retract_axis,
             retract_share: share(retract_axis),
             straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
+            gauge_line: config.length_mode == LengthMode::Gauge,
             square: orthogonal(&machine, axes) && counted(axes),
             orthogonal: orthogonal(&machine, axes),
             wrapped: rotaries
@@ -157,6 +166,20 @@ impl<M: Machine> Placer<M> {
     /// Solved rotary axes stand on the tool side: the tool's length moves the linear axes.
     pub(crate) fn head(&self) -> bool {
         self.head
+    }
+
+    /// Why the words depend on the length of the tool, if they do.
+    pub(crate) fn needs_length(&self) -> Option<&'static str> {
+        if self.head {
+            Some("this machine turns the tool about its head")
+        } else {
+            self.gauge_line.then_some("`length_mode = \"gauge\"` writes where its gauge line is")
+        }
+    }
+
+    /// The words say where the gauge line is: no length offset is to be active.
+    pub(crate) fn gauge_line(&self) -> bool {
+        self.gauge_line
     }
 
     /// Solved rotary axes stand in the table.
@@ -193,6 +216,7 @@ impl<M: Machine> Placer<M> {
 
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
         self.machine.set_up(self.part_origin, length.unwrap_or(0.0));
+        self.origin.set_gauge_length(length.unwrap_or(0.0));
         self.travel.set_gauge_length(length);
     }
 
@@ -236,10 +260,16 @@ impl<M: Machine> Placer<M> {
         Some(least)
     }
 
-    /// Words of the axes in a mask.
+    /// What is written for the words of a place, by position in the chain.
+    #[inline]
+    pub(crate) fn written(&self, place: &Place<M::Axes>) -> [i64; MAX_AXES] {
+        self.origin.written(&place.words)
+    }
+
+    /// The written words of the axes in a mask.
     #[inline]
     pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
-        Words { units: place.words, mask }
+        Words { units: self.written(place), mask }
     }
 
     /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
@@ -275,20 +305,20 @@ impl<M: Machine> Placer<M> {
     /// Indexed axes stand on one of their steps, and do not turn in a cut.
     #[cold]
     fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
-        for &(index, step) in &self.grid {
+        for &(rotary, step) in &self.grid {
+            let index = rotary.index;
             let word = place.words[index];
             let snapped = (2 * word + step).div_euclid(2 * step) * step;
-            let (letter, degrees) = (M::AXES[index].letter, |word| self.scale.degrees(word));
+            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
             place.words[index] = snapped;
-            place.axes.as_mut()[index] = self.scale.angle(snapped);
+            place.axes.as_mut()[index] = rotary.angle(snapped, self.scale);
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             let deviation = angle_between(&reached, &place.pose.axis);
-            let inside = self.rotaries.iter().all(|rotary| rotary.index != index || rotary.holds(snapped));
-            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !inside {
+            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !rotary.holds(snapped) {
                 return Err(Fault::new(format_args!(
                     "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
                     degrees(word),
-                    degrees(step)
+                    self.scale.degrees(step)
                 ))
                 .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
             }
@@ -313,7 +343,8 @@ impl<M: Machine> Placer<M> {
         from: &Place<M::Axes>,
         allowed: Tolerance,
     ) -> Result<(), Fault> {
-        for &(index, step) in &self.grid {
+        for &(rotary, step) in &self.grid {
+            let index = rotary.index;
             let (wanted, held) = (place.words[index], from.words[index]);
             place.words[index] = held;
             place.axes.as_mut()[index] = from.axes.as_ref()[index];
@@ -321,12 +352,12 @@ impl<M: Machine> Placer<M> {
             place.deviation = place.deviation.max(angle_between(&reached, &place.pose.axis));
             // What an end is off counts twice: see `certify`.
             if 2.0 * place.deviation >= allowed.axis {
-                let (letter, degrees) = (M::AXES[index].letter, |word| self.scale.degrees(word));
+                let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
                 return Err(Fault::new(format_args!(
                     "{letter} would have to turn from {}° to {}° in the cut, and it is indexed in steps of {}°",
                     degrees(held),
                     degrees(wanted),
-                    degrees(step)
+                    self.scale.degrees(step)
                 ))
                 .help("program this operation with a fixed tool axis, or with points closer together"));
             }
@@ -411,7 +442,7 @@ impl<M: Machine> Placer<M> {
             rounding: 0.0,
         };
         for rotary in &self.rotaries {
-            place.axes.as_mut()[rotary.index] = self.scale.angle(words[rotary.index]);
+            place.axes.as_mut()[rotary.index] = rotary.angle(words[rotary.index], self.scale);
         }
         place
     }
@@ -477,11 +508,12 @@ impl<M: Machine> Placer<M> {
         let (mut sum, mut squares) = (0.0, 0.0);
         for (index, value) in place.axes.as_mut().iter_mut().enumerate().take(MAX_AXES) {
             if self.linear_mask & (1 << index) != 0 {
-                let Ok(units) = whole_units(*value, self.per_mm) else {
+                let shift = self.origin.linear(index);
+                let Ok(units) = whole_units(*value + shift, self.per_mm) else {
                     return Err(Fault::new(format_args!("{} is too large for a word", M::AXES[index].letter)));
                 };
                 place.words[index] = units;
-                let written = units as f64 / self.per_mm;
+                let written = units as f64 / self.per_mm - shift;
                 let off = written - *value;
                 *value = written;
                 sum += off.abs();
@@ -504,7 +536,7 @@ impl<M: Machine> Placer<M> {
         let mut place = Place { branch: solutions[choice.solution].branch, ..*from };
         for rotary in &self.rotaries {
             place.words[rotary.index] = choice.words[rotary.index];
-            place.axes.as_mut()[rotary.index] = self.scale.angle(choice.words[rotary.index]);
+            place.axes.as_mut()[rotary.index] = rotary.angle(choice.words[rotary.index], self.scale);
         }
         Some(place)
     }
@@ -512,7 +544,7 @@ impl<M: Machine> Placer<M> {
     /// Every rotary at zero and held axes at their values.
     pub(crate) fn zero(&self) -> Place<M::Axes> {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
-        Place {
+        let zero = Place {
             pose,
             branch: Branch::First,
             axes: M::HELD,
@@ -520,7 +552,8 @@ impl<M: Machine> Placer<M> {
             deviation: 0.0,
             pole: false,
             rounding: 0.0,
-        }
+        };
+        self.at(&pose, &zero, &zero.words)
     }
 
     /// Words of a linear axis at a machine coordinate.
@@ -547,20 +580,16 @@ impl<M: Machine> Placer<M> {
         self.machine_words(index, coordinate)
     }
 
-    /// Words of a rotary at an angle, inside its limits.
-    pub(crate) fn rotary_words(&self, index: usize, angle: f64) -> Result<Words, Fault> {
-        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
-        words.units[index] = self.scale.word(angle);
+    /// Whole units of a rotary at an angle, inside its limits.
+    pub(crate) fn rotary_word(&self, index: usize, angle: f64) -> Result<i64, Fault> {
         let rotary = self.rotaries.iter().find(|rotary| rotary.index == index);
-        match rotary {
-            Some(rotary)
-                if rotary.lower.is_some_and(|lower| words.units[index] < lower)
-                    || rotary.upper.is_some_and(|upper| words.units[index] > upper) =>
-            {
-                Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word: words.units[index] }), None]))
-            }
-            _ => Ok(words),
+        let Some(rotary) = rotary else { return Ok(0) };
+        let mut words = [0; MAX_AXES];
+        words[index] = rotary.word(angle, self.scale);
+        if !rotary.holds(words[index]) {
+            return Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word: words[index] }), None]));
         }
+        Ok(words[index])
     }
 
     /// The word of a parked rotary: of one whose words are wrapped the turn nearest to where it stands.
@@ -600,8 +629,8 @@ fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) ->
 }
 
 /// The steps of indexed rotaries in whole units.
-fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> Vec<(usize, i64)> {
-    let step = |rotary: &Rotary| Some((rotary.index, scale.word(*config.grid.get(&M::AXES[rotary.index].letter)?)));
+fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
+    let step = |rotary: &Rotary| Some((*rotary, scale.word(*config.grid.get(&M::AXES[rotary.index].letter)?)));
     rotaries.iter().filter_map(step).collect()
 }
 

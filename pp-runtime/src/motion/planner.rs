@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 use std::io;
+use std::ops::RangeInclusive;
 
 use crate::config::{Config, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
@@ -21,6 +22,7 @@ use super::feed::Feeds;
 use super::linearise::Tolerance;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
+use super::selection::Selection;
 use super::step::{Sink, Step};
 use super::times::Times;
 use super::tool::{SpindleRequest, Tool};
@@ -187,6 +189,7 @@ pub struct Planner<'a, M: Machine> {
     pub(super) plunge_told: bool,
     pub(super) statistics: Statistics,
     pub(super) times: Times,
+    pub(super) selection: Selection,
 }
 
 impl<'a, M: Machine> Planner<'a, M> {
@@ -232,6 +235,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             plunge_told: false,
             statistics: Statistics::default(),
             times: Times::default(),
+            selection: Selection::default(),
         }
     }
 
@@ -240,6 +244,19 @@ impl<'a, M: Machine> Planner<'a, M> {
     pub fn with_course(mut self, course: Course) -> Self {
         self.course = course;
         self
+    }
+
+    /// Writes these operations only, counted from 1; the sink has to be a [`Gate`](super::Gate).
+    #[must_use]
+    pub fn with_operations(mut self, wanted: Option<RangeInclusive<u64>>) -> Self {
+        self.selection = Selection::of(wanted);
+        self
+    }
+
+    /// Whether what comes first is written.
+    #[must_use]
+    pub fn shows(&self) -> bool {
+        !self.selection.hidden()
     }
 
     /// What was met so far.
@@ -256,6 +273,9 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// Takes the remarks that have come up since the last call.
     pub fn take_warnings(&mut self) -> Vec<Diagnostic> {
+        if self.selection.hidden() {
+            self.warnings.clear();
+        }
         std::mem::take(&mut self.warnings)
     }
 
@@ -289,6 +309,9 @@ impl<'a, M: Machine> Planner<'a, M> {
     /// [`Stop`] if it cannot be posted; nothing may be planned after that.
     #[inline]
     pub fn event(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
+        if self.selection.over {
+            return Ok(());
+        }
         if let Event::Move(motion) = event
             && self.expander.passes(motion)
         {
@@ -316,6 +339,10 @@ impl<'a, M: Machine> Planner<'a, M> {
     /// [`Stop`] if there is no way to retract, or the output fails.
     pub fn finish(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         self.settle(None, sink)?;
+        if self.selection.over {
+            sink.show(true);
+            return self.park(at, sink);
+        }
         self.end(at, sink)
     }
 
@@ -347,7 +374,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             return Ok(());
         }
         self.settle(Some(motion), sink)?;
-        self.run(at, motion, number, sink)
+        if self.selection.over { Ok(()) } else { self.run(at, motion, number, sink) }
     }
 
     /// No tool has been called yet.
@@ -378,6 +405,9 @@ impl<'a, M: Machine> Planner<'a, M> {
             self.start(at, &motion, next, planned, sink)?;
         } else {
             self.index(at, &motion, next, planned, sink)?;
+        }
+        if self.selection.over {
+            return Ok(());
         }
         let mut waiting = std::mem::take(&mut self.waiting);
         let texts = std::mem::take(&mut self.texts);
@@ -419,12 +449,13 @@ impl<'a, M: Machine> Planner<'a, M> {
             Event::Spindle(spindle) => self.spindle(at, spindle, sink)?,
             Event::Coolant(coolant) => self.set_coolant(at, coolant, sink)?,
             Event::From(pose) => self.from(&pose),
+            Event::Message(text) if self.phase == Phase::Start => self.announce(&Step::Message { text }, sink)?,
             Event::Message(text) => sink.step(&Step::Message { text })?,
             Event::Name(_) | Event::Preselect(_) => {}
             Event::Operation(name) => {
                 self.begin(at, self.config.transition == Transition::Safe, sink)?;
                 self.times.operation(at, name);
-                sink.step(&Step::Operation { name })?;
+                self.announce(&Step::Operation { name }, sink)?;
             }
             Event::Tool(call) => {
                 let tool = self.resolve(at, &call)?;
@@ -507,6 +538,11 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// A block as it stands: where the machine is behind it, and in which state, nobody knows.
     fn raw(&mut self, at: Location, text: &[u8], sink: &mut impl Sink) -> Planned {
+        if self.config.lift.is_some() {
+            let fault =
+                Fault::new("a dry run writes no NC text of the CL data: nobody knows what it moves or switches on");
+            return Err(stop(at, fault.help("`--insert comment`, or take it out")));
+        }
         if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
             let fault =
                 Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");
@@ -570,8 +606,8 @@ impl<'a, M: Machine> Planner<'a, M> {
                 warnings.push(fault.at(at, Severity::Warning));
             }
         };
-        let tool =
-            Tool::resolve(call, &before, self.config, self.placer.head(), remark).map_err(|fault| stop(at, fault))?;
+        let tool = Tool::resolve(call, &before, self.config, self.placer.needs_length(), remark)
+            .map_err(|fault| stop(at, fault))?;
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
         self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         Ok(tool)

@@ -2,7 +2,7 @@
 
 use crate::kinematics::{Machine, Pose};
 
-use super::choose::OutOfLimits;
+use super::choose::{OutOfLimits, Rotary};
 use super::fault::Fault;
 use super::place::Placer;
 use super::step::MAX_AXES;
@@ -20,7 +20,7 @@ impl<M: Machine> Placer<M> {
         let mut text = String::new();
         for out in outside.iter().flatten() {
             let letter = M::AXES[out.rotary.index].letter;
-            let value = self.scale.degrees(out.word);
+            let value = out.rotary.shown(out.word, self.scale);
             if text.is_empty() {
                 text = format!("{letter} would have to turn to {value}°");
             } else {
@@ -33,22 +33,19 @@ impl<M: Machine> Placer<M> {
 
     #[cold]
     pub(super) fn jump(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
-        let outside = self.rotaries.iter().find(|rotary| {
-            let word = nearest[rotary.index];
-            rotary.lower.is_some_and(|lower| word < lower) || rotary.upper.is_some_and(|upper| word > upper)
-        });
-        let (limit, word) = outside.map_or((0, 0), |rotary| (rotary.index, nearest[rotary.index]));
+        let outside = self.rotaries.iter().find(|rotary| !rotary.holds(nearest[rotary.index]));
         let turned = self.rotaries.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
-        let turned = turned.map_or(0, |rotary| rotary.index);
+        let (Some(limit), Some(turned)) = (outside, turned) else { return self.outside_limits(&[None; 2]) };
+        let degrees = |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.shown(words[rotary.index], self.scale);
         Fault::new(format_args!(
             "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
              tool in the cut",
-            M::AXES[limit].letter,
-            self.scale.degrees(word),
-            self.limits_text(limit),
-            M::AXES[turned].letter,
-            self.scale.degrees(from[turned]),
-            self.scale.degrees(to[turned]),
+            M::AXES[limit.index].letter,
+            degrees(limit, nearest),
+            self.limits_text(limit.index),
+            M::AXES[turned.index].letter,
+            degrees(turned, from),
+            degrees(turned, to),
         ))
         .help("retract before this point and start a new operation, or turn the part on the table")
     }

@@ -22,7 +22,7 @@ use super::course::Target;
 use super::fault::Fault;
 use super::place::Place;
 use super::planner::{Planned, Planner, SAME_AXIS, stop};
-use super::step::{MAX_AXES, Sink, Step, Words};
+use super::step::{Sink, Step, Words};
 
 /// A point this near to a line lies on it, mm.
 const ON_LINE: f64 = 0.001;
@@ -113,8 +113,12 @@ impl<M: Machine> Planner<'_, M> {
         planned: Option<Target>,
         sink: &mut impl Sink,
     ) -> Planned {
+        let opens = self.begin_operation(at, sink)?;
+        if self.selection.over {
+            return Ok(());
+        }
         let wanted = self.next_tool.take();
-        let change = wanted.is_some_and(|wanted| self.tool.is_none_or(|tool| tool.number != wanted.number));
+        let change = opens || wanted.is_some_and(|wanted| self.tool.is_none_or(|tool| tool.number != wanted.number));
         if self.there && self.config.transition == Transition::Direct && !change {
             return self.start_directly(at, first, planned, sink);
         }
@@ -138,7 +142,14 @@ impl<M: Machine> Planner<'_, M> {
                 self.spindle_stop = false;
                 self.machine_retract(at, sink)?;
             }
-            sink.step(&Step::Length { offset: tool.offset })?;
+            if !self.placer.gauge_line() {
+                sink.step(&Step::Length { offset: tool.offset })?;
+                let guarded = self.config.length_guard.unwrap_or(self.placer.head()) && tool.offset == tool.number;
+                if let Some(length) = tool.length.filter(|_| guarded) {
+                    let (label, tolerance) = (self.restarts, self.config.length_tolerance);
+                    sink.step(&Step::LengthGuard { label, tool: tool.number, length, tolerance })?;
+                }
+            }
         }
         self.turn_spindle(at, true, sink)?;
         self.check_state(first).map_err(|fault| stop(at, fault))?;
@@ -269,18 +280,14 @@ impl<M: Machine> Planner<'_, M> {
                 .filter(move |(_, axis)| axis.kind == kind && !axis.held)
                 .filter_map(|(index, axis)| self.config.park.get(&axis.letter).map(|&position| (index, position)))
         };
-        let mut rotaries = Words::default();
+        let (mut turned, mut mask) = (self.place, 0);
         for (index, angle) in parked(AxisKind::Rotary) {
-            let words = self.placer.rotary_words(index, angle).map_err(fault)?;
-            rotaries.mask |= words.mask;
-            rotaries.units[index] = words.units[index];
+            let word = self.placer.rotary_word(index, angle).map_err(fault)?;
+            turned.words[index] = self.placer.nearest_turn(index, word, &self.place);
+            mask |= 1 << index;
         }
-        if rotaries.mask != 0 {
-            let mut parked = self.place;
-            for index in (0..MAX_AXES).filter(|&index| rotaries.has(index)) {
-                parked.words[index] = self.placer.nearest_turn(index, rotaries.units[index], &self.place);
-            }
-            self.rapid(&parked, rotaries.mask, sink)?;
+        if mask != 0 {
+            self.rapid(&turned, mask, sink)?;
         }
         let mut others = Words::default();
         let mut last = None;

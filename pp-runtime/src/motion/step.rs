@@ -76,6 +76,18 @@ pub enum Step<'a> {
         /// Register.
         offset: u32,
     },
+    /// The length of the tool as the control knows it is compared with the one that was posted, and the program stops where
+    /// they differ; nothing where a control cannot compare.
+    LengthGuard {
+        /// A number of its own in the program.
+        label: u32,
+        /// The tool in the spindle; its length is in its own register.
+        tool: u32,
+        /// Posted gauge length, mm.
+        length: f64,
+        /// By how much it may differ, mm.
+        tolerance: f64,
+    },
     /// Spindle on.
     Spindle {
         /// rev/min.
@@ -133,4 +145,9 @@ pub trait Sink {
     /// # Errors
     /// Those of the output.
     fn step(&mut self, step: &Step<'_>) -> io::Result<()>;
+
+    /// Whether the steps that follow are to be written; a sink that is not asked to select writes all of them.
+    fn show(&mut self, shown: bool) {
+        let _ = shown;
+    }
 }

@@ -97,23 +97,23 @@ fn cb(c: f64, b: f64) -> [f64; 3] {
     [sin_b * cos_c, sin_b * sin_c, cos_b]
 }
 
-fn rapid(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
+pub(super) fn rapid(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
     Event::Move(Move { pose: pose(tip, axis), rapid: true, feed: None })
 }
 
-fn feed(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
+pub(super) fn feed(tip: [f64; 3], axis: [f64; 3]) -> Event<'static> {
     Event::Move(Move { pose: pose(tip, axis), rapid: false, feed: Some(Feed::PerMinute(500.0)) })
 }
 
-fn tool(number: u32) -> Event<'static> {
+pub(super) fn tool(number: u32) -> Event<'static> {
     Event::Tool(ToolCall { number, ..ToolCall::default() })
 }
 
-fn spindle() -> Event<'static> {
+pub(super) fn spindle() -> Event<'static> {
     Event::Spindle(Spindle::On { speed: Some(8000.0), rotation: Some(Rotation::Clockwise) })
 }
 
-fn config() -> Config {
+pub(super) fn config() -> Config {
     Config::default()
 }
 
@@ -928,7 +928,7 @@ fn words_of_a_tilted_program_put_the_tip_within_half_a_unit_for_the_written_angl
         machine.set_up(config.part_origin.into(), config.tools[&1].length.unwrap_or(0.0));
         let mut axes = M::HELD;
         let mut checked = 0;
-        for line in run.lines.iter().filter(|line| !line.starts_with(['(', 'N']) && !line.contains("G53")) {
+        for line in run.lines.iter().filter(|line| !line.starts_with(['(', 'N', 'o']) && !line.contains("G53")) {
             let mut moved = false;
             for word in line.split(' ') {
                 if let Some(index) = M::AXES.iter().position(|axis| word.starts_with(axis.letter)) {
@@ -1012,7 +1012,7 @@ fn blocks_of_the_sequence_lie_on_the_tool_axis_within_one_unit() {
     machine.set_up(Vector3::zeros(), 100.0);
     let mut axes = Head::HELD;
     let mut tips = Vec::new();
-    for line in lines.iter().filter(|line| !line.starts_with('N') && !line.contains("G53")) {
+    for line in lines.iter().filter(|line| !line.starts_with(['(', 'N', 'o']) && !line.contains("G53")) {
         for word in line.split(' ') {
             let Some(index) = Head::AXES.iter().position(|axis| word.starts_with(axis.letter)) else { continue };
             let value: f64 = word[1..].parse().expect("a number");
@@ -1421,4 +1421,43 @@ fn another_machine_in_the_cl_data_is_remarked_on() {
     let events = [Event::MachineName(b"UNCX01"), tool(1), spindle(), feed([0.0; 3], UP)];
     let run = run::<Cb>(&config(), &events);
     assert!(run.diagnostics[0].text.contains("made for the machine `UNCX01`"), "{:?}", run.diagnostics);
+}
+
+#[test]
+fn the_posted_length_is_guarded_where_it_matters() {
+    let guards = |run: &Run| run.lines.iter().filter(|line| line.contains("#5403")).count();
+    let events = [tool(1), spindle(), feed([0.0, 0.0, -80.0], UP), Event::Stop, feed([9.0, 0.0, -80.0], UP)];
+    let mut config = with_lengths(Some(9.0));
+    let head = run::<Head>(&config, &events);
+    let at = head.lines.iter().position(|line| line == "G43 H1").expect("a length offset");
+    assert!(head.lines[at + 1].starts_with("o1 if [[ABS[#5403 - 100] GT 0.01]"), "{}", head.text());
+    assert!(head.lines.contains(&"o2 endif".to_owned()), "behind the stop again: {}", head.text());
+    assert_eq!((guards(&head), guards(&run::<Cb>(&config, &events))), (2, 0));
+    config.length_guard = Some(true);
+    assert_eq!(guards(&run::<Cb>(&config, &events)), 2);
+    config.length_guard = Some(false);
+    assert_eq!(guards(&run::<Head>(&config, &events)), 0);
+    config.length_guard = None;
+    config.tools.insert(1, Tool { length: Some(100.0), offset: Some(21), ..Tool::default() });
+    assert_eq!(guards(&run::<Head>(&config, &events)), 0, "the table of the tool says nothing about H21");
+}
+
+#[test]
+fn in_a_dry_run_spindle_and_coolant_stay_off() {
+    let events = [
+        tool(1),
+        spindle(),
+        Event::Coolant(Coolant::Flood),
+        feed([0.0, 0.0, -5.0], UP),
+        Event::Spindle(Spindle::On { speed: Some(900.0), rotation: None }),
+        feed([9.0, 0.0, -5.0], UP),
+    ];
+    let config = Config { lift: Some(50.0), spindle_dwell: 1.0, ..config() };
+    let lines = lines::<Cb>(&config, &events);
+    assert!(lines.iter().any(|line| line == "M5"), "{lines:?}");
+    for code in ["M3", "M4", "M8", "M7", "G4 P"] {
+        assert!(!lines.iter().any(|line| line.contains(code)), "{code} in {lines:?}");
+    }
+    let raw = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(b"M3")]);
+    assert!(raw.error().text.contains("a dry run writes no NC text"), "{}", raw.error().text);
 }

@@ -73,6 +73,17 @@ impl Times {
         self.operations.push(OperationTime { name, at, ..OperationTime::default() });
     }
 
+    /// Drops everything but the operation that has begun.
+    pub(super) fn keep_last_operation(&mut self) {
+        let last = self.operations.pop();
+        *self = Self { operations: last.into_iter().collect(), ..Self::default() };
+    }
+
+    /// Drops operations in which nothing has happened.
+    pub(super) fn forget_empty(&mut self) {
+        self.operations.retain(|operation| operation.total > 0.0);
+    }
+
     #[inline]
     fn add(&mut self, minutes: f64, cutting: bool) {
         if self.others > 0 {

@@ -32,12 +32,13 @@ pub(crate) struct SpindleRequest {
 impl Tool {
     /// The tool of a record; remarks go to `warn`.
     ///
-    /// `before`: length and offset register that earlier records of the same tool gave.
+    /// `before`: length and offset register that earlier records of the same tool gave. `needed`: why the words depend on
+    /// the length, if they do.
     pub(crate) fn resolve(
         call: &ToolCall,
         before: &ToolCall,
         config: &Config,
-        head: bool,
+        needed: Option<&str>,
         mut warn: impl FnMut(Fault),
     ) -> Result<Self, Fault> {
         let number = call.number;
@@ -53,7 +54,7 @@ impl Tool {
                     "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"
                 ))
                 .help(format_args!("measure it, and correct `[tools.{number}] length` or the CL data"));
-                if head {
+                if needed.is_some() {
                     return Err(fault);
                 }
                 warn(fault);
@@ -61,11 +62,11 @@ impl Tool {
             }
             (ours, theirs) => ours.or(theirs),
         };
-        if head && length.is_none() {
-            return Err(Fault::new(format_args!(
-                "the gauge length of T{number} is unknown, and this machine turns the tool about its head"
-            ))
-            .help(format_args!("give `[tools.{number}] length` in the configuration, or LENGTH in LOADTL")));
+        if let Some(why) = needed
+            && length.is_none()
+        {
+            return Err(Fault::new(format_args!("the gauge length of T{number} is unknown, and {why}"))
+                .help(format_args!("give `[tools.{number}] length` in the configuration, or LENGTH in LOADTL")));
         }
         if let (Some(ours), Some(theirs)) = (given.and_then(|tool| tool.diameter), call.diameter)
             && (ours - theirs).abs() > SAME

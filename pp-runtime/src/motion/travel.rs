@@ -3,12 +3,11 @@
 //! Limits are machine coordinates: `M = machine_zero + q + g`, where `g` is what the gauge length adds to the axis.
 //! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
 
-use nalgebra::{Matrix3, Vector3};
-
 use crate::config::Config;
 use crate::kinematics::{AxisKind, Limits, Machine};
 
 use super::fault::Fault;
+use super::origin::along_axes;
 use super::step::MAX_AXES;
 
 /// Noise of floating-point sums that must not turn an inclusive limit into an exclusive one, mm.
@@ -47,27 +46,15 @@ impl Travel {
         let solved: Vec<usize> = (0..M::AXES.len().min(MAX_AXES))
             .filter(|&i| M::AXES[i].kind == AxisKind::Linear && !M::AXES[i].held)
             .collect();
-        // Columns: where each axis moves the tool for a positive word.
-        let columns: Vec<Vector3<f64>> = solved
-            .iter()
-            .map(|&i| {
-                let joint = machine.joint(i);
-                joint.direction.into_inner() * joint.sign
-            })
-            .collect();
-        let shares = (columns.len() == 3)
-            .then(|| Matrix3::from_columns(&columns).try_inverse())
-            .flatten()
-            .map_or_else(Vector3::zeros, |inverse| inverse * machine.tool_axis().into_inner());
+        let shares = along_axes(machine, &machine.tool_axis());
         let axes = solved
             .iter()
-            .enumerate()
-            .map(|(position, &index)| LinearTravel {
+            .map(|&index| LinearTravel {
                 index,
                 letter: M::AXES[index].letter,
                 limits: limits[index],
                 zero: config.machine_zero.get(&M::AXES[index].letter).copied(),
-                share: shares.get(position).copied().unwrap_or(0.0),
+                share: shares[index],
                 span: None,
                 unknown_length: false,
             })

@@ -88,7 +88,7 @@ mod tests {
     fn spelled(wrap: Wrap, degrees: &[i64]) -> Vec<i64> {
         let mut config = Config::default();
         config.wrap.insert('C', wrap);
-        let rotary = Rotary { index: 0, lower: None, upper: None };
+        let rotary = Rotary { index: 0, lower: None, upper: None, rest: 0.0 };
         let mut speller = Speller::new::<Cb>(&config, &[rotary], 360);
         let mut from = [0; MAX_AXES];
         degrees

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, Units, Wrap};
+use crate::config::{Config, LengthMode, ProgramZero, Units, Wrap, part_angles};
 use crate::control::Encoder;
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
@@ -80,6 +80,61 @@ pub(super) fn assumptions<M: Machine>(config: &Config, survey: &Survey) -> Vec<S
     list
 }
 
+/// How the part is set up where that is not the plain case, one sentence each.
+pub(super) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
+    let mut list = Vec::new();
+    if let Ok(Some(wanted)) = survey.wanted() {
+        let (first, last, all) = (wanted.start(), wanted.end(), survey.operations);
+        list.push(format!("operations {first} to {last} of {all} only, entered as at their restart points"));
+    }
+    let [x, y, z] = part_angles(config);
+    if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
+        list.push(format!(
+            "part rotation {x}, {y}, {z}: the CL data is turned by these degrees about X, then Y, then Z of the table"
+        ));
+    }
+    if let Some(lift) = config.lift {
+        list.push(format!("DRY RUN: every point {lift} mm out along the tool axis, spindle and coolant off"));
+    }
+    if config.program_zero == ProgramZero::Table {
+        list.push("program zero: linear words count from the reference point of the table".to_owned());
+    }
+    if config.length_mode == LengthMode::Gauge {
+        list.push(
+            "length mode: linear words are coordinates of the gauge line, no length offset may be active".to_owned(),
+        );
+    }
+    list
+}
+
+/// What the rotary entries of the work offset must hold: those of the table always, those of the head where any of them
+/// is used.
+fn rotary_entries<M: Machine>(config: &Config) -> Vec<String> {
+    let used = !config.rotary_offset.is_empty();
+    let mut letters: Vec<char> = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
+    letters.extend(rotaries::<M>(Side::Tool).filter(|_| used).map(|axis| axis.letter));
+    let (mut list, mut zero) = (Vec::new(), String::new());
+    for letter in letters {
+        match config.rotary_offset.get(&letter) {
+            Some(offset) => list.push(format!(
+                "words of {letter} are the axis value minus {0}: its entry in {1} must be {0}",
+                rounded(offset.to_degrees()),
+                config.work_offset
+            )),
+            None => zero.push(letter),
+        }
+    }
+    if !zero.is_empty() {
+        list.push(format!("the entries of {} in {} must be zero", spaced(&zero), config.work_offset));
+    }
+    list
+}
+
+/// Without the noise of the last binary digits.
+fn rounded(degrees: f64) -> f64 {
+    (degrees * 1e9).round() / 1e9 + 0.0
+}
+
 /// How the CL data was read, one sentence each.
 pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     let given = if config.cl.dialect.is_some() { "as given" } else { "by its own evidence" };
@@ -150,6 +205,7 @@ impl<M: Machine> Header<'_, M> {
             format!("PROGRAMMED POINT {}", programmed_point(config)),
             format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
         ];
+        lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
         if rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some() {
@@ -161,14 +217,13 @@ impl<M: Machine> Header<'_, M> {
             lines.push("ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped".to_owned());
         }
         lines.extend(unchecked(&self.unchecked));
-        let table: String = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
-        if !table.is_empty() {
+        if rotaries::<M>(Side::Workpiece).next().is_some() {
             lines.push(format!(
                 "valid only for part origin {} from the table reference; do not touch off again",
                 self.point(config.part_origin)
             ));
-            lines.push(format!("the entries of {} in {} must be zero", spaced(&table), config.work_offset));
         }
+        lines.extend(rotary_entries::<M>(config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
         for line in lines {
@@ -244,15 +299,26 @@ impl<M: Machine> Header<'_, M> {
         let length = length(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
         let offset = given.and_then(|given| given.offset).or(tool.call.offset).unwrap_or(number);
-        text += &format!(" H{offset}, {}", super::counted(tool.operations, "operation"));
+        if config.length_mode == LengthMode::Tip {
+            text += &format!(" H{offset}");
+        }
+        text += &format!(", {}", super::counted(tool.operations, "operation"));
         if let Some((low, high)) = tool.tip {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
         let mut lines = vec![text];
+        let gauge_line = config.length_mode == LengthMode::Gauge;
         if let Some(length) = length
-            && rotaries::<M>(Side::Tool).next().is_some()
+            && (gauge_line || rotaries::<M>(Side::Tool).next().is_some())
         {
-            lines.push(format!("T{number} posted with L = {}: H{offset} must hold exactly this", self.length(length)));
+            let length = self.length(length);
+            let own = offset == number;
+            let mut offset = format!("H{offset} must hold exactly this");
+            if !own && config.length_guard != Some(false) {
+                offset += ", and nothing compares it";
+            }
+            let who = if gauge_line { "the tool must be exactly this long" } else { &offset };
+            lines.push(format!("T{number} posted with L = {length}: {who}"));
         }
         lines
     }

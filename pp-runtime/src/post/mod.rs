@@ -5,6 +5,7 @@
 //! table. The second pass plans and writes motion by motion, in constant memory. The same input gives the same bytes.
 
 mod header;
+mod setting;
 mod survey;
 mod time;
 
@@ -18,9 +19,10 @@ use crate::config::{Config, Units};
 use crate::control::{Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine};
-use crate::motion::{Abilities, Cost, Course, Expander, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
+use crate::motion::{Abilities, Cost, Course, Gate, Navigator, Planner, Sink, Statistics, Step, Stop, Times};
 use crate::program::{Coolant, Location};
 
+use setting::Setting;
 use survey::Survey;
 
 /// What is to be posted, and how.
@@ -45,6 +47,9 @@ pub enum PostError {
     /// The program cannot be written.
     #[error("cannot write the program: {0}")]
     Output(#[source] io::Error),
+    /// The operations that are wanted are not there.
+    #[error("{0}")]
+    Operations(String),
 }
 
 /// What became of a job.
@@ -62,6 +67,8 @@ pub struct Report {
     pub blocks: u64,
     /// Lines of CL data read.
     pub lines: u64,
+    /// How the part is set up where that is not the plain case, one sentence each.
+    pub set_up: Vec<String>,
     /// How the CL data was read: which CAM system wrote it, arcs, frames, words that were passed over.
     pub reading: Vec<String>,
     /// What the course of the rotary axes costs, with and without a view ahead; empty without rotary axes.
@@ -92,6 +99,7 @@ impl Report {
             counted(self.statistics.inverse_time, "block"),
         )];
         lines.extend(time::lines(&self.times));
+        lines.extend(self.set_up.iter().cloned());
         lines.extend(self.reading.iter().cloned());
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
@@ -163,11 +171,14 @@ pub fn post<M: Machine>(
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let machine = job.config.machine::<M>();
     let navigator = machine.as_ref().ok().map(|machine| Navigator::new(machine.clone(), job.config));
-    let mut survey =
-        Survey::take(&mut *input, options.clone(), &M::default().tool_axis(), navigator, Expander::new(job.config))
-            .map_err(PostError::Input)?;
+    let mut survey = Survey::take(&mut *input, options.clone(), job.config, navigator).map_err(PostError::Input)?;
     input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
 
+    let wanted = match survey.wanted() {
+        // What is wrong with the CL data is told first: with it, operations may be missing.
+        Err(text) if survey.first_error.is_none() => return Err(PostError::Operations(text)),
+        wanted => wanted.unwrap_or_default(),
+    };
     let mut report = Report {
         tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
         lines: survey.lines,
@@ -196,7 +207,9 @@ pub fn post<M: Machine>(
     }
     let mut encoder = Encoder::new(job.control, &layout::<M>(job.config, units), &mut *output);
     let planner = Planner::new(machine.clone(), job.config, units, abilities(job.control), survey.upside_down())
-        .with_course(std::mem::take(&mut survey.course));
+        .with_course(std::mem::take(&mut survey.course))
+        .with_operations(wanted);
+    report.set_up = header::set_up(job.config, &survey);
     report.reading = header::reading(job.config, &survey);
     report.assumptions = header::assumptions::<M>(job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
@@ -217,8 +230,10 @@ fn run<M: Machine, R: Read, W: Write>(
     encoder: &mut Encoder<'_, W>,
     report: &mut Report,
 ) -> Result<(), PostError> {
+    let mut setting = Setting::new(job.config);
     let mut last = Location::default();
     let mut remarks = Remarks::default();
+    let mut gate = Gate::new(encoder, planner.shows());
     let planned = loop {
         // Looked at where it lies: to move an event costs as much as to look at it.
         let found = reader.next_event();
@@ -228,13 +243,17 @@ fn run<M: Machine, R: Read, W: Write>(
             }
             Ok(Some((at, event))) if survey.first_error.is_none_or(|error| *at < error) => {
                 last = *at;
-                if let Err(stopped) = planner.event(*at, event, encoder) {
+                let planned = match setting.event(event) {
+                    Some(turned) => planner.event(*at, &turned, &mut gate),
+                    None => planner.event(*at, event, &mut gate),
+                };
+                if let Err(stopped) = planned {
                     break Err(stopped);
                 }
             }
-            _ if survey.first_error.is_some() => break planner.abandon(encoder).map_err(Stop::Output),
+            _ if survey.first_error.is_some() => break planner.abandon(&mut gate).map_err(Stop::Output),
             Ok(Some(_)) => {}
-            Ok(None) => break planner.finish(last, encoder),
+            Ok(None) => break planner.finish(last, &mut gate),
         }
         if planner.has_warnings() {
             planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));

@@ -2,17 +2,25 @@
 
 use std::collections::BTreeMap;
 use std::io::{self, Read};
+use std::ops::RangeInclusive;
 
 use nalgebra::UnitVector3;
 
 use crate::cl::{ArcVote, Dialect, Options, Reader};
+use crate::config::{Config, Operations, list, nearest};
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::Machine;
+use crate::kinematics::{AxisKind, Machine, Side};
 use crate::motion::{Course, Expander, Navigator};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
+use super::setting::Setting;
+
 /// More tools than this are not one program; it bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
+
+/// Names of operations that are remembered, and that a message lists.
+const MOST_NAMES: usize = 1000;
+const MOST_LISTED: usize = 10;
 
 /// One tool of the program.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +28,7 @@ pub(super) struct ToolUse {
     pub(super) call: ToolCall,
     /// Operations that cut or move with it.
     pub(super) operations: u64,
-    /// Lowest and highest tip in the workpiece frame (Z of the CL data), mm.
+    /// Lowest and highest tip of the part as it lies, mm.
     pub(super) tip: Option<(f64, f64)>,
     /// It cuts before any SPINDL/.. behind its call: speed and direction come from the configuration.
     pub(super) spindle_assumed: bool,
@@ -38,6 +46,8 @@ pub(super) struct Survey {
     pub(super) arcs: ArcVote,
     /// Different frames.
     pub(super) frames: usize,
+    /// Operations of the whole program.
+    pub(super) operations: u64,
     /// How often CSYS changes.
     pub(super) setup_changes: u64,
     /// The CAM system asks for inverse-time feed.
@@ -50,6 +60,11 @@ pub(super) struct Survey {
     pub(super) first_error: Option<Location>,
     /// The course of the rotary axes.
     pub(super) course: Course,
+    select: Option<Operations>,
+    /// The first operation of the name that was asked for.
+    named: Option<u64>,
+    /// Names that were seen before it.
+    names: Vec<String>,
     feeds: u64,
     feeds_down: u64,
 }
@@ -69,6 +84,14 @@ struct State {
     begun: bool,
     /// A tool has been called and nothing has moved yet.
     called: bool,
+    /// The coming operation bears the name that was asked for.
+    named: bool,
+    /// Rotary axes in the head: the machine moves without a tool, too.
+    head: bool,
+}
+
+fn has_head<M: Machine>() -> bool {
+    M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool)
 }
 
 /// What cannot be expanded, which the planner tells.
@@ -84,13 +107,14 @@ impl Survey {
     pub(super) fn take<M: Machine>(
         input: impl Read,
         options: Options,
-        tool_axis: &UnitVector3<f64>,
+        config: &Config,
         mut navigator: Option<Navigator<M>>,
-        mut expander: Expander,
     ) -> io::Result<Self> {
         let mut reader = Reader::new(input, options);
-        let mut survey = Self::default();
-        let mut state = State { begun: true, ..State::default() };
+        let mut survey = Self { select: config.operations.clone(), ..Self::default() };
+        let (mut setting, mut expander) = (Setting::new(config), Expander::new(config));
+        let tool_axis = &M::default().tool_axis();
+        let mut state = State { begun: true, head: has_head::<M>(), ..State::default() };
         loop {
             // Looked at where it lies: to move an event costs as much as to look at it.
             let found = reader.next_event();
@@ -102,6 +126,8 @@ impl Survey {
                     break;
                 }
             };
+            let turned = setting.event(event);
+            let event = turned.as_ref().unwrap_or(event);
             let mut straight = |at: Location, event: &Event<'_>| -> Result<(), Silent> {
                 survey.event(at, event, &mut state, tool_axis);
                 Ok(())
@@ -143,8 +169,11 @@ impl Survey {
     fn event(&mut self, at: Location, event: &Event<'_>, state: &mut State, tool_axis: &UnitVector3<f64>) {
         match *event {
             Event::Name(name) if self.name.is_empty() => self.name = name.to_vec(),
-            Event::Operation(_)
-            | Event::Stop
+            Event::Operation(name) => {
+                state.begun = true;
+                state.named |= self.is_named(name);
+            }
+            Event::Stop
             | Event::OptionalStop
             | Event::SafeSequence
             | Event::Frame(_)
@@ -167,11 +196,18 @@ impl Survey {
                 state.begun = true;
             }
             Event::Spindle(Spindle::On { .. }) => state.spindle = true,
+            // The planner passes over these.
+            Event::Move(motion) if state.begun && state.call.is_none() && motion.rapid && !state.head => {}
             Event::Move(motion) => {
                 state.called = false;
                 if state.begun {
                     state.begun = false;
-                    state.tool = state.call.and_then(|call| {
+                    self.operations += 1;
+                    if std::mem::take(&mut state.named) {
+                        self.named.get_or_insert(self.operations);
+                    }
+                    let call = state.call.filter(|_| self.selected());
+                    state.tool = call.and_then(|call| {
                         let place = state.called_so_far.get_mut(&call.number)?;
                         Some(self.tool(call, place))
                     });
@@ -191,6 +227,59 @@ impl Survey {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// Whether an operation bears the name that was asked for.
+    fn is_named(&mut self, name: &[u8]) -> bool {
+        let Some(Operations::From(wanted)) = &self.select else { return false };
+        let name = String::from_utf8_lossy(name).trim().to_owned();
+        let found = name.eq_ignore_ascii_case(wanted.trim());
+        if !found && self.names.len() < MOST_NAMES {
+            self.names.push(name);
+        }
+        found
+    }
+
+    /// Whether the operation that has begun is posted.
+    fn selected(&self) -> bool {
+        match &self.select {
+            None => true,
+            Some(Operations::Range(first, last)) => {
+                self.operations >= *first && last.is_none_or(|last| self.operations <= last)
+            }
+            Some(Operations::From(_)) => self.named.is_some(),
+        }
+    }
+
+    /// The operations that are posted; `None` for all.
+    ///
+    /// # Errors
+    /// A sentence if there are none, or not as many.
+    pub(super) fn wanted(&self) -> Result<Option<RangeInclusive<u64>>, String> {
+        match &self.select {
+            None => Ok(None),
+            Some(Operations::Range(first, last)) => {
+                let last = last.unwrap_or(self.operations).max(*first);
+                if last > self.operations {
+                    let count = super::counted(self.operations, "operation");
+                    return Err(format!("the CL data has {count}: there is no operation {last}"));
+                }
+                Ok(Some(*first..=last))
+            }
+            Some(Operations::From(name)) => match self.named {
+                Some(first) => Ok(Some(first..=self.operations)),
+                None => Err(format!("no operation of the CL data is called `{name}`: {}", self.known_names(name))),
+            },
+        }
+    }
+
+    fn known_names(&self, name: &str) -> String {
+        let names = || self.names.iter().map(String::as_str);
+        match nearest(name, names()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None if self.names.is_empty() => "none has a name".to_owned(),
+            None => format!("its operations are {}", list(names().take(MOST_LISTED), '`')),
         }
     }
 

@@ -2,11 +2,13 @@
 
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
 use super::*;
-use crate::config::Tool;
+use crate::config::{Operations, Tool};
 use crate::control::LinuxCnc;
 use crate::motion::machines::{Cb, Head, Xyz};
-use crate::program::Rotation;
+use crate::program::{Clearance, Plane, Rotation};
 
 const PART: &str = "\
 PARTNO BRACKET
@@ -259,4 +261,174 @@ fn an_empty_file_is_no_program() {
     let (text, report) = posted::<Cb>(&Config { part_origin: [0.0; 3], ..Config::default() }, "");
     assert!(report.failed, "an empty file has no motion");
     assert!(!text.contains("M2\n"));
+}
+
+/// The part upside down: every Y and Z, of tips and axes, has the other sign.
+fn overturned(text: &str) -> String {
+    let turned = |line: &str| match line.strip_prefix("GOTO/").or_else(|| line.strip_prefix("CLEARP/")) {
+        Some(numbers) => {
+            let (word, _) = line.split_once('/').expect("a slash");
+            let numbers = numbers.split(',').enumerate().map(|(index, number)| match index % 3 {
+                0 => number.to_owned(),
+                _ => format!("{}", -number.parse::<f64>().expect("a number")),
+            });
+            format!("{word}/{}\n", numbers.collect::<Vec<_>>().join(","))
+        }
+        None => format!("{line}\n"),
+    };
+    // Without an axis of its own the first point would have that of the frame.
+    text.replace("GOTO/0,0,20\n", "GOTO/0,0,20,0,0,1\n").lines().map(turned).collect()
+}
+
+#[test]
+fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it() {
+    let upright = PART.replace("TOOL PATH/SIDE", "GOTO/25,0,9\nTOOL PATH/SIDE");
+    let mut config = Config { floor: Some(-3.0), ..Config::default() };
+    config.retract.clearance = Some(Clearance::Plane(Plane { normal: Vector3::z_axis(), distance: 30.0 }));
+    let (expected, report) = posted::<Cb>(&config, &upright);
+    assert!(!report.failed && report.set_up.is_empty(), "{report:?}");
+    config.part_rotation = Rotation3::from_matrix_unchecked(Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0)));
+    let (text, report) = posted::<Cb>(&config, &overturned(&upright));
+    assert!(!report.failed, "{report:?}");
+    assert_eq!(blocks(&text), blocks(&expected));
+    let said = "part rotation 180, 0, 0: the CL data is turned by these degrees about X, then Y, then Z of the table";
+    assert_eq!(report.set_up, [said]);
+    assert!(text.lines().any(|line| line == format!("({said})")), "{text}");
+    assert!(text.contains("tip Z -3 to 20"), "{text}");
+    config.floor = Some(-2.0);
+    assert!(posted::<Cb>(&config, &overturned(&upright)).1.failed);
+}
+
+#[test]
+fn the_header_says_what_the_rotary_entries_of_the_work_offset_must_hold() {
+    let mut config = Config::default();
+    config.rotary_offset.insert('C', 12.5_f64.to_radians());
+    let (text, _) = posted::<Cb>(&config, PART);
+    assert!(text.contains("(words of C are the axis value minus 12.5: its entry in G54 must be 12.5)"), "{text}");
+    assert!(text.contains("(the entries of B in G54 must be zero)"), "{text}");
+    assert!(posted::<Cb>(&Config::default(), PART).0.contains("(the entries of C and B in G54 must be zero)"));
+}
+
+#[test]
+fn a_dry_run_says_so_and_runs_the_same_path_further_out() {
+    let (_, report) = posted::<Cb>(&Config::default(), PART);
+    let (text, dry) = posted::<Cb>(&Config { lift: Some(50.0), ..Config::default() }, PART);
+    assert!(!dry.failed && dry.statistics.motions == report.statistics.motions, "{dry:?}");
+    let said = "DRY RUN: every point 50 mm out along the tool axis, spindle and coolant off";
+    assert!(dry.set_up == [said] && text.contains(said), "{text}");
+    assert!(text.contains("\nG1 Z47 F800\nX25\n"), "{text}");
+    assert!(!text.contains("M3\n") && !text.contains("M8\n"), "{text}");
+}
+
+const FOUR: &str = "\
+UNITS/MM
+TOOL PATH/ROUGH,TOOL,D10
+LOADTL/1
+SPINDL/RPM,6000,CLW
+COOLNT/ON
+FEDRAT/MMPM,800
+GOTO/0,0,2,0,0,1
+GOTO/9,0,2
+TOOL PATH/SIDE,TOOL,D10
+GOTO/25,0,0,-0.5,0,0.8660254
+GOTO/25,8,0
+STOP
+PPRINT NOW THE FINISH
+TOOL PATH/FINISH,TOOL,D6
+LOADTL/2
+SPINDL/RPM,9000,CLW
+GOTO/25,9,0,0.6,0,0.8
+GOTO/25,19,0
+RAPID
+GOTO/25,19,80
+TOOL PATH/CHAMFER,TOOL,D6
+GOTO/5,9,0,0,0.6,0.8
+GOTO/5,19,0
+FINI
+";
+
+/// The blocks of each operation by its number: from its restart point to that of the next.
+fn by_operation(text: &str) -> std::collections::BTreeMap<u64, Vec<&str>> {
+    let mut operations = std::collections::BTreeMap::new();
+    let mut number = 0;
+    for line in text.lines() {
+        let restart = line.strip_prefix('N').and_then(|rest| rest.split(' ').next()?.parse().ok());
+        number = restart.unwrap_or(number);
+        operations.entry(number).or_insert_with(Vec::new).push(line);
+    }
+    operations
+}
+
+/// Blocks that move the tool in the coordinates of the program.
+fn moving<'l>(lines: &[&'l str]) -> Vec<&'l str> {
+    let moves = |line: &&&str| line.contains(['X', 'Y', 'Z', 'B', 'C']) && !line.contains('(') && !line.contains("G53");
+    lines.iter().filter(moves).copied().collect()
+}
+
+#[test]
+fn an_operation_that_is_posted_alone_moves_as_it_does_in_the_whole_program() {
+    let (whole, report) = posted::<Cb>(&Config::default(), FOUR);
+    assert!(!report.failed, "{report:?}");
+    let all = by_operation(&whole);
+    for (first, last) in [(1, 1), (1, 2), (2, 2), (2, 3), (3, 4), (4, 4)] {
+        let operations = Some(Operations::Range(first, Some(last)));
+        let (text, report) = posted::<Cb>(&Config { operations, ..Config::default() }, FOUR);
+        assert!(!report.failed && text.ends_with("M5\nM2\n"), "{report:?}\n{text}");
+        assert!(text.contains(&format!("operations {first} to {last} of 4 only")), "{text}");
+        assert_eq!(report.tools.len(), if (first, last) == (2, 3) { 2 } else { 1 });
+        let some = by_operation(&text);
+        let restarts: Vec<u64> = some.keys().copied().filter(|number| *number > 0).collect();
+        assert_eq!(restarts, (first..=last).collect::<Vec<_>>(), "{text}");
+        for (number, blocks) in some.iter().filter(|(number, _)| **number > 0) {
+            assert_eq!(moving(blocks), moving(&all[number]), "N{number} of {first}..{last}\n{text}\n{whole}");
+            assert!(blocks.contains(&"M8"), "the coolant that was asked for before");
+        }
+        assert_eq!(report.statistics.motions, 2 * (last - first + 1) + u64::from(first <= 3 && last >= 3));
+        let top: Vec<&str> = blocks(&text).into_iter().filter(|block| !block.starts_with('(')).collect();
+        assert!(top[0].starts_with('N') && top[3].ends_with(" M6"), "{top:?}");
+    }
+}
+
+#[test]
+fn without_transitions_an_operation_that_is_posted_alone_is_entered_and_left_safely() {
+    let operations = Some(Operations::Range(2, Some(2)));
+    let transition = crate::config::Transition::Direct;
+    let (text, report) = posted::<Cb>(&Config { operations, transition, ..Config::default() }, FOUR);
+    assert!(!report.failed, "{report:?}");
+    let blocks = blocks(&text);
+    assert!(blocks[0].starts_with("N2 G21") && blocks.contains(&"T1 M6"), "{text}");
+    assert!(text.ends_with("G53 G0 Z0\nM5\nM2\n"), "{text}");
+    let moving: Vec<&str> = moving(&blocks).into_iter().filter(|block| block.contains(['X', 'Y'])).collect();
+    assert_eq!(moving.len(), 2, "above the first point, and to the second: {text}");
+}
+
+#[test]
+fn what_is_between_operations_goes_with_the_one_it_speaks_of() {
+    let some = |first, last| {
+        let operations = Some(Operations::Range(first, Some(last)));
+        posted::<Cb>(&Config { operations, ..Config::default() }, FOUR).0
+    };
+    let second = some(2, 2);
+    assert!(second.contains("(OPERATION SIDE)") && second.contains("M0") && !second.contains("FINISH"), "{second}");
+    assert!(second.contains("S6000 M3") && second.contains("T1 M6"), "{second}");
+    let third = some(3, 4);
+    assert!(third.contains("(NOW THE FINISH)\n(OPERATION FINISH)\nN3 "), "{third}");
+    assert!(!third.contains("M0\n") && !third.contains("SIDE"), "{third}");
+}
+
+#[test]
+fn operations_are_found_by_name_and_what_is_not_there_is_said() {
+    let post = |operations| {
+        let config = Config { operations: Some(operations), ..Config::default() };
+        let job = Job { cl_name: "a", config: &config, control: &LinuxCnc, units: None };
+        let mut out = Vec::new();
+        post::<Cb>(&job, &mut Cursor::new(FOUR.as_bytes()), &mut out).map(|_| String::from_utf8(out).expect("ASCII"))
+    };
+    let named = |name: &str| post(Operations::From(name.to_owned()));
+    assert_eq!(named("finish").expect("there"), post(Operations::Range(3, None)).expect("there"));
+    let said = |result: Result<String, PostError>| result.expect_err("not there").to_string();
+    assert_eq!(said(named("FINISHH")), "no operation of the CL data is called `FINISHH`: did you mean `FINISH`?");
+    assert!(said(named("x")).contains("its operations are `ROUGH`, `SIDE`, `FINISH`, `CHAMFER`"));
+    assert_eq!(said(post(Operations::Range(3, Some(5)))), "the CL data has 4 operations: there is no operation 5");
+    assert!(said(post(Operations::Range(7, None))).contains("no operation 7"));
 }

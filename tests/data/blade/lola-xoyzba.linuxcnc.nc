@@ -26,6 +26,9 @@ G53 G0 Z0
 T3 M6
 G53 G0 Z0
 G43 H3
+o1 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]
+(abort, T3 was posted with L = 101.5 mm: the tool table says something else)
+o1 endif
 S8200 M3
 G0 A0 B0
 X-31.2 Y-12.4
@@ -81,6 +84,9 @@ M9
 G53 G0 Z0
 (T3 stays in the spindle)
 G43 H3
+o2 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]
+(abort, T3 was posted with L = 101.5 mm: the tool table says something else)
+o2 endif
 S7600 M3
 G0 A17.2259 B-14.3825
 X-21.016 Y-69.626

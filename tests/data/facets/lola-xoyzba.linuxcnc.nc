@@ -27,6 +27,9 @@ G53 G0 Z0
 T5 M6
 G53 G0 Z0
 G43 H5
+o1 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
+(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
+o1 endif
 S4500 M3
 G0 A-9.2399 B26.5487
 X104.067 Y28.622
@@ -55,6 +58,9 @@ M9
 G53 G0 Z0
 (T5 stays in the spindle)
 G43 H5
+o2 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
+(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
+o2 endif
 S4500 M3
 G0 A22.6175 B8.2477
 X22.844 Y-94.339
@@ -71,6 +77,9 @@ G53 G0 Z0
 T6 M6
 G53 G0 Z0
 G43 H6
+o3 if [[ABS[#5403 - 97.25] GT 0.01] AND [ABS[[#5403 * 25.4] - 97.25] GT 0.01]]
+(abort, T6 was posted with L = 97.25 mm: the tool table says something else)
+o3 endif
 S9000 M3
 G0 A4.2453 B-11.7678
 X-45.086 Y-7.988
@@ -87,6 +96,9 @@ G53 G0 Z0
 T5 M6
 G53 G0 Z0
 G43 H5
+o4 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
+(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
+o4 endif
 S4200 M3
 G0 A-5.8906 B-40.6489
 X-143.555 Y31.262

@@ -26,6 +26,9 @@ G53 G0 Z0
 T12 M6
 G53 G0 Z0
 G43 H12
+o1 if [[ABS[#5403 - 120.65] GT 0.01] AND [ABS[[#5403 * 25.4] - 120.65] GT 0.01]]
+(abort, T12 was posted with L = 120.65 mm: the tool table says something else)
+o1 endif
 S3800 M4
 G0 A-3.3 B0
 X-1.137 Y0.0053

@@ -30,6 +30,9 @@ G53 G0 Z0
 T4 M6
 G53 G0 Z0
 G43 H4
+o1 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
+(abort, T4 was posted with L = 120 mm: the tool table says something else)
+o1 endif
 S3000 M3
 G0 A0 B0
 X12.5 Y20
@@ -92,6 +95,9 @@ M9
 G53 G0 Z0
 (T4 stays in the spindle)
 G43 H4
+o2 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
+(abort, T4 was posted with L = 120 mm: the tool table says something else)
+o2 endif
 S3000 M3
 G0 A0 B90
 X200 Y20

@@ -16,7 +16,7 @@
 (T21 bull 12 D12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
 (T21 posted with L = 120.25: H21 must hold exactly this)
 (T22 D12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)
-(T22 posted with L = 96.5: H52 must hold exactly this)
+(T22 posted with L = 96.5: H52 must hold exactly this, and nothing compares it)
 (ASSUMED retract to machine coordinate 0 mm)
 (OPERATION SOUTH)
 N1 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
@@ -25,6 +25,9 @@ G53 G0 Z0
 T21 M6
 G53 G0 Z0
 G43 H21
+o1 if [[ABS[#5403 - 120.25] GT 0.01] AND [ABS[[#5403 * 25.4] - 120.25] GT 0.01]]
+(abort, T21 was posted with L = 120.25 mm: the tool table says something else)
+o1 endif
 S5200 M3
 G0 A18.266 B2.2556
 X7.995 Y-63.387

@@ -26,6 +26,9 @@ G53 G0 Z0
 T3 M6
 G53 G0 Z0
 G43 H3
+o1 if [[ABS[#5403 - 101.6] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.6] GT 0.01]]
+(abort, T3 was posted with L = 101.6 mm: the tool table says something else)
+o1 endif
 S3000 M3
 G0 A0 B0
 X0 Y0.5

@@ -30,6 +30,9 @@ G53 G0 Z0
 T1 M6
 G53 G0 Z0
 G43 H1
+o1 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
+(abort, T1 was posted with L = 110 mm: the tool table says something else)
+o1 endif
 S4000 M3
 G0 A0 B0
 X8 Y0
@@ -116,6 +119,9 @@ G53 G0 Z0
 T2 M6
 G53 G0 Z0
 G43 H2
+o2 if [[ABS[#5403 - 130] GT 0.01] AND [ABS[[#5403 * 25.4] - 130] GT 0.01]]
+(abort, T2 was posted with L = 130 mm: the tool table says something else)
+o2 endif
 S2500 M3
 G0 A0 B0
 X-30 Y15
@@ -159,6 +165,9 @@ M9
 G53 G0 Z0
 (T2 stays in the spindle)
 G43 H2
+o3 if [[ABS[#5403 - 130] GT 0.01] AND [ABS[[#5403 * 25.4] - 130] GT 0.01]]
+(abort, T2 was posted with L = 130 mm: the tool table says something else)
+o3 endif
 S2500 M3
 G0 A0 B0
 X0 Y0

@@ -25,6 +25,9 @@ G53 G0 Z0
 T7 M6
 G53 G0 Z0
 G43 H7
+o1 if [[ABS[#5403 - 84.3] GT 0.01] AND [ABS[[#5403 * 25.4] - 84.3] GT 0.01]]
+(abort, T7 was posted with L = 84.3 mm: the tool table says something else)
+o1 endif
 S6500 M3
 G0 A13.5222 B23.5932
 X84.262 Y-50.63

@@ -28,6 +28,9 @@ G53 G0 Z0
 T1 M6
 G53 G0 Z0
 G43 H1
+o1 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
+(abort, T1 was posted with L = 120 mm: the tool table says something else)
+o1 endif
 S3000 M3
 G0 A0 B30
 X84.608 Y-28
@@ -55,6 +58,9 @@ G53 G0 Z0
 T2 M6
 G53 G0 Z0
 G43 H2
+o2 if [[ABS[#5403 - 95] GT 0.01] AND [ABS[[#5403 * 25.4] - 95] GT 0.01]]
+(abort, T2 was posted with L = 95 mm: the tool table says something else)
+o2 endif
 S7000 M3
 G0 A20 B0
 X-30 Y-69.593

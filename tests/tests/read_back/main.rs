@@ -10,6 +10,7 @@
 //! - a motion to the next GOTO, or a piece of it, on its line and within tolerance; the pieces take the time of the whole.
 
 mod points;
+mod set_ups;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,7 +18,7 @@ use std::path::{Path, PathBuf};
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::kinematics::{Axis, AxisKind, Machine, Pose, Side, Solution};
-use pp_runtime::nalgebra::{Point3, UnitVector3, Vector3};
+use pp_runtime::nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 use tests::binaries::{binary, workspace};
 use tests::block::{angle_to_arc, deviation_from, distance_to_line};
 use tests::oracle::{Oracle, angle_between, wrapped};
@@ -60,9 +61,31 @@ struct SetUp {
     retract: f64,
     travel: &'static [Travel],
     park: &'static [(char, f64)],
+    counting: Counting,
     /// Posted with tolerances so wide that no point is inserted.
     coarse: bool,
 }
+
+/// How the part lies, and what words count from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Counting {
+    /// The CL data is multiplied by this.
+    rotation: Matrix3<f64>,
+    /// Degrees between words and values of A, B and C.
+    offsets: [f64; 3],
+    /// Linear words count from the table.
+    from_table: bool,
+    /// Linear words are those of the gauge line.
+    gauge_line: bool,
+}
+
+#[rustfmt::skip]
+const USUAL: Counting = Counting {
+    rotation: Matrix3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0),
+    offsets: [0.0; 3],
+    from_table: false,
+    gauge_line: false,
+};
 
 const PLAIN: SetUp = SetUp {
     config: None,
@@ -73,6 +96,7 @@ const PLAIN: SetUp = SetUp {
     retract: 0.0,
     travel: &[],
     park: &[],
+    counting: USUAL,
     coarse: false,
 };
 
@@ -85,6 +109,7 @@ const COIL: SetUp = SetUp {
     retract: -5.0,
     travel: &[('X', -180.0, -300.0, 0.0), ('Y', -95.0, -200.0, 0.0), ('Z', -310.0, -350.0, 0.0)],
     park: &[('A', 0.0)],
+    counting: USUAL,
     coarse: false,
 };
 
@@ -97,6 +122,7 @@ const PADS: SetUp = SetUp {
     retract: 0.0,
     travel: &[('X', 20.0, -310.0, 310.0), ('Y', -15.0, -255.0, 255.0), ('Z', -520.0, -460.0, 0.0)],
     park: &[('X', 0.0), ('Y', 240.0)],
+    counting: USUAL,
     coarse: false,
 };
 
@@ -109,12 +135,16 @@ fn sample(name: &str) -> PathBuf {
 }
 
 fn posted(machine: &str, cl: &PathBuf, set_up: &SetUp) -> String {
+    posted_with(machine, cl, set_up.config.map(data).as_deref(), set_up.coarse)
+}
+
+fn posted_with(machine: &str, cl: &PathBuf, config: Option<&Path>, coarse: bool) -> String {
     let mut command = binary(machine);
     command.arg("post").arg(cl);
-    if let Some(config) = set_up.config {
-        command.arg("--config").arg(data(config));
+    if let Some(config) = config {
+        command.arg("--config").arg(config);
     }
-    if set_up.coarse {
+    if coarse {
         command.args(["--tolerance", "1", "--axis-tolerance-path", "10"]);
     }
     let output = command.output().expect("the binary runs");
@@ -164,6 +194,8 @@ struct Reader<'a, M: Machine> {
     tool: Option<u32>,
     /// mm in the program's unit of length.
     scale: f64,
+    /// What linear words are more than the axis values, in the order of the axes, mm.
+    shift: Vec<f64>,
     /// The last digit of a linear word, mm.
     unit: f64,
     stage: Stage,
@@ -193,6 +225,7 @@ impl<'a, M: Machine> Reader<'a, M> {
             oracle,
             tool: None,
             scale,
+            shift: vec![0.0; M::AXES.len()],
             unit,
             stage,
             next: 0,
@@ -216,15 +249,32 @@ impl<'a, M: Machine> Reader<'a, M> {
         self.tool = Some(tool);
         self.machine.set_up(Vector3::from(self.set_up.part_origin), self.length());
         self.oracle = Oracle::of(&self.machine);
+        let Counting { from_table, gauge_line, .. } = self.set_up.counting;
+        let mut more = Vector3::zeros();
+        if from_table {
+            more += Vector3::from(self.set_up.part_origin);
+        }
+        if gauge_line {
+            more += self.machine.tool_axis().into_inner() * self.length();
+        }
+        // The linear axes that together move the tool by this at the zero position.
+        self.shift = vec![0.0; M::AXES.len()];
+        self.oracle.bring_tip_to(&Point3::from(more), &mut self.shift);
+    }
+
+    /// Degrees of an axis value for a word.
+    fn angle(&self, letter: char, word: f64) -> f64 {
+        word + "ABC".find(letter).map_or(0.0, |index| self.set_up.counting.offsets[index])
     }
 
     /// Axis values in chain order, mm and rad; `None` while a word is unknown.
     fn values(&self, position: &Position, scale: f64) -> Option<Vec<f64>> {
-        let value = |axis: &Axis| {
+        let value = |(axis, shift): (&Axis, &f64)| {
             let word = *position.get(&axis.letter)?;
-            Some(if axis.kind == AxisKind::Rotary { word.to_radians() } else { word * scale })
+            let rotary = axis.kind == AxisKind::Rotary;
+            Some(if rotary { self.angle(axis.letter, word).to_radians() } else { word * scale - shift })
         };
-        M::AXES.iter().map(value).collect()
+        M::AXES.iter().zip(&self.shift).map(value).collect()
     }
 
     fn letters(kind: AxisKind) -> Vec<char> {
@@ -486,7 +536,8 @@ impl<'a, M: Machine> Reader<'a, M> {
             if axis.kind == AxisKind::Rotary {
                 if let Some(limits) = axis.limits {
                     let (low, high) = (limits.lower.to_degrees() - 1e-9, limits.upper.to_degrees() + 1e-9);
-                    assert!((low..=high).contains(word), "line {line}: {}{word} is beyond its limit", axis.letter);
+                    let inside = (low..=high).contains(&self.angle(axis.letter, *word));
+                    assert!(inside, "line {line}: {}{word} is beyond its limit", axis.letter);
                 }
             } else if let Some((_, zero, low, high)) = self.set_up.travel.iter().find(|travel| travel.0 == axis.letter)
             {
@@ -540,12 +591,21 @@ fn read_back<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) -> Checked 
 }
 
 fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Checked {
-    let program = Program::read(text).unwrap_or_else(|refused| panic!("{refused}"));
+    let gauge_line = set_up.counting.gauge_line;
+    let program = if gauge_line { Program::of_gauge_line(text, None) } else { Program::read(text) };
+    let program = program.unwrap_or_else(|refused| panic!("{refused}"));
     let mut reader = Reader::<M>::new(set_up, cl);
     let steps = &program.steps;
     for (index, step) in steps.iter().enumerate() {
         match &step.action {
             Action::ToolChange(tool) => reader.call(*tool),
+            Action::Length(register) => {
+                let head = M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == Side::Tool);
+                let next = steps.get(index + 1).map(|step| &step.action);
+                let guarded = matches!(next, Some(Action::LengthGuard { length, tolerance })
+                    if (length - reader.length()).abs() < 1e-9 && (tolerance - 0.01).abs() < 1e-12);
+                assert_eq!(guarded, head && Some(*register) == reader.tool, "line {}: the length guard", step.line);
+            }
             Action::Motion(motion) => {
                 let later = steps[index + 1..].iter().find_map(|step| match &step.action {
                     Action::Motion(motion) => Some(motion.machine),
@@ -557,16 +617,16 @@ fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Ch
         }
     }
     assert_eq!(reader.next, cl.points.len(), "GOTOs met and GOTOs in the CL data");
-    let (edge, own) = (reader.edge, path.starts_with(data("")));
+    let (edge, own) = (reader.edge, path.starts_with(data("")) && set_up.counting == USUAL);
     assert!(!own || edge > 1e-4, "another platform may round a point the other way: {edge} units");
     assert!(reader.stage == Stage::Away, "the program ends in the part");
     assert_eq!(reader.parked, set_up.park.iter().map(|(letter, _)| *letter).collect());
-    enter_everywhere(text, &program, cl);
+    enter_everywhere(text, &program, cl, gauge_line);
     reader.checked
 }
 
 /// Entered at any of its numbers, a program does what it does there when it runs from the top.
-fn enter_everywhere(text: &str, whole: &Program, cl: &ClData) {
+fn enter_everywhere(text: &str, whole: &Program, cl: &ClData, gauge_line: bool) {
     let mut tool = 0;
     let mut tools = BTreeMap::new();
     for step in &whole.steps {
@@ -581,7 +641,11 @@ fn enter_everywhere(text: &str, whole: &Program, cl: &ClData) {
     operations.dedup();
     assert!(tools.keys().copied().eq(1..=operations.len() as u32), "an operation has no number: {tools:?}");
     for (number, (tool, line)) in tools {
-        let entered = Program::read_from(text, number, tool).unwrap_or_else(|refused| panic!("N{number}: {refused}"));
+        let entered = match gauge_line {
+            true => Program::of_gauge_line(text, Some((number, tool))),
+            false => Program::read_from(text, number, tool),
+        };
+        let entered = entered.unwrap_or_else(|refused| panic!("N{number}: {refused}"));
         let behind = |motion: &Motion| (motion.machine, motion.rapid, motion.written.clone(), motion.feed);
         let expected: Vec<_> = whole.motions().filter(|(at, _)| *at > line).map(|(_, motion)| behind(motion)).collect();
         let found: Vec<_> = entered.motions().map(|(_, motion)| behind(motion)).collect();

@@ -21,7 +21,7 @@ pub(crate) struct Goto {
 }
 
 /// What the CL data says.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct ClData {
     pub(crate) points: Vec<Goto>,
     /// LENGTH of LOADTL by tool, mm.

@@ -27,10 +27,10 @@ use crate::program::{Event, Location};
 
 use super::expand::Expander;
 use super::place::Placer;
+use super::way::Way;
 
 pub use search::Cost;
 pub(crate) use search::{Metric, Towards, Turns};
-pub(crate) use states::between;
 
 use packed::Packed;
 use search::{Search, State};
@@ -91,7 +91,7 @@ impl Course {
 
 /// One of the two searches: with a view ahead, and without.
 #[derive(Debug)]
-struct Way {
+struct Seeker {
     search: Search,
     /// It has come to a motion that it cannot make.
     ended: bool,
@@ -106,7 +106,7 @@ pub struct Navigator<M: Machine> {
     greedy: bool,
     prefer: Option<(char, bool)>,
     start_branch: Option<Branch>,
-    ways: [Way; 2],
+    ways: [Seeker; 2],
     /// Motions so far.
     motion: u64,
     here: Option<Pose>,
@@ -138,7 +138,7 @@ impl<M: Machine> Navigator<M> {
     #[must_use]
     pub fn new(machine: M, config: &Config) -> Self {
         let placer = Placer::new(machine, config, Units::Millimetres);
-        let way = |greedy| Way { search: Search::new(placer.metric, [0; 2], greedy), ended: false };
+        let way = |greedy| Seeker { search: Search::new(placer.metric, [0; 2], greedy), ended: false };
         Self {
             ways: [way(false), way(true)],
             placer,
@@ -308,6 +308,8 @@ fn cut<M: Machine>(
     to: &Pose,
     states: &[State],
 ) -> bool {
+    // Between opposite axes no way is known, and none is split.
+    let way = Way::new(from, to);
     let (mut here, mut done) = (*from, 0.0);
     let mut passing = placer.passing(from, to);
     let (mut near, mut split) = (Vec::new(), Vec::new());
@@ -316,12 +318,13 @@ fn cut<M: Machine>(
         if search.cut(motion, states, None, |a, b| placer.connected((&here, a), (to, b), merged)) {
             return true;
         }
+        let Some(way) = &way else { return false };
         near.clear();
         if placer.wide() {
             search.near(false, &mut near);
         }
         let mut split_at = |search: &mut Search, part: f64| {
-            let there = between(from, to, part)?;
+            let there = way.at(part);
             placer.states(&there, &near, &mut split);
             let reached =
                 search.cut(motion, &split, Some(part), |a, b| placer.connected((&here, a), (&there, b), false));
@@ -333,7 +336,7 @@ fn cut<M: Machine>(
             (here, done, passing) = (there, part, None);
             continue;
         }
-        let Some(part) = crossing(placer, search, (from, to), (&here, done), &near) else { return false };
+        let Some(part) = crossing(placer, search, way, (&here, done), &near) else { return false };
         let Some(there) = split_at(search, part) else { return false };
         (here, done) = (there, part);
     }
@@ -344,14 +347,14 @@ fn cut<M: Machine>(
 fn crossing<M: Machine>(
     placer: &Placer<M>,
     search: &Search,
-    (from, to): (&Pose, &Pose),
+    way: &Way,
     (here, done): (&Pose, f64),
     near: &[Turns],
 ) -> Option<f64> {
     let mut split = Vec::new();
     let mut first: Option<f64> = None;
     for state in search.layer() {
-        let runs = |part: f64| between(from, to, part).and_then(|pose| placer.continued(&pose, state));
+        let runs = |part: f64| placer.continued(&way.at(part), state);
         if !placer.continued(here, state).is_some_and(|words| placer.inside(&words)) {
             continue;
         }
@@ -366,8 +369,7 @@ fn crossing<M: Machine>(
         if inside <= done || first.is_some_and(|first| first <= inside) {
             continue;
         }
-        let Some(pose) = between(from, to, inside) else { continue };
-        placer.states(&pose, near, &mut split);
+        placer.states(&way.at(inside), near, &mut split);
         if split.len() > 1 {
             first = Some(inside);
         }

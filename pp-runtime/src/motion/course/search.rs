@@ -282,7 +282,13 @@ impl Search {
         &self.layer
     }
 
-    fn finish_layer(&mut self) {
+    /// The next survivors become the survivors, in a layer of these states. False, and nothing done, if there are none.
+    fn finish_layer(&mut self, states: &[State]) -> bool {
+        if self.next.is_empty() {
+            return false;
+        }
+        self.layer.clear();
+        self.layer.extend_from_slice(states);
         if self.greedy
             && let Some(best) = (0..self.next.len()).min_by_key(|&index| (self.next[index].cost, index))
         {
@@ -291,6 +297,7 @@ impl Search {
         }
         std::mem::swap(&mut self.survivors, &mut self.next);
         self.history.settle(&mut self.survivors);
+        true
     }
 
     fn keep(next: &mut Vec<Survivor>, survivor: Survivor) {
@@ -331,13 +338,7 @@ impl Search {
             };
             self.next.push(Survivor { state: *state, cost, head, air: None });
         }
-        if self.next.is_empty() {
-            return false;
-        }
-        self.layer.clear();
-        self.layer.extend_from_slice(states);
-        self.finish_layer();
-        true
+        self.finish_layer(states)
     }
 
     /// A motion in the air to the pole, where the first rotary may stand anywhere; `second`: words of the other. `begins`:
@@ -361,8 +362,7 @@ impl Search {
                 Self::keep(&mut self.next, Survivor { state, cost, head, air: Some(air) });
             }
         }
-        self.layer.clear();
-        self.finish_layer();
+        self.finish_layer(&[]);
     }
 
     /// A cut. False, and nothing done, if no state can be reached.
@@ -395,13 +395,7 @@ impl Search {
             }
             self.next.push(Survivor { state: *state, cost, head, air: None });
         }
-        if self.next.is_empty() {
-            return false;
-        }
-        self.layer.clear();
-        self.layer.extend_from_slice(states);
-        self.finish_layer();
-        true
+        self.finish_layer(states)
     }
 
     /// The survivors, and every other state of the layer as a rewind from the cheapest place reaches it.
@@ -456,12 +450,7 @@ impl Search {
             }
             Self::keep(&mut self.next, Survivor { state: State { words, ..from.state }, cost, head, air: None });
         }
-        if self.next.is_empty() {
-            return false;
-        }
-        self.layer.clear();
-        self.finish_layer();
-        true
+        self.finish_layer(&[])
     }
 
     /// A cut out of the pole. `exits`: for each state the words in which it leaves the pole.
@@ -486,13 +475,7 @@ impl Search {
             head = self.history.push(head, motion, How::Take, state.words);
             self.next.push(Survivor { state: *state, cost, head, air: None });
         }
-        if self.next.is_empty() {
-            return false;
-        }
-        self.layer.clear();
-        self.layer.extend_from_slice(states);
-        self.finish_layer();
-        true
+        self.finish_layer(states)
     }
 
     /// The cheapest way, and what it decided.

@@ -7,6 +7,7 @@ use crate::kinematics::{Branch, Machine, Pose};
 use super::super::choose::Rotary;
 use super::super::place::{Place, Placer};
 use super::super::step::MAX_AXES;
+use super::super::way::Way;
 use super::search::{State, Turns};
 
 /// Turns of one axis that are looked at for one pose, nearest to zero first. Of a wider axis those at its ends and those in
@@ -22,21 +23,6 @@ const SAME_WORD: i64 = 2;
 /// Halvings of a block while it is followed along its branch: half a turn, until it is no wider than the least distance
 /// from a pole beside which the axes still turn.
 const MOST_HALVINGS: u32 = 30;
-
-/// Where a path that runs evenly from one pose to another is at a part of its way; `None` if the axes are opposite.
-pub(crate) fn between(from: &Pose, to: &Pose, part: f64) -> Option<Pose> {
-    let tip = from.tip + (to.tip - from.tip) * part;
-    let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
-    let (sine, cosine) = (a.cross(&b).norm(), a.dot(&b));
-    let angle = sine.atan2(cosine);
-    if angle < 1e-12 {
-        return Some(Pose { tip, axis: if part < 0.5 { from.axis } else { to.axis } });
-    }
-    let across = b - a * cosine;
-    let across = across.try_normalize(1e-9)?;
-    let (sine, cosine) = (angle * part).sin_cos();
-    Some(Pose { tip, axis: UnitVector3::new_normalize(a * cosine + across * sine) })
-}
 
 impl<M: Machine> Placer<M> {
     /// Words of all axes from those of the solved rotaries.
@@ -65,7 +51,7 @@ impl<M: Machine> Placer<M> {
     fn axes_of(&self, words: &Turns) -> M::Axes {
         let mut axes = M::HELD;
         for (rotary, word) in self.rotaries.iter().zip(words) {
-            axes.as_mut()[rotary.index] = self.scale.angle(*word);
+            axes.as_mut()[rotary.index] = rotary.angle(*word, self.scale);
         }
         axes
     }
@@ -78,7 +64,7 @@ impl<M: Machine> Placer<M> {
         for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
             let start = out.len();
             let turns = |rotary: &Rotary| {
-                rotary.turns(self.scale.word(solution.axes.as_ref()[rotary.index]), self.scale.turn, MOST_TURNS)
+                rotary.turns(rotary.word(solution.axes.as_ref()[rotary.index], self.scale), self.scale.turn, MOST_TURNS)
             };
             let mut push = |words: Turns| out.push(State { branch: solution.branch, words });
             match &self.rotaries[..] {
@@ -96,7 +82,7 @@ impl<M: Machine> Placer<M> {
                 for near in ends.iter().chain(near) {
                     let mut words = [0; 2];
                     let inside = self.rotaries.iter().enumerate().all(|(axis, rotary)| {
-                        let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
+                        let word = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
                         let nearest = rotary.nearest(word, near[axis], self.scale.turn);
                         words[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
@@ -122,7 +108,7 @@ impl<M: Machine> Placer<M> {
         out.clear();
         let [_, second] = self.rotaries[..] else { return };
         for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
-            let word = self.scale.word(solution.axes.as_ref()[second.index]);
+            let word = second.word(solution.axes.as_ref()[second.index], self.scale);
             out.extend(second.turns(word, self.scale.turn, MOST_TURNS));
         }
         out.dedup();
@@ -174,8 +160,9 @@ impl<M: Machine> Placer<M> {
         };
         let near = solutions_at(p + beside * BESIDE_POLE);
         let near = near.iter().find(|solution| near.len() == 1 || solution.branch == state.branch)?;
-        let word =
-            |rotary: &Rotary, angle: f64, from: i64| rotary.nearest(self.scale.word(angle), from, self.scale.turn).ok();
+        let word = |rotary: &Rotary, angle: f64, from: i64| {
+            rotary.nearest(rotary.word(angle, self.scale), from, self.scale.turn).ok()
+        };
         let free = word(&first, near.axes.as_ref()[first.index], state.words[0])?;
         let there = solutions_at(p);
         let tilt = there
@@ -206,7 +193,7 @@ impl<M: Machine> Placer<M> {
         if 36 * turn < self.scale.turn {
             return true;
         }
-        let Some(middle) = between(from.0, to.0, 0.5) else { return false };
+        let Some(middle) = Way::new(from.0, to.0).map(|way| way.at(0.5)) else { return false };
         if halvings == 0 {
             return false;
         }
@@ -224,7 +211,7 @@ impl<M: Machine> Placer<M> {
         let words = |branch: usize| {
             let mut words = *expected;
             for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
-                let near = self.scale.word(solutions[branch].axes.as_ref()[rotary.index]);
+                let near = rotary.word(solutions[branch].axes.as_ref()[rotary.index], self.scale);
                 *word = rotary.without_limits().nearest(near, *word, self.scale.turn).ok()?;
             }
             Some(words)
@@ -239,7 +226,7 @@ impl<M: Machine> Placer<M> {
         let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
         let mut words = state.words;
         for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
-            let near = self.scale.word(solution.axes.as_ref()[rotary.index]);
+            let near = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
             *word = rotary.without_limits().nearest(near, *word, self.scale.turn).ok()?;
         }
         Some(words)

@@ -1,0 +1,197 @@
+//! Set-up of the part: how it lies on the table, and what words count from.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix3, Rotation3};
+
+use crate::kinematics::Machine;
+
+use super::read::solved_rotaries;
+use super::value::{Bound, Quantity, Reader, Value};
+use super::{Config, LengthMode, ProgramZero};
+
+pub(super) const PROGRAM_ZEROS: [(&str, ProgramZero); 2] = [("part", ProgramZero::Part), ("table", ProgramZero::Table)];
+pub(super) const LENGTH_MODES: [(&str, LengthMode); 2] = [("tip", LengthMode::Tip), ("gauge", LengthMode::Gauge)];
+
+/// A matrix may miss a rotation by this much: seven digits.
+const ROUNDED: f64 = 1e-6;
+
+/// Finer than the words of the guard, or wider than any tool is measured, mm.
+const LENGTH_TOLERANCE: std::ops::RangeInclusive<f64> = 0.0001..=1.0;
+
+/// A whole turn more or less is none, rad.
+const LARGEST_OFFSET: f64 = std::f64::consts::TAU * (1.0 + 1e-12);
+
+const ROTATION: &str =
+    "write three angles in degrees, `[rx, ry, rz]`, or the three rows of a matrix, `[[1, 0, 0], [0, 1, 0], [0, 0, 1]]`";
+
+/// `[rx, ry, rz]`, degrees, for `Rz·Ry·Rx`, or the rows of a matrix.
+pub(super) fn part_rotation(r: &mut Reader<'_>, value: Value<'_>) -> Option<Rotation3<f64>> {
+    let entries = r.list(value)?;
+    let [x, y, z] = entries[..] else {
+        let text = format!("three angles or three rows are needed here, found {}", entries.len());
+        r.fault(value.span(), text, Some(ROTATION.to_owned()));
+        return None;
+    };
+    if entries.iter().all(|entry| entry.get_ref().is_array()) {
+        return matrix(r, value, [x, y, z]);
+    }
+    let [x, y, z] = [x, y, z].map(|angle| r.number(angle, Quantity::Plain, Bound::Any));
+    let [(sx, cx), (sy, cy), (sz, cz)] = [x?, y?, z?].map(sine_and_cosine);
+    let about_x = Matrix3::new(1.0, 0.0, 0.0, 0.0, cx, -sx, 0.0, sx, cx);
+    let about_y = Matrix3::new(cy, 0.0, sy, 0.0, 1.0, 0.0, -sy, 0.0, cy);
+    let about_z = Matrix3::new(cz, -sz, 0.0, sz, cz, 0.0, 0.0, 0.0, 1.0);
+    Some(Rotation3::from_matrix_unchecked(about_z * about_y * about_x))
+}
+
+/// By how much the length in the control's table may differ.
+pub(super) fn length_tolerance(r: &mut Reader<'_>, value: Value<'_>) -> Option<f64> {
+    let tolerance = r.length(value, Bound::Positive)?;
+    if !LENGTH_TOLERANCE.contains(&tolerance) {
+        let (low, high) = (LENGTH_TOLERANCE.start(), LENGTH_TOLERANCE.end());
+        r.fault(value.span(), format!("a tolerance of {low} to {high} mm is needed here"), None);
+    }
+    Some(tolerance)
+}
+
+/// What the words of rotary axes count from.
+pub(super) fn rotary_offset<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
+    let mut offsets = BTreeMap::new();
+    for (axis, value) in solved_rotaries::<M>(r, value) {
+        let Some(offset) = r.number(value, Quantity::Angle, Bound::Any) else { continue };
+        if offset.abs() > LARGEST_OFFSET {
+            r.fault(value.span(), "an offset of at most 360 degrees is needed here", None);
+        }
+        offsets.insert(axis.letter, offset);
+    }
+    offsets
+}
+
+/// `[rx, ry, rz]` of the configuration, degrees, to nine decimals.
+pub(crate) fn part_angles(config: &Config) -> [f64; 3] {
+    let (x, y, z) = config.part_rotation.euler_angles();
+    [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)
+}
+
+/// Sine and cosine of an angle in degrees; exact where the table is turned by quarters.
+fn sine_and_cosine(degrees: f64) -> (f64, f64) {
+    let rest = degrees.rem_euclid(360.0);
+    match [0.0, 90.0, 180.0, 270.0].iter().position(|quarter| (rest - quarter).abs() < f64::EPSILON) {
+        Some(0) => (0.0, 1.0),
+        Some(1) => (1.0, 0.0),
+        Some(2) => (0.0, -1.0),
+        Some(_) => (-1.0, 0.0),
+        None => rest.to_radians().sin_cos(),
+    }
+}
+
+fn matrix(r: &mut Reader<'_>, value: Value<'_>, rows: [Value<'_>; 3]) -> Option<Rotation3<f64>> {
+    let mut matrix = Matrix3::zeros();
+    for (index, row) in rows.into_iter().enumerate() {
+        let numbers = r.list(row)?;
+        let [x, y, z] = numbers[..] else {
+            let text = format!("three numbers are needed in a row, found {}", numbers.len());
+            r.fault(row.span(), text, Some(ROTATION.to_owned()));
+            return None;
+        };
+        let [x, y, z] = [x, y, z].map(|number| r.number(number, Quantity::Plain, Bound::Any));
+        matrix.set_row(index, &[x?, y?, z?].into());
+    }
+    let off = (matrix * matrix.transpose() - Matrix3::identity()).abs().max();
+    let wrong = match matrix.determinant() {
+        _ if off.is_nan() || off > ROUNDED => {
+            Some(format!("this matrix is no rotation: its rows miss unit length or right angles by {off:.1e}"))
+        }
+        determinant if determinant < 0.0 => {
+            Some("this matrix mirrors the part: one of its rows points the other way".to_owned())
+        }
+        _ => None,
+    };
+    if let Some(wrong) = wrong {
+        r.fault(value.span(), wrong, Some(ROTATION.to_owned()));
+        return None;
+    }
+    // The nearest rotation: half of what is left is taken away twice as fast with every step.
+    let inverse = |matrix: Matrix3<f64>| matrix.try_inverse().unwrap_or(matrix);
+    let nearest = (0..2).fold(matrix, |matrix, _| (matrix + inverse(matrix.transpose())) * 0.5);
+    Some(Rotation3::from_matrix_unchecked(if off > 0.0 { nearest } else { matrix }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample::Sample;
+    use super::*;
+
+    fn rotation(text: &str) -> Rotation3<f64> {
+        let config = Config::read::<Sample>(&format!("part_rotation = {text}\n"));
+        config.unwrap_or_else(|faults| panic!("{faults:#?}")).part_rotation
+    }
+
+    fn fault(text: &str) -> String {
+        let faults = Config::read::<Sample>(&format!("part_rotation = {text}\n")).expect_err("it is wrong");
+        assert_eq!(faults.len(), 1);
+        faults[0].text.clone()
+    }
+
+    #[test]
+    fn the_part_is_turned_about_x_first_and_about_z_last() {
+        let turned = rotation("[30, 45, 60]").into_inner();
+        let about = |axis, degrees: f64| Rotation3::from_axis_angle(&axis, degrees.to_radians());
+        let (x, y, z) = (nalgebra::Vector3::x_axis(), nalgebra::Vector3::y_axis(), nalgebra::Vector3::z_axis());
+        let product = about(z, 60.0) * about(y, 45.0) * about(x, 30.0);
+        assert!((turned - product.into_inner()).abs().max() < 1e-15);
+    }
+
+    #[test]
+    fn quarters_of_a_turn_are_exact() {
+        // Ry(-90)·Rx(180): X goes to Z, Y to -Y, Z to X.
+        let exact = Matrix3::new(0.0, 0.0, 1.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.0);
+        assert_eq!(rotation("[180, -90, 0]").into_inner(), exact);
+    }
+
+    #[test]
+    fn a_matrix_of_seven_digits_becomes_the_rotation_it_was_rounded_from() {
+        let turned = rotation("[[0.8660254, -0.5, 0], [0.5, 0.8660254, 0], [0, 0, 1]]").into_inner();
+        assert!((turned * turned.transpose() - Matrix3::identity()).abs().max() < 1e-15);
+        assert!((turned[(0, 0)] - 0.75_f64.sqrt()).abs() < 1e-7);
+        assert_eq!(
+            rotation("[[0, 0, 1], [1, 0, 0], [0, 1, 0]]").into_inner(),
+            Matrix3::new(0., 0., 1., 1., 0., 0., 0., 1., 0.)
+        );
+    }
+
+    #[test]
+    fn a_matrix_that_is_no_rotation_is_refused() {
+        assert!(fault("[[1, 0, 0], [0, 1, 0], [0, 0, 1.001]]").contains("no rotation"));
+        assert!(fault("[[1, 0, 0], [0.1, 1, 0], [0, 0, 1]]").contains("no rotation"));
+        assert!(fault("[[1e300, 0, 0], [0, 1, 0], [0, 0, 1]]").contains("no rotation"));
+        assert!(fault("[[-1, 0, 0], [0, 1, 0], [0, 0, 1]]").contains("mirrors"));
+        assert!(fault("[[1, 0], [0, 1, 0], [0, 0, 1]]").contains("in a row"));
+        assert!(fault("[1, 2]").contains("three angles or three rows"));
+        assert!(fault("90").contains("a list"));
+    }
+
+    #[test]
+    fn program_zero_and_length_mode_are_words() {
+        let config = Config::read::<Sample>("program_zero = 'table'\nlength_mode = 'gauge'\n").expect("right");
+        assert_eq!((config.program_zero, config.length_mode), (ProgramZero::Table, LengthMode::Gauge));
+        assert!(Config::read::<Sample>("length_mode = 'spindle'\n").is_err());
+    }
+
+    #[test]
+    fn the_length_guard_can_be_forced_and_widened() {
+        let read = |text: &str| Config::read::<Sample>(text);
+        let config = read("length_guard = true\nlength_tolerance = 0.05\n").expect("right");
+        assert_eq!((config.length_guard, config.length_tolerance), (Some(true), 0.05));
+        assert!(read("length_tolerance = 0.00001\n").is_err() && read("length_tolerance = 5\n").is_err());
+    }
+
+    #[test]
+    fn an_offset_belongs_to_a_rotary_axis_that_is_solved() {
+        let read = |text: &str| Config::read::<Sample>(&format!("[rotary_offset]\n{text}\n"));
+        let config = read("C = 12.5").expect("right");
+        assert!((config.rotary_offset[&'C'].to_degrees() - 12.5).abs() < 1e-12);
+        assert_eq!(read("X = 1").expect_err("linear")[0].text, "X is no rotary axis that is solved");
+        assert!(read("C = 361").is_err() && read("C = 360").is_ok());
+    }
+}

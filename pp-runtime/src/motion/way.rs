@@ -1,0 +1,75 @@
+//! The motion that CL data means between two points: a straight tip path, and a tool axis that turns evenly in the plane of
+//! its ends.
+
+use nalgebra::{UnitVector3, Vector3};
+
+use crate::kinematics::{Pose, REACH_TOLERANCE};
+
+/// From one pose to another.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Way {
+    start: Pose,
+    step: Vector3<f64>,
+    /// Unit vector in the plane of the tool axes, square to the first; zero where these are the same.
+    aside: Vector3<f64>,
+    /// Angle between the tool axes, rad.
+    angle: f64,
+}
+
+impl Way {
+    /// `None` if the tool axes are opposite: which way round, nobody says.
+    pub(super) fn new(from: &Pose, to: &Pose) -> Option<Self> {
+        let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
+        let across = a.cross(&b);
+        let angle = across.norm().atan2(a.dot(&b));
+        let aside = across.cross(&a).try_normalize(0.0).unwrap_or_else(Vector3::zeros);
+        let step = to.tip - from.tip;
+        (angle <= std::f64::consts::PI - REACH_TOLERANCE).then_some(Self { start: *from, step, aside, angle })
+    }
+
+    /// Length of the tip path, mm.
+    pub(super) fn length(&self) -> f64 {
+        self.step.norm()
+    }
+
+    /// Angle between the tool axes at the ends, rad.
+    pub(super) fn angle(&self) -> f64 {
+        self.angle
+    }
+
+    /// Where the tool is at a part of the way.
+    pub(super) fn at(&self, part: f64) -> Pose {
+        let (sine, cosine) = (part * self.angle).sin_cos();
+        let axis = self.start.axis.into_inner() * cosine + self.aside * sine;
+        Pose { tip: self.start.tip + self.step * part, axis: UnitVector3::new_normalize(axis) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Point3;
+
+    use super::*;
+
+    fn pose(tip: [f64; 3], axis: [f64; 3]) -> Pose {
+        Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(Vector3::from(axis)) }
+    }
+
+    #[test]
+    fn the_tip_goes_straight_and_the_axis_turns_evenly() {
+        let way = Way::new(&pose([0.0; 3], [0.0, 0.0, 1.0]), &pose([4.0, 0.0, 8.0], [1.0, 0.0, 0.0])).expect("a way");
+        let third = way.at(1.0 / 3.0);
+        let expected = pose([4.0 / 3.0, 0.0, 8.0 / 3.0], [0.5, 0.0, 3_f64.sqrt() / 2.0]);
+        assert!((third.tip - expected.tip).norm() < 1e-12 && (third.axis.dot(&expected.axis) - 1.0).abs() < 1e-12);
+        assert!(
+            (way.angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-12 && (way.length() - 80_f64.sqrt()).abs() < 1e-12
+        );
+    }
+
+    #[test]
+    fn opposite_axes_have_no_way() {
+        assert!(Way::new(&pose([0.0; 3], [0.0, 0.0, 1.0]), &pose([1.0; 3], [1e-8, 0.0, -1.0])).is_none());
+        let still = Way::new(&pose([0.0; 3], [0.0, 0.6, 0.8]), &pose([1.0; 3], [0.0, 0.6, 0.8])).expect("a way");
+        assert_eq!(still.at(0.7).axis, still.at(0.0).axis);
+    }
+}
