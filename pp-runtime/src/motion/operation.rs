@@ -91,9 +91,7 @@ impl<M: Machine> Planner<'_, M> {
         let place = self.placer.place(&motion.pose, &self.place, !motion.rapid, planned).map_err(fault)?;
         let before = self.place.pose;
         if motion.rapid {
-            if self.config.transition == Transition::Safe
-                && self.placer.rotary_travel(&self.place.words, &place.words) > self.config.index_angle + 1e-9
-            {
+            if self.config.transition == Transition::Safe && self.indexes(&place) {
                 self.phase = Phase::First { at, motion: *motion, planned, operation: false };
                 return Ok(());
             }
@@ -196,10 +194,12 @@ impl<M: Machine> Planner<'_, M> {
         Ok(())
     }
 
-    /// A rapid inside an operation, as the configuration wants it written.
+    /// A rapid inside an operation, as the configuration wants it written; one that turns a rotary axis by more than the
+    /// index angle is no such rapid, and no path leads to where the course turns it.
     fn rapid_to(&mut self, at: Location, motion: &Move, place: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
         self.clamps.note(&self.place.words, &place.words);
         match self.config.rapid {
+            _ if self.indexes(place) => {}
             Rapid::Direct => {}
             Rapid::Split => {
                 let step = motion.pose.tip - self.place.pose.tip;
@@ -222,6 +222,11 @@ impl<M: Machine> Planner<'_, M> {
         }
         self.cancel_inverse_time(sink)?;
         self.rapid(place, self.all(), sink)
+    }
+
+    /// A motion turns a rotary axis by more than the index angle.
+    fn indexes(&self, to: &Place<M::Axes>) -> bool {
+        self.placer.rotary_travel(&self.place.words, &to.words) > self.config.index_angle + 1e-9
     }
 
     /// Remembers the lowest level that was cut with this tool axis in this operation.

@@ -1327,6 +1327,25 @@ fn a_spiral_of_forty_turns_is_written_within_a_turn() {
 }
 
 #[test]
+fn a_rapid_that_indexes_is_not_written_as_a_feed_motion() {
+    let config = Config { rapid: Rapid::Feed, rapid_feed: Some(9000.0), transition: Transition::Direct, ..config() };
+    let tilted = cb(200.0, 100.0);
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], cb(10.0, 100.0)),
+        // As a path this would lead through B below its limit.
+        rapid([0.0, 0.0, 50.0], tilted),
+        rapid([0.0, 0.0, 20.0], tilted),
+        feed([0.0; 3], tilted),
+    ];
+    let lines = lines::<Cb>(&config, &events);
+    let indexed: Vec<&String> = lines.iter().filter(|line| line.starts_with("G0 ") && line.contains('C')).collect();
+    assert!(indexed.len() == 2 && indexed[1].contains("C-160"), "{lines:?}");
+    assert!(lines.iter().any(|line| line.ends_with("F9000")), "{lines:?}");
+}
+
+#[test]
 fn a_rapid_is_written_as_the_configuration_wants_it() {
     let blocks = |rapid_mode: Rapid, to: [f64; 3]| {
         let config = Config { rapid: rapid_mode, rapid_feed: Some(9000.0), ..config() };

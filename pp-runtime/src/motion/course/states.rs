@@ -82,7 +82,7 @@ impl<M: Machine> Placer<M> {
                 for near in ends.iter().chain(near) {
                     let mut words = [0; 2];
                     let inside = self.rotaries.iter().enumerate().all(|(axis, rotary)| {
-                        let word = self.scale.word(solution.axes.as_ref()[rotary.index]);
+                        let word = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
                         let nearest = rotary.nearest(word, near[axis], self.scale.turn);
                         words[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
