@@ -201,8 +201,19 @@ pub struct Retract {
     pub distance: Option<f64>,
     /// Geometry around the part that the tool has to leave, if no distance is given; default none.
     pub clearance: Option<Clearance>,
+    /// How rotary axes are rewound in a cut; default [`Rewind::Leave`].
+    pub rewind: Rewind,
     /// Coolant is off while the rotary axes are rewound; default false.
     pub rewind_dry: bool,
+}
+
+/// How rotary axes are rewound where no course runs through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rewind {
+    /// The tool leaves the part along its axis, the rotaries turn, and it comes back.
+    Leave,
+    /// The linear axes follow: the tip stays in place, and the tool swings about it.
+    Follow,
 }
 
 /// How to get to the part.
@@ -381,7 +392,13 @@ impl Default for Config {
             tools: BTreeMap::new(),
             defaults: Defaults { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 },
             feed: FeedLimits { keep_speeds: true, largest: None, shortest_block: 0.0 },
-            retract: Retract { position: 0.0, distance: None, clearance: None, rewind_dry: false },
+            retract: Retract {
+                position: 0.0,
+                distance: None,
+                clearance: None,
+                rewind: Rewind::Leave,
+                rewind_dry: false,
+            },
             approach: Approach { distance: 50.0 },
             park: BTreeMap::new(),
             index_angle: 1_f64.to_radians(),

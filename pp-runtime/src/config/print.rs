@@ -196,6 +196,9 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. distance = 100.0
 # Or, in the part as it lies on the table, a plane above, a box or a cylinder around the part that the tool has to leave.
 # e.g. clearance = {{ cylinder = {{ radius = 120.0, lower = -50.0, upper = 80.0 }} }}
+# Where rotary axes have to be rewound in a cut: "leave" (out along the tool axis and back), or "follow" (the tip stays in
+# place, and the tool swings about it in the part).
+#rewind = "leave"
 # Coolant off while the rotary axes are rewound out of the part.
 #rewind_dry = false
 

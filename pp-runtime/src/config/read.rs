@@ -17,7 +17,7 @@ use super::clearance;
 use super::control::{templates, work_offset};
 use super::set_up;
 use super::value::{Bound, Quantity, Reader, Section, Value};
-use super::{Config, Rapid, Tool, Transition, Units, Wrap};
+use super::{Config, Rapid, Rewind, Tool, Transition, Units, Wrap};
 
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
@@ -26,6 +26,7 @@ const COOLANTS: [(&str, Coolant); 4] =
 const TRANSITIONS: [(&str, Transition); 2] = [("safe", Transition::Safe), ("direct", Transition::Direct)];
 const WRAPS: [(&str, Option<Wrap>); 4] =
     [("none", None), ("0..360", Some(Wrap::Positive)), ("+-180", Some(Wrap::Symmetric)), ("sign", Some(Wrap::Sign))];
+const REWINDS: [(&str, Rewind); 2] = [("leave", Rewind::Leave), ("follow", Rewind::Follow)];
 const RAPIDS: [(&str, Rapid); 3] = [("direct", Rapid::Direct), ("split", Rapid::Split), ("feed", Rapid::Feed)];
 pub(super) const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
@@ -273,6 +274,9 @@ impl Config {
         }
         if let Some(value) = self.get(section, "retract.clearance") {
             self.retract.clearance = clearance::read(r, value);
+        }
+        if let Some(value) = self.get(section, "retract.rewind") {
+            set(&mut self.retract.rewind, r.choice(value, &REWINDS));
         }
         if let Some(value) = self.get(section, "retract.rewind_dry") {
             set(&mut self.retract.rewind_dry, r.boolean(value));

@@ -142,7 +142,9 @@ fn an_unknown_key_names_the_nearest_known_one() {
 fn an_unknown_key_without_a_near_one_lists_what_is_known() {
     assert_eq!(
         faults("[retract]\nspeed = 3\n"),
-        ["2:1: unknown key `retract.speed` | known here are `position`, `distance`, `clearance`, `rewind_dry`"]
+        [
+            "2:1: unknown key `retract.speed` | known here are `position`, `distance`, `clearance`, `rewind`, `rewind_dry`"
+        ]
     );
 }
 

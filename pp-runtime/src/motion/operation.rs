@@ -8,7 +8,7 @@ use crate::program::{self, Location, Move};
 use super::course::{Change, How, Target, Turns};
 use super::fault::Fault;
 use super::feed::{Feeds, Pace, Stroke};
-use super::linearise::Pieces;
+use super::linearise::{Pieces, Tolerance};
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, SAME_AXIS, Stop, stop};
 use super::step::{Feed, MAX_AXES, Sink, Step};
@@ -169,16 +169,23 @@ impl<M: Machine> Planner<'_, M> {
         sink: &mut impl Sink,
     ) -> Planned {
         if self.placer.rotary_travel(&self.place.words, &place.words) > 0.0 {
-            return self.feed_in_pieces(at, motion, place, sink);
+            return self.feed_in_pieces(at, motion, place, self.tolerance, sink);
         }
         let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
         self.write_feed(at, place, pace, sink)
     }
 
     /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
-    fn feed_in_pieces(&mut self, at: Location, motion: &Move, place: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
+    pub(super) fn feed_in_pieces(
+        &mut self,
+        at: Location,
+        motion: &Move,
+        place: &Place<M::Axes>,
+        tolerance: Tolerance,
+        sink: &mut impl Sink,
+    ) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
-        let mut pieces = Pieces::new(&self.place, place, self.tolerance);
+        let mut pieces = Pieces::new(&self.place, place, tolerance);
         let mut blocks = 0;
         while let Some(piece) = pieces.next(&self.placer).map_err(fault)? {
             self.placer.travel.check(piece.place.axes.as_ref()).map_err(fault)?;
@@ -188,7 +195,9 @@ impl<M: Machine> Planner<'_, M> {
             self.place = piece.place;
             let statistics = &mut self.statistics;
             statistics.largest_tip_bound = statistics.largest_tip_bound.max(piece.bound.tip);
-            statistics.largest_axis_bound = statistics.largest_axis_bound.max(piece.bound.axis);
+            if tolerance.axis.is_finite() {
+                statistics.largest_axis_bound = statistics.largest_axis_bound.max(piece.bound.axis);
+            }
         }
         self.statistics.inserted += blocks.max(1) - 1;
         Ok(())

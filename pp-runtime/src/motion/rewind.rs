@@ -1,6 +1,7 @@
 //! Rewinding: where no course of the rotary axes runs through, the tool leaves the part, turns, and comes back to the same
 //! pose.
 
+use crate::config::Rewind;
 use crate::diag::Severity;
 use crate::kinematics::Machine;
 use crate::program::{Location, Move};
@@ -8,6 +9,7 @@ use crate::program::{Location, Move};
 use super::clearance::way_out;
 use super::course::{Target, Turns};
 use super::fault::Fault;
+use super::linearise::Tolerance;
 use super::planner::{Planned, Planner, stop};
 use super::step::Sink;
 
@@ -18,6 +20,9 @@ impl<M: Machine> Planner<'_, M> {
         let fault = |fault: Fault| stop(at, fault);
         let here = self.place;
         let why = self.why_rewind();
+        if self.config.retract.rewind == Rewind::Follow {
+            return self.rewind_in_place(at, motion, words, &why, sink);
+        }
         let out = self.clearance.and_then(|clearance| way_out(&clearance, &here.pose.tip, &here.pose.axis));
         let Some(distance) = self.config.retract.distance.or(out) else {
             return Err(fault(
@@ -50,6 +55,29 @@ impl<M: Machine> Planner<'_, M> {
         self.retreat.reset();
         self.statistics.rewinds += 1;
         let remark = Fault::new(format_args!("the rotary axes are rewound here, out of the part: {why}"));
+        self.warnings.push(remark.at(at, Severity::Warning));
+        Ok(())
+    }
+
+    /// The rotaries turn while the linear axes follow: the tip stays where it is, and the tool swings about it.
+    fn rewind_in_place(
+        &mut self,
+        at: Location,
+        motion: &Move,
+        words: Turns,
+        why: &str,
+        sink: &mut impl Sink,
+    ) -> Planned {
+        let (here, target) = (self.place, Some(Target { words, towards: None }));
+        let turned = self.placer.place(&here.pose, &here, false, target).map_err(|fault| stop(at, fault))?;
+        self.clamps.note(&here.words, &turned.words);
+        let swinging = Tolerance { axis: f64::INFINITY, ..self.tolerance };
+        self.feed_in_pieces(at, motion, &turned, swinging, sink)?;
+        self.place = turned;
+        self.statistics.rewinds += 1;
+        let remark = Fault::new(format_args!(
+            "the rotary axes are rewound here with the tip in place, and the tool swings about it: {why}"
+        ));
         self.warnings.push(remark.at(at, Severity::Warning));
         Ok(())
     }

@@ -827,6 +827,31 @@ fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
 }
 
 #[test]
+fn on_request_a_rewind_leaves_the_tip_in_place() {
+    let mut config = config();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
+    config.retract.rewind = crate::config::Rewind::Follow;
+    let at = |angle: f64| feed([10.0, 0.0, 0.0], cb(angle, 30.0));
+    let run = run::<Cb>(&config, &[tool(1), spindle(), at(170.0), at(183.0), at(186.0)]);
+    assert_eq!(run.statistics.rewinds, 1);
+    assert!(run.diagnostics.len() == 1 && run.diagnostics[0].text.contains("swings about it"), "{:?}", run.diagnostics);
+    let machine = config.machine::<Cb>().expect("valid");
+    let mut axes = [0.0; 5];
+    let mut turned = 0.0_f64;
+    for line in run.lines.iter().skip_while(|line| !line.starts_with("G93")).take_while(|line| *line != "G94") {
+        for word in line.split(' ') {
+            let Some(index) = "CBXYZ".find(&word[..1]) else { continue };
+            let value: f64 = word[1..].parse().expect("a number");
+            axes[index] = if index < 2 { value.to_radians() } else { value };
+        }
+        let tip = machine.forward_kinematics(&axes).tip;
+        assert!((tip - Point3::new(10.0, 0.0, 0.0)).norm() < 1e-3, "{line}: {tip}");
+        turned = turned.min(axes[0]);
+    }
+    assert!(turned < -3.0, "{}", run.text());
+}
+
+#[test]
 fn an_operation_begins_in_the_branch_and_turn_that_last() {
     let rotaries = |config: &Config, poses: &[[f64; 3]]| {
         let mut events = vec![tool(1), spindle()];

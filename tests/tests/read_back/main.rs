@@ -725,7 +725,8 @@ fn shifted(word: &str, change: f64) -> String {
 fn slips(text: &str) -> Vec<String> {
     let lines: Vec<&str> = text.lines().collect();
     let mut slips = Vec::new();
-    for (index, line) in lines.iter().enumerate().filter(|(_, line)| !line.starts_with('(')) {
+    // The length guard moves nothing.
+    for (index, line) in lines.iter().enumerate().filter(|(_, line)| !line.starts_with(['(', 'o'])) {
         let mut with = |line: Option<String>| {
             let all = lines.iter().enumerate();
             let all = all.filter_map(|(at, old)| if at == index { line.clone() } else { Some((*old).to_owned()) });
