@@ -179,12 +179,11 @@ impl History {
     fn settle(&mut self, survivors: &mut [Survivor]) {
         let Some(first) = survivors.first().map(|survivor| survivor.head) else { return };
         if survivors.iter().all(|survivor| survivor.head == first) {
-            if first.is_some() {
-                let chain = self.chain(first);
-                self.decide(&chain);
-                self.nodes.clear();
-                survivors.iter_mut().for_each(|survivor| survivor.head = None);
-            }
+            let chain = self.chain(first);
+            self.decide(&chain);
+            // Also where nothing is decided: what ways given up have left behind.
+            self.nodes.clear();
+            survivors.iter_mut().for_each(|survivor| survivor.head = None);
         } else if self.nodes.len() > self.tidy_at.max(TIDY) {
             self.tidy(survivors);
             self.tidy_at = 2 * self.nodes.len();
@@ -485,5 +484,25 @@ impl Search {
         let chain = self.history.chain(best.head);
         self.history.decide(&chain);
         (best.cost, self.history.decided)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ways_that_are_given_up_leave_nothing_behind() {
+        let rotary = Rotary { index: 0, lower: Some(-400), upper: Some(400), rest: 0.0 };
+        let metric = Metric::new(&[rotary], [None; 2], AngleScale { per_degree: 1.0, turn: 360 });
+        // Pose by pose, one way is kept and one is rewound to and given up.
+        let mut search = Search::new(metric, [10, 0], true);
+        let states = [10, -350].map(|word| State { branch: Branch::First, words: [word, 0] });
+        assert!(search.free(0, &states, None, |_| true));
+        for motion in 1..10_000 {
+            assert!(search.cut(motion, &states, None, |from, to| from == to));
+        }
+        assert!(search.history.nodes.len() < TIDY, "{}", search.history.nodes.len());
+        assert_eq!(search.finish().0.rewinds, 0);
     }
 }
