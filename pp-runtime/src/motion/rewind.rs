@@ -88,7 +88,11 @@ impl<M: Machine> Planner<'_, M> {
         let limits: Vec<String> = limited
             .map(|rotary| format!("{} {}", M::AXES[rotary.index].letter, self.placer.limits_text(rotary.index)))
             .collect();
-        let way = if self.config.greedy { "not planned ahead" } else { "unavoidable" };
+        let way = match (self.config.greedy, self.placer.wide()) {
+            (true, _) => "not planned ahead",
+            (false, true) => "not avoided by the turns that were looked at",
+            (false, false) => "unavoidable",
+        };
         format!("{way} within {}", limits.join(", "))
     }
 }

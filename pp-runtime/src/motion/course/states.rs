@@ -98,7 +98,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// An axis has more turns inside its limits than are looked at.
-    pub(super) fn wide(&self) -> bool {
+    pub(crate) fn wide(&self) -> bool {
         let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.scale.turn);
         self.rotaries.iter().filter_map(turns).any(|turns| turns >= MOST_TURNS)
     }
