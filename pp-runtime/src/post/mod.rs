@@ -1,8 +1,9 @@
 //! The pipeline: CL text → events → steps → blocks. The only module that sees both ends.
 //!
-//! The text is read twice, and a third time where rotary axes have clamps. The survey collects what the header needs and what can only be known at the end: every
-//! diagnostic of the reader, the tools with their operations and extremes, and whether all tool axes point into the
-//! table. The second pass plans and writes motion by motion, in constant memory. The same input gives the same bytes.
+//! The text is read twice, and a third time where rotary axes have clamps. The survey collects what the header needs and
+//! what can only be known at the end: every diagnostic of the reader, the tools with their operations and extremes, and
+//! whether all tool axes point into the table. The last pass plans and writes motion by motion, in constant memory. The
+//! same input gives the same bytes.
 
 mod header;
 mod setting;
