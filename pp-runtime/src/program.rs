@@ -323,3 +323,20 @@ pub enum Event<'a> {
         number: u32,
     },
 }
+
+impl Event<'_> {
+    /// Behind it nobody knows where the machine stands, or in which state: the next motion begins with the safe sequence.
+    #[must_use]
+    pub fn interrupts(&self) -> bool {
+        matches!(
+            self,
+            Self::Stop
+                | Self::OptionalStop
+                | Self::SafeSequence
+                | Self::Frame(_)
+                | Self::Home
+                | Self::Insert(_)
+                | Self::Code { .. }
+        )
+    }
+}

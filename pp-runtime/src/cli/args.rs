@@ -8,9 +8,9 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
-use crate::config::{AXIS_TOLERANCE, Config, Operations, StartBranch, TOLERANCE, Units, preference, preferences};
+use crate::config::{AXIS_TOLERANCE, Config, Operations, TOLERANCE, Units, preference, preferences};
 use crate::control::{self, CONTROLS, Control};
-use crate::kinematics::Machine;
+use crate::kinematics::{Branch, Machine};
 
 /// Turns CL data (APT/CLS) into a program for one machine.
 #[derive(Debug, Parser)]
@@ -344,7 +344,7 @@ pub(super) enum BranchName {
     Second,
 }
 
-impl From<BranchName> for StartBranch {
+impl From<BranchName> for Branch {
     fn from(name: BranchName) -> Self {
         match name {
             BranchName::First => Self::First,

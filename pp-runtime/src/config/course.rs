@@ -1,13 +1,12 @@
 //! `[course]`: how branch and turns of the rotary axes are chosen.
 
-use crate::kinematics::{Axis, AxisKind, Machine};
+use crate::kinematics::{Axis, AxisKind, Branch, Machine};
 
+use super::Config;
 use super::read::set;
 use super::value::{Bound, Quantity, Reader, Section};
-use super::{Config, StartBranch};
 
-pub(super) const START_BRANCHES: [(&str, StartBranch); 2] =
-    [("first", StartBranch::First), ("second", StartBranch::Second)];
+pub(super) const START_BRANCHES: [(&str, Branch); 2] = [("first", Branch::First), ("second", Branch::Second)];
 
 /// Largest axis tolerance, rad: wider is another path.
 const LARGEST_AXIS_TOLERANCE: f64 = 5_f64.to_radians();

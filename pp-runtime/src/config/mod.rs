@@ -24,7 +24,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use nalgebra::Rotation3;
 
 use crate::cl as reading;
-use crate::kinematics::Limits;
+use crate::kinematics::{Branch, Limits};
 use crate::program::{Clearance, Coolant, Rotation};
 
 pub use crate::program::Units;
@@ -47,7 +47,7 @@ pub struct Config {
     /// Work offsets of frames of the CL data other than the first, by number; default none.
     pub frames: BTreeMap<u32, String>,
     /// Every operation begins on this branch where it can; default none.
-    pub start_branch: Option<StartBranch>,
+    pub start_branch: Option<Branch>,
     /// Every operation begins with this rotary axis at or above zero (`true`) or at or below it, where it can; default none.
     pub prefer: Option<(char, bool)>,
     /// Branch and turns are chosen motion by motion, without a view ahead; default false.
@@ -221,15 +221,6 @@ pub enum Rewind {
 pub struct Approach {
     /// Distance of the approach point from the first tip along the tool axis, mm; default 50.
     pub distance: f64,
-}
-
-/// The branch of the inverse kinematics that an operation begins on, as `explain` numbers them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StartBranch {
-    /// The first.
-    First,
-    /// The second.
-    Second,
 }
 
 /// What switches the clamp of a rotary axis.

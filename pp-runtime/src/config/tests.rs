@@ -167,7 +167,7 @@ fn what_moves_between_cuts_and_how_fast_is_read() {
     let config = read(
         "[course]\nstart_branch = 'second'\nprefer = 'B-'\ngreedy = true\naxis_tolerance = 0.5\n[grid]\nC = 2.5\n",
     );
-    assert_eq!((config.start_branch, config.prefer), (Some(super::StartBranch::Second), Some(('B', false))));
+    assert_eq!((config.start_branch, config.prefer), (Some(crate::kinematics::Branch::Second), Some(('B', false))));
     assert!(
         config.greedy && close(config.axis_tolerance.to_degrees(), 0.5) && close(config.grid[&'C'].to_degrees(), 2.5)
     );

@@ -101,14 +101,8 @@ impl Expander {
                 self.armed = true;
                 self.fresh = true;
             }
-            Event::Operation(_)
-            | Event::SafeSequence
-            | Event::Frame(_)
-            | Event::Home
-            | Event::Stop
-            | Event::OptionalStop
-            | Event::Insert(_)
-            | Event::Code { .. } => self.fresh = true,
+            Event::Operation(_) => self.fresh = true,
+            _ if event.interrupts() => self.fresh = true,
             Event::From(pose) if self.fresh => self.here = Some(*pose),
             _ => {}
         }

@@ -138,8 +138,9 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Pieces<A> {
                     self.way = Way::Path(placer.path(&self.from, &self.to, self.tolerance)?);
                 }
                 Way::Path(path) => {
-                    let whole = placer.certify(&self.from, &self.to, self.tolerance);
-                    if whole.share <= 1.0 {
+                    // From the start the whole has been tried.
+                    let rest = (path.at > 0.0).then(|| placer.certify(&self.from, &self.to, self.tolerance));
+                    if let Some(whole) = rest.filter(|rest| rest.share <= 1.0) {
                         self.way = Way::Done;
                         return Ok(Some(whole));
                     }

@@ -18,6 +18,7 @@ use super::origin::Origin;
 use super::step::{MAX_AXES, Words};
 use super::structure::{counted, held_tool_axis, orthogonal, poles};
 use super::travel::Travel;
+use super::way::angle_between;
 
 /// Word units that floating-point noise of a limit may amount to.
 const LIMIT_NOISE: f64 = 1e-6;
@@ -669,12 +670,6 @@ fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) ->
 fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
     let step = |rotary: &Rotary| Some((*rotary, scale.word(*config.grid.get(&M::AXES[rotary.index].letter)?)));
     rotaries.iter().filter_map(step).collect()
-}
-
-/// Angle between two directions, rad.
-fn angle_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> f64 {
-    let (a, b) = (a.into_inner(), b.into_inner());
-    a.cross(&b).norm().atan2(a.dot(&b))
 }
 
 #[cfg(test)]

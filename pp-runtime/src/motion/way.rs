@@ -5,6 +5,11 @@ use nalgebra::{UnitVector3, Vector3};
 
 use crate::kinematics::{Pose, REACH_TOLERANCE};
 
+/// Angle between two unit vectors, rad; as exact for small angles as for large ones.
+pub(super) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    a.cross(b).norm().atan2(a.dot(b))
+}
+
 /// From one pose to another.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Way {
@@ -20,9 +25,8 @@ impl Way {
     /// `None` if the tool axes are opposite: which way round, nobody says.
     pub(super) fn new(from: &Pose, to: &Pose) -> Option<Self> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
-        let across = a.cross(&b);
-        let angle = across.norm().atan2(a.dot(&b));
-        let aside = across.cross(&a).try_normalize(0.0).unwrap_or_else(Vector3::zeros);
+        let angle = angle_between(&a, &b);
+        let aside = a.cross(&b).cross(&a).try_normalize(0.0).unwrap_or_else(Vector3::zeros);
         let step = to.tip - from.tip;
         (angle <= std::f64::consts::PI - REACH_TOLERANCE).then_some(Self { start: *from, step, aside, angle })
     }

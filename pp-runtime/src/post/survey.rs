@@ -178,13 +178,7 @@ impl Survey {
                 state.begun = true;
                 state.named |= self.is_named(name);
             }
-            Event::Stop
-            | Event::OptionalStop
-            | Event::SafeSequence
-            | Event::Frame(_)
-            | Event::Home
-            | Event::Insert(_)
-            | Event::Code { .. } => state.begun = true,
+            _ if event.interrupts() => state.begun = true,
             Event::Tool(call) => {
                 if state.called_so_far.len() < MOST_TOOLS {
                     state.called_so_far.entry(call.number).or_default();

@@ -20,7 +20,7 @@ mod tests;
 
 use nalgebra::UnitVector3;
 
-use crate::config::{Config, StartBranch, Transition, Units};
+use crate::config::{Config, Transition, Units};
 use crate::diag::Diagnostic;
 use crate::kinematics::{Branch, Machine, Pose};
 use crate::program::{Event, Location};
@@ -146,10 +146,7 @@ impl<M: Machine> Navigator<M> {
             safe: config.transition == Transition::Safe,
             greedy: config.greedy,
             prefer: config.prefer,
-            start_branch: config.start_branch.map(|branch| match branch {
-                StartBranch::First => Branch::First,
-                StartBranch::Second => Branch::Second,
-            }),
+            start_branch: config.start_branch,
             motion: 0,
             here: None,
             pole: None,
@@ -188,13 +185,7 @@ impl<M: Machine> Navigator<M> {
                 self.begun = true;
             }
             Event::Operation(_) => self.begun |= self.safe,
-            Event::Stop
-            | Event::OptionalStop
-            | Event::SafeSequence
-            | Event::Frame(_)
-            | Event::Home
-            | Event::Insert(_)
-            | Event::Code { .. } => self.begun = true,
+            _ if event.interrupts() => self.begun = true,
             // The planner passes over these.
             Event::Move(motion) if !self.armed && motion.rapid && !self.placer.head() => self.count_from(&motion.pose),
             Event::Move(motion) => {
@@ -272,15 +263,12 @@ impl<M: Machine> Navigator<M> {
                 search.cut_to_pole(motion, None, |state| placer.at_pole(pole, &from.axis, state))
             }
             (Some(_), None) if let Some(pole) = self.pole => {
-                let exits: Vec<_> = self.states.iter().map(|state| placer.at_pole(&pole, &pose.axis, state)).collect();
-                search.leave_pole(motion, &self.states, &exits)
+                search.leave_pole(motion, &self.states, &placer.exits(&pole, &pose.axis, &self.states))
             }
             (Some(from), None) => match placer.pole_between(&from, pose) {
                 Some((part, pole)) => {
-                    let exits: Vec<_> =
-                        self.states.iter().map(|state| placer.at_pole(&pole, &pose.axis, state)).collect();
                     search.cut_to_pole(motion, Some(part), |state| placer.at_pole(&pole, &from.axis, state))
-                        && search.leave_pole(motion, &self.states, &exits)
+                        && search.leave_pole(motion, &self.states, &placer.exits(&pole, &pose.axis, &self.states))
                 }
                 None => cut(placer, search, motion, &from, pose, &self.states),
             },

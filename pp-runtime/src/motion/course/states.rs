@@ -2,12 +2,12 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{Branch, Machine, Pose};
+use crate::kinematics::{Branch, Machine, Pose, Solution};
 
 use super::super::choose::Rotary;
 use super::super::place::{Place, Placer};
 use super::super::step::MAX_AXES;
-use super::super::way::Way;
+use super::super::way::{Way, angle_between};
 use super::search::{State, Turns};
 
 /// Turns of one axis that are looked at for one pose, nearest to zero first. Of a wider axis those at its ends and those in
@@ -122,13 +122,12 @@ impl<M: Machine> Placer<M> {
         if self.poles.is_empty() || sine < 1e-12 {
             return None;
         }
-        let angle = |a: &Vector3<f64>, b: &Vector3<f64>| a.cross(b).norm().atan2(a.dot(b));
         self.poles.iter().find_map(|pole| {
             let p = pole.into_inner();
             let touches = p.dot(&normal).abs() <= self.pole_tolerance * sine
                 && a.cross(&p).dot(&normal) > 0.0
                 && p.cross(&b).dot(&normal) > 0.0;
-            touches.then(|| (angle(&a, &p) / angle(&a, &b), *pole))
+            touches.then(|| (angle_between(&a, &p) / angle_between(&a, &b), *pole))
         })
     }
 
@@ -144,8 +143,7 @@ impl<M: Machine> Placer<M> {
                 return None;
             }
             let nearest = p - normal * p.dot(&normal);
-            let angle = |a: &Vector3<f64>, b: &Vector3<f64>| a.cross(b).norm().atan2(a.dot(b));
-            Some(angle(&a, &nearest) / angle(&a, &b)).filter(|part| *part > 0.0 && *part < 1.0)
+            Some(angle_between(&a, &nearest) / angle_between(&a, &b)).filter(|part| *part > 0.0 && *part < 1.0)
         })
     }
 
@@ -171,6 +169,16 @@ impl<M: Machine> Placer<M> {
             .min_by_key(|word| (word - state.words[1]).abs())?;
         let free = if (free - state.words[0]).abs() <= SAME_WORD { state.words[0] } else { free };
         Some([free, tilt])
+    }
+
+    /// For each state the words in which a path to an axis leaves the pole.
+    pub(super) fn exits(
+        &self,
+        pole: &UnitVector3<f64>,
+        axis: &UnitVector3<f64>,
+        states: &[State],
+    ) -> Vec<Option<Turns>> {
+        states.iter().map(|state| self.at_pole(pole, axis, state)).collect()
     }
 
     /// Whether a cut from one state to another keeps the tool on its path: the axes run through from end to end.
@@ -208,26 +216,23 @@ impl<M: Machine> Placer<M> {
     /// The solution of a pose nearest to some words, on any branch, without limits.
     pub(super) fn nearest_turns(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
         let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(expected));
-        let words = |branch: usize| {
-            let mut words = *expected;
-            for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
-                let near = rotary.word(solutions[branch].axes.as_ref()[rotary.index], self.scale);
-                *word = rotary.without_limits().nearest(near, *word, self.scale.turn).ok()?;
-            }
-            Some(words)
-        };
         let off = |words: &Turns| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
-        (0..solutions.len()).filter_map(words).min_by_key(off)
+        solutions.iter().filter_map(|solution| self.turned_to(solution, expected)).min_by_key(off)
     }
 
     /// The words to which a state runs on in a cut, whatever the limits say.
     pub(super) fn continued(&self, pose: &Pose, state: &State) -> Option<Turns> {
         let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(&state.words));
         let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
-        let mut words = state.words;
+        self.turned_to(solution, &state.words)
+    }
+
+    /// The words of a solution in the turn nearest to some words, without limits.
+    fn turned_to(&self, solution: &Solution<M::Axes>, near: &Turns) -> Option<Turns> {
+        let mut words = *near;
         for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
-            let near = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
-            *word = rotary.without_limits().nearest(near, *word, self.scale.turn).ok()?;
+            let wanted = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
+            *word = rotary.without_limits().nearest(wanted, *word, self.scale.turn).ok()?;
         }
         Some(words)
     }

@@ -192,7 +192,7 @@ fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
     assert_eq!(begins(&config, &[]), Some(-300_000));
     // Tilted on, B- would run into its limit.
     assert_eq!(begins(&config, &[(0.0, 40.0, false)]), None);
-    let second = Config { start_branch: Some(StartBranch::Second), prefer: None, ..config };
+    let second = Config { start_branch: Some(Branch::Second), prefer: None, ..config };
     assert_eq!(begins(&second, &[]), Some(-300_000));
 }
 
