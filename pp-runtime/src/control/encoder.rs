@@ -10,7 +10,7 @@ use crate::program::{Coolant, Rotation};
 use super::belief::{Belief, LengthState};
 use super::spellings::coolant_index;
 use super::template::{Field, fill};
-use super::{Control, Layout, LengthCall, Spellings};
+use super::{Control, Layout, LengthCall, LengthGuard, Spellings};
 
 /// What the words of an axis look like.
 #[derive(Debug, Clone)]
@@ -78,6 +78,7 @@ pub struct Encoder<'a, W: Write> {
     axes: Vec<Address>,
     /// Position of Z in the chain: its word takes a length offset along.
     z: Option<usize>,
+    units: Units,
     setup: ControlSetup,
     program: Program,
     values: Values,
@@ -155,6 +156,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             writer: Writer::new(out, numbering),
             axes: addresses(control, layout),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
+            units: layout.units,
             values,
             numerals,
             preselect: setup.preselect.unwrap_or(codes.preselect),
@@ -183,13 +185,14 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.foreign(&blocks)
     }
 
-    /// The blocks of the configuration before the end code, and the end.
+    /// The blocks of the configuration before the end code, remarks as comments, and the end.
     ///
     /// # Errors
     /// Those of the output.
-    pub fn end(&mut self) -> io::Result<()> {
+    pub fn end(&mut self, remarks: &[String]) -> io::Result<()> {
         let blocks = std::mem::take(&mut self.program.end);
         self.foreign(&blocks)?;
+        remarks.iter().try_for_each(|remark| self.comment(remark.as_bytes()))?;
         self.block(self.codes.end)?;
         self.lines(self.codes.closing)
     }
@@ -472,6 +475,18 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.fill(self.codes.rotation(rotation))
     }
 
+    /// A wait, in as many pieces as the control needs; pieces are whole milliseconds, as they are written.
+    fn dwell(&mut self, seconds: f64) -> io::Result<()> {
+        let mut rest = (seconds * 1e3).round() as u32;
+        while rest > 0 {
+            let piece = rest.min(self.codes.longest_dwell);
+            self.values.seconds = Some(f64::from(piece) / 1e3);
+            self.fill_all(self.codes.dwell)?;
+            rest -= piece;
+        }
+        Ok(())
+    }
+
     /// On and off of a kind of coolant.
     fn coolant_codes(&self, kind: Coolant) -> Option<[&str; 2]> {
         let index = coolant_index(kind)?;
@@ -538,19 +553,15 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 self.belief.length = LengthState::Wanted(offset);
                 if codes.length.call == LengthCall::Alone { self.call_length(&Words::default()) } else { Ok(()) }
             }
-            Step::LengthGuard { label, tool, length, tolerance } => {
-                for block in self.control.length_guard(label, tool, length, tolerance) {
-                    self.writer.line(block.as_bytes())?;
-                }
-                Ok(())
+            Step::LengthGuard { label, tool, offset, length, tolerance } => {
+                let guard = LengthGuard { label, tool, offset, length, tolerance, units: self.units };
+                let blocks = self.control.length_guard(&guard);
+                blocks.iter().try_for_each(|block| self.writer.line(block.as_bytes()))
             }
             Step::Spindle { speed, rotation } => self.spindle(speed, rotation),
             Step::Code { text } => self.block(text),
             Step::SpindleOff => self.block(codes.spindle_off),
-            Step::Dwell { seconds } => {
-                self.values.seconds = Some(seconds);
-                self.fill_all(codes.dwell)
-            }
+            Step::Dwell { seconds } => self.dwell(seconds),
             Step::Coolant { kind } => self.coolant(kind),
             Step::CoolantOff => self.coolant_off(),
             Step::Stop { optional } => {

@@ -158,10 +158,15 @@ impl<M: Machine> Planner<'_, M> {
             }
             if !self.placer.gauge_line() {
                 sink.step(&Step::Length { offset: tool.offset })?;
-                let guarded = self.config.length_guard.unwrap_or(self.placer.head()) && tool.offset == tool.number;
+                let guarded = self.config.length_guard.unwrap_or(self.placer.head());
                 if let Some(length) = tool.length.filter(|_| guarded) {
-                    let (label, tolerance) = (self.restarts, self.config.length_tolerance);
-                    sink.step(&Step::LengthGuard { label, tool: tool.number, length, tolerance })?;
+                    sink.step(&Step::LengthGuard {
+                        label: self.restarts,
+                        tool: tool.number,
+                        offset: tool.offset,
+                        length,
+                        tolerance: self.config.length_tolerance,
+                    })?;
                 }
             }
         }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
 use crate::config::{Config, LengthMode, ProgramZero, Units, Wrap, part_angles};
-use crate::control::{Control, Encoder};
+use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
@@ -222,8 +222,7 @@ impl<M: Machine> Header<'_, M> {
                 self.length(config.tolerance),
                 (config.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
             ));
-            let note = self.job.control.spellings().rotary_note;
-            lines.push(format!("ROTARY WORDS are absolute and count on past 360: {note}"));
+            lines.extend(self.rotary_words());
         }
         lines.extend(unchecked(&self.unchecked));
         if rotaries::<M>(Side::Workpiece).next().is_some() {
@@ -239,6 +238,23 @@ impl<M: Machine> Header<'_, M> {
             encoder.comment(line.as_bytes())?;
         }
         encoder.start()
+    }
+
+    /// What words beyond a turn take for granted; nothing where every rotary axis rolls over.
+    fn rotary_words(&self) -> Option<String> {
+        let (wrap, codes) = (&self.job.config.wrap, self.job.control.spellings());
+        let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
+        let letters: String = M::AXES.iter().filter(counting).map(|axis| axis.letter).collect();
+        if letters.is_empty() {
+            return None;
+        }
+        let of = if wrap.is_empty() { String::new() } else { format!(" of {}", spaced(&letters)) };
+        let shortest = codes.turning[1];
+        let note = match wrap.values().any(|wrap| *wrap != Wrap::Sign) && !shortest.is_empty() {
+            true => format!("{shortest} is in force, so they must not be shown within a turn"),
+            false => codes.rotary_note.to_owned(),
+        };
+        Some(format!("ROTARY WORDS{of} are absolute and count on past 360: {note}"))
     }
 
     fn point(&self, point: [f64; 3]) -> String {
@@ -285,6 +301,13 @@ impl<M: Machine> Header<'_, M> {
         format!("AXIS {letter} {moves}: {word}")
     }
 
+    /// Whether the control can compare the length of a tool with its own.
+    fn compares(&self, tool: u32, offset: Option<u32>, length: f64) -> bool {
+        let Some(offset) = self.job.control.spellings().length.registers.of_tool(tool, offset) else { return false };
+        let (tolerance, units) = (self.job.config.length_tolerance, self.units);
+        !self.job.control.length_guard(&LengthGuard { label: 1, tool, offset, length, tolerance, units }).is_empty()
+    }
+
     fn tool(&self, tool: &ToolUse) -> Vec<String> {
         let config = self.job.config;
         let number = tool.call.number;
@@ -319,12 +342,11 @@ impl<M: Machine> Header<'_, M> {
         if let Some(length) = length
             && (gauge_line || rotaries::<M>(Side::Tool).next().is_some())
         {
-            let length = self.length(length);
-            let own = offset.is_none_or(|offset| offset == number);
             let mut held = format!("{register} must hold exactly this");
-            if !own && config.length_guard != Some(false) {
+            if config.length_guard != Some(false) && !self.compares(number, offset, length) {
                 held += ", and nothing compares it";
             }
+            let length = self.length(length);
             let who = if gauge_line { "the tool must be exactly this long" } else { &held };
             lines.push(format!("T{number} posted with L = {length}: {who}"));
         }

@@ -5,8 +5,8 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::*;
-use crate::config::{Operations, Tool};
-use crate::control::LinuxCnc;
+use crate::config::{Operations, Tool, Wrap};
+use crate::control::{Heidenhain, LinuxCnc};
 use crate::motion::machines::{Cb, Head, Xyz};
 use crate::program::{Clearance, Plane, Rotation};
 
@@ -70,6 +70,41 @@ fn a_program_ends_with_its_end_code_and_has_no_fault() {
     );
     assert_eq!(report.statistics.motions, 6);
     assert_eq!(report.blocks as usize, text.lines().filter(|line| !line.starts_with('(')).count());
+}
+
+#[test]
+fn times_stand_behind_the_blocks_of_the_user_and_before_the_end_code() {
+    let mut config = Config::default();
+    config.program.times = true;
+    config.program.end = vec!["M60".to_owned()];
+    let (text, _) = posted::<Cb>(&config, PART);
+    let (_, end) = text.split_once("\nM60\n").expect("the block of the user");
+    let lines: Vec<&str> = end.lines().collect();
+    assert!(lines[0].starts_with("(machining time "), "{lines:?}");
+    assert_eq!(lines.iter().filter(|line| !line.starts_with('(')).copied().collect::<Vec<_>>(), ["M2"]);
+    assert_eq!(lines.last(), Some(&"M2"));
+}
+
+#[test]
+fn only_axes_that_do_not_roll_over_count_on_past_a_turn() {
+    let line = |control: &dyn Control, wrapped: &str, wrap: Wrap| {
+        let mut config = control::starting_point(control);
+        config.wrap.extend(wrapped.chars().map(|letter| (letter, wrap)));
+        let job = Job { cl_name: "bracket.cls", config: &config, control, units: None };
+        let mut out = Vec::new();
+        post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out).expect("memory neither fails nor fills");
+        let text = String::from_utf8(out).expect("ASCII");
+        text.lines().find_map(|line| Some(line[line.find("ROTARY WORDS")?..].to_owned()))
+    };
+    let counts = "are absolute and count on past 360";
+    let none = line(&Heidenhain, "", Wrap::Positive).expect("a line");
+    assert_eq!(none, format!("ROTARY WORDS {counts}: M127 is in force, the axes take no shorter way"));
+    let both = [Wrap::Positive, Wrap::Sign].map(|wrap| line(&Heidenhain, "BC", wrap));
+    assert_eq!(both, [None, None]);
+    let one = line(&Heidenhain, "C", Wrap::Positive).expect("a line");
+    assert_eq!(one, format!("ROTARY WORDS of B {counts}: M126 is in force, so they must not be shown within a turn"));
+    let linuxcnc = line(&LinuxCnc, "C", Wrap::Positive).expect("a line");
+    assert_eq!(linuxcnc, format!("ROTARY WORDS of B {counts}: the axes must not be wrapped)"));
 }
 
 #[test]
