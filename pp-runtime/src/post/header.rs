@@ -27,7 +27,7 @@ fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
 }
 
 /// The work offset as the control names it.
-fn work_offset(control: &dyn Control, config: &Config) -> String {
+pub(super) fn work_offset(control: &dyn Control, config: &Config) -> String {
     let word = &config.work_offset;
     let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
     format!("{}{spelled}", control.spellings().offset_title)
@@ -179,7 +179,7 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     list
 }
 
-fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
+pub(super) fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
     config.tools.get(&tool.call.number).and_then(|given| given.length).or(tool.call.length)
 }
 
@@ -215,15 +215,28 @@ impl<M: Machine> Header<'_, M> {
         ];
         lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));
-        lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
-        if rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some() {
-            lines.push(format!(
+        let turns = rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some();
+        let kept = turns.then(|| {
+            format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
                 self.length(config.tolerance),
                 (config.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
-            ));
-            lines.extend(self.rotary_words());
+            )
+        });
+        lines.extend(self.machine_lines(kept));
+        lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
+        for line in lines {
+            encoder.comment(line.as_bytes())?;
         }
+        encoder.start()
+    }
+
+    /// What the program takes for granted about axes, set-up and tools; `kept`: what holds while a rotary axis moves.
+    pub(super) fn machine_lines(&self, kept: Option<String>) -> Vec<String> {
+        let config = self.job.config;
+        let mut lines: Vec<String> = (0..M::AXES.len()).map(|index| self.sign(index)).collect();
+        lines.extend(kept);
+        lines.extend(self.rotary_words());
         lines.extend(unchecked(&self.unchecked));
         if rotaries::<M>(Side::Workpiece).next().is_some() {
             lines.push(format!(
@@ -233,11 +246,7 @@ impl<M: Machine> Header<'_, M> {
         }
         lines.extend(rotary_entries::<M>(self.job.control, config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
-        lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
-        for line in lines {
-            encoder.comment(line.as_bytes())?;
-        }
-        encoder.start()
+        lines
     }
 
     /// What words beyond a turn take for granted; nothing where every rotary axis rolls over.
@@ -257,13 +266,13 @@ impl<M: Machine> Header<'_, M> {
         Some(format!("ROTARY WORDS{of} are absolute and count on past 360: {note}"))
     }
 
-    fn point(&self, point: [f64; 3]) -> String {
+    pub(super) fn point(&self, point: [f64; 3]) -> String {
         let [x, y, z] = point.map(|value| self.length(value));
         format!("X{x} Y{y} Z{z}")
     }
 
     /// A length in the unit of the program.
-    fn length(&self, mm: f64) -> String {
+    pub(super) fn length(&self, mm: f64) -> String {
         let decimals = self.job.config.formats.linear(self.units);
         let mut text = Vec::new();
         write_decimal(&mut text, Decimal::fixed(mm / self.units.in_mm(), decimals).unwrap_or_default());

@@ -6,6 +6,7 @@
 //! same input gives the same bytes.
 
 mod header;
+mod proof;
 mod setting;
 mod survey;
 mod time;
@@ -22,6 +23,8 @@ use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
 use crate::program::Location;
+
+pub use proof::{Proof, prove};
 
 use setting::Setting;
 use survey::Survey;
