@@ -34,6 +34,9 @@ pub(super) enum Command {
 /// Arguments of `config`.
 #[derive(Debug, Args)]
 pub(super) struct ConfigArgs {
+    /// Print a JSON schema of the file for editors instead
+    #[arg(long)]
+    pub(super) schema: bool,
     /// Control whose defaults it holds
     #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
     control: String,

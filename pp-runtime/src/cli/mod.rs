@@ -112,7 +112,8 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
         Command::Post(args) => post_file::<M>(&args, &mut streams, post),
         Command::Config(args) => {
             let config = control::starting_point(args.control());
-            print(&mut streams, |out| out.write_all(config::print::<M>(&config).as_bytes()))
+            let text = if args.schema { config::schema::<M>(&config) } else { config::print::<M>(&config) };
+            print(&mut streams, |out| out.write_all(text.as_bytes()))
         }
         Command::Explain(args) if args.latex => print(&mut streams, explain::latex::<M>),
         Command::Explain(args) if args.proof_program => prove_machine::<M>(&args.proof, &mut streams),

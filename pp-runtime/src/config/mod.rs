@@ -14,6 +14,7 @@ mod print;
 mod read;
 #[cfg(test)]
 pub(crate) mod sample;
+mod schema;
 mod set_up;
 #[cfg(test)]
 mod tests;
@@ -34,6 +35,7 @@ pub use machine::Travel;
 pub use print::print;
 use read::WORK_OFFSETS;
 pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
+pub use schema::schema;
 pub(crate) use set_up::part_angles;
 pub(crate) use value::{list, nearest};
 

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Rotation3};
 use crate::kinematics::Machine;
 
 use super::axes::solved_rotaries;
-use super::value::{Bound, Quantity, Reader, Section, Value};
+use super::value::{Bound, Quantity, Reader, Section, Shape, Value};
 use super::{ClampCodes, Config, LengthMode, ProgramZero};
 
 pub(super) const PROGRAM_ZEROS: [(&str, ProgramZero); 2] = [("part", ProgramZero::Part), ("table", ProgramZero::Table)];
@@ -27,8 +27,20 @@ const CLAMP: &str = "write `C = { on = \"M10\", off = \"M11\" }`";
 const ROTATION: &str =
     "write three angles in degrees, `[rx, ry, rz]`, or the three rows of a matrix, `[[1, 0, 0], [0, 1, 0], [0, 0, 1]]`";
 
+/// Three angles, or three rows of three numbers.
+const ROTATIONS: &str = r#"{
+    "type": "array", "minItems": 3, "maxItems": 3,
+    "items": {
+        "anyOf": [
+            { "type": "number" },
+            { "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 }
+        ]
+    }
+}"#;
+
 /// `[rx, ry, rz]`, degrees, for `Rz·Ry·Rx`, or the rows of a matrix.
 pub(super) fn part_rotation(r: &mut Reader<'_>, value: Value<'_>) -> Option<Rotation3<f64>> {
+    r.note(value, || Shape::Schema(ROTATIONS));
     let entries = r.list(value)?;
     let [x, y, z] = entries[..] else {
         let text = format!("three angles or three rows are needed here, found {}", entries.len());
