@@ -82,6 +82,20 @@ pub enum Step<'a> {
         /// Register.
         offset: u32,
     },
+    /// The control keeps the tip where the linear words say, or no longer.
+    TipControl {
+        /// From here on.
+        on: bool,
+    },
+    /// The plane of the linear words is tilted, and the rotary axes are turned to it.
+    Plane {
+        /// Its angles as the control counts them, degrees.
+        angles: [Decimal; 3],
+        /// Which of the two poses, where it has to be said: plus or the higher one.
+        pose: Option<bool>,
+    },
+    /// The plane is no longer tilted.
+    PlaneOff,
     /// The length of the tool as the control knows it is compared with the one that was posted, and the program stops where
     /// they differ; nothing where a control cannot compare.
     LengthGuard {
