@@ -8,7 +8,7 @@ use std::io;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3, Vector4};
-use pp_runtime::config::{Config, Mode, TcpFrame, Tool, ToolPosture, Units};
+use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, Tool, ToolPosture, Units};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::machine;
@@ -38,6 +38,8 @@ struct Says {
     words: [f64; 9],
     /// Angles of the tilted plane, degrees.
     plane: Option<[f64; 3]>,
+    /// The tool axis in the frame of the control.
+    vector: Option<[f64; 3]>,
     /// Rotary words where tip control began, degrees.
     began: Option<[f64; 9]>,
     /// Blocks of feed, and how many of them move a rotary axis with a feed that is no inverse time.
@@ -57,7 +59,8 @@ impl<M: Machine> Listener<M> {
     }
 
     fn take(&mut self, words: &pp_runtime::motion::Words) -> bool {
-        let mut turned = false;
+        let mut turned = words.vector.is_some();
+        self.says.vector = words.vector.map(|vector| vector.map(|units| units as f64 * 1e-7)).or(self.says.vector);
         for (index, axis) in M::AXES.iter().enumerate().filter(|(index, _)| words.has(*index)) {
             let per_unit = if axis.kind == AxisKind::Linear { 3 } else { self.rotary };
             let value = words.units[index] as f64 / 10_f64.powi(per_unit.cast_signed());
@@ -199,6 +202,14 @@ fn meant<M: Machine>(machine: &M, config: &Config, control: &str, says: &Says) -
                 TcpFrame::TableAtStart => on_table(machine, &words, &began),
                 TcpFrame::NotTurning => on_table(machine, &words, &says.words),
             };
+            let Some(vector) = says.vector else { return (tip, axis) };
+            let vector = signs(machine).transpose() * Vector3::from(vector);
+            let axis = match config.tcp_frame {
+                Some(TcpFrame::TableAtStart) => {
+                    on_table(machine, &vector, &began) - on_table(machine, &Vector3::zeros(), &began)
+                }
+                _ => vector,
+            };
             (tip, axis)
         }
         Mode::Plane => {
@@ -260,12 +271,13 @@ fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Control, random
 fn compare<M: Machine>(seed: u64) -> usize {
     let mut compared = 0;
     let frames = [None, Some(TcpFrame::TableAtZero), Some(TcpFrame::TableAtStart), Some(TcpFrame::NotTurning)];
+    let modes = [(Mode::Tcp, TcpWords::Angles), (Mode::Tcp, TcpWords::Vectors), (Mode::Plane, TcpWords::Angles)];
     for control in control::CONTROLS {
         let name = control.spellings().name;
-        for mode in [Mode::Tcp, Mode::Plane] {
+        for (mode, words) in modes {
             for (round, frame) in frames.into_iter().enumerate() {
                 let (mut random, mut same) = (Random::new(seed + round as u64), Random::new(seed + round as u64));
-                let config = set_up(mode, frame, *control, &mut random);
+                let config = Config { tcp_words: words, ..set_up(mode, frame, *control, &mut random) };
                 let axes = set_up(Mode::Axes, None, *control, &mut same);
                 let machine = config.machine::<M>().expect("valid");
                 let events = events(&machine, &mut random, mode == Mode::Plane);
@@ -282,6 +294,8 @@ fn compare<M: Machine>(seed: u64) -> usize {
                             "give `tcp_frame`",
                             "counts the tip in",
                             "does not turn",
+                            "no tool axis as a vector",
+                            "has no meaning",
                         ];
                         assert!(known.iter().any(|known| fault.contains(known)), "{name} {mode:?}: {fault}");
                         continue;
@@ -312,6 +326,10 @@ fn compare<M: Machine>(seed: u64) -> usize {
                             let half_unit = 0.5 * 10_f64.powi(-decimals.cast_signed()).to_radians();
                             let off = angle_between(&axis, &motion.pose.axis);
                             assert!(off <= 3.0 * half_unit + 1e-12, "{context}: axis {off}");
+                        }
+                        _ if words == TcpWords::Vectors => {
+                            let off = angle_between(&axis, &motion.pose.axis);
+                            assert!(framed.vector.is_some() && off <= 1e-7, "{context}: axis {off}");
                         }
                         _ => {
                             let angles = |says: &Says| -> Vec<f64> {

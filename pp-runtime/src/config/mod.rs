@@ -32,7 +32,7 @@ pub use crate::program::Units;
 pub use control::{ControlSetup, PathNorm, Smoothing};
 pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
-pub use mode::{Mode, TcpFrame, ToolPosture};
+pub use mode::{Mode, TcpFrame, TcpWords, ToolPosture};
 pub use print::print;
 use read::WORK_OFFSETS;
 pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
@@ -82,6 +82,8 @@ pub struct Config {
     pub mode: Mode,
     /// The frame of tip coordinates in mode `tcp`; default none: where a control has only one, that one.
     pub tcp_frame: Option<TcpFrame>,
+    /// How blocks say where the tool axis goes in mode `tcp`; default [`TcpWords::Angles`].
+    pub tcp_words: TcpWords,
     /// How the control moves the tool axis in mode `tcp`; default [`ToolPosture::Axes`].
     pub tool_posture: ToolPosture,
     /// The control knows held axes and linear axes between rotary ones in mode `tcp`; default false.
@@ -385,6 +387,7 @@ impl Default for Config {
             length_mode: LengthMode::Tip,
             mode: Mode::Axes,
             tcp_frame: None,
+            tcp_words: TcpWords::Angles,
             tool_posture: ToolPosture::Axes,
             tcp_confirmed: false,
             clamp: BTreeMap::new(),

@@ -51,12 +51,23 @@ pub enum ToolPosture {
     Plane,
 }
 
+/// How a block of mode `tcp` says where the tool axis goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TcpWords {
+    /// By the angles of the rotary axes.
+    Angles,
+    /// By the tool axis itself: the control chooses the angles.
+    Vectors,
+}
+
 const FRAMES: [(&str, TcpFrame); 3] = [
     ("table_at_zero", TcpFrame::TableAtZero),
     ("table_at_start", TcpFrame::TableAtStart),
     ("not_turning", TcpFrame::NotTurning),
 ];
 const POSTURES: [(&str, ToolPosture); 2] = [("axes", ToolPosture::Axes), ("plane", ToolPosture::Plane)];
+
+const WORDS: [(&str, TcpWords); 2] = [("angles", TcpWords::Angles), ("vectors", TcpWords::Vectors)];
 
 impl Config {
     pub(super) fn read_mode(&mut self, r: &mut Reader<'_>, top: &mut Section<'_>) {
@@ -65,6 +76,9 @@ impl Config {
         }
         if let Some(value) = self.get(top, "tcp_frame") {
             self.tcp_frame = r.choice(value, &FRAMES);
+        }
+        if let Some(value) = self.get(top, "tcp_words") {
+            set(&mut self.tcp_words, r.choice(value, &WORDS));
         }
         if let Some(value) = self.get(top, "tool_posture") {
             set(&mut self.tool_posture, r.choice(value, &POSTURES));

@@ -66,6 +66,8 @@ units = "mm"
 # The frame of tip coordinates where a table turns under them: fixed to the table as it stands at zero ("table_at_zero"),
 # or where tip control begins ("table_at_start"), or standing still ("not_turning"). Fanuc: parameter 19696#5.
 # e.g. tcp_frame = "table_at_zero"
+# Blocks of mode "tcp" hold the "angles" of the rotary axes, or the tool axis as "vectors" and the control chooses the angles.
+#tcp_words = "angles"
 # How the control moves the tool axis in mode "tcp": rotary "axes" evenly, or in the "plane" of its ends.
 #tool_posture = "axes"
 # In mode "tcp" the control knows held axes and linear axes between rotary ones.

@@ -3,14 +3,14 @@
 use std::io::{self, Write};
 
 use crate::config::{ControlSetup, Mode, Program, Smoothing, ToolPosture, Units};
-use crate::motion::{Feed, PoseRule, Sink, Step, Words};
+use crate::motion::{Feed, PoseRule, Sink, Step, VECTOR_DECIMALS, Words};
 use crate::nc::{Decimal, Numbering, Numerals, Writer, write_number};
 use crate::program::{Coolant, Rotation};
 
 use super::belief::{Belief, LengthState};
 use super::spellings::coolant_index;
 use super::template::{Field, fill};
-use super::{Control, Layout, LengthCall, Spellings};
+use super::{Control, Layout, LengthCall, Spellings, Vectors};
 
 /// What the words of an axis look like.
 #[derive(Debug, Clone)]
@@ -91,6 +91,8 @@ pub struct Encoder<'a, W: Write> {
     setup: ControlSetup,
     program: Program,
     mode: Mode,
+    /// How the tool axis is written in the place of rotary words.
+    vectors: Option<&'static Vectors>,
     values: Values,
     numerals: Numerals,
     preselect: bool,
@@ -139,7 +141,9 @@ fn program_name(codes: &Spellings, layout: &Layout) -> String {
 /// How the tool axis moves under tip control, in the words of the control.
 fn posture(codes: &Spellings, layout: &Layout) -> &'static str {
     let plane = layout.posture == Some(ToolPosture::Plane);
-    codes.tip.as_ref().map_or("", |tip| tip.posture[usize::from(plane)])
+    let Some(tip) = &codes.tip else { return "" };
+    let words = tip.vectors.as_ref().filter(|_| layout.vectors).map_or(&tip.posture, |vectors| &vectors.posture);
+    words[usize::from(plane)]
 }
 
 impl<'a, W: Write> Encoder<'a, W> {
@@ -180,6 +184,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             setup,
             program: layout.program.clone(),
             mode: layout.mode,
+            vectors: codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref()).filter(|_| layout.vectors),
             belief: Belief::default(),
             line: Vec::with_capacity(256),
         }
@@ -293,10 +298,11 @@ impl<'a, W: Write> Encoder<'a, W> {
     #[inline]
     fn any_changes(&self, words: &Words) -> bool {
         let z = self.z.filter(|_| matches!(self.belief.length, LengthState::Wanted(_)));
-        self.axes.iter().any(|axis| {
-            words.has(axis.index)
-                && (self.belief.axis_changes(axis.index, words.units[axis.index]) || z == Some(axis.index))
-        })
+        self.belief.vector_changes(words.vector)
+            || self.axes.iter().any(|axis| {
+                words.has(axis.index)
+                    && (self.belief.axis_changes(axis.index, words.units[axis.index]) || z == Some(axis.index))
+            })
     }
 
     #[inline]
@@ -311,6 +317,20 @@ impl<'a, W: Write> Encoder<'a, W> {
                 }
             }
         }
+        if let (Some(vectors), Some(vector)) = (self.vectors, words.vector)
+            && self.writes(self.belief.vector_changes(words.vector))
+        {
+            self.belief.set_vector(vector);
+            for (word, units) in vectors.words.into_iter().zip(vector) {
+                self.writer.word(word, Decimal { units, decimals: VECTOR_DECIMALS }, self.numerals);
+            }
+        }
+    }
+
+    /// The code of a motion that writes a tool axis, and what ends a rapid of it, where these differ.
+    fn along_vector(&self, words: &Words) -> Option<(&'static str, &'static str)> {
+        let vectors = self.vectors.filter(|_| self.writes(self.belief.vector_changes(words.vector)))?;
+        vectors.motion.map(|code| (code, vectors.rapid_end))
     }
 
     fn motion(&mut self, code: &'static str) {
@@ -359,7 +379,8 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// The code that calls the length offset, and with it tip control where the two go together.
     fn length_code(&self) -> &'static str {
         let tip = self.codes.tip.as_ref().filter(|_| self.mode == Mode::Tcp && self.setup.tip_control.is_none());
-        tip.and_then(|tip| tip.with_length).unwrap_or(self.codes.length.code)
+        let code = tip.and_then(|tip| self.vectors.map_or(tip.with_length, |vectors| vectors.with_length));
+        code.unwrap_or(self.codes.length.code)
     }
 
     /// Tip control on or off; where it comes with the length offset, with the next motion.
@@ -444,13 +465,14 @@ impl<'a, W: Write> Encoder<'a, W> {
             Feed::PerMinute(_) => self.feed_mode(self.codes.per_minute),
             Feed::InverseTime(_) => self.feed_mode(self.codes.inverse_time.unwrap_or_default()),
         }
-        self.motion(self.codes.feed);
+        let along = self.along_vector(words);
+        self.motion(along.map_or(self.codes.feed, |(code, _)| code));
         self.call_length(words)?;
         self.axis_words(words, false);
-        if self.writes(!self.belief.centre) {
+        if along.is_none() && self.writes(!self.belief.centre) {
             self.writer.code(self.codes.centre);
         }
-        self.belief.centre = true;
+        self.belief.centre |= along.is_none();
         match feed {
             Feed::PerMinute(value) => {
                 let changes = self.belief.set_feed(value);
@@ -473,10 +495,11 @@ impl<'a, W: Write> Encoder<'a, W> {
         if self.codes.length.call == LengthCall::Alone {
             self.call_length(words)?;
         }
-        self.motion(self.codes.rapid);
+        let along = self.along_vector(words);
+        self.motion(along.map_or(self.codes.rapid, |(code, _)| code));
         self.call_length(words)?;
         self.axis_words(words, false);
-        self.writer.code(self.codes.rapid_end);
+        self.writer.code(along.map_or(self.codes.rapid_end, |(_, end)| end));
         self.writer.end()
     }
 

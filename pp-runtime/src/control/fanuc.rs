@@ -9,10 +9,10 @@
 //! one that turns the master axis least (B-63784EN, tool axis direction control), so they are turned there before.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers, TipAbility};
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, ascii_in_brackets};
+use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, ascii_in_brackets};
 use super::{Control, numbered};
 
 /// The Fanuc dialect.
@@ -81,7 +81,15 @@ static SPELLINGS: Spellings = Spellings {
         reset: &[],
         ends_length: true,
         posture: ["0", "1"],
-        ability: TipAbility { frame_is_set: true, turns_in_plane: true },
+        vectors: Some(Vectors {
+            words: ["I", "J", "K"],
+            with_length: Some("G43.5 H{offset} P{posture}"),
+            motion: None,
+            rapid_end: "",
+            posture: ["0", "1"],
+        }),
+        frame_is_set: true,
+        turns_in_plane: true,
         note: "G43.4 and G49 must move nothing by themselves (parameter 5006#6 = 1)",
     }),
     plane: Some(Tilting {

@@ -59,8 +59,12 @@ pub fn check(control: &dyn Control, config: &Config) -> Vec<String> {
 
 /// Tip control as the control has it, or as the configuration says that it is switched.
 fn tip_ability(control: &dyn Control, config: &Config) -> Option<TipAbility> {
-    let own = control.spellings().tip.as_ref().map(|tip| tip.ability);
-    let plain = TipAbility { frame_is_set: false, turns_in_plane: false };
+    let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
+        frame_is_set: tip.frame_is_set,
+        turns_in_plane: tip.turns_in_plane,
+        takes_vectors: tip.vectors.is_some() && config.control.tip_control.is_none(),
+    });
+    let plain = TipAbility { frame_is_set: false, turns_in_plane: false, takes_vectors: false };
     own.or_else(|| config.control.tip_control.is_some().then_some(plain))
 }
 

@@ -7,7 +7,7 @@
 //! it, and `G253` turns the axes; `Q123` is the order of its angles.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers, TipAbility};
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
 use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, ascii_in_brackets};
@@ -79,7 +79,9 @@ static SPELLINGS: Spellings = Spellings {
         reset: &[],
         ends_length: true,
         posture: ["", ""],
-        ability: TipAbility { frame_is_set: false, turns_in_plane: false },
+        vectors: None,
+        frame_is_set: false,
+        turns_in_plane: false,
         note: "G234 and G49 must move nothing by themselves",
     }),
     plane: Some(Tilting {

@@ -10,10 +10,10 @@
 //! are off before a tool call and before M91.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers, TipAbility};
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, printable};
+use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
 use super::{Control, numbered};
 
 /// The Heidenhain dialect.
@@ -83,7 +83,15 @@ static SPELLINGS: Spellings = Spellings {
         reset: &["FUNCTION RESET TCPM"],
         ends_length: false,
         posture: ["AXIS", "VECTOR"],
-        ability: TipAbility { frame_is_set: false, turns_in_plane: true },
+        vectors: Some(Vectors {
+            words: ["TX", "TY", "TZ"],
+            with_length: None,
+            motion: Some("LN"),
+            rapid_end: "FMAX",
+            posture: ["AXIS", "VECTOR"],
+        }),
+        frame_is_set: false,
+        turns_in_plane: true,
         note: "",
     }),
     plane: Some(Tilting {

@@ -1,6 +1,6 @@
 //! What an encoder needs to know of the job.
 
-use crate::config::{Config, ControlSetup, Mode, Program, ToolPosture, Units, Wrap};
+use crate::config::{Config, ControlSetup, Mode, Program, TcpWords, ToolPosture, Units, Wrap};
 use crate::kinematics::{AxisKind, Machine};
 
 /// The job as an encoder sees it.
@@ -22,6 +22,8 @@ pub struct Layout {
     pub mode: Mode,
     /// How the tool axis moves under tip control.
     pub posture: Option<ToolPosture>,
+    /// Blocks hold the tool axis in the place of rotary words.
+    pub vectors: bool,
     /// What the configuration says of the control.
     pub setup: ControlSetup,
     /// Blocks around the program.
@@ -43,6 +45,7 @@ impl Layout {
             shortest: config.wrap.values().any(|wrap| *wrap != Wrap::Sign),
             mode: config.mode,
             posture: Some(config.tool_posture),
+            vectors: config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors,
             setup: config.control.clone(),
             program: config.program.clone(),
         }

@@ -9,10 +9,10 @@
 //! of the axis that is the direction reference of the swivel data (828D operating manual, 10.6).
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers, TipAbility};
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, printable};
+use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
 use super::{Control, numbered};
 
 /// The Siemens dialect.
@@ -77,7 +77,16 @@ static SPELLINGS: Spellings = Spellings {
         reset: &[],
         ends_length: false,
         posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
-        ability: TipAbility { frame_is_set: false, turns_in_plane: true },
+        // In ORIMKS they would be counted in the frame of the machine.
+        vectors: Some(Vectors {
+            words: ["A3=", "B3=", "C3="],
+            with_length: None,
+            motion: None,
+            rapid_end: "",
+            posture: ["ORIWKS ORIAXES", "ORIWKS ORIVECT"],
+        }),
+        frame_is_set: false,
+        turns_in_plane: true,
         note: "",
     }),
     plane: Some(Tilting {

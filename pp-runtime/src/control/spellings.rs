@@ -3,7 +3,7 @@
 //! Texts with braces are [templates](super::template).
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers, TipAbility};
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 use crate::program::{Coolant, Rotation};
 
@@ -139,10 +139,29 @@ pub struct Tip {
     pub ends_length: bool,
     /// Words for a tool axis that follows the rotary axes, and for one that turns in the plane of its ends.
     pub posture: [&'static str; 2],
-    /// What can be asked of it.
-    pub ability: TipAbility,
+    /// How it takes the tool axis as a vector, if it does.
+    pub vectors: Option<Vectors>,
+    /// In which frame it counts is a setting of the machine.
+    pub frame_is_set: bool,
+    /// It can turn the tool axis in the plane of its ends.
+    pub turns_in_plane: bool,
     /// What it takes for granted.
     pub note: &'static str,
+}
+
+/// How a tool axis is written as a vector.
+#[derive(Debug)]
+pub struct Vectors {
+    /// What stands before its components.
+    pub words: [&'static str; 3],
+    /// The code in the place of the length offset.
+    pub with_length: Option<&'static str>,
+    /// Codes of a straight motion that holds one, rapid and at feed, where they are codes of their own.
+    pub motion: Option<&'static str>,
+    /// What ends a rapid that holds one.
+    pub rapid_end: &'static str,
+    /// As [`Tip::posture`].
+    pub posture: [&'static str; 2],
 }
 
 /// How a plane is tilted.

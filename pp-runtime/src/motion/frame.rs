@@ -16,7 +16,7 @@
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
-use crate::config::{Config, Mode, ProgramZero, TcpFrame, ToolPosture};
+use crate::config::{Config, Mode, ProgramZero, TcpFrame, TcpWords, ToolPosture};
 use crate::kinematics::{AxisKind, Machine, MotionBound, Side};
 
 use super::fault::Fault;
@@ -30,6 +30,8 @@ pub struct TipAbility {
     pub frame_is_set: bool,
     /// It can turn the tool axis in the plane of its ends.
     pub turns_in_plane: bool,
+    /// It takes the tool axis as a vector.
+    pub takes_vectors: bool,
 }
 
 /// An isometry of the workpiece frame: `word = rotation · p + shift`.
@@ -247,6 +249,13 @@ fn tcp_faults<M: Machine>(
     }
     if config.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {
         other(format!("{control} moves rotary axes evenly"), "leave `tool_posture` at \"axes\"");
+    }
+    if config.tcp_words == TcpWords::Vectors && !tip.takes_vectors {
+        other(format!("{control} takes no tool axis as a vector"), "leave `tcp_words` at \"angles\"");
+    }
+    if config.tcp_words == TcpWords::Vectors && config.tcp_frame == Some(TcpFrame::NotTurning) {
+        let text = "a tool axis as a vector has no meaning in a frame that stands still while the table turns";
+        other(text.to_owned(), "leave `tcp_words` at \"angles\"");
     }
     if config.tcp_frame == Some(TcpFrame::NotTurning) && (head || config.tool_posture == ToolPosture::Plane) {
         let text = "in a frame that does not turn the path is certified for rotary axes of the table that move evenly";

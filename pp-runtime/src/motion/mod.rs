@@ -43,7 +43,7 @@ pub use expand::Expander;
 pub use frame::{TipAbility, unsuited};
 pub use planner::{Abilities, Planner, Registers, Statistics, Stop};
 pub use selection::Gate;
-pub use step::{Feed, MAX_AXES, Sink, Step, Words};
+pub use step::{Feed, MAX_AXES, Sink, Step, VECTOR_DECIMALS, Words};
 pub use tilt::{PlaneAbility, PlaneAngles, PoseRule};
 pub use times::{FastestTurn, OperationTime, Times};
 pub use tool::Tool;

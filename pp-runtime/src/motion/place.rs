@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::config::{Config, LengthMode, Mode, Units};
+use crate::config::{Config, LengthMode, Mode, TcpWords, Units};
 use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::nc::whole_units;
 use crate::program::{Rotation, Turning};
@@ -18,7 +18,7 @@ use super::fault::Fault;
 use super::frame::{Frame, Map, no_plane, orientation};
 use super::linearise::Tolerance;
 use super::origin::Origin;
-use super::step::{MAX_AXES, Words};
+use super::step::{MAX_AXES, VECTOR_DECIMALS, Words};
 use super::structure::{counted, held_tool_axis, orthogonal, poles};
 use super::tilt::{PlaneAbility, PoseRule, Tilt};
 use super::travel::Travel;
@@ -100,6 +100,8 @@ pub(crate) struct Placer<M: Machine> {
     straight: bool,
     head: bool,
     gauge_line: bool,
+    /// Blocks hold the tool axis in the place of rotary words.
+    vectors: bool,
     /// The control takes the length of the tool into account, whatever the rotaries do.
     compensated: bool,
     square: bool,
@@ -188,6 +190,7 @@ impl<M: Machine> Placer<M> {
                 && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
             gauge_line: config.length_mode == LengthMode::Gauge,
+            vectors: config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors,
             compensated: config.mode != Mode::Axes,
             square: orthogonal(&machine, axes) && counted(axes),
             orthogonal: orthogonal(&machine, axes),
@@ -318,7 +321,15 @@ impl<M: Machine> Placer<M> {
     /// The written words of the axes in a mask.
     #[inline]
     pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
-        Words { units: self.written(place), mask }
+        let units = self.written(place);
+        let both = mask & self.linear_mask != 0 && mask & self.rotary_mask != 0;
+        if !(self.vectors && both) {
+            return Words { units, mask, vector: None };
+        }
+        let axis = self.frame.map(&self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
+        let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
+        let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
+        Words { units, mask: mask & !self.rotary_mask, vector }
     }
 
     /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
@@ -692,7 +703,7 @@ impl<M: Machine> Placer<M> {
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
             .ok_or_else(|| too_large(M::AXES[index].letter))?;
-        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
+        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index, vector: None };
         words.units[index] = units;
         Ok(words)
     }

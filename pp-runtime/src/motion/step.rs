@@ -8,6 +8,9 @@ use crate::program::{Coolant, Rotation};
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;
 
+/// Decimals of the components of a tool axis: as many as CL data has.
+pub const VECTOR_DECIMALS: u32 = 7;
+
 /// Words of axes: whole units of their last decimal, by position in the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Words {
@@ -15,6 +18,8 @@ pub struct Words {
     pub units: [i64; MAX_AXES],
     /// Bit `i` is set for the axis at position `i`.
     pub mask: u16,
+    /// The tool axis as the control counts it, in the place of rotary words: units of [`VECTOR_DECIMALS`] decimals.
+    pub vector: Option<[i64; 3]>,
 }
 
 impl Words {
