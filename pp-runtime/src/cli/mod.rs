@@ -152,7 +152,7 @@ fn print(streams: &mut Streams<'_>, write: impl FnOnce(&mut dyn Write) -> io::Re
 fn prove_machine<M: Machine>(args: &ProofArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, MessageFormat::Human);
     let config = read_file::<M>(args.config.as_deref(), args.control(), &mut messages)?;
-    fit(args.control(), &config)?;
+    fit::<M>(args.control(), &config)?;
     let proof = Proof { config: &config, control: args.control(), tool: args.tool, point: args.point };
     let text = prove::<M>(&proof).map_err(Failure::Argument)?;
     print(streams, |out| out.write_all(&text))
@@ -253,13 +253,14 @@ fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut 
 fn read_config<M: Machine>(args: &PostArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
     let mut config = read_file::<M>(args.config.as_deref(), args.control(), messages)?;
     args.apply::<M>(&mut config).map_err(Failure::Argument)?;
-    fit(args.control(), &config)?;
+    fit::<M>(args.control(), &config)?;
     Ok(config)
 }
 
 /// Whether the control can do what the configuration asks for.
-fn fit(control: &dyn Control, config: &Config) -> Result<(), Failure> {
-    let unfit = control::check(control, config);
+fn fit<M: Machine>(control: &dyn Control, config: &Config) -> Result<(), Failure> {
+    let mut unfit = control::check(control, config);
+    unfit.append(&mut control::unsuited::<M>(control, config));
     if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
 }
 

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 
 use nalgebra::Point3;
 
-use crate::config::{Config, Units};
+use crate::config::{Config, Mode, Units};
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AxisKind, Machine, Side};
@@ -47,8 +47,10 @@ pub fn prove<M: Machine>(proof: &Proof<'_>) -> Result<Vec<u8>, String> {
                 .to_owned(),
         );
     }
-    // A dry run that stays where it is: no spindle, no coolant.
-    let config = Config { lift: Some(0.0), reorient_speed: given.reorient_speed.min(SLOW), ..given.clone() };
+    // A dry run that stays where it is: no spindle, no coolant. What is proven is the declaration of the machine, and not what
+    // the control makes of tip control or a plane.
+    let slow = given.reorient_speed.min(SLOW);
+    let config = Config { lift: Some(0.0), mode: Mode::Axes, reorient_speed: slow, ..given.clone() };
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let machine =
         config.machine::<M>().map_err(|invalid| format!("{} cannot be built like this: {invalid}", M::NAME))?;
