@@ -44,6 +44,8 @@ pub struct ControlSetup {
     pub program_number: Option<u32>,
     /// Name of the program; default that of the CL data.
     pub program_name: Option<String>,
+    /// The program begins with the name of its file; default false.
+    pub file_header: bool,
     /// Safety blocks of a restart point; default those of the control.
     pub safety: Option<Vec<String>>,
     /// Blocks of a tool change; default those of the control.
@@ -97,6 +99,9 @@ impl Config {
         }
         if let Some(value) = self.get(section, "control.program_name") {
             self.control.program_name = r.line(value);
+        }
+        if let Some(value) = self.get(section, "control.file_header") {
+            set(&mut self.control.file_header, r.boolean(value));
         }
         if let Some(value) = self.get(section, "control.safety") {
             self.control.safety = Some(templates(r, value, OF_PROGRAM));

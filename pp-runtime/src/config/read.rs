@@ -81,8 +81,9 @@ impl Config {
         let named = units.and_then(|value| r.choice(value, &UNITS));
         set(&mut r.units, named);
         self.read_top(r, &mut top);
-        let sections = ["defaults", "course", "retract", "approach", "feed", "formats", "program", "control", "cl"]
-            .map(|name| (name, top.get(name)));
+        let sections =
+            ["defaults", "course", "retract", "approach", "feed", "formats", "program", "control", "cl", "stock"]
+                .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
         let frames = top.get("frames");
         let machine_zero = top.get("machine_zero");
@@ -110,6 +111,7 @@ impl Config {
                 "control" => self.read_control::<M>(r, &mut section),
                 "cl" => self.read_cl(r, &mut section),
                 "course" => self.read_course::<M>(r, &mut section),
+                "stock" => self.stock = set_up::stock(r, &mut section, value),
                 _ => self.read_program(r, &mut section),
             }
             section.finish(r);

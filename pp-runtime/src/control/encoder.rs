@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::config::{ControlSetup, Mode, Program, Smoothing, ToolPosture, Units};
+use crate::config::{ControlSetup, Mode, Program, Smoothing, Stock, ToolPosture, Units};
 use crate::motion::{Feed, PoseRule, Sink, Step, VECTOR_DECIMALS, Words};
 use crate::nc::{Decimal, Numbering, Numerals, Writer, write_number};
 use crate::program::{Coolant, Rotation};
@@ -89,6 +89,8 @@ pub struct Encoder<'a, W: Write> {
     /// Position of Z in the chain: its word takes a length offset along.
     z: Option<usize>,
     units: Units,
+    /// Decimals of lengths.
+    linear: u32,
     setup: ControlSetup,
     program: Program,
     mode: Mode,
@@ -124,6 +126,12 @@ fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {
         Some(blank) => (&text[..blank], Some(&text[blank + 1..])),
         None => (&text[..length], Some(&text[length..])),
     }
+}
+
+/// A name of capitals, digits and `_`.
+fn plain(name: &str) -> String {
+    let byte = |byte: char| if byte.is_ascii_alphanumeric() { byte.to_ascii_uppercase() } else { '_' };
+    name.chars().map(byte).collect()
 }
 
 /// The name of a program as the control can hold it.
@@ -180,6 +188,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             axes: addresses(control, layout),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             units: layout.units,
+            linear: layout.linear,
             values,
             numerals,
             preselect: setup.preselect.unwrap_or(codes.preselect),
@@ -192,13 +201,29 @@ impl<'a, W: Write> Encoder<'a, W> {
         }
     }
 
-    /// The lines a program of this control begins with.
+    /// The lines a program of this control begins with. `blank`: the corners of the box around it, mm.
     ///
     /// # Errors
     /// Those of the output.
-    pub fn open(&mut self) -> io::Result<()> {
+    pub fn open(&mut self, blank: Option<&Stock>) -> io::Result<()> {
+        if self.setup.file_header {
+            let header = self.control.file_header(&plain(&self.values.name));
+            header.iter().try_for_each(|line| self.writer.line(line.as_bytes()))?;
+        }
         let opening = self.codes.opening;
-        self.lines(opening)
+        self.lines(opening)?;
+        let Some(Stock { lower, upper }) = blank else { return Ok(()) };
+        let [lower, upper] = [lower, upper].map(|corner| self.point(corner));
+        self.control.blank(&lower, &upper).iter().try_for_each(|line| self.writer.line(line.as_bytes()))
+    }
+
+    /// A point as words X Y Z.
+    fn point(&self, point: &[f64; 3]) -> String {
+        let words = ["X", "Y", "Z"].iter().zip(point).map(|(letter, mm)| {
+            let value = Decimal::fixed(mm / self.units.in_mm(), self.linear).unwrap_or_default();
+            format!("{letter}{}", text(value, self.numerals))
+        });
+        words.collect::<Vec<_>>().join(" ")
     }
 
     /// The blocks of the configuration behind the header.

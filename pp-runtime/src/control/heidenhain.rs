@@ -132,6 +132,10 @@ impl Control for Heidenhain {
         numbered(word, "", 0..=999).then(|| word.to_owned())
     }
 
+    fn blank(&self, lower: &str, upper: &str) -> Vec<String> {
+        vec![format!("BLK FORM 0.1 Z {lower}"), format!("BLK FORM 0.2 {upper}")]
+    }
+
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
         let LengthGuard { label, tool, .. } = *guard;
         let [length, tolerance] = guard.in_millimetres();

@@ -71,6 +71,17 @@ pub trait Control: Sync {
         (name.len() == 1 && name.as_bytes()[0].is_ascii_uppercase()).then(|| name.to_owned())
     }
 
+    /// Lines before everything else with the name of the program's file, where the configuration asks for them; none where
+    /// the control knows no such lines. `name`: capitals, digits and `_`.
+    fn file_header(&self, _name: &str) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Lines about the box of the blank for the pictures of the control; corners as words X Y Z.
+    fn blank(&self, _lower: &str, _upper: &str) -> Vec<String> {
+        Vec::new()
+    }
+
     /// Blocks that stop the program with a message where the length of the tool in the spindle, as the control knows it,
     /// is off the posted one by more than a tolerance. None where a control cannot compare.
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String>;

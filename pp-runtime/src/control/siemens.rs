@@ -129,6 +129,11 @@ impl Control for Siemens {
         }
     }
 
+    fn file_header(&self, name: &str) -> Vec<String> {
+        // Names of files have at most 24 characters.
+        vec![format!("%_N_{}_MPF", &name[..name.len().min(24)]), ";$PATH=/_N_MPF_DIR".to_owned()]
+    }
+
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
         let [length, tolerance] = guard.in_program();
         vec![

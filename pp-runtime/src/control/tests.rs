@@ -86,7 +86,7 @@ fn short_program() -> Vec<Step<'static>> {
 
 fn whole(control: &dyn Control, layout: &Layout) -> Vec<String> {
     written_by(control, layout, |encoder| {
-        encoder.open()?;
+        encoder.open(None)?;
         encoder.comment(b"a (b)")?;
         encoder.step(&Step::Operation { name: b"Face 1" })?;
         short_program().iter().try_for_each(|step| encoder.step(step))?;
@@ -336,7 +336,7 @@ fn blocks_of_the_configuration_replace_those_of_the_table() {
     let program = Program { start: vec!["(P{number} {name})".into()], end: vec!["M99".into()], ..Program::default() };
     let layout = Layout { program, ..edges(setup) };
     let text = written_by(&Fanuc, &layout, |encoder| {
-        encoder.open()?;
+        encoder.open(None)?;
         encoder.start()?;
         short_program()[..4].iter().try_for_each(|step| encoder.step(step))?;
         encoder.end(&[])

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, LengthMode, Mode, ProgramZero, TcpFrame, ToolPosture, Units, Wrap, part_angles};
+use crate::config::{Config, LengthMode, Mode, ProgramZero, Stock, TcpFrame, ToolPosture, Units, Wrap, part_angles};
 use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
@@ -11,6 +11,9 @@ use crate::program::Rotation;
 
 use super::Job;
 use super::survey::{Survey, ToolUse};
+
+/// A blank thinner than this is none, mm.
+const THINNEST: f64 = 0.1;
 
 /// Everything the header tells.
 pub(super) struct Header<'a, M: Machine> {
@@ -200,7 +203,7 @@ pub(super) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
 
 impl<M: Machine> Header<'_, M> {
     pub(super) fn write<W: Write>(&self, assumptions: &[String], encoder: &mut Encoder<'_, W>) -> io::Result<()> {
-        encoder.open()?;
+        encoder.open(self.blank().as_ref())?;
         let config = self.job.config;
         let mut name = b"PROGRAM ".to_vec();
         name.extend_from_slice(if self.survey.name.is_empty() { b"without name" } else { &self.survey.name });
@@ -229,6 +232,35 @@ impl<M: Machine> Header<'_, M> {
             encoder.comment(line.as_bytes())?;
         }
         encoder.start()
+    }
+
+    /// The box around the blank as words count, mm: that of the configuration, or else one around all cuts and their tools.
+    /// None around cuts in one plane, and none where words count to the gauge line.
+    fn blank(&self) -> Option<Stock> {
+        let config = self.job.config;
+        let mut blank = config.stock.or_else(|| self.around_cuts())?;
+        if config.program_zero == ProgramZero::Table {
+            for (index, origin) in config.part_origin.into_iter().enumerate() {
+                blank.lower[index] += origin;
+                blank.upper[index] += origin;
+            }
+        }
+        let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < THINNEST);
+        Some(blank).filter(|_| !flat && config.length_mode == LengthMode::Tip)
+    }
+
+    fn around_cuts(&self) -> Option<Stock> {
+        let boxes = self.survey.tools.iter().filter_map(|tool| {
+            let given = self.job.config.tools.get(&tool.call.number).and_then(|given| given.diameter);
+            let radius = given.or(tool.call.diameter).unwrap_or(0.0) / 2.0;
+            let [lower, upper] = tool.cuts?;
+            let aside = [radius, radius, 0.0];
+            Some((std::array::from_fn(|i| lower[i] - aside[i]), std::array::from_fn(|i| upper[i] + aside[i])))
+        });
+        let around = |one: ([f64; 3], [f64; 3]), other: ([f64; 3], [f64; 3])| {
+            (std::array::from_fn(|i| one.0[i].min(other.0[i])), std::array::from_fn(|i| one.1[i].max(other.1[i])))
+        };
+        boxes.reduce(around).map(|(lower, upper)| Stock { lower, upper })
     }
 
     /// What the program takes for granted about axes, set-up and tools; `kept`: what holds while a rotary axis moves.

@@ -91,7 +91,7 @@ fn usual_tool(config: &Config) -> u32 {
 /// One tool that does one thing.
 fn survey(number: u32, point: &Point3<f64>) -> Survey {
     let call = ToolCall { number, ..ToolCall::default() };
-    let tool = ToolUse { call, operations: 1, tip: Some((point.z, point.z)), spindle_assumed: false };
+    let tool = ToolUse { call, operations: 1, tip: Some((point.z, point.z)), cuts: None, spindle_assumed: false };
     let mut survey = Survey::default();
     survey.tools.push(tool);
     survey
@@ -103,7 +103,7 @@ fn head<M: Machine, W: Write>(
     sweeps: &[Sweep],
     encoder: &mut Encoder<'_, W>,
 ) -> io::Result<()> {
-    encoder.open()?;
+    encoder.open(None)?;
     let (config, control) = (header.job.config, header.job.control);
     let mut lines = vec![
         "PROOF OF THE KINEMATICS: nothing is cut, the spindle stands".to_owned(),

@@ -33,6 +33,8 @@ pub(super) struct ToolUse {
     pub(super) operations: u64,
     /// Lowest and highest tip of the part as it lies, mm.
     pub(super) tip: Option<(f64, f64)>,
+    /// Lowest and highest corner of the box around the tips of its cuts, mm.
+    pub(super) cuts: Option<[[f64; 3]; 2]>,
     /// It cuts before any SPINDL/.. behind its call: speed and direction come from the configuration.
     pub(super) spindle_assumed: bool,
 }
@@ -228,6 +230,13 @@ impl Survey {
                     let z = motion.pose.tip.z;
                     tool.tip = Some(tool.tip.map_or((z, z), |(low, high)| (low.min(z), high.max(z))));
                     tool.spindle_assumed |= !motion.rapid && !state.spindle;
+                    if !motion.rapid {
+                        let at: [f64; 3] = motion.pose.tip.into();
+                        let [lower, upper] = tool.cuts.get_or_insert([at; 2]);
+                        for (index, at) in at.into_iter().enumerate() {
+                            (lower[index], upper[index]) = (lower[index].min(at), upper[index].max(at));
+                        }
+                    }
                 }
             }
             _ => {}
@@ -290,7 +299,7 @@ impl Survey {
     /// The index of a tool, with what its calls say together.
     fn tool(&mut self, call: ToolCall, place: &mut Option<usize>) -> usize {
         let index = *place.get_or_insert_with(|| {
-            self.tools.push(ToolUse { call, operations: 0, tip: None, spindle_assumed: false });
+            self.tools.push(ToolUse { call, operations: 0, tip: None, cuts: None, spindle_assumed: false });
             self.tools.len() - 1
         });
         let known = &mut self.tools[index].call;
