@@ -177,9 +177,8 @@ mod tests {
         let keys = reader.into_notes().keys;
         assert!(keys.len() > 80, "{keys:?}");
         for (table, key) in keys {
-            let path = table.split('.').filter(|part| !part.is_empty()).chain([key]);
-            let found = path.fold(Some(&schema), |schema, part| {
-                let schema = schema?;
+            let mut path = table.split('.').filter(|part| !part.is_empty()).chain([key]);
+            let found = path.try_fold(&schema, |schema, part| {
                 let numbered = || schema.get("patternProperties")?.get("^[1-9][0-9]*$");
                 schema.get("properties").and_then(|keys| keys.get(part)).or_else(numbered)
             });
