@@ -43,7 +43,9 @@ pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
     if !survey.framed {
         list.push("the points of the CL data count from the part zero".to_owned());
     }
-    if rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
+    // A control that counts the tip in the frame of the part knows where the part lies.
+    let known = config.mode != Mode::Axes && config.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
+    if !known && rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
         list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
     }
     if !config.is_given("work_offset") {
@@ -216,7 +218,8 @@ impl<M: Machine> Header<'_, M> {
         lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
-        if rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some() {
+        let turns = rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some();
+        if turns && config.mode != Mode::Plane {
             lines.push(format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
                 self.length(config.tolerance),
