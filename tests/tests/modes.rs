@@ -14,6 +14,7 @@ use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::machine;
 use pp_runtime::motion::{Feed as FeedWord, Navigator, Planner, Sink, Step, Stop};
 use pp_runtime::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+use tests::block::{angle_to_arc, distance_to_line};
 use tests::further::{HeadTable, Trunnion};
 use tests::oracle::{Oracle, angle_between, rotation, rotation_about};
 use tests::random::Random;
@@ -45,6 +46,8 @@ struct Says {
     /// Blocks of feed, and how many of them move a rotary axis with a feed that is no inverse time.
     feeds: usize,
     turned_per_minute: usize,
+    /// Words at the end of each feed block since the motion before.
+    blocks: Vec<[f64; 9]>,
 }
 
 struct Listener<M: Machine> {
@@ -76,6 +79,7 @@ impl<M: Machine> Sink for Listener<M> {
         match step {
             Step::Feed { words, feed } => {
                 let turned = self.take(words);
+                self.says.blocks.push(self.says.words);
                 self.says.feeds += 1;
                 self.says.turned_per_minute += usize::from(turned && matches!(feed, FeedWord::PerMinute(_)));
                 assert!(self.says.plane.is_none() || !turned, "no rotary turns in a tilted plane");
@@ -129,6 +133,7 @@ fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_
         planner.event(at, event, &mut listener).map_err(fault)?;
         if let Event::Move(_) = event {
             all.push(listener.says.clone());
+            listener.says.blocks.clear();
         }
     }
     planner.finish(Location::default(), &mut listener).map_err(fault)?;
@@ -346,6 +351,57 @@ fn compare<M: Machine>(seed: u64) -> usize {
         }
     }
     compared
+}
+
+/// Every block of the cuts, looked at in many places: where the control takes the tool between two points.
+fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
+    let mut random = Random::new(seed);
+    let config = set_up(Mode::Tcp, Some(frame), &control::Fanuc, &mut random);
+    let mut machine = config.machine::<M>().expect("valid");
+    let events = events(&machine, &mut random, false);
+    let says = posted::<M>(&config, &control::Fanuc, &events).expect("posted");
+    machine.set_up(config.part_origin.into(), LENGTH);
+    let motions: Vec<&Move> = events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Move(motion) => Some(motion),
+            _ => None,
+        })
+        .collect();
+    let mut blocks = 0;
+    for (index, pair) in motions.windows(2).enumerate().filter(|(_, pair)| !pair[0].rapid && !pair[1].rapid) {
+        let (start, end) = (pair[0].pose, pair[1].pose);
+        let mut from = says[index].words;
+        for to in &says[index + 1].blocks {
+            for place in 0..=200 {
+                let share = f64::from(place) / 200.0;
+                let words = std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * share);
+                let now = Says { words, ..says[index + 1].clone() };
+                let (tip, axis) = meant(&machine, &config, "fanuc", &now);
+                let off = distance_to_line(&tip, &start.tip, &end.tip);
+                assert!(off <= config.tolerance, "{} {frame:?} motion {index}: tip {off}", M::NAME);
+                let off = angle_to_arc(&axis, &start.axis, &end.axis);
+                assert!(off <= config.axis_tolerance_path, "{} {frame:?} motion {index}: axis {off}", M::NAME);
+            }
+            from = *to;
+            blocks += 1;
+        }
+    }
+    blocks
+}
+
+#[test]
+fn between_points_tip_and_axis_keep_to_their_way() {
+    for (seed, frame) in [TcpFrame::TableAtZero, TcpFrame::TableAtStart, TcpFrame::NotTurning].into_iter().enumerate() {
+        let seed = seed as u64 + 20;
+        assert!(between_points::<SpinnerU5620>(seed, frame) >= 18);
+        assert!(between_points::<Dmu70e>(seed, frame) >= 18);
+        assert!(between_points::<MultiProDesk>(seed, frame) >= 18);
+        if frame != TcpFrame::NotTurning {
+            assert!(between_points::<LolaXoyzba>(seed, frame) >= 18);
+            assert!(between_points::<HeadTable>(seed, frame) >= 18);
+        }
+    }
 }
 
 #[test]

@@ -46,7 +46,9 @@ pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
     if !survey.framed {
         list.push("the points of the CL data count from the part zero".to_owned());
     }
-    if rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
+    // A control that counts the tip in the frame of the part knows where the part lies.
+    let known = config.mode != Mode::Axes && config.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
+    if !known && rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
         list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
     }
     if !config.is_given("work_offset") {
@@ -219,7 +221,7 @@ impl<M: Machine> Header<'_, M> {
         lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));
         let turns = rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some();
-        let kept = turns.then(|| {
+        let kept = (turns && config.mode != Mode::Plane).then(|| {
             format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
                 self.length(config.tolerance),
@@ -282,12 +284,12 @@ impl<M: Machine> Header<'_, M> {
         lines
     }
 
-    /// What words beyond a turn take for granted; nothing where every rotary axis rolls over.
+    /// What words beyond a turn take for granted; nothing where every rotary axis rolls over, or has no words.
     fn rotary_words(&self) -> Option<String> {
         let (wrap, codes) = (&self.job.config.wrap, self.job.control.spellings());
         let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
         let letters: String = M::AXES.iter().filter(counting).map(|axis| axis.letter).collect();
-        if letters.is_empty() {
+        if letters.is_empty() || self.job.config.mode == Mode::Plane {
             return None;
         }
         let of = if wrap.is_empty() { String::new() } else { format!(" of {}", spaced(&letters)) };
