@@ -8,7 +8,7 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::Registers;
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, ascii_in_brackets};
 use super::{Control, numbered};
 
 /// The Fanuc dialect.
@@ -47,6 +47,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G0",
     rapid_end: "",
     feed: "G1",
+    arcs: Arcs {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Parameter 3410 is 0.01 mm or more on machines in use; a word is off by less than this.
+        radius_tolerance: 0.002,
+    },
     motion_modal: true,
     centre: "",
     machine: ["G53 G0", ""],

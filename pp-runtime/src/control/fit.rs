@@ -73,5 +73,7 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
         registers: codes.length.registers,
         path_norm: config.control.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
+        arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
+        arc_radius_tolerance: codes.arcs.radius_tolerance,
     }
 }

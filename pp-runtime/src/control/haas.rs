@@ -7,7 +7,7 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::Registers;
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, ascii_in_brackets};
 use super::{Control, numbered};
 
 /// The Haas dialect.
@@ -46,6 +46,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G00",
     rapid_end: "",
     feed: "G01",
+    arcs: Arcs {
+        senses: ["G02", "G03"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Less than the control lets pass.
+        radius_tolerance: 0.002,
+    },
     motion_modal: true,
     centre: "",
     machine: ["G53 G00", ""],

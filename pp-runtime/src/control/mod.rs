@@ -27,7 +27,7 @@ pub use heidenhain::Heidenhain;
 pub use layout::Layout;
 pub use linuxcnc::LinuxCnc;
 pub use siemens::Siemens;
-pub use spellings::{Comments, Length, LengthCall, Spellings};
+pub use spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings};
 
 /// Every control there is, the default first.
 pub const CONTROLS: &[&dyn Control] = &[&LinuxCnc, &Fanuc, &Siemens, &Heidenhain, &Haas];

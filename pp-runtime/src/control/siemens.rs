@@ -8,7 +8,7 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::Registers;
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, printable};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, printable};
 use super::{Control, numbered};
 
 /// The Siemens dialect.
@@ -39,6 +39,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G0",
     rapid_end: "",
     feed: "G1",
+    arcs: Arcs {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "CR=",
+        // MD21000, as delivered.
+        radius_tolerance: 0.01,
+    },
     motion_modal: true,
     centre: "",
     machine: ["SUPA G0", "D0"],

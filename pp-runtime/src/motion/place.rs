@@ -3,7 +3,7 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
-use nalgebra::{Point3, UnitVector3, Vector3};
+use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
 use crate::config::{Config, LengthMode, Units};
 use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
@@ -16,7 +16,7 @@ use super::fault::Fault;
 use super::linearise::Tolerance;
 use super::origin::Origin;
 use super::step::{MAX_AXES, Words};
-use super::structure::{counted, held_tool_axis, orthogonal, poles};
+use super::structure::{coordinates, counted, held_tool_axis, orthogonal, poles};
 use super::travel::Travel;
 use super::way::angle_between;
 
@@ -79,6 +79,8 @@ pub(crate) struct Placer<M: Machine> {
     origin: Origin,
     /// Units of linear words in 1 mm.
     per_mm: f64,
+    /// Places of X Y Z in the chain, where these are the linear axes that are solved.
+    xyz: Option<[usize; 3]>,
     pub(super) limits: Vec<Option<Limits>>,
     pub(crate) travel: Travel,
     /// Solved linear axis that retracts.
@@ -163,6 +165,7 @@ impl<M: Machine> Placer<M> {
             rotary_mask: mask(AxisKind::Rotary),
             scale,
             per_mm: per_unit / units.in_mm(),
+            xyz: coordinates(axes),
             limits,
             travel: Travel::new(&machine, config),
             origin,
@@ -558,6 +561,38 @@ impl<M: Machine> Placer<M> {
         }
         place.rounding = if self.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
+    }
+
+    /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
+    /// where the program has no such words.
+    pub(super) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
+        let chain = self.xyz?;
+        let axes = self.machine.linear_axes(tip, &at.axes)?;
+        let word = |index: usize| axes.as_ref()[index] + self.origin.linear(index);
+        Some(Vector3::from(chain.map(word)))
+    }
+
+    /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
+    /// place: the rows belong to the words, the columns to the directions of the workpiece.
+    pub(super) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        // The map is affine; a wide step leaves no more than the rounding of the arithmetic.
+        const STEP: f64 = 1024.0;
+        let origin = self.program_point(&Point3::origin(), at)?;
+        let column =
+            |direction: Vector3<f64>| Some((self.program_point(&Point3::from(direction * STEP), at)? - origin) / STEP);
+        let columns = [column(Vector3::x())?, column(Vector3::y())?, column(Vector3::z())?];
+        Some((self.xyz?, Matrix3::from_columns(&columns)))
+    }
+
+    /// Whether offsets along two axes have more digits than their words.
+    pub(super) fn too_large(&self, units: [i64; 2], axes: [usize; 2]) -> bool {
+        units.iter().zip(axes).any(|(units, axis)| units.abs() >= self.bounds[axis])
+    }
+
+    /// Minutes that axes take for some distances, mm, at their largest speeds; 0 where these are not to be kept.
+    pub(super) fn least_minutes_over(&self, distances: &[(usize, f64)]) -> f64 {
+        let minutes = |(axis, distance): &(usize, f64)| self.speeds[*axis].map_or(0.0, |speed| distance / speed);
+        if self.timed { distances.iter().map(minutes).fold(0.0, f64::max) } else { 0.0 }
     }
 
     /// How far rounding of the linear words can take the tip, mm.

@@ -5,7 +5,7 @@
 4 ; UNITS mm, WORK OFFSET datum row 2
 5 ; PART ORIGIN X35 Y4.5 Z62 from the table reference
 6 ; PROGRAMMED POINT tool tip
-7 ; ARCS AND CURVES in chords that leave them by at most 0.01
+7 ; ARCS AND CURVES left by at most 0.01
 8 ; CL data of NX, by its own evidence
 9 ; AXIS A + turns the table right-handed about +X: word backwards
 10 ; AXIS Y + moves the table along +Y: word backwards
