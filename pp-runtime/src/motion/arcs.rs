@@ -20,7 +20,7 @@ use super::fault::Fault;
 use super::feed::{Feeds, Stroke};
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, Statistics, Stop, stop};
-use super::step::{Feed, Sink, Step};
+use super::step::{Feed, Sink, Step, Words};
 
 /// How far the map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
 const ORTHOGONAL: f64 = 1e-9;
@@ -276,7 +276,7 @@ impl<M: Machine> Planner<'_, M> {
 
     /// Limits of the linear axes where an arc is furthest along each of them.
     fn check_travel(&mut self, at: Location, round: &Round<'_>) -> Planned {
-        let Some((_, map)) = self.placer.program_map(&self.place) else { return Ok(()) };
+        let Some((_, map)) = self.placer.axis_map(&self.place) else { return Ok(()) };
         for row in 0..3 {
             for part in round.extremes(map.row(row).transpose()) {
                 self.piece_end(at, round, part)?;
@@ -297,15 +297,11 @@ impl<M: Machine> Planner<'_, M> {
         let fault = |fault: Fault| stop(at, fault);
         let feed = arc.feed.ok_or_else(|| fault(Fault::new("a feed motion without feed")))?;
         let feed = Feeds::per_minute(feed, self.spindle.map(|(speed, _)| speed)).map_err(fault)?;
-        let [first, second, square] = framed.plane.axes().map(|axis| framed.chain[axis]);
-        // Somewhere on an arc either axis of its plane moves as fast as the tip.
-        let flat = round.radius() * arc.angle;
         let mask = framed.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
         for piece in 1..=cuts.pieces {
             let share = cuts.share(piece);
-            let (length, rise) = (round.length() * share, round.rise.abs() * share);
-            let least =
-                self.placer.least_minutes_over(&[(first, flat * share), (second, flat * share), (square, rise)]);
+            let length = round.length() * share;
+            let least = self.placer.least_minutes_of_tip(length, &self.place);
             let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
             let pace = self.feeds.pace(feed, stroke).map_err(fault)?;
             let to = self.piece_end(at, round, cuts.end(piece))?;
@@ -318,7 +314,8 @@ impl<M: Machine> Planner<'_, M> {
                 self.times.slow(at, pace.slowed);
             }
             self.inverse_time = false;
-            sink.step(&Step::Arc { words: self.placer.words(&to, mask), circle: &circle, feed })?;
+            let words = Words { vector: None, ..self.placer.words(&to, mask) };
+            sink.step(&Step::Arc { words, circle: &circle, feed })?;
             self.place = to;
         }
         Ok(())
