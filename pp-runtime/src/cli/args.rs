@@ -115,7 +115,7 @@ pub(super) struct PostArgs {
     /// Unit of the program; without it that of the CL data
     #[arg(long, value_enum)]
     pub(super) output_units: Option<UnitsName>,
-    /// How far the chords of arcs and curves may leave them, and the tip its line while a rotary axis moves, mm
+    /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves, mm
     #[arg(long, value_name = "MM", value_parser = tolerance)]
     pub(super) tolerance: Option<f64>,
     /// How far the tool axis may leave its even turn from one point to the next, degrees

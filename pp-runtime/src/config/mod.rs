@@ -4,6 +4,7 @@
 //! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
 //! writes angles in degrees. Nothing here plans or writes a motion.
 
+mod arcs;
 mod axes;
 mod cl;
 mod clearance;
@@ -30,6 +31,7 @@ use crate::kinematics::{Branch, Limits};
 use crate::program::{Clearance, Coolant, Rotation};
 
 pub use crate::program::Units;
+pub use arcs::{ArcForm, ArcOutput, Arcs};
 pub use control::{ControlSetup, PathNorm, Smoothing};
 pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
@@ -58,10 +60,13 @@ pub struct Config {
     pub greedy: bool,
     /// Within this angle of the pole the tool axis is put there, rad; default 0: within what CL data rounds.
     pub axis_tolerance: f64,
-    /// How far chords may leave arcs and curves, and the tip its line while a rotary axis moves, mm; default 0.01.
+    /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves,
+    /// mm; default 0.01.
     pub tolerance: f64,
     /// How far the tool axis may leave its even turn from one point to the next, rad; default 0.1 degree.
     pub axis_tolerance_path: f64,
+    /// Arcs of the control.
+    pub arcs: Arcs,
     /// LINTOL may be wider than that; default false.
     pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
@@ -391,6 +396,7 @@ impl Default for Config {
             axis_tolerance: 0.0,
             tolerance: 0.01,
             axis_tolerance_path: 0.1_f64.to_radians(),
+            arcs: Arcs::default(),
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],

@@ -97,7 +97,7 @@ units = "mm"
 # Retract before STOP and OPSTOP.
 #stop_retract = {stop_retract}
 
-# How far the chords of arcs and curves may leave them, and the tip its line while a rotary axis moves.
+# How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves.
 #tolerance = {tolerance}
 # How far the tool axis may leave its even turn from one point to the next.
 #axis_tolerance_path = {axis_tolerance_path}
@@ -216,6 +216,16 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Coolant off while the rotary axes are rewound out of the part.
 #rewind_dry = false
 
+# Arcs of the control: where the rotary axes stand still, in a plane of the program, within `tolerance` of the CL data.
+[arcs]
+# "native", or "lines" throughout.
+#output = "native"
+# What says where the centre is: "centre", or "radius" (whole turns and arcs close to half a turn have their centre still).
+#form = "centre"
+# Arcs that are smaller or larger become lines.
+#smallest_radius = {smallest_radius}
+#largest_radius = {largest_radius}
+
 [feed]
 # Blocks in which an axis would be faster than its speed run longer.
 #keep_speeds = {keep_speeds}
@@ -299,6 +309,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         greedy = config.greedy,
         axis_tolerance = degrees(config.axis_tolerance),
         position = number(config.retract.position),
+        smallest_radius = number(config.arcs.smallest_radius),
+        largest_radius = number(config.arcs.largest_radius),
         keep_speeds = config.feed.keep_speeds,
         shortest_block = number(config.feed.shortest_block),
         distance = number(config.approach.distance),

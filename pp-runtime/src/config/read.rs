@@ -81,9 +81,10 @@ impl Config {
         let named = units.and_then(|value| r.choice(value, &UNITS));
         set(&mut r.units, named);
         self.read_top(r, &mut top);
-        let sections =
-            ["defaults", "course", "retract", "approach", "feed", "formats", "program", "control", "cl", "stock"]
-                .map(|name| (name, top.get(name)));
+        let sections = [
+            "defaults", "course", "retract", "approach", "arcs", "feed", "formats", "program", "control", "cl", "stock",
+        ]
+        .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
         let frames = top.get("frames");
         let machine_zero = top.get("machine_zero");
@@ -106,6 +107,7 @@ impl Config {
                     let distance = self.get(&mut section, "approach.distance");
                     set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
                 }
+                "arcs" => self.read_arcs(r, &mut section),
                 "feed" => self.read_feed(r, &mut section),
                 "formats" => self.read_formats(r, &mut section),
                 "control" => self.read_control::<M>(r, &mut section),

@@ -17,7 +17,9 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, ascii_in_brackets};
+use super::spellings::{
+    ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, ascii_in_brackets,
+};
 use super::{Control, LengthGuard, numbered};
 
 /// The Fanuc dialect.
@@ -56,6 +58,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G0",
     rapid_end: "",
     feed: "G1",
+    arcs: Arcs {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Parameter 3410 is 0.01 mm or more on machines in use; a word is off by less than this.
+        radius_tolerance: 0.002,
+    },
     motion_modal: true,
     centre: "",
     machine: ["G53 G0", ""],

@@ -95,6 +95,8 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
         registers: codes.length.registers,
         path_norm: config.control.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
+        arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
+        arc_radius_tolerance: codes.arcs.radius_tolerance,
         tip: tip_ability(control, config),
         plane: codes.plane.as_ref().map(|plane| PlaneAbility {
             angles: plane.angles,

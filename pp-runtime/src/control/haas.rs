@@ -14,7 +14,7 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, ascii_in_brackets};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, ascii_in_brackets};
 use super::{Control, LengthGuard, numbered};
 
 /// The Haas dialect.
@@ -53,6 +53,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G00",
     rapid_end: "",
     feed: "G01",
+    arcs: Arcs {
+        senses: ["G02", "G03"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Less than the control lets pass.
+        radius_tolerance: 0.002,
+    },
     motion_modal: true,
     centre: "",
     machine: ["G53 G00", ""],

@@ -1,6 +1,7 @@
 //! Heidenhain TNC 640 and iTNC 530, conversational.
 //!
-//! Every line has a number, comments too, and every motion begins with L: nothing but words, F and R0 stays in force.
+//! Every line has a number, comments too, and every motion begins with L, an arc with C, CR or, if it is a helix, CP:
+//! nothing but words, F and R0 stays in force.
 //! There is no inverse time, so F counts along the control's own path. The speed stands in TOOL CALL, which takes the
 //! length from the row of the tool. In a program in inches F counts tenths of an inch. A `~` at the end of a line goes on in the
 //! next, so no comment holds one. A dwell of cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
@@ -17,7 +18,7 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
 use super::{Control, LengthGuard, numbered};
 
 /// The Heidenhain dialect.
@@ -53,6 +54,15 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "L",
     rapid_end: "R0 FMAX",
     feed: "L",
+    arcs: Arcs {
+        senses: ["DR-", "DR+"],
+        // Arcs lie in the plane square to the axis of TOOL CALL.
+        planes: [None, None, Some("")],
+        centre: ArcCentre::Pole,
+        radius: "R",
+        // 0.016 mm as delivered.
+        radius_tolerance: 0.01,
+    },
     motion_modal: false,
     centre: "R0",
     machine: ["L", "R0 FMAX M91"],

@@ -9,7 +9,7 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::Registers;
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, ascii_in_brackets};
 use super::{Control, LengthGuard, numbered};
 
 /// The LinuxCNC dialect.
@@ -41,6 +41,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G0",
     rapid_end: "",
     feed: "G1",
+    arcs: Arcs {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Where the radii differ by more the interpreter of 2.9 looks at their ratio, too.
+        radius_tolerance: 0.001_27,
+    },
     motion_modal: true,
     centre: "",
     machine: ["G53 G0", ""],

@@ -17,7 +17,7 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
 use super::{Control, LengthGuard, numbered};
 
 /// The Siemens dialect.
@@ -48,6 +48,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G0",
     rapid_end: "",
     feed: "G1",
+    arcs: Arcs {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "CR=",
+        // MD21000, as delivered.
+        radius_tolerance: 0.01,
+    },
     motion_modal: true,
     centre: "",
     machine: ["SUPA G0", "D0"],

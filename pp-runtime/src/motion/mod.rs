@@ -4,8 +4,11 @@
 //! turns, limits, feeds and the safe sequence between operations are decided here; how a control spells a step is not,
 //! and what the CL data looked like neither. Memory is constant, and nothing is allocated for a motion.
 
+mod arc;
+mod arcs;
 mod auxiliary;
 mod choose;
+mod circle;
 mod clamps;
 mod clearance;
 mod course;
@@ -38,6 +41,9 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use arc::extent;
+pub use arcs::Chorded;
+pub use circle::{Circle, Plane};
 pub use clamps::{Moving, Nowhere};
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;

@@ -216,7 +216,7 @@ impl<M: Machine> Header<'_, M> {
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
-            format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
+            format!("ARCS AND CURVES left by at most {}", self.length(config.tolerance)),
         ];
         lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));

@@ -7,7 +7,7 @@
 6 ; UNITS mm, WORK OFFSET datum row 2
 7 ; PART ORIGIN X35 Y4.5 Z62 from the table reference
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES in chords that leave them by at most 0.01
+9 ; ARCS AND CURVES left by at most 0.01
 10 ; CL data of NX, by its own evidence
 11 ; AXIS A + turns the table right-handed about +X: word backwards
 12 ; AXIS Y + moves the table along +Y: word backwards

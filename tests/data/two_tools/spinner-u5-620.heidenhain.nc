@@ -7,7 +7,7 @@
 6 ; UNITS mm, WORK OFFSET datum row 1
 7 ; PART ORIGIN X0 Y0 Z0 from the table reference
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES in chords that leave them by at most 0.01
+9 ; ARCS AND CURVES left by at most 0.01
 10 ; CL data of NX, by its own evidence
 11 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
 12 ; AXIS B + turns the table left-handed about +Y: word as in ISO 841

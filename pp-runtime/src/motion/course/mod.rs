@@ -201,6 +201,12 @@ impl<M: Machine> Navigator<M> {
                 self.towards = None;
                 self.motion += 1;
             }
+            Event::Arc(arc) => {
+                // The tool has been led to its start.
+                self.go(&arc.end, false, false);
+                self.towards = None;
+                self.motion += 1;
+            }
             Event::Turning(turning) => self.towards = self.placer.towards(*turning),
             _ => {}
         }
