@@ -78,7 +78,7 @@ fn moving_blocks(program: &str) -> usize {
 /// Runs a program that has to pass, every motion of it.
 fn assert_runs(name: &str, program: &str) {
     let calls = interpreted(program, 0.0).unwrap_or_else(|errors| panic!("{name}: {errors}"));
-    let motions = calls.lines().filter(|line| line.contains("STRAIGHT_")).count();
+    let motions = calls.lines().filter(|line| line.contains("STRAIGHT_") || line.contains("ARC_FEED")).count();
     assert_eq!(motions, moving_blocks(program), "{name}: each block that moves is one motion");
 }
 
