@@ -19,6 +19,7 @@ const SAMPLES: &[(&str, Option<&str>, &[&str])] = &[
     ),
     ("tests/data/plate/plate.ncl", Some("tests/data/plate/plate.toml"), &["dmu-70e", "lola-xoyzba", "spinner-u5-620"]),
     ("tests/data/nest/nest.apt", Some("tests/data/nest/nest.toml"), &["dmu-70e", "lola-xoyzba", "spinner-u5-620"]),
+    ("tests/data/works/works.cls", Some("tests/data/works/works.toml"), &["dmu-70e", "lola-xoyzba", "spinner-u5-620"]),
     ("tests/data/coil/coil.cls", Some("tests/data/coil/coil.toml"), &["multiprodesk"]),
 ];
 
@@ -88,7 +89,7 @@ fn every_sample_is_accepted_and_its_arcs_are_arcs_there() {
             let program = unguarded(&posted(machine, cl, *config));
             let said = interpreted(&program, &folder).unwrap_or_else(|why| panic!("{machine} {cl}: {why}"));
             let arcs = program.lines().filter(|line| [" I", " J", " K"].iter().any(|word| line.contains(word)));
-            let arcs = arcs.filter(|line| !line.starts_with('(')).count();
+            let arcs = arcs.filter(|line| !line.starts_with('(') && !line.contains("G33.1")).count();
             assert_eq!(said.matches("ARC_FEED").count(), arcs, "{machine} {cl}");
         }
     }

@@ -78,9 +78,11 @@ impl Config {
         let named = units.and_then(|value| r.choice(value, &UNITS));
         set(&mut r.units, named);
         self.read_top(r, &mut top);
-        let sections =
-            ["defaults", "course", "retract", "approach", "arcs", "feed", "formats", "program", "control", "cl"]
-                .map(|name| (name, top.get(name)));
+        let sections = [
+            "defaults", "course", "retract", "approach", "arcs", "cycles", "feed", "formats", "program", "control",
+            "cl",
+        ]
+        .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
         let frames = top.get("frames");
         let machine_zero = top.get("machine_zero");
@@ -104,6 +106,7 @@ impl Config {
                     set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
                 }
                 "arcs" => self.read_arcs(r, &mut section),
+                "cycles" => self.read_cycles(r, &mut section),
                 "feed" => self.read_feed(r, &mut section),
                 "formats" => self.read_formats(r, &mut section),
                 "control" => self.read_control::<M>(r, &mut section),

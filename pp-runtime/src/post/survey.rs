@@ -10,7 +10,7 @@ use crate::cl::{ArcVote, Dialect, Options, Reader};
 use crate::config::{Config, Operations, list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Side};
-use crate::motion::{Course, Expander, Navigator, heights};
+use crate::motion::{Course, Expander, Navigator, heights, hole_heights};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
 use super::setting::Setting;
@@ -201,6 +201,7 @@ impl Survey {
                 let z = motion.pose.tip.z;
                 self.moved(state, !motion.rapid, (z, z), motion.pose.axis.dot(tool_axis) < 0.0);
             }
+            Event::Hole(hole) => self.moved(state, true, hole_heights(&hole), hole.top.axis.dot(tool_axis) < 0.0),
             Event::Arc(arc) => self.moved(state, true, heights(&arc), arc.end.axis.dot(tool_axis) < 0.0),
             _ => {}
         }
