@@ -17,6 +17,7 @@ mod print;
 mod read;
 #[cfg(test)]
 pub(crate) mod sample;
+mod schema;
 mod set_up;
 #[cfg(test)]
 mod tests;
@@ -40,6 +41,7 @@ pub use mode::{Mode, TcpFrame, TcpWords, ToolPosture};
 pub use print::print;
 use read::WORK_OFFSETS;
 pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
+pub use schema::schema;
 pub(crate) use set_up::part_angles;
 pub(crate) use value::{list, nearest};
 
@@ -104,6 +106,8 @@ pub struct Config {
     pub length_guard: Option<bool>,
     /// By how much the lengths may differ, mm; default 0.01.
     pub length_tolerance: f64,
+    /// The blank as it lies on the table; default none: a box around all cuts.
+    pub stock: Option<Stock>,
     /// The word of the work offset; default `G54`.
     pub work_offset: String,
     /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
@@ -242,6 +246,15 @@ pub enum Rewind {
 pub struct Approach {
     /// Distance of the approach point from the first tip along the tool axis, mm; default 50.
     pub distance: f64,
+}
+
+/// A box around the blank, for the pictures of a control, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stock {
+    /// Its lowest corner.
+    pub lower: [f64; 3],
+    /// Its highest corner.
+    pub upper: [f64; 3],
 }
 
 /// What switches the clamp of a rotary axis.
@@ -403,6 +416,7 @@ impl Default for Config {
             tcp_confirmed: false,
             clamp: BTreeMap::new(),
             length_guard: None,
+            stock: None,
             length_tolerance: 0.01,
             operations: None,
             lift: None,

@@ -245,6 +245,12 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # The approach point lies this far from the first point along the tool axis.
 #distance = {distance}
 
+# Corners of the blank as it lies on the table, for the pictures of a Heidenhain control (BLK FORM). Without them a box
+# around all cuts.
+[stock]
+# e.g. lower = [-50.0, -40.0, -30.0]
+# e.g. upper = [50.0, 40.0, 0.0]
+
 # Tools by number. `length` is from the gauge line to the tip, `offset` the length register where it is not the
 # tool's number; `speed`, `direction` and `coolant` as in [defaults].
 [tools]
@@ -271,6 +277,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Number and name of the program. Without them 1, and the name in the CL data.
 # e.g. program_number = 1234
 # e.g. program_name = "BRACKET"
+# The program begins with the name of its file, as a Siemens archive wants it: `%_N_NAME_MPF`.
+#file_header = {file_header}
 # Blocks of a restart point, and of a tool change.
 # e.g. safety = ["{{units}} G17 G40 G49 G80 G90 G94 {{work_offset}}"]
 # e.g. tool_change = ["T{{tool}} M6", "T{{next}}"]
@@ -325,6 +333,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         feed_whole = formats.feed_whole,
         speed_whole = formats.speed_whole,
         every_word = config.control.every_word,
+        file_header = config.control.file_header,
         axis_names = sample_names::<M>(),
         step = Config::LINE_NUMBER_STEP,
     )?;

@@ -16,7 +16,7 @@ use super::cl::CL_POINTS;
 use super::clearance;
 use super::control::{templates, work_offset};
 use super::set_up;
-use super::value::{Bound, Quantity, Reader, Section, Value};
+use super::value::{Bound, Quantity, Reader, Section, Shape, Value};
 use super::{Config, Rapid, Rewind, Tool, Transition, Units, Wrap};
 
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
@@ -41,6 +41,9 @@ pub(crate) const AXIS_TOLERANCE: RangeInclusive<f64> = 0.001..=10.0;
 
 /// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
 const DWELL: RangeInclusive<f64> = 0.001..=600.0;
+
+/// `[x, y, z]`.
+const POINT: &str = r#"{ "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 }"#;
 
 /// Largest number of a tool or of its offset register.
 const LARGEST_TOOL: u32 = 99_999;
@@ -71,7 +74,7 @@ impl Config {
         if reader.has_faults() { Err(reader.into_faults()) } else { Ok(self) }
     }
 
-    fn read_root<M: Machine>(&mut self, r: &mut Reader<'_>, root: &DeTable<'_>) {
+    pub(super) fn read_root<M: Machine>(&mut self, r: &mut Reader<'_>, root: &DeTable<'_>) {
         let mut top = Section::new("", root);
         // The file's unit first: it decides what every length below means.
         let units = self.get(&mut top, "units");
@@ -80,7 +83,7 @@ impl Config {
         self.read_top(r, &mut top);
         let sections = [
             "defaults", "course", "retract", "approach", "arcs", "cycles", "feed", "formats", "program", "control",
-            "cl",
+            "cl", "stock",
         ]
         .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
@@ -112,6 +115,7 @@ impl Config {
                 "control" => self.read_control::<M>(r, &mut section),
                 "cl" => self.read_cl(r, &mut section),
                 "course" => self.read_course::<M>(r, &mut section),
+                "stock" => self.stock = set_up::stock(r, &mut section, value),
                 _ => self.read_program(r, &mut section),
             }
             section.finish(r);
@@ -352,6 +356,9 @@ impl Config {
     }
 
     fn read_tools(&mut self, r: &mut Reader<'_>, tools: Option<Value<'_>>) {
+        if let Some(tools) = tools {
+            r.note(tools, || Shape::Numbered);
+        }
         for (key, span, value) in tools.map_or_else(Vec::new, |tools| r.entries(tools)) {
             // Leading zeros would let one tool stand in two tables.
             let number = key.parse().ok().filter(|number: &u32| number.to_string() == key);
@@ -419,6 +426,7 @@ fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> (Tool, Option
 }
 
 pub(super) fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3]> {
+    r.note(value, || Shape::Schema(POINT));
     let numbers = r.list(value)?;
     let &[x, y, z] = numbers.as_slice() else {
         let text = format!("three numbers [x, y, z] are needed here, found {}", numbers.len());

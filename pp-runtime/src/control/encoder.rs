@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::config::{ControlSetup, Mode, Program, Smoothing, ToolPosture, Units};
+use crate::config::{ControlSetup, Mode, Program, Smoothing, Stock, ToolPosture, Units};
 use crate::motion::{Circle, Cycle, CycleKind, Feed, MAX_AXES, PoseRule, Sink, Step, VECTOR_DECIMALS, Words};
 use crate::nc::{Decimal, Numbering, Numerals, Writer, write_number};
 use crate::program::{Coolant, Rotation};
@@ -10,7 +10,7 @@ use crate::program::{Coolant, Rotation};
 use super::belief::{Belief, LengthState};
 use super::spellings::coolant_index;
 use super::template::{Field, fill};
-use super::{ArcCentre, Control, Layout, LengthCall, Spellings, Thread, Vectors};
+use super::{ArcCentre, Control, Layout, LengthCall, LengthGuard, Spellings, Thread, Vectors};
 
 /// What the words of an axis look like.
 #[derive(Debug, Clone)]
@@ -91,6 +91,9 @@ pub struct Encoder<'a, W: Write> {
     axes: Vec<Address>,
     /// Position of Z in the chain: its word takes a length offset along.
     z: Option<usize>,
+    units: Units,
+    /// Decimals of lengths.
+    linear: u32,
     setup: ControlSetup,
     program: Program,
     mode: Mode,
@@ -129,6 +132,12 @@ fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {
         Some(blank) => (&text[..blank], Some(&text[blank + 1..])),
         None => (&text[..length], Some(&text[length..])),
     }
+}
+
+/// A name of capitals, digits and `_`.
+fn plain(name: &str) -> String {
+    let byte = |byte: char| if byte.is_ascii_alphanumeric() { byte.to_ascii_uppercase() } else { '_' };
+    name.chars().map(byte).collect()
 }
 
 /// The name of a program as the control can hold it.
@@ -184,6 +193,8 @@ impl<'a, W: Write> Encoder<'a, W> {
             writer: Writer::new(out, numbering),
             axes: addresses(control, layout),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
+            units: layout.units,
+            linear: layout.linear,
             values,
             numerals,
             preselect: setup.preselect.unwrap_or(codes.preselect),
@@ -198,13 +209,29 @@ impl<'a, W: Write> Encoder<'a, W> {
         }
     }
 
-    /// The lines a program of this control begins with.
+    /// The lines a program of this control begins with. `blank`: the corners of the box around it, mm.
     ///
     /// # Errors
     /// Those of the output.
-    pub fn open(&mut self) -> io::Result<()> {
+    pub fn open(&mut self, blank: Option<&Stock>) -> io::Result<()> {
+        if self.setup.file_header {
+            let header = self.control.file_header(&plain(&self.values.name));
+            header.iter().try_for_each(|line| self.writer.line(line.as_bytes()))?;
+        }
         let opening = self.codes.opening;
-        self.lines(opening)
+        self.lines(opening)?;
+        let Some(Stock { lower, upper }) = blank else { return Ok(()) };
+        let [lower, upper] = [lower, upper].map(|corner| self.point(corner));
+        self.control.blank(&lower, &upper).iter().try_for_each(|line| self.writer.line(line.as_bytes()))
+    }
+
+    /// A point as words X Y Z.
+    fn point(&self, point: &[f64; 3]) -> String {
+        let words = ["X", "Y", "Z"].iter().zip(point).map(|(letter, mm)| {
+            let value = Decimal::fixed(mm / self.units.in_mm(), self.linear).unwrap_or_default();
+            format!("{letter}{}", text(value, self.numerals))
+        });
+        words.collect::<Vec<_>>().join(" ")
     }
 
     /// The blocks of the configuration behind the header.
@@ -216,13 +243,14 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.foreign(&blocks)
     }
 
-    /// The blocks of the configuration before the end code, and the end.
+    /// The blocks of the configuration before the end code, remarks as comments, and the end.
     ///
     /// # Errors
     /// Those of the output.
-    pub fn end(&mut self) -> io::Result<()> {
+    pub fn end(&mut self, remarks: &[String]) -> io::Result<()> {
         let blocks = std::mem::take(&mut self.program.end);
         self.foreign(&blocks)?;
+        remarks.iter().try_for_each(|remark| self.comment(remark.as_bytes()))?;
         self.block(self.codes.end)?;
         self.lines(self.codes.closing)
     }
@@ -802,6 +830,18 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.fill(self.codes.rotation(rotation))
     }
 
+    /// A wait, in as many pieces as the control needs; pieces are whole milliseconds, as they are written.
+    fn dwell(&mut self, seconds: f64) -> io::Result<()> {
+        let mut rest = (seconds * 1e3).round() as u32;
+        while rest > 0 {
+            let piece = rest.min(self.codes.longest_dwell);
+            self.values.seconds = Some(f64::from(piece) / 1e3);
+            self.fill_all(self.codes.dwell)?;
+            rest -= piece;
+        }
+        Ok(())
+    }
+
     /// On and off of a kind of coolant.
     fn coolant_codes(&self, kind: Coolant) -> Option<[&str; 2]> {
         let index = coolant_index(kind)?;
@@ -876,19 +916,15 @@ impl<W: Write> Sink for Encoder<'_, W> {
             Step::TipControl { on } => self.tip_control(on),
             Step::Plane { angles, pose } => self.tilt(angles, pose),
             Step::PlaneOff => self.tilt_off(),
-            Step::LengthGuard { label, tool, length, tolerance } => {
-                for block in self.control.length_guard(label, tool, length, tolerance) {
-                    self.writer.line(block.as_bytes())?;
-                }
-                Ok(())
+            Step::LengthGuard { label, tool, offset, length, tolerance } => {
+                let guard = LengthGuard { label, tool, offset, length, tolerance, units: self.units };
+                let blocks = self.control.length_guard(&guard);
+                blocks.iter().try_for_each(|block| self.writer.line(block.as_bytes()))
             }
             Step::Spindle { speed, rotation } => self.spindle(speed, rotation),
             Step::Code { text } => self.block(text),
             Step::SpindleOff => self.block(codes.spindle_off),
-            Step::Dwell { seconds } => {
-                self.values.seconds = Some(seconds);
-                self.fill_all(codes.dwell)
-            }
+            Step::Dwell { seconds } => self.dwell(seconds),
             Step::Coolant { kind } => self.coolant(kind),
             Step::CoolantOff => self.coolant_off(),
             Step::Stop { optional } => {

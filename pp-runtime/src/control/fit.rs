@@ -36,6 +36,9 @@ pub fn check(control: &dyn Control, config: &Config) -> Vec<String> {
             digits => format!("programs of {title} have a number of at most {digits} digits"),
         });
     }
+    if setup.file_header && control.file_header("NAME").is_empty() {
+        faults.push(format!("programs of {title} do not begin with the name of their file: leave `file_header` out"));
+    }
     if codes.counted && config.program.line_numbers.is_some() {
         faults.push(format!("{title} counts every line by itself: leave `line_numbers` out"));
     }

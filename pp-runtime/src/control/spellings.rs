@@ -86,6 +86,8 @@ pub struct Spellings {
     pub stop: [&'static str; 2],
     /// Dwell.
     pub dwell: &'static [&'static str],
+    /// Longest dwell that it can hold, milliseconds; a longer one is written as several.
+    pub longest_dwell: u32,
     /// Smoothing on, for roughing, medium and finishing; empty if only `safety` can ask for it.
     pub smoothing: [&'static [&'static str]; 3],
     /// Smoothing off.

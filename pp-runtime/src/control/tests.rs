@@ -86,11 +86,11 @@ fn short_program() -> Vec<Step<'static>> {
 
 fn whole(control: &dyn Control, layout: &Layout) -> Vec<String> {
     written_by(control, layout, |encoder| {
-        encoder.open()?;
+        encoder.open(None)?;
         encoder.comment(b"a (b)")?;
         encoder.step(&Step::Operation { name: b"Face 1" })?;
         short_program().iter().try_for_each(|step| encoder.step(step))?;
-        encoder.end()
+        encoder.end(&[])
     })
 }
 
@@ -336,10 +336,10 @@ fn blocks_of_the_configuration_replace_those_of_the_table() {
     let program = Program { start: vec!["(P{number} {name})".into()], end: vec!["M99".into()], ..Program::default() };
     let layout = Layout { program, ..edges(setup) };
     let text = written_by(&Fanuc, &layout, |encoder| {
-        encoder.open()?;
+        encoder.open(None)?;
         encoder.start()?;
         short_program()[..4].iter().try_for_each(|step| encoder.step(step))?;
-        encoder.end()
+        encoder.end(&[])
     });
     assert_eq!(
         text,
@@ -421,6 +421,49 @@ fn work_offsets_are_those_that_the_control_has() {
     assert_eq!(["G154 P99", "G154 P0", "G54.1 P1"].map(|word| spelled(&Haas, word)), ["G154 P99", "", ""]);
     assert_eq!(["G505", "G58", "G0505"].map(|word| spelled(&Siemens, word)), ["G505", "", ""]);
     assert_eq!(["G59", "12", "012"].map(|word| spelled(&Heidenhain, word)), ["6", "12", ""]);
+}
+
+#[test]
+fn a_length_that_differs_stops_the_program_on_every_control() {
+    let guard =
+        LengthGuard { label: 3, tool: 12, offset: 1, length: 114.3, tolerance: 0.01, units: Units::Millimetres };
+    let haas = "IF [ABS[#2001 + #2201 - 114.3] GT 0.01] THEN #3000= 101 (T12 IS NOT 114.3 LONG)";
+    assert_eq!(Haas.length_guard(&guard), [haas]);
+    assert!(Haas.length_guard(&LengthGuard { offset: 201, ..guard }).is_empty());
+    let inches = Siemens.length_guard(&LengthGuard { units: Units::Inches, ..guard });
+    let message = "MSG(\"T12 was posted with L = 4.5: the tool data say something else\")";
+    assert_eq!(inches, ["IF ABS($P_TOOLL[1]-4.5)>0.00039", message, "M0", "M30", "ENDIF"]);
+    let heidenhain = [
+        "FN 18: SYSREAD QL1 = ID50 NR1 IDX12",
+        "FN 18: SYSREAD QL2 = ID50 NR4 IDX12",
+        "FN 1: QL1 = +QL1 + +QL2",
+        "FN 12: IF +QL1 LT +114.29 GOTO LBL \"OFF3\"",
+        "FN 12: IF +QL1 LT +114.31 GOTO LBL \"FITS3\"",
+        "LBL \"OFF3\"",
+        "; T12 was posted with L = 114.3 mm: the tool table says something else",
+        "FN 14: ERROR = 100",
+        "LBL \"FITS3\"",
+    ];
+    for units in [Units::Millimetres, Units::Inches] {
+        assert_eq!(Heidenhain.length_guard(&LengthGuard { units, ..guard }), heidenhain);
+    }
+    for control in CONTROLS {
+        let own = LengthGuard { offset: 12, length: 123.4567, units: Units::Inches, ..guard };
+        let blocks = control.length_guard(&own);
+        assert!(!blocks.is_empty() && blocks.iter().all(|block| block.len() <= control.spellings().line_length));
+    }
+}
+
+#[test]
+fn a_wait_that_is_too_long_for_the_control_is_written_as_several() {
+    let waits = |seconds| steps(&Heidenhain, &layout(), &[Step::Dwell { seconds }]);
+    let lengths = |seconds| -> Vec<String> {
+        waits(seconds).iter().filter_map(|line| Some(line.split_once("9.1 DWELL ")?.1.to_owned())).collect()
+    };
+    assert_eq!(lengths(3600.0), ["3600"]);
+    assert_eq!(lengths(3600.0004), ["3600"]);
+    assert_eq!(lengths(8000.25), ["3600", "3600", "800.25"]);
+    assert_eq!(steps(&Fanuc, &layout(), &[Step::Dwell { seconds: 99_999.0 }]), ["G4 P99999000"]);
 }
 
 /// The centre of an arc, and whether it is clockwise.

@@ -104,11 +104,16 @@ impl<'a> Round<'a> {
     }
 }
 
-/// The lowest and the highest Z of the tip on an arc, mm.
-pub(crate) fn heights(arc: &Arc) -> (f64, f64) {
+/// The box that the tip of an arc fills: its lowest and its highest corner, mm.
+pub(crate) fn extent(arc: &Arc) -> [[f64; 3]; 2] {
     let round = Round::new(arc);
-    let tips = round.extremes(Vector3::z()).chain([0.0, 1.0]).map(|part| round.tip(part).z);
-    tips.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| (low.min(z), high.max(z)))
+    let along = |axis: usize| {
+        let direction = Vector3::ith_axis(axis).into_inner();
+        let tips = round.extremes(direction).chain([0.0, 1.0]).map(|part| round.tip(part)[axis]);
+        tips.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)))
+    };
+    let (x, y, z) = (along(0), along(1), along(2));
+    [[x.0, y.0, z.0], [x.1, y.1, z.1]]
 }
 
 #[cfg(test)]

@@ -107,10 +107,13 @@ type Found<A> = (Cycle, Place<A>);
 /// Why there is no cycle.
 type NoCycle = &'static str;
 
-/// The lowest and the highest Z of the tip in a hole, mm.
-pub(crate) fn hole_heights(hole: &Hole) -> (f64, f64) {
-    let ends = [-hole.depth, hole.back_to.max(hole.clearance)].map(|height| level(hole, height).tip.z);
-    (ends[0].min(ends[1]), ends[0].max(ends[1]))
+/// The boxes that the tip fills over a hole and in it, each its lowest and its highest corner, mm.
+pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
+    let between = |low: f64, high: f64| {
+        let (a, b) = (level(hole, low).tip, level(hole, high).tip);
+        [a.inf(&b).into(), a.sup(&b).into()]
+    };
+    [between(hole.clearance, hole.back_to), between(-hole.depth, 0.0)]
 }
 
 /// The depths at which the steps of a hole end, in their order.

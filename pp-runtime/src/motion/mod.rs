@@ -22,6 +22,7 @@ mod operation;
 mod origin;
 mod place;
 mod planner;
+mod proof;
 mod refuse;
 mod retreat;
 mod rewind;
@@ -41,16 +42,17 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use arc::heights;
+pub(crate) use arc::extent;
 pub use arcs::Chorded;
 pub use circle::{Circle, Plane};
 pub use clamps::{Moving, Nowhere};
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use frame::{TipAbility, unsuited};
-pub(crate) use hole::hole_heights;
+pub(crate) use hole::hole_extent;
 pub use hole::{Cycle, CycleAbilities, CycleKind};
 pub use planner::{Abilities, Planner, Registers, Statistics, Stop};
+pub use proof::Sweep;
 pub use selection::Gate;
 pub use step::{Feed, MAX_AXES, Sink, Step, VECTOR_DECIMALS, Words};
 pub use tilt::{PlaneAbility, PlaneAngles, PoseRule};

@@ -3,6 +3,7 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
@@ -790,11 +791,23 @@ impl<M: Machine> Placer<M> {
         Ok(words[index])
     }
 
-    /// The word of a parked rotary: of one whose words are wrapped the turn nearest to where it stands.
-    pub(crate) fn nearest_turn(&self, index: usize, word: i64, from: &Place<M::Axes>) -> i64 {
-        let wrapped = |rotary: &&Rotary| rotary.index == index && self.wrapped & (1 << index) != 0;
-        let nearest = |rotary: &Rotary| rotary.nearest(word, from.words[index], self.scale.turn).ok();
-        self.rotaries.iter().find(wrapped).and_then(nearest).unwrap_or(word)
+    /// The place with its rotaries parked at these angles, and which of them are; one whose words are wrapped stands in
+    /// the turn nearest to where it stood. The linear axes stay as they are.
+    pub(crate) fn parked(
+        &self,
+        park: &BTreeMap<char, f64>,
+        from: &Place<M::Axes>,
+    ) -> Result<(Place<M::Axes>, u16), Fault> {
+        let (mut words, mut mask) = (from.words, 0);
+        for rotary in &self.rotaries {
+            let index = rotary.index;
+            let Some(&angle) = park.get(&M::AXES[index].letter) else { continue };
+            let word = self.rotary_word(index, angle)?;
+            let nearest = || rotary.nearest(word, words[index], self.scale.turn).unwrap_or(word);
+            words[index] = if self.wrapped & (1 << index) != 0 { nearest() } else { word };
+            mask |= 1 << index;
+        }
+        Ok((self.at(&from.pose, from, &words), mask))
     }
 
     /// Whether a control that goes the short way would turn an axis the wrong way in this block.

@@ -123,8 +123,10 @@ pub enum Step<'a> {
     LengthGuard {
         /// A number of its own in the program.
         label: u32,
-        /// The tool in the spindle; its length is in its own register.
+        /// The tool in the spindle.
         tool: u32,
+        /// Its register.
+        offset: u32,
         /// Posted gauge length, mm.
         length: f64,
         /// By how much it may differ, mm.

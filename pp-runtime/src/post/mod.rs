@@ -6,6 +6,7 @@
 //! same input gives the same bytes.
 
 mod header;
+mod proof;
 mod setting;
 mod survey;
 mod time;
@@ -22,6 +23,8 @@ use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Chorded, Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
 use crate::program::Location;
+
+pub use proof::{Proof, prove};
 
 use setting::Setting;
 use survey::Survey;
@@ -338,12 +341,8 @@ fn rehearse<M: Machine>(
 /// The end code, or the first error in its place.
 fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>) -> io::Result<()> {
     if !report.failed {
-        if job.config.program.times {
-            for line in time::lines(&report.times) {
-                encoder.comment(line.as_bytes())?;
-            }
-        }
-        return encoder.end();
+        let times = if job.config.program.times { time::lines(&report.times) } else { Vec::new() };
+        return encoder.end(&times);
     }
     let errors = report.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
     if let Some(error) = errors.min_by_key(|error| error.location) {
