@@ -1,16 +1,22 @@
 //! Steps of the planner into blocks of a control.
 
+mod arcs;
+mod cycles;
+mod frames;
+mod values;
+
 use std::io::{self, Write};
 
 use crate::config::{ControlSetup, Mode, Program, Smoothing, Stock, ToolPosture, Units};
-use crate::motion::{Circle, Cycle, CycleKind, Feed, MAX_AXES, PoseRule, Sink, Step, VECTOR_DECIMALS, Words};
-use crate::nc::{Decimal, Numbering, Numerals, Writer, write_number};
+use crate::motion::{Cycle, Feed, Sink, Step, VECTOR_DECIMALS, Words};
+use crate::nc::{Decimal, Numbering, Numerals, Writer};
 use crate::program::{Coolant, Rotation};
 
 use super::belief::{Belief, LengthState};
 use super::spellings::coolant_index;
-use super::template::{Field, fill};
-use super::{ArcCentre, Control, Layout, LengthCall, LengthGuard, Spellings, Thread, Vectors};
+use super::template::fill;
+use super::{Control, Layout, LengthCall, LengthGuard, Spellings, Vectors};
+use values::{Values, text};
 
 /// What the words of an axis look like.
 #[derive(Debug, Clone)]
@@ -20,67 +26,6 @@ struct Address {
     /// What stands before the number: `X`, `C1=`.
     word: String,
     decimals: u32,
-}
-
-/// Decimals of the angle of a helix, degrees: at 10 m from its axis they are a hundredth of a word.
-const POLAR_DECIMALS: u32 = 6;
-
-/// Values of the fields of templates.
-#[derive(Debug, Default)]
-struct Values {
-    name: String,
-    number: String,
-    units: &'static str,
-    work_offset: String,
-    path_tolerance: String,
-    angle: Option<f64>,
-    turning: &'static str,
-    tool: Option<u32>,
-    next: Option<u32>,
-    offset: Option<u32>,
-    speed: Option<Decimal>,
-    seconds: Option<f64>,
-    posture: &'static str,
-    plane: [Decimal; 3],
-    pose: &'static str,
-    swivel_data: String,
-    numerals: Numerals,
-}
-
-fn text(number: Decimal, numerals: Numerals) -> String {
-    let mut text = Vec::new();
-    write_number(&mut text, number, numerals);
-    String::from_utf8(text).unwrap_or_default()
-}
-
-impl Values {
-    fn get(&self, field: Field) -> Option<String> {
-        let whole = |number: Option<u32>| number.map(|number| number.to_string());
-        // What the format cannot hold was refused with the configuration or by the planner.
-        let decimal = |value: f64, decimals| Decimal::fixed(value, decimals).unwrap_or_default();
-        let plain = Numerals { plus: false, ..self.numerals };
-        match field {
-            Field::Name => Some(self.name.clone()),
-            Field::Number => Some(self.number.clone()),
-            Field::Units => Some(self.units.to_owned()),
-            Field::WorkOffset => Some(self.work_offset.clone()),
-            Field::PathTolerance => Some(self.path_tolerance.clone()),
-            Field::Turning => Some(self.turning.to_owned()),
-            Field::Angle => self.angle.map(|angle| text(decimal(angle, 4), plain)),
-            Field::Tool => whole(self.tool),
-            Field::Next => whole(self.next),
-            Field::Offset => whole(self.offset),
-            Field::Speed => self.speed.map(|speed| text(speed, Numerals::default())),
-            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), plain)),
-            Field::Posture => Some(self.posture.to_owned()),
-            Field::First => Some(text(self.plane[0], self.numerals)),
-            Field::Second => Some(text(self.plane[1], self.numerals)),
-            Field::Third => Some(text(self.plane[2], self.numerals)),
-            Field::Pose => Some(self.pose.to_owned()),
-            Field::SwivelData => Some(self.swivel_data.clone()),
-            Field::Milliseconds => self.seconds.map(|seconds| text(decimal(seconds * 1e3, 0), Numerals::default())),
-        }
-    }
 }
 
 /// Writes steps in the words of a control, and suppresses what stays in force.
@@ -391,89 +336,6 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.writer.word("F", value, numerals);
     }
 
-    /// Calls the length offset that waits, in front of a motion or with it.
-    fn call_length(&mut self, words: &Words) -> io::Result<()> {
-        let LengthState::Wanted(register) = self.belief.length else { return Ok(()) };
-        match self.codes.length.call {
-            LengthCall::Alone => {
-                self.belief.length = LengthState::On(register);
-                self.fill(self.codes.length.code)
-            }
-            LengthCall::WithZ if self.z.is_none_or(|z| words.has(z)) => {
-                self.belief.length = LengthState::On(register);
-                if let Some(z) = self.z {
-                    self.belief.forget_axis(z);
-                }
-                let code = fill(self.length_code(), |field| self.values.get(field)).unwrap_or_default();
-                self.writer.code(&code);
-                Ok(())
-            }
-            LengthCall::WithZ | LengthCall::WithTool => Ok(()),
-        }
-    }
-
-    /// The code that calls the length offset, and with it tip control where the two go together.
-    fn length_code(&self) -> &'static str {
-        let tip = self.codes.tip.as_ref().filter(|_| self.mode == Mode::Tcp && self.setup.tip_control.is_none());
-        let code = tip.and_then(|tip| self.vectors.map_or(tip.with_length, |vectors| vectors.with_length));
-        code.unwrap_or(self.codes.length.code)
-    }
-
-    /// Tip control on or off; where it comes with the length offset, with the next motion.
-    fn tip_control(&mut self, on: bool) -> io::Result<()> {
-        self.usual_plane()?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
-        if let Some(codes) = &self.setup.tip_control {
-            let code = codes[usize::from(!on)].clone();
-            return self.block(&code);
-        }
-        let Some(tip) = &self.codes.tip else { return Ok(()) };
-        if !on {
-            self.smooth(false)?;
-        }
-        self.fill_all(if on { tip.on } else { tip.off })?;
-        if let LengthState::On(register) = self.belief.length
-            && !on
-            && tip.ends_length
-        {
-            self.belief.length = LengthState::Wanted(register);
-        }
-        Ok(())
-    }
-
-    /// Tilts the plane. The control turns the rotary axes to it, and its blocks may bring codes of their own.
-    fn tilt(&mut self, angles: [Decimal; 3], pose: Option<bool>) -> io::Result<()> {
-        let Some(plane) = &self.codes.plane else { return Ok(()) };
-        self.usual_plane()?;
-        if let LengthState::Wanted(register) = self.belief.length
-            && plane.length_first
-        {
-            self.belief.length = LengthState::On(register);
-            self.fill(self.codes.length.code)?;
-        }
-        self.values.plane = angles;
-        // Where both poses are one, a control that wants a word gets one.
-        self.values.pose = match pose {
-            Some(higher) => plane.poses[usize::from(higher)],
-            None if plane.pose == PoseRule::Side => plane.poses[1],
-            None => "",
-        };
-        self.fill_all(plane.on)?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
-        Ok(())
-    }
-
-    fn tilt_off(&mut self) -> io::Result<()> {
-        let Some(plane) = &self.codes.plane else { return Ok(()) };
-        self.smooth(false)?;
-        self.fill_all(plane.off)?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
-        Ok(())
-    }
-
     fn smooth(&mut self, on: bool) -> io::Result<()> {
         let level = match self.setup.smoothing {
             Smoothing::None => return Ok(()),
@@ -533,196 +395,6 @@ impl<'a, W: Write> Encoder<'a, W> {
         }
     }
 
-    /// A plane of arcs that is to be in force.
-    fn plane(&mut self, code: &'static str) {
-        if self.writes(self.belief.plane != code) {
-            self.writer.code(code);
-        }
-        self.belief.plane = code;
-    }
-
-    /// The usual plane, in a block of its own: a length offset may count along the axis square to another one.
-    fn usual_plane(&mut self) -> io::Result<()> {
-        let usual = self.codes.arcs.planes[2].unwrap_or_default();
-        if self.belief.plane == usual || self.belief.plane.is_empty() {
-            return Ok(());
-        }
-        self.plane(usual);
-        self.writer.end()
-    }
-
-    fn arc(&mut self, words: &Words, circle: &Circle, feed: Decimal) -> io::Result<()> {
-        self.smooth(true)?;
-        if self.codes.length.call == LengthCall::Alone {
-            self.call_length(words)?;
-        }
-        self.feed_mode(self.codes.per_minute);
-        // Its words are complete: what is left out of an arc means something else on each control.
-        for axis in &circle.plane.axes()[..2] {
-            self.belief.forget_axis(circle.chain[*axis]);
-        }
-        match self.codes.arcs.centre {
-            ArcCentre::Offsets => self.arc_with_offsets(words, circle),
-            ArcCentre::Pole => self.arc_about_pole(words, circle)?,
-        }
-        self.centre_word(false);
-        self.changed_feed(feed);
-        self.writer.end()
-    }
-
-    /// `G17 G2 X Y Z I J`.
-    fn arc_with_offsets(&mut self, words: &Words, circle: &Circle) {
-        let arcs = &self.codes.arcs;
-        let [first, second, square] = circle.plane.axes();
-        self.plane(arcs.planes[square].unwrap_or_default());
-        self.motion(arcs.senses[usize::from(!circle.clockwise)]);
-        self.axis_words(words, false);
-        let decimals = self.decimals(circle.chain[first]);
-        if let Some(units) = circle.radius {
-            self.writer.word(arcs.radius, Decimal { units, decimals }, self.numerals);
-            return;
-        }
-        let mut offsets = [(first, 0), (second, 1)];
-        offsets.sort_unstable();
-        for (axis, place) in offsets {
-            let units = circle.centre[place] - circle.start[place];
-            self.writer.word(["I", "J", "K"][axis], Decimal { units, decimals }, self.numerals);
-        }
-    }
-
-    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`.
-    fn arc_about_pole(&mut self, words: &Words, circle: &Circle) -> io::Result<()> {
-        let arcs = &self.codes.arcs;
-        let [first, second, square] = circle.plane.axes().map(|axis| circle.chain[axis]);
-        let decimals = self.decimals(first);
-        let sense = arcs.senses[usize::from(!circle.clockwise)];
-        self.belief.motion = "";
-        if let Some(units) = circle.radius.filter(|_| circle.rise == 0) {
-            self.writer.code("CR");
-            self.axis_words(words, false);
-            self.writer.word(arcs.radius, Decimal { units, decimals }, self.numerals);
-            self.writer.code(sense);
-            return Ok(());
-        }
-        self.writer.code("CC");
-        for (axis, units) in [first, second].into_iter().zip(circle.centre) {
-            let word = self.axes.iter().find(|address| address.index == axis).map_or("", |address| &address.word);
-            self.writer.word(word, Decimal { units, decimals }, self.numerals);
-        }
-        self.writer.end()?;
-        if circle.rise == 0 {
-            self.writer.code("C");
-            self.axis_words(words, false);
-        } else {
-            self.writer.code("CP");
-            let degrees = if circle.clockwise { -circle.sweep } else { circle.sweep }.to_degrees();
-            // At most a turn in six decimals.
-            let angle = Decimal::fixed(degrees, POLAR_DECIMALS).unwrap_or_default();
-            self.writer.word("IPA", angle, self.numerals);
-            let word = self.axes.iter().find(|address| address.index == square).map_or("", |address| &address.word);
-            let rise = Decimal { units: circle.rise, decimals: self.decimals(square) };
-            self.writer.word(&format!("I{word}"), rise, self.numerals);
-            self.belief.set_axis(square, words.units[square]);
-        }
-        self.writer.code(sense);
-        Ok(())
-    }
-
-    /// Cancels the cycle in force; behind it a motion says everything again.
-    fn end_cycle(&mut self) -> io::Result<()> {
-        let Some(cycle) = self.cycling.take() else { return Ok(()) };
-        self.belief.motion = "";
-        self.belief.forget_axis(cycle.z);
-        self.belief.forget_feed();
-        let end = self.codes.cycles.as_ref().map_or("", |cycles| cycles.end);
-        self.block(end)
-    }
-
-    /// A hole: the cycle with all its words, or only where, while the same one is in force.
-    fn cycle(&mut self, cycle: &Cycle) -> io::Result<()> {
-        let Some(cycles) = &self.codes.cycles else { return Ok(()) };
-        if let (CycleKind::Tap { pitch, .. }, Thread::Motion(code)) = (cycle.kind, cycles.thread) {
-            return self.thread(cycle, code, pitch);
-        }
-        if self.cycling.is_some_and(|before| cycle.repeats(&before)) {
-            if !self.any_changes(&cycle.words) {
-                // The same place once more is said by its words.
-                self.forget_words(&cycle.words);
-            }
-            self.axis_words(&cycle.words, false);
-            return self.writer.end();
-        }
-        self.end_cycle()?;
-        self.smooth(false)?;
-        self.usual_plane()?;
-        let code = match (cycle.kind, cycles.thread) {
-            (CycleKind::Drill, _) => cycles.drill[usize::from(cycle.dwell.is_some())],
-            (CycleKind::Peck(_), _) => cycles.peck,
-            (CycleKind::ChipBreak(_), _) => cycles.chip_break,
-            (CycleKind::Ream, _) => cycles.ream[usize::from(cycle.dwell.is_some())],
-            (CycleKind::Tap { left, speed, .. }, Thread::Cycle { codes, rigid, .. }) => {
-                if self.rigid {
-                    self.values.speed = Some(speed);
-                    self.fill(rigid)?;
-                }
-                codes[usize::from(left)]
-            }
-            (CycleKind::Tap { .. }, Thread::Motion(code)) => code,
-        };
-        self.feed_mode(self.codes.per_minute);
-        self.writer.code(cycles.returns[usize::from(cycle.back != cycle.clearance)]);
-        self.writer.code(code);
-        self.forget_words(&cycle.words);
-        self.axis_words(&cycle.words, false);
-        self.cycle_words(cycle)?;
-        self.cycling = Some(*cycle);
-        Ok(())
-    }
-
-    /// `Z R Q P F`.
-    fn cycle_words(&mut self, cycle: &Cycle) -> io::Result<()> {
-        let decimals = self.decimals(cycle.z);
-        let words = Words { mask: 1 << cycle.z, ..Words::default() };
-        let mut bottom = words;
-        bottom.units[cycle.z] = cycle.bottom;
-        self.axis_words(&bottom, true);
-        self.writer.word("R", Decimal { units: cycle.clearance, decimals }, self.numerals);
-        if let CycleKind::Peck(units) | CycleKind::ChipBreak(units) = cycle.kind {
-            self.writer.word("Q", Decimal { units, decimals }, self.numerals);
-        }
-        if let (Some(seconds), Some(cycles)) = (cycle.dwell, &self.codes.cycles) {
-            self.values.seconds = Some(seconds);
-            let word = fill(cycles.dwell, |field| self.values.get(field)).unwrap_or_default();
-            self.writer.code(&word);
-        }
-        self.feed_word(cycle.feed);
-        self.writer.end()
-    }
-
-    /// A thread by a motion: over to it, down to where it begins, in and out, and up to where the tool is to stand.
-    fn thread(&mut self, cycle: &Cycle, code: &'static str, pitch: Decimal) -> io::Result<()> {
-        let mut z = Words { mask: 1 << cycle.z, ..Words::default() };
-        self.rapid(&cycle.words)?;
-        z.units[cycle.z] = cycle.clearance;
-        self.rapid(&z)?;
-        self.motion(code);
-        let mut bottom = z;
-        bottom.units[cycle.z] = cycle.bottom;
-        self.axis_words(&bottom, true);
-        self.writer.word("K", pitch, self.numerals);
-        self.writer.end()?;
-        self.belief.motion = "";
-        self.belief.set_axis(cycle.z, cycle.clearance);
-        z.units[cycle.z] = cycle.back;
-        self.rapid(&z)
-    }
-
-    fn forget_words(&mut self, words: &Words) {
-        for axis in (0..MAX_AXES).filter(|&axis| words.has(axis)) {
-            self.belief.forget_axis(axis);
-        }
-    }
-
     /// Decimals of the words of an axis.
     fn decimals(&self, index: usize) -> u32 {
         self.axes.iter().find(|address| address.index == index).map_or(0, |address| address.decimals)
@@ -741,82 +413,6 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.axis_words(words, false);
         self.writer.code(along.map_or(self.codes.rapid_end, |(_, end)| end));
         self.writer.end()
-    }
-
-    /// A rapid in machine coordinates. Not every control keeps its motion code in force, and some end the length offset.
-    fn machine(&mut self, words: &Words) -> io::Result<()> {
-        self.smooth(false)?;
-        self.usual_plane()?;
-        let length = &self.codes.length;
-        if length.machine_ends {
-            if !matches!(self.belief.length, LengthState::Off | LengthState::Wanted(_)) {
-                self.writer.code(length.off);
-            }
-            self.belief.length = match self.belief.length {
-                LengthState::On(register) | LengthState::Wanted(register) => LengthState::Wanted(register),
-                LengthState::Off | LengthState::Unknown => LengthState::Off,
-            };
-        }
-        self.belief.motion = "";
-        let [before, behind] = self.codes.machine;
-        self.writer.code(before);
-        self.axis_words(words, true);
-        self.writer.code(behind);
-        for axis in self.axes.iter().filter(|axis| words.has(axis.index)) {
-            self.belief.forget_axis(axis.index);
-        }
-        self.writer.end()
-    }
-
-    fn restart(&mut self, number: u32) -> io::Result<()> {
-        self.smooth(false)?;
-        self.belief.forget();
-        self.writer.number_next(number);
-        match self.setup.safety.take() {
-            Some(safety) => {
-                self.fill_all(&safety)?;
-                self.setup.safety = Some(safety);
-            }
-            None => {
-                self.fill_all(self.codes.safety)?;
-                self.reset_frame()?;
-                self.belief.feed_mode = self.codes.per_minute;
-                self.belief.length = LengthState::Off;
-                self.belief.plane = self.codes.arcs.planes[2].unwrap_or_default();
-            }
-        }
-        Ok(())
-    }
-
-    /// What a restart point cancels besides, in a mode that uses it.
-    fn reset_frame(&mut self) -> io::Result<()> {
-        match (self.mode, &self.setup.tip_control, &self.codes.tip, &self.codes.plane) {
-            (Mode::Tcp, Some([_, off]), _, _) => {
-                let off = off.clone();
-                self.block(&off)
-            }
-            (Mode::Tcp, None, Some(tip), _) => self.fill_all(tip.reset),
-            (Mode::Plane, _, _, Some(plane)) => self.fill_all(plane.reset),
-            _ => Ok(()),
-        }
-    }
-
-    fn tool_change(&mut self) -> io::Result<()> {
-        match self.setup.tool_change.take() {
-            Some(blocks) => {
-                self.fill_all(&blocks)?;
-                self.setup.tool_change = Some(blocks);
-            }
-            None => {
-                self.fill_all(self.codes.tool_change)?;
-                self.belief.speed = self.values.speed;
-            }
-        }
-        self.belief.forget_axes();
-        self.belief.forget_feed();
-        self.belief.motion = "";
-        self.belief.length = LengthState::Unknown;
-        Ok(())
     }
 
     fn spindle(&mut self, speed: Decimal, rotation: Rotation) -> io::Result<()> {
