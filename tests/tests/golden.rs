@@ -51,6 +51,7 @@ const OTHERS: &[(&str, &str, &[&str])] = &[
     ("tests/data/key_inch/key_inch.cls", "lola-xoyzba", &["fanuc", "siemens"]),
     ("tests/data/plate/plate.ncl", "dmu-70e", &["heidenhain", "haas"]),
     ("tests/data/coil/coil.cls", "multiprodesk", &["fanuc", "siemens", "heidenhain", "haas"]),
+    ("tests/data/pocket/pocket.cls", "spinner-u5-620", &["siemens", "heidenhain"]),
     ("tests/data/nest/nest.apt", "dmu-70e", &["fanuc", "siemens", "heidenhain", "haas"]),
     ("tests/data/pads/pads.cls", "lola-xoyzba", &["fanuc", "siemens", "haas"]),
 ];

@@ -3,7 +3,7 @@
 //! Words are compared as written, in whole units of their last decimal. Whatever may change the state of the control
 //! behind the back of the program, a stop, a foreign block, a tool change, makes it forget.
 
-use crate::motion::MAX_AXES;
+use crate::motion::{Cycle, MAX_AXES};
 use crate::nc::Decimal;
 use crate::program::Coolant;
 
@@ -42,6 +42,8 @@ pub(super) struct Belief {
     pub(super) coolant: Option<Coolant>,
     /// The plane of arcs, by its code; empty if nobody knows.
     pub(super) plane: &'static str,
+    /// The cycle that a place calls, where its definition outlives other motions.
+    pub(super) cycle: Option<Cycle>,
     /// The control smooths.
     pub(super) smooth: bool,
 }
@@ -57,9 +59,10 @@ impl Belief {
         self.axes[axis] = None;
     }
 
-    /// Every axis may stand anywhere.
+    /// Every axis may stand anywhere, and a cycle may be another one.
     pub(super) fn forget_axes(&mut self) {
         self.axes = [None; MAX_AXES];
+        self.cycle = None;
         self.vector = None;
     }
 

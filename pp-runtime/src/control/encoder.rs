@@ -349,6 +349,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             self.belief.smooth = on;
             // Cycles of some controls bring codes of their own.
             self.belief.motion = "";
+            self.belief.cycle = None;
         }
         Ok(())
     }

@@ -14,11 +14,12 @@
 //! one that turns the master axis least (B-63784EN, tool axis direction control), so they are turned there before.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip, Vectors, ascii_in_brackets,
+    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip,
+    Vectors, ascii_in_brackets,
 };
 use super::{Control, LengthGuard, numbered};
 
@@ -67,15 +68,23 @@ static SPELLINGS: Spellings = Spellings {
         radius_tolerance: 0.002,
     },
     cycles: Some(Cycles {
-        returns: ["G99", "G98"],
-        drill: ["G81", "G82"],
-        peck: "G83",
-        chip_break: "G73",
-        ream: ["G85", "G89"],
-        ream_higher: true,
-        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}", dwell: true },
-        dwell: "P{milliseconds}",
-        end: "G80",
+        can: CycleAbilities {
+            ream_higher: true,
+            tap_dwell: true,
+            tap_stops: true,
+            tap_feed: true,
+            ..CycleAbilities::CODES
+        },
+        form: CycleForm::Codes(CycleCodes {
+            returns: ["G99", "G98"],
+            drill: ["G81", "G82"],
+            peck: "G83",
+            chip_break: "G73",
+            ream: ["G85", "G89"],
+            thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
+            dwell: "P{milliseconds}",
+            end: "G80",
+        }),
     }),
     motion_modal: true,
     centre: "",

@@ -11,11 +11,12 @@
 //! it, and `G253` turns the axes; `Q123` is the order of its angles.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip, ascii_in_brackets,
+    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip,
+    ascii_in_brackets,
 };
 use super::{Control, LengthGuard, numbered};
 
@@ -64,15 +65,17 @@ static SPELLINGS: Spellings = Spellings {
         radius_tolerance: 0.002,
     },
     cycles: Some(Cycles {
-        returns: ["G99", "G98"],
-        drill: ["G81", "G82"],
-        peck: "G83",
-        chip_break: "G73",
-        ream: ["G85", "G89"],
-        ream_higher: true,
-        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "", dwell: false },
-        dwell: "P{seconds}",
-        end: "G80",
+        can: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
+        form: CycleForm::Codes(CycleCodes {
+            returns: ["G99", "G98"],
+            drill: ["G81", "G82"],
+            peck: "G83",
+            chip_break: "G73",
+            ream: ["G85", "G89"],
+            thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "" },
+            dwell: "P{seconds}",
+            end: "G80",
+        }),
     }),
     motion_modal: true,
     centre: "",

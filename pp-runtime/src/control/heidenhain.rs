@@ -13,17 +13,85 @@
 //! `FUNCTION TCPM` controls the tip in the frame of the table at zero. `PLANE SPATIAL` turns about X, then Y, then Z of the
 //! frame it tilts (SPC·SPB·SPA as a product), and SEQ is the sign of the master axis, the first one from the tool. Both
 //! are off before a tool call and before M91.
+//!
+//! A place with M99 calls the cycle that was defined last. All of them go from the clearance Q200 over the surface Q203 down
+//! by Q201, and afterwards out to Q204 over the surface at rapid. Cycle 200 goes down at once here. Cycle 205 goes out to Q200
+//! after each step Q202 and at rapid back to Q258 = Q259 over the last; cycle 203 only Q256 back, as long as there are no more
+//! breaks than Q213, and at last out at Q208. Cycle 201 goes out to Q200 at its own feed where Q208 is 0. Cycle 207 cuts with
+//! spindle and feed in step, left-hand where Q239 is negative, and leaves the spindle standing (user's manuals of cycle
+//! programming, iTNC 530 and TNC 640). F in them counts as elsewhere in the program.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
+use super::spellings::{
+    ArcCentre, Arcs, Comments, CycleDefinitions, CycleForm, Cycles, Length, LengthCall, Spellings, Tilting, Tip,
+    Vectors, printable,
+};
 use super::{Control, LengthGuard, numbered};
 
 /// The Heidenhain dialect.
 #[derive(Debug, Clone, Copy)]
 pub struct Heidenhain;
+
+const DRILLING: &str = "CYCL DEF 200 DRILLING ~\n\
+    \x20 Q200={clearance} ;SET-UP CLEARANCE ~\n\
+    \x20 Q201={depth} ;DEPTH ~\n\
+    \x20 Q206=+{feed} ;FEED RATE FOR PLNGNG ~\n\
+    \x20 Q202={step} ;PLUNGING DEPTH ~\n\
+    \x20 Q210=+0 ;DWELL TIME AT TOP ~\n\
+    \x20 Q203={surface} ;SURFACE COORDINATE ~\n\
+    \x20 Q204={higher} ;2ND SET-UP CLEARANCE ~\n\
+    \x20 Q211=+{seconds} ;DWELL TIME AT DEPTH";
+
+const REAMING: &str = "CYCL DEF 201 REAMING ~\n\
+    \x20 Q200={clearance} ;SET-UP CLEARANCE ~\n\
+    \x20 Q201={depth} ;DEPTH ~\n\
+    \x20 Q206=+{feed} ;FEED RATE FOR PLNGNG ~\n\
+    \x20 Q211=+{seconds} ;DWELL TIME AT DEPTH ~\n\
+    \x20 Q208=+0 ;RETRACTION FEED RATE ~\n\
+    \x20 Q203={surface} ;SURFACE COORDINATE ~\n\
+    \x20 Q204={higher} ;2ND SET-UP CLEARANCE";
+
+const UNIVERSAL_DRILLING: &str = "CYCL DEF 203 UNIVERSAL DRILLING ~\n\
+    \x20 Q200={clearance} ;SET-UP CLEARANCE ~\n\
+    \x20 Q201={depth} ;DEPTH ~\n\
+    \x20 Q206=+{feed} ;FEED RATE FOR PLNGNG ~\n\
+    \x20 Q202={step} ;PLUNGING DEPTH ~\n\
+    \x20 Q210=+0 ;DWELL TIME AT TOP ~\n\
+    \x20 Q203={surface} ;SURFACE COORDINATE ~\n\
+    \x20 Q204={higher} ;2ND SET-UP CLEARANCE ~\n\
+    \x20 Q212=+0 ;DECREMENT ~\n\
+    \x20 Q213=+{steps} ;NR OF BREAKS ~\n\
+    \x20 Q205=+0 ;MIN. PLUNGING DEPTH ~\n\
+    \x20 Q211=+{seconds} ;DWELL TIME AT DEPTH ~\n\
+    \x20 Q208=+99999 ;RETRACTION FEED RATE ~\n\
+    \x20 Q256={gap} ;DIST FOR CHIP BRKNG";
+
+const UNIVERSAL_PECKING: &str = "CYCL DEF 205 UNIVERSAL PECKING ~\n\
+    \x20 Q200={clearance} ;SET-UP CLEARANCE ~\n\
+    \x20 Q201={depth} ;DEPTH ~\n\
+    \x20 Q206=+{feed} ;FEED RATE FOR PLNGNG ~\n\
+    \x20 Q202={step} ;PLUNGING DEPTH ~\n\
+    \x20 Q203={surface} ;SURFACE COORDINATE ~\n\
+    \x20 Q204={higher} ;2ND SET-UP CLEARANCE ~\n\
+    \x20 Q212=+0 ;DECREMENT ~\n\
+    \x20 Q205=+0 ;MIN. PLUNGING DEPTH ~\n\
+    \x20 Q258={gap} ;UPPER ADV STOP DIST ~\n\
+    \x20 Q259={gap} ;LOWER ADV STOP DIST ~\n\
+    \x20 Q257=+0 ;DEPTH FOR CHIP BRKNG ~\n\
+    \x20 Q256=+0.2 ;DIST FOR CHIP BRKNG ~\n\
+    \x20 Q211=+{seconds} ;DWELL TIME AT DEPTH ~\n\
+    \x20 Q379=+0 ;STARTING POINT ~\n\
+    \x20 Q253=+99999 ;F PRE-POSITIONING";
+
+const RIGID_TAPPING: &str = "CYCL DEF 207 RIGID TAPPING NEW ~\n\
+    \x20 Q200={clearance} ;SET-UP CLEARANCE ~\n\
+    \x20 Q201={depth} ;DEPTH OF THREAD ~\n\
+    \x20 Q239={pitch} ;THREAD PITCH ~\n\
+    \x20 Q203={surface} ;SURFACE COORDINATE ~\n\
+    \x20 Q204={higher} ;2ND SET-UP CLEARANCE";
 
 static SPELLINGS: Spellings = Spellings {
     name: "heidenhain",
@@ -63,7 +131,27 @@ static SPELLINGS: Spellings = Spellings {
         // 0.016 mm as delivered.
         radius_tolerance: 0.01,
     },
-    cycles: None,
+    cycles: Some(Cycles {
+        can: CycleAbilities {
+            ream_higher: true,
+            longest_dwell: 3_600_000,
+            own_return: true,
+            states_gap: true,
+            tap_stops: true,
+            pitch_decimals: 4,
+            ..CycleAbilities::CODES
+        },
+        form: CycleForm::Definitions(CycleDefinitions {
+            drill: &[DRILLING],
+            plain_drill: None,
+            peck: &[UNIVERSAL_PECKING],
+            chip_break: &[UNIVERSAL_DRILLING],
+            ream: &[REAMING],
+            thread: &[RIGID_TAPPING],
+            call: "M99",
+            end: "",
+        }),
+    }),
     motion_modal: false,
     centre: "R0",
     machine: ["L", "R0 FMAX M91"],

@@ -6,10 +6,12 @@
 //! the unit of the machine and not in that of the program. Without a P behind `G64` it would round corners as far as speed demands.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::Registers;
+use crate::motion::{CycleAbilities, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{ArcCentre, Arcs, Comments, Cycles, Length, LengthCall, Spellings, Thread, ascii_in_brackets};
+use super::spellings::{
+    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, Length, LengthCall, Spellings, Thread, ascii_in_brackets,
+};
 use super::{Control, LengthGuard, numbered};
 
 /// The LinuxCNC dialect.
@@ -50,15 +52,17 @@ static SPELLINGS: Spellings = Spellings {
         radius_tolerance: 0.001_27,
     },
     cycles: Some(Cycles {
-        returns: ["G99", "G98"],
-        drill: ["G81", "G82"],
-        peck: "G83",
-        chip_break: "G73",
-        ream: ["G85", "G89"],
-        ream_higher: false,
-        thread: Thread::Motion("G33.1"),
-        dwell: "P{seconds}",
-        end: "G80",
+        can: CycleAbilities { ..CycleAbilities::CODES },
+        form: CycleForm::Codes(CycleCodes {
+            returns: ["G99", "G98"],
+            drill: ["G81", "G82"],
+            peck: "G83",
+            chip_break: "G73",
+            ream: ["G85", "G89"],
+            thread: Thread::Motion("G33.1"),
+            dwell: "P{seconds}",
+            end: "G80",
+        }),
     }),
     motion_modal: true,
     centre: "",

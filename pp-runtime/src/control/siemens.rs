@@ -12,12 +12,23 @@
 //! `TRAORI` controls the tip in the frame of the table at zero; behind it the work offset is called again. `CYCLE800` in
 //! mode 57 turns about X, the new Y and the new Z. Its direction -1 or 1 takes the pose with the lower or the higher value
 //! of the axis that is the direction reference of the swivel data (828D operating manual, 10.6).
+//!
+//! Behind `MCALL CYCLE81(..)` each motion ends with the cycle until `MCALL` alone. Arguments (840D Cycles PGZ, 2.1, and 840D
+//! sl, which adds those from `_AXN` on): RTP, RFP, SDIS, DP are the levels it comes back to, top, height of the clearance over
+//! it, bottom. `CYCLE82` adds DPR, DTB; `CYCLE83` DPR, FDEP, FDPR (depth of a step), DAM (0: all alike), DTB, DTS, FRF, VARI
+//! (1 out of the hole, 0 chips broken), _AXN, _MDEP, _VRT (how far back), _DTD (wait at the bottom), _DIS1 (how near it comes
+//! again); `CYCLE85` DPR, DTB, FFR, RFF; `CYCLE84` DPR, DTB, SDAC (sense of the spindle afterwards), MPIT, PIT (negative:
+//! left-hand), POSS, SST, SST1, _AXN, _PITA (1 mm, 3 inches). What is left for the last two steps of `CYCLE83` is halved, so
+//! only whole steps are said by it.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
+use super::spellings::{
+    ArcCentre, Arcs, Comments, CycleDefinitions, CycleForm, Cycles, Length, LengthCall, Spellings, Tilting, Tip,
+    Vectors, printable,
+};
 use super::{Control, LengthGuard, numbered};
 
 /// The Siemens dialect.
@@ -56,7 +67,35 @@ static SPELLINGS: Spellings = Spellings {
         // MD21000, as delivered.
         radius_tolerance: 0.01,
     },
-    cycles: None,
+    cycles: Some(Cycles {
+        can: CycleAbilities {
+            ream_higher: true,
+            tap_dwell: true,
+            steps_dwell: true,
+            own_return: true,
+            states_gap: true,
+            whole_steps: true,
+            ..CycleAbilities::CODES
+        },
+        form: CycleForm::Definitions(CycleDefinitions {
+            drill: &["F{feed}", "MCALL CYCLE82({back},{surface},{clearance},{bottom},,{seconds})"],
+            plain_drill: Some(&["F{feed}", "MCALL CYCLE81({back},{surface},{clearance},{bottom})"]),
+            peck: &[
+                "F{feed}",
+                "MCALL CYCLE83({back},{surface},{clearance},{bottom},,,{step},0,0,0,1,1,,,,{seconds},{gap})",
+            ],
+            chip_break: &[
+                "F{feed}",
+                "MCALL CYCLE83({back},{surface},{clearance},{bottom},,,{step},0,0,0,1,0,,,{gap},{seconds})",
+            ],
+            ream: &["MCALL CYCLE85({back},{surface},{clearance},{bottom},,{seconds},{feed},{feed})"],
+            thread: &[
+                "MCALL CYCLE84({back},{surface},{clearance},{bottom},,{seconds},{rotation},,{pitch},0,{speed},{speed},,{pitch_unit})",
+            ],
+            call: "",
+            end: "MCALL",
+        }),
+    }),
     motion_modal: true,
     centre: "",
     machine: ["SUPA G0", "D0"],

@@ -3,7 +3,7 @@
 //! Texts with braces are [templates](super::template).
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::{PlaneAngles, PoseRule, Registers};
+use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 use crate::program::{Coolant, Rotation};
 
@@ -117,9 +117,27 @@ pub struct Arcs {
     pub radius_tolerance: f64,
 }
 
-/// How cycles of holes look: a code with X Y Z R, and what belongs to it, in force until it is cancelled.
+/// How cycles of holes look.
 #[derive(Debug)]
 pub struct Cycles {
+    /// What the planner may ask for.
+    pub can: CycleAbilities,
+    /// What they are made of.
+    pub form: CycleForm,
+}
+
+/// What a cycle is made of.
+#[derive(Debug)]
+pub enum CycleForm {
+    /// A code with X Y Z R and what belongs to it, in force until it is cancelled.
+    Codes(CycleCodes),
+    /// Blocks that define it, and each place in a block of its own.
+    Definitions(CycleDefinitions),
+}
+
+/// A cycle by a code.
+#[derive(Debug)]
+pub struct CycleCodes {
     /// Back to the clearance level, and to the level before.
     pub returns: [&'static str; 2],
     /// In and out; the same with a wait at the bottom.
@@ -130,8 +148,6 @@ pub struct Cycles {
     pub chip_break: &'static str,
     /// Out at feed; the same with a wait at the bottom.
     pub ream: [&'static str; 2],
-    /// From the clearance level it goes on at rapid to a higher one.
-    pub ream_higher: bool,
     /// Threads.
     pub thread: Thread,
     /// The wait, as a template.
@@ -140,7 +156,28 @@ pub struct Cycles {
     pub end: &'static str,
 }
 
-/// How a thread is cut.
+/// A cycle by blocks that are templates.
+#[derive(Debug)]
+pub struct CycleDefinitions {
+    /// In and out, with a wait at the bottom that may be 0.
+    pub drill: &'static [&'static str],
+    /// The same where nothing is waited for, if that is another one.
+    pub plain_drill: Option<&'static [&'static str]>,
+    /// With a retreat to the clearance level after each step.
+    pub peck: &'static [&'static str],
+    /// With a short retreat after each step.
+    pub chip_break: &'static [&'static str],
+    /// Out at feed.
+    pub ream: &'static [&'static str],
+    /// A thread.
+    pub thread: &'static [&'static str],
+    /// Behind the words of a place, where each calls the cycle by itself and the definition outlives other motions.
+    pub call: &'static str,
+    /// Ends it, where every motion calls it.
+    pub end: &'static str,
+}
+
+/// How a thread is cut, where cycles are codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Thread {
     /// By a cycle with F.
@@ -149,8 +186,6 @@ pub enum Thread {
         codes: [&'static str; 2],
         /// Brings the spindle under control of its angle, as a template.
         rigid: &'static str,
-        /// It can wait at the bottom.
-        dwell: bool,
     },
     /// By a motion with the pitch as K, which comes back to where it began.
     Motion(&'static str),

@@ -46,6 +46,32 @@ pub enum Field {
     Pose,
     /// Name of the swivel data, between quotation marks.
     SwivelData,
+    /// The top of a hole as a word of Z.
+    Surface,
+    /// From the top of a hole up to where feed begins.
+    Clearance,
+    /// The bottom of a hole as a word of Z.
+    Bottom,
+    /// From the top of a hole to its bottom, negative.
+    Depth,
+    /// Where the tool stands behind a hole, as a word of Z.
+    Back,
+    /// From the top of a hole up to where the tool stands behind it.
+    Higher,
+    /// What the depth of a hole grows by at a time.
+    Step,
+    /// How many times that is.
+    Steps,
+    /// How far the tool goes back to break chips, or how far it comes near after a retreat.
+    Gap,
+    /// Feed in a hole.
+    Feed,
+    /// Pitch of a thread, negative for a left-hand one.
+    Pitch,
+    /// What a pitch counts in: 1 for millimetres, 3 for inches.
+    PitchUnit,
+    /// Sense of the spindle, as the number of its M code.
+    Rotation,
 }
 
 /// Fields of a whole program.
@@ -64,8 +90,27 @@ pub const OF_TOOL: &[Field] = &[
     Field::Speed,
 ];
 
+/// Fields of a hole.
+pub const OF_CYCLE: &[Field] = &[
+    Field::Surface,
+    Field::Clearance,
+    Field::Bottom,
+    Field::Depth,
+    Field::Back,
+    Field::Higher,
+    Field::Step,
+    Field::Steps,
+    Field::Gap,
+    Field::Feed,
+    Field::Pitch,
+    Field::PitchUnit,
+    Field::Rotation,
+    Field::Seconds,
+    Field::Speed,
+];
+
 impl Field {
-    const ALL: [Self; 19] = [
+    const ALL: [Self; 32] = [
         Self::Name,
         Self::Number,
         Self::Units,
@@ -85,6 +130,19 @@ impl Field {
         Self::Third,
         Self::Pose,
         Self::SwivelData,
+        Self::Surface,
+        Self::Clearance,
+        Self::Bottom,
+        Self::Depth,
+        Self::Back,
+        Self::Higher,
+        Self::Step,
+        Self::Steps,
+        Self::Gap,
+        Self::Feed,
+        Self::Pitch,
+        Self::PitchUnit,
+        Self::Rotation,
     ];
 
     /// Its name between braces.
@@ -110,6 +168,19 @@ impl Field {
             Self::Third => "third",
             Self::Pose => "pose",
             Self::SwivelData => "swivel_data",
+            Self::Surface => "surface",
+            Self::Clearance => "clearance",
+            Self::Bottom => "bottom",
+            Self::Depth => "depth",
+            Self::Back => "back",
+            Self::Higher => "higher",
+            Self::Step => "step",
+            Self::Steps => "steps",
+            Self::Gap => "gap",
+            Self::Feed => "feed",
+            Self::Pitch => "pitch",
+            Self::PitchUnit => "pitch_unit",
+            Self::Rotation => "rotation",
         }
     }
 }

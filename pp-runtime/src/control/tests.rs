@@ -1,5 +1,7 @@
 //! Steps as each control spells them, and programs read back.
 
+mod cycles;
+
 use std::collections::BTreeMap;
 use std::io;
 
@@ -370,6 +372,13 @@ fn every_table_holds_fields_that_exist() {
         let single = [codes.length.code, codes.speed.unwrap_or_default(), codes.spindle[0], codes.spindle[1]];
         for block in blocks.into_iter().chain(codes.smoothing).flatten().copied().chain(single) {
             assert_eq!(template::check(block, &all), Ok(()), "{} {block}", codes.name);
+        }
+        if let Some(Cycles { form: CycleForm::Definitions(cycle), .. }) = &codes.cycles {
+            let blocks = [cycle.drill, cycle.peck, cycle.chip_break, cycle.ream, cycle.thread];
+            let plain = cycle.plain_drill.into_iter().flatten();
+            for block in blocks.into_iter().flatten().chain(plain) {
+                assert_eq!(template::check(block, template::OF_CYCLE), Ok(()), "{} {block}", codes.name);
+            }
         }
         let number = if codes.counted { 8 } else { 0 };
         assert!(codes.comment.length + codes.comment.marks.concat().len() + number <= codes.line_length);

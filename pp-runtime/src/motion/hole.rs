@@ -22,8 +22,8 @@ const MOST_STEPS: u32 = 10_000;
 /// Levels closer than this are the same, mm.
 const SAME_LEVEL: f64 = 1e-9;
 
-/// Decimals of a pitch.
-const PITCH_DECIMALS: u32 = 6;
+/// What a pitch may be off by its rounding, of the whole: less than a hundredth of a millimetre in a thread 20 mm long.
+const PITCH: f64 = 5e-4;
 
 /// What F of a thread may be off pitch times speed by its rounding, of the whole.
 const THREAD_FEED: f64 = 1e-4;
@@ -45,6 +45,44 @@ pub struct CycleAbilities {
     pub tap: bool,
     /// With a wait at the bottom of a thread.
     pub tap_dwell: bool,
+    /// With a wait at the bottom of a hole in steps.
+    pub steps_dwell: bool,
+    /// Longest wait, milliseconds.
+    pub longest_dwell: u32,
+    /// It comes back to any level, wherever it began.
+    pub own_return: bool,
+    /// It is told how far to go back between two steps, and how near to come again.
+    pub states_gap: bool,
+    /// It shares out what is left for the last two steps: only whole steps are what they are.
+    pub whole_steps: bool,
+    /// The spindle stands behind a thread.
+    pub tap_stops: bool,
+    /// A thread is cut with F.
+    pub tap_feed: bool,
+    /// Decimals of a pitch.
+    pub pitch_decimals: u32,
+}
+
+impl CycleAbilities {
+    /// Of a control whose cycles are codes with X Y Z R: they begin at the level to which they go back, and their short
+    /// retreats are settings of the machine.
+    pub const CODES: Self = Self {
+        drill: true,
+        peck: true,
+        chip_break: true,
+        ream: true,
+        ream_higher: false,
+        tap: true,
+        tap_dwell: false,
+        steps_dwell: false,
+        longest_dwell: u32::MAX,
+        own_return: false,
+        states_gap: false,
+        whole_steps: false,
+        tap_stops: false,
+        tap_feed: false,
+        pitch_decimals: 6,
+    };
 }
 
 /// What a cycle does in a hole; lengths in whole units of linear words.
@@ -52,10 +90,20 @@ pub struct CycleAbilities {
 pub enum CycleKind {
     /// In at feed, out at rapid.
     Drill,
-    /// In steps of this depth, out to the clearance level after each.
-    Peck(i64),
-    /// In steps of this depth, a little back after each.
-    ChipBreak(i64),
+    /// In steps, out to the clearance level after each.
+    Peck {
+        /// Depth of a step.
+        step: i64,
+        /// How near at rapid to where the last step ended.
+        gap: i64,
+    },
+    /// In steps, a little back after each.
+    ChipBreak {
+        /// Depth of a step.
+        step: i64,
+        /// How far back.
+        gap: i64,
+    },
     /// In and out at feed.
     Ream,
     /// A thread.
@@ -78,6 +126,8 @@ pub struct Cycle {
     pub words: Words,
     /// Position of Z in the chain.
     pub z: usize,
+    /// The top of the hole.
+    pub surface: i64,
     /// Where feed begins.
     pub clearance: i64,
     /// The bottom.
@@ -258,17 +308,41 @@ impl<M: Machine> Planner<'_, M> {
         let here = self.place;
         let mut at_level = |height: f64| self.placer.shifted(level(hole, height).tip, &here).map_err(fault);
         let places = [at_level(hole.clearance)?, at_level(-hole.depth)?, at_level(hole.back_to)?];
+        let surface = at_level(0.0)?;
+        let surface = self.placer.written(&surface);
         let [clearance, bottom, back] = places.map(|place| self.placer.written(&place));
         let [x, y, z] = chain;
         if [x, y].iter().any(|&axis| clearance[axis] != bottom[axis]) {
             return Ok(Err("the hole is not along Z in the words of the program"));
         }
         let words = Words { units: clearance, mask: 1 << x | 1 << y, vector: None };
-        let levels = (clearance[z], bottom[z], back[z]);
+        let [surface, clearance, bottom, back] = [surface, clearance, bottom, back].map(|written| written[z]);
         let dwell = self.dwell_of(hole).map_err(fault)?;
         let feed = self.cycle_feed(hole, kind, &places).map_err(fault)?;
-        let cycle = Cycle { kind, words, z, clearance: levels.0, bottom: levels.1, back: levels.2, dwell, feed };
-        Ok(Ok((cycle, places[2])))
+        let cycle = Cycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
+        let unsaid = self.unsaid(hole, &cycle).map_err(fault)?;
+        Ok(unsaid.map_or(Ok((cycle, places[2])), Err))
+    }
+
+    /// What the words of a cycle would say otherwise than the hole is.
+    fn unsaid(&self, hole: &Hole, cycle: &Cycle) -> Result<Option<NoCycle>, Fault> {
+        let can = self.abilities.cycles;
+        if !(cycle.bottom < cycle.surface && cycle.surface <= cycle.clearance && cycle.clearance <= cycle.back) {
+            return Ok(Some("its levels are not in their order"));
+        }
+        if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell)) {
+            return Ok(Some("the wait is too long for it"));
+        }
+        if let CycleKind::Peck { step, gap } | CycleKind::ChipBreak { step, gap } = cycle.kind
+            && can.states_gap
+        {
+            let depth = cycle.surface - cycle.bottom;
+            let as_many = steps(hole)?.count() as i64 == (depth + step - 1) / step;
+            let whole = !can.whole_steps || depth % step == 0;
+            let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
+            return Ok((!(as_many && whole && in_hole)).then_some("its steps are not those of this control"));
+        }
+        Ok(None)
     }
 
     /// What the control's cycle would be, or why it has none that means the same.
@@ -277,16 +351,20 @@ impl<M: Machine> Planner<'_, M> {
         let higher = hole.back_to - hole.clearance > SAME_LEVEL;
         let units = |mm: f64| (mm / self.placer.unit_mm()).round() as i64;
         let no_dwell = hole.dwell.is_none();
+        let steps_wait = no_dwell || can.steps_dwell;
+        let usual_gap = self.config.defaults.peck_gap;
         Ok(match hole.drilling {
             Drilling::Drill if can.drill => Ok(CycleKind::Drill),
             Drilling::Ream if can.ream && (can.ream_higher || !higher) => Ok(CycleKind::Ream),
             Drilling::Peck { first, later }
-                if can.peck && no_dwell && units(first) == units(later) && units(later) > 0 =>
+                if can.peck && steps_wait && units(first) == units(later) && units(later) > 0 =>
             {
-                Ok(CycleKind::Peck(units(later)))
+                Ok(CycleKind::Peck { step: units(later), gap: units(usual_gap) })
             }
-            Drilling::ChipBreak { step, back: None } if can.chip_break && no_dwell && units(step) > 0 => {
-                Ok(CycleKind::ChipBreak(units(step)))
+            Drilling::ChipBreak { step, back }
+                if can.chip_break && steps_wait && units(step) > 0 && (can.states_gap || back.is_none()) =>
+            {
+                Ok(CycleKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
             }
             Drilling::Tap { .. } if !can.tap => Err("this control has none here"),
             Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => {
@@ -312,8 +390,13 @@ impl<M: Machine> Planner<'_, M> {
             Fault::new("the pitch of this thread is not known").help("give the feed of the cycle per turn (MMPR, IPR)")
         })?;
         let too_large = |_| Fault::new("the pitch or the speed of this thread does not fit into a word");
+        let exact = pitch / self.feeds.length_unit();
+        let pitch = Decimal::fixed(exact, self.abilities.cycles.pitch_decimals).map_err(too_large)?;
+        if (pitch.value() / exact - 1.0).abs() > PITCH {
+            return Err(Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word")));
+        }
         Ok(CycleKind::Tap {
-            pitch: Decimal::fixed(pitch / self.feeds.length_unit(), PITCH_DECIMALS).map_err(too_large)?,
+            pitch,
             left: rotation == Rotation::CounterClockwise,
             speed: Decimal::fixed(turns, self.config.formats.speed).map_err(too_large)?,
         })
@@ -338,7 +421,9 @@ impl<M: Machine> Planner<'_, M> {
         let pace = self.feeds.pace(per_minute, stroke)?;
         let Feed::PerMinute(word) = pace.feed else { return Err(Fault::new("a cycle has no feed in inverse time")) };
         if let CycleKind::Tap { .. } = kind
-            && (pace.slowed > 0.0 || (self.feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
+            && (pace.slowed > 0.0
+                || self.abilities.cycles.tap_feed
+                    && (self.feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
         {
             return Err(Fault::new(format_args!(
                 "a thread needs a feed of {per_minute} mm/min, which cannot be written or is beyond an axis"
@@ -360,8 +445,8 @@ impl<M: Machine> Planner<'_, M> {
         let here = self.placer.written(&self.place);
         let height = self.height_over(hole).max(hole.clearance);
         self.watch_plunge(at, &level(hole, height), &level(hole, hole.clearance));
-        if cycle.back != cycle.clearance && here[cycle.z] != cycle.back {
-            // A cycle goes back to where it began.
+        if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !self.abilities.cycles.own_return {
+            // Such a cycle goes back to where it began.
             self.rapid_to_level(at, hole, height, sink)?;
             self.rapid_to_level(at, hole, hole.back_to, sink)?;
         }
@@ -373,7 +458,7 @@ impl<M: Machine> Planner<'_, M> {
         sink.step(&Step::Cycle { cycle })?;
         self.statistics.cycles += 1;
         if let CycleKind::Tap { .. } = cycle.kind {
-            self.tapped = self.abilities.tap_stops;
+            self.tapped = self.abilities.cycles.tap_stops;
         }
         let bottom = level(hole, -hole.depth);
         self.cut(&bottom);

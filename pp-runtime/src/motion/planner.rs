@@ -83,8 +83,6 @@ pub struct Abilities {
     pub feed_per_inch: f64,
     /// Cycles that it has.
     pub cycles: CycleAbilities,
-    /// The spindle stands behind a thread.
-    pub tap_stops: bool,
     /// Arcs are possible in the plane square to X, to Y and to Z.
     pub arc_planes: [bool; 3],
     /// By how much the distances of the ends of an arc from its centre may differ, mm.

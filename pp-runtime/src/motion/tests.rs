@@ -3,9 +3,9 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
-use super::{Navigator, Nowhere, Planner, Stop};
+use super::{Navigator, Nowhere, Planner, Sink, Statistics, Stop};
 use crate::config::{Config, Rapid, Tool, Transition, Units, Wrap};
-use crate::control::{Encoder, Layout, LinuxCnc};
+use crate::control::{Control, Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
 use crate::program::{
@@ -16,7 +16,7 @@ use crate::program::{
 pub(super) struct Run {
     pub(super) lines: Vec<String>,
     pub(super) diagnostics: Vec<Diagnostic>,
-    pub(super) statistics: super::Statistics,
+    pub(super) statistics: Statistics,
 }
 
 impl Run {
@@ -29,14 +29,29 @@ impl Run {
     }
 }
 
-/// Posts events; the event at position `n` stands in line `n + 1`.
+/// Posts events for LinuxCNC; the event at position `n` stands in line `n + 1`.
 pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
-    let machine = config.machine::<M>().expect("valid");
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let layout = Layout::new::<M>(config, units, b"");
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
-    let abilities = crate::control::abilities(&LinuxCnc, config);
+    let (diagnostics, statistics) = plan::<M>(&LinuxCnc, config, events, &mut encoder);
+    encoder.finish().expect("memory takes everything");
+    drop(encoder);
+    let text = String::from_utf8(out).expect("ASCII");
+    Run { lines: text.lines().map(str::to_owned).collect(), diagnostics, statistics }
+}
+
+/// Plans events for a control.
+pub(super) fn plan<M: Machine>(
+    control: &dyn Control,
+    config: &Config,
+    events: &[Event<'_>],
+    sink: &mut impl Sink,
+) -> (Vec<Diagnostic>, Statistics) {
+    let machine = config.machine::<M>().expect("valid");
+    let units = config.output_units.unwrap_or(Units::Millimetres);
+    let abilities = crate::control::abilities(control, config);
     let mut navigator = Navigator::new(machine.clone(), config);
     events.iter().for_each(|event| navigator.event(event));
     let course = navigator.finish();
@@ -54,13 +69,13 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let mut planned = Ok(());
     for (index, event) in events.iter().enumerate() {
         at = Location { line: index as u64 + 1, column: 1 };
-        planned = planner.event(at, event, &mut encoder);
+        planned = planner.event(at, event, sink);
         if planned.is_err() {
             break;
         }
     }
     if planned.is_ok() {
-        planned = planner.finish(at, &mut encoder);
+        planned = planner.finish(at, sink);
     }
     diagnostics.append(&mut planner.take_warnings());
     match planned {
@@ -68,11 +83,7 @@ pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
         Err(Stop::Fault(fault)) => diagnostics.push(fault),
         Err(Stop::Output(error)) => panic!("{error}"),
     }
-    encoder.finish().expect("memory takes everything");
-    drop(encoder);
-    let statistics = planner.statistics();
-    let text = String::from_utf8(out).expect("ASCII");
-    Run { lines: text.lines().map(str::to_owned).collect(), diagnostics, statistics }
+    (diagnostics, planner.statistics())
 }
 
 /// Posts events that must pass without any remark.

@@ -1,5 +1,7 @@
 //! Values of the fields of templates.
 
+use crate::config::Units;
+use crate::motion::{Cycle, CycleKind};
 use crate::nc::{Decimal, Numerals, write_number};
 
 use super::super::template::Field;
@@ -23,7 +25,17 @@ pub(super) struct Values {
     pub(super) plane: [Decimal; 3],
     pub(super) pose: &'static str,
     pub(super) swivel_data: String,
+    pub(super) hole: Option<HoleValues>,
     pub(super) numerals: Numerals,
+}
+
+/// A hole, where a cycle is defined by a template.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct HoleValues {
+    pub(super) cycle: Cycle,
+    /// Decimals of its levels.
+    pub(super) decimals: u32,
+    pub(super) units: Units,
 }
 
 /// A number as the control writes it.
@@ -59,7 +71,49 @@ impl Values {
             Field::Third => Some(text(self.plane[2], self.numerals)),
             Field::Pose => Some(self.pose.to_owned()),
             Field::SwivelData => Some(self.swivel_data.clone()),
+            Field::Surface
+            | Field::Clearance
+            | Field::Bottom
+            | Field::Depth
+            | Field::Back
+            | Field::Higher
+            | Field::Step
+            | Field::Steps
+            | Field::Gap
+            | Field::Feed
+            | Field::Pitch
+            | Field::PitchUnit
+            | Field::Rotation => self.hole.as_ref().and_then(|hole| hole.get(field, self.numerals)),
             Field::Milliseconds => self.seconds.map(|seconds| text(decimal(seconds * 1e3, 0), Numerals::default())),
+        }
+    }
+}
+
+impl HoleValues {
+    fn get(&self, field: Field, numerals: Numerals) -> Option<String> {
+        let Cycle { kind, surface, clearance, bottom, back, feed, .. } = self.cycle;
+        let length = |units: i64| Some(text(Decimal { units, decimals: self.decimals }, numerals));
+        match (field, kind) {
+            (Field::Surface, _) => length(surface),
+            (Field::Clearance, _) => length(clearance - surface),
+            (Field::Bottom, _) => length(bottom),
+            (Field::Depth, _) => length(bottom - surface),
+            (Field::Back, _) => length(back),
+            (Field::Higher, _) => length(back - surface),
+            (Field::Step, CycleKind::Peck { step, .. } | CycleKind::ChipBreak { step, .. }) => length(step),
+            (Field::Gap, CycleKind::Peck { gap, .. } | CycleKind::ChipBreak { gap, .. }) => length(gap),
+            (Field::Steps, CycleKind::Peck { step, .. } | CycleKind::ChipBreak { step, .. }) => {
+                Some(((surface - bottom) as u64).div_ceil(step as u64).to_string())
+            }
+            // In one step.
+            (Field::Step, _) => length(surface - bottom),
+            (Field::Feed, _) => Some(text(feed, Numerals { plus: false, ..numerals })),
+            (Field::Pitch, CycleKind::Tap { pitch, left, .. }) => {
+                Some(text(Decimal { units: if left { -pitch.units } else { pitch.units }, ..pitch }, numerals))
+            }
+            (Field::PitchUnit, _) => Some(if self.units == Units::Inches { "3" } else { "1" }.to_owned()),
+            (Field::Rotation, CycleKind::Tap { left, .. }) => Some(if left { "4" } else { "3" }.to_owned()),
+            _ => None,
         }
     }
 }

@@ -3,9 +3,10 @@
 use proptest::prelude::*;
 
 use super::super::machines::{Cb, Head, Xyz};
-use super::super::tests::{Run, config, feed, pose, rapid, run, spindle, tool};
+use super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use super::*;
 use crate::config::{Config, Tool};
+use crate::control::{CONTROLS, Control, Heidenhain, Siemens};
 use crate::diag::Severity;
 use crate::program::Event;
 
@@ -234,6 +235,158 @@ fn any_hole() -> impl Strategy<Value = Event<'static>> {
     )
 }
 
+/// Where steps send the tip of [`Xyz`], and whether at rapid; a cycle goes the way that its table says.
+#[derive(Default)]
+struct Way {
+    at: [i64; 3],
+    path: Vec<([i64; 3], bool)>,
+    cycles: Vec<Cycle>,
+    rapid_below: bool,
+}
+
+impl Way {
+    fn go(&mut self, to: [i64; 3], fast: bool) {
+        if to != self.at {
+            self.path.push((to, fast));
+            self.at = to;
+        }
+    }
+
+    fn words(&mut self, words: &Words, fast: bool) {
+        let mut to = self.at;
+        for (axis, value) in to.iter_mut().enumerate().filter(|(axis, _)| words.has(*axis)) {
+            *value = words.units[axis];
+        }
+        self.go(to, fast);
+    }
+
+    fn cycle(&mut self, cycle: &Cycle, returns: bool) {
+        let began = self.at[2];
+        self.rapid_below |= began < cycle.clearance;
+        self.words(&cycle.words, true);
+        let [x, y, _] = self.at;
+        let level = |way: &mut Self, z: i64, fast: bool| way.go([x, y, z], fast);
+        level(self, cycle.clearance, true);
+        let (step, gap, out) = match cycle.kind {
+            CycleKind::Peck { step, gap } => (step, gap, true),
+            CycleKind::ChipBreak { step, gap } => (step, gap, false),
+            _ => (cycle.surface - cycle.bottom, 0, false),
+        };
+        let mut done = (cycle.surface - step).max(cycle.bottom);
+        level(self, done, false);
+        while done > cycle.bottom {
+            if out {
+                level(self, cycle.clearance, true);
+            }
+            level(self, done + gap, true);
+            done = (done - step).max(cycle.bottom);
+            level(self, done, false);
+        }
+        level(self, cycle.clearance, cycle.kind != CycleKind::Ream);
+        assert!(returns || cycle.back == cycle.clearance || cycle.back == began, "it comes back to where it began");
+        level(self, cycle.back, true);
+        self.cycles.push(*cycle);
+    }
+}
+
+/// The way of a program on a control, stops of a rapid along Z left out.
+fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec<([i64; 3], bool)>, Vec<Cycle>) {
+    struct Steps(Way, bool);
+    impl Sink for Steps {
+        fn step(&mut self, step: &Step<'_>) -> std::io::Result<()> {
+            match step {
+                Step::Rapid { words } => self.0.words(words, true),
+                Step::Feed { words, .. } => self.0.words(words, false),
+                Step::Cycle { cycle } => self.0.cycle(cycle, self.1),
+                _ => {}
+            }
+            Ok(())
+        }
+    }
+    let config = set_up(output);
+    let returns = crate::control::abilities(control, &config).cycles.own_return;
+    let mut steps = Steps(Way::default(), returns);
+    let (diagnostics, _) = plan::<Xyz>(control, &config, events, &mut steps);
+    assert!(diagnostics.iter().all(|found| found.severity == Severity::Warning), "{diagnostics:?}");
+    assert!(!steps.0.rapid_below, "the tool goes over below the clearance level");
+    let mut path = steps.0.path;
+    path.dedup_by(|next, before| {
+        let same = next.1 && before.1 && next.0[..2] == before.0[..2];
+        if same {
+            before.0 = next.0;
+        }
+        same
+    });
+    path.dedup_by(|next, before| next.1 && next.0 == before.0);
+    (path, steps.0.cycles)
+}
+
+/// The cycle of one hole 5 deep, 2 under its clearance level, from there.
+fn kind(control: &dyn Control, drilling: Drilling, dwell: Option<Dwell>) -> Option<CycleKind> {
+    let events = behind([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], drilling, 2.0, dwell)]);
+    way(control, CycleOutput::Native, &events).1.first().map(|cycle| cycle.kind)
+}
+
+#[test]
+fn steps_that_are_those_of_the_control_are_left_to_it() {
+    let waits = Some(Dwell::Seconds(0.5));
+    let peck = |step: f64| Drilling::Peck { first: step, later: step };
+    let chips = |step: f64| Drilling::ChipBreak { step, back: Some(0.3) };
+    let native = |control: &dyn Control| {
+        [(peck(2.5), None), (peck(2.0), None), (peck(2.5), waits), (chips(2.5), None), (chips(2.0), None)]
+            .map(|(drilling, dwell)| kind(control, drilling, dwell).is_some())
+    };
+    assert_eq!(native(&Siemens), [true, false, true, true, false]);
+    assert_eq!(native(&Heidenhain), [true, true, false, true, true]);
+    let uneven = Drilling::Peck { first: 3.0, later: 2.0 };
+    let too_far = Drilling::ChipBreak { step: 2.5, back: Some(4.6) };
+    for control in [&Siemens as &dyn Control, &Heidenhain] {
+        assert_eq!(kind(control, peck(2.5), None), Some(CycleKind::Peck { step: 2500, gap: 500 }));
+        assert_eq!(kind(control, chips(2.5), None), Some(CycleKind::ChipBreak { step: 2500, gap: 300 }));
+        assert_eq!([kind(control, uneven, None), kind(control, too_far, None)], [None, None]);
+    }
+}
+
+#[test]
+fn a_wait_that_is_too_long_for_a_cycle_is_written_behind_motions() {
+    let native = |control, seconds| kind(control, Drilling::Drill, Some(Dwell::Seconds(seconds))).is_some();
+    assert_eq!(
+        [native(&Heidenhain, 3600.0), native(&Heidenhain, 3600.5), native(&Siemens, 3600.5)],
+        [true, false, true]
+    );
+}
+
+#[test]
+fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
+    let pitch = |control, pitch| match kind(control, Drilling::Tap { pitch: Some(pitch) }, None) {
+        Some(CycleKind::Tap { pitch, .. }) => pitch.value(),
+        _ => f64::NAN,
+    };
+    let eighteen = 25.4 / 18.0;
+    assert!((pitch(&Siemens, eighteen) - 1.411_111).abs() < 1e-9);
+    assert!((pitch(&Heidenhain, eighteen) - 1.4111).abs() < 1e-9);
+    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.0103) }, 2.0, None)]);
+    let refused = |control: &dyn Control| {
+        let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut super::super::Nowhere);
+        found.into_iter().find(|found| found.severity == Severity::Error).map(|found| found.text)
+    };
+    assert_eq!(refused(&Heidenhain), None);
+    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.010_33) }, 2.0, None)]);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut super::super::Nowhere);
+    assert!(found[0].text.contains("has too many digits"), "{found:?}");
+}
+
+fn any_steps() -> impl Strategy<Value = Drilling> {
+    let step = || (1_i32..9).prop_map(|half| f64::from(half) * 0.5);
+    prop_oneof![
+        Just(Drilling::Drill),
+        Just(Drilling::Ream),
+        step().prop_map(|step| Drilling::Peck { first: step, later: step }),
+        (step(), step()).prop_map(|(first, later)| Drilling::Peck { first, later }),
+        (step(), prop::option::of(step())).prop_map(|(step, back)| Drilling::ChipBreak { step, back }),
+    ]
+}
+
 proptest! {
     /// A cycle moves the tool just as the single motions do.
     #[test]
@@ -252,5 +405,27 @@ proptest! {
         prop_assert_eq!((&native.0, &native.2), (&expanded.0, &expanded.2));
         prop_assert!(native.1 > 0 || holes.iter().all(|hole| matches!(hole, Event::Hole(hole) if hole.drilling == Drilling::Ream)));
         prop_assert_eq!(expanded.1, 0);
+    }
+
+    /// On every control a cycle is the way of the single motions, step by step where the control is told its steps.
+    #[test]
+    fn the_cycles_of_every_control_are_the_way_of_the_motions(
+        holes in prop::collection::vec((any_hole(), any_steps()), 1..8),
+        start in prop::array::uniform3(-4_i32..8),
+    ) {
+        for control in CONTROLS {
+            let told = crate::control::abilities(*control, &set_up(CycleOutput::Native)).cycles.states_gap;
+            let holes: Vec<Event<'static>> = holes.iter().map(|(event, drilling)| match *event {
+                Event::Hole(hole) if told => Event::Hole(Hole { drilling: *drilling, ..hole }),
+                event => event,
+            }).collect();
+            let events = behind(start.map(f64::from), &holes);
+            let (native, cycles) = way(*control, CycleOutput::Native, &events);
+            let (expanded, none) = way(*control, CycleOutput::Expanded, &events);
+            prop_assert_eq!(native, expanded, "{}", control.spellings().name);
+            prop_assert!(none.is_empty());
+            let plain = |event: &Event<'_>| matches!(event, Event::Hole(hole) if hole.drilling == Drilling::Drill);
+            prop_assert!(!cycles.is_empty() || !holes.iter().any(plain));
+        }
     }
 }

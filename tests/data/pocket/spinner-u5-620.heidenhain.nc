@@ -1,0 +1,149 @@
+0 BEGIN PGM NONAME MM
+1 BLK FORM 0.1 Z X-33 Y-31 Z-15
+2 BLK FORM 0.2 X+19 Y+27.5 Z+20
+3 ; PROGRAM without name
+4 ; CL FILE pocket.cls
+5 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE axes
+6 ; UNITS mm, WORK OFFSET datum row 1
+7 ; PART ORIGIN X0 Y0 Z0 from the table reference
+8 ; PROGRAMMED POINT tool tip
+9 ; ARCS AND CURVES left by at most 0.05
+10 ; CL data of NX, by its own evidence
+11 ; 3 arcs, 3 of 3 decided arcs agree with their form
+12 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
+13 ; AXIS B + turns the table left-handed about +Y: word as in ISO 841
+14 ; AXIS X + moves the tool along +X: word as in ISO 841
+15 ; AXIS Y + moves the tool along +Y: word as in ISO 841
+16 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg
+18 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, the axes take no shorter way
+19 ; linear limits not checked: no travel declared (X Y Z)
+20 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+21 ; the entries of C and B in datum row 1 must be zero
+22 ; T1 D10 R0 L110, 1 operation, tip Z -2 to 20
+23 ; T2 D5 L130, 2 operations, tip Z -15 to 60
+24 ; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+25 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+26 ; ASSUMED work offset datum row 1
+27 ; ASSUMED retract to machine coordinate 0 mm
+28 ; ASSUMED approach from 50 mm along the tool axis
+29 * - POCKET
+30 M129
+31 PLANE RESET STAY
+32 M127
+33 CYCL DEF 247 DATUM SETTING ~
+  Q339=+1 ;DATUM NUMBER
+34 M9
+35 L Z+0 R0 FMAX M91
+36 TOOL CALL 1 Z S4000
+37 TOOL DEF 2
+38 L Z+0 R0 FMAX M91
+39 M3
+40 L B+0 C+0 R0 FMAX
+41 L X+8 Y+0 R0 FMAX
+42 L Z+10 R0 FMAX
+43 M8
+44 L Z+1 R0 FMAX
+45 CC X+0 Y+0
+46 CP IPA+360 IZ-2.4 DR+ R0 F200
+47 CC X+0 Y+0
+48 CP IPA+90 IZ-0.6 DR+
+49 L X-20 Y+8 F600
+50 CC X-20 Y+0
+51 C X-20 Y-8 DR+
+52 L X+0
+53 CC X+0 Y-13
+54 C X+5 Y-13 DR-
+55 L Y-20
+56 L X+5.081 Y-21.378
+57 L X+5.315 Y-22.528
+58 L X+5.688 Y-23.469
+59 L X+6.185 Y-24.222
+60 L X+6.794 Y-24.809
+61 L X+7.5 Y-25.25
+62 L X+8.727 Y-25.684
+63 L X+10.188 Y-25.906
+64 L X+11.93 Y-25.988
+65 L X+14 Y-26
+66 L Z+20
+67 M9
+68 L Z+70 R0 FMAX
+69 * - HOLES
+70 M129
+71 PLANE RESET STAY
+72 M127
+73 CYCL DEF 247 DATUM SETTING ~
+  Q339=+1 ;DATUM NUMBER
+74 M9
+75 L Z+0 R0 FMAX M91
+76 TOOL CALL 2 Z S2500
+77 L Z+0 R0 FMAX M91
+78 M3
+79 L B+0 C+0 R0 FMAX
+80 L X-30 Y+15 R0 FMAX
+81 L Z+20 R0 FMAX
+82 M8
+83 CYCL DEF 205 UNIVERSAL PECKING ~
+  Q200=+2 ;SET-UP CLEARANCE ~
+  Q201=-15 ;DEPTH ~
+  Q206=+150 ;FEED RATE FOR PLNGNG ~
+  Q202=+6 ;PLUNGING DEPTH ~
+  Q203=+0 ;SURFACE COORDINATE ~
+  Q204=+20 ;2ND SET-UP CLEARANCE ~
+  Q212=+0 ;DECREMENT ~
+  Q205=+0 ;MIN. PLUNGING DEPTH ~
+  Q258=+0.5 ;UPPER ADV STOP DIST ~
+  Q259=+0.5 ;LOWER ADV STOP DIST ~
+  Q257=+0 ;DEPTH FOR CHIP BRKNG ~
+  Q256=+0.2 ;DIST FOR CHIP BRKNG ~
+  Q211=+0 ;DWELL TIME AT DEPTH ~
+  Q379=+0 ;STARTING POINT ~
+  Q253=+99999 ;F PRE-POSITIONING
+84 L X-30 Y+15 R0 FMAX M99
+85 L X-10 R0 FMAX M99
+86 CYCL DEF 200 DRILLING ~
+  Q200=+2 ;SET-UP CLEARANCE ~
+  Q201=-4 ;DEPTH ~
+  Q206=+150 ;FEED RATE FOR PLNGNG ~
+  Q202=+4 ;PLUNGING DEPTH ~
+  Q210=+0 ;DWELL TIME AT TOP ~
+  Q203=-5 ;SURFACE COORDINATE ~
+  Q204=+2 ;2ND SET-UP CLEARANCE ~
+  Q211=+0.5 ;DWELL TIME AT DEPTH
+87 L X-10 Y+25 R0 FMAX M99
+88 L Z+7 R0 FMAX
+89 CYCL DEF 200 DRILLING ~
+  Q200=+2 ;SET-UP CLEARANCE ~
+  Q201=-4 ;DEPTH ~
+  Q206=+150 ;FEED RATE FOR PLNGNG ~
+  Q202=+4 ;PLUNGING DEPTH ~
+  Q210=+0 ;DWELL TIME AT TOP ~
+  Q203=+5 ;SURFACE COORDINATE ~
+  Q204=+2 ;2ND SET-UP CLEARANCE ~
+  Q211=+0.5 ;DWELL TIME AT DEPTH
+90 L X+10 Y+25 R0 FMAX M99
+91 CYCL DEF 9.0 DWELL TIME
+92 CYCL DEF 9.1 DWELL 1.5
+93 M9
+94 L Z+57 R0 FMAX
+95 M129
+96 PLANE RESET STAY
+97 M127
+98 CYCL DEF 247 DATUM SETTING ~
+  Q339=+1 ;DATUM NUMBER
+99 M9
+100 L Z+0 R0 FMAX M91
+101 ; T2 stays in the spindle
+102 TOOL CALL S2500
+103 M3
+104 L B+0 C+0 R0 FMAX
+105 L X+0 Y+0 R0 FMAX
+106 L Z+110 R0 FMAX
+107 M8
+108 L Z+60 R0 FMAX
+109 M9
+110 L Z+110 R0 FMAX
+111 L Z+0 R0 FMAX M91
+112 M5
+113 M30
+114 END PGM NONAME MM

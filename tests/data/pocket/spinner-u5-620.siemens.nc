@@ -1,0 +1,127 @@
+; PROGRAM without name
+; CL FILE pocket.cls
+; MACHINE SpinnerU5620, CONTROL Siemens 840D, MODE axes
+; UNITS mm, WORK OFFSET G54
+; PART ORIGIN X0 Y0 Z0 from the table reference
+; PROGRAMMED POINT tool tip
+; ARCS AND CURVES left by at most 0.05
+; CL data of NX, by its own evidence
+; 3 arcs, 3 of 3 decided arcs agree with their form
+; AXIS C + turns the table left-handed about +Z: word as in ISO 841
+; AXIS B + turns the table left-handed about +Y: word as in ISO 841
+; AXIS X + moves the tool along +X: word as in ISO 841
+; AXIS Y + moves the tool along +Y: word as in ISO 841
+; AXIS Z + moves the tool along +Z: word as in ISO 841
+; WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg
+; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; linear limits not checked: no travel declared (X Y Z)
+; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+; the entries of C and B in G54 must be zero
+; T1 D10 R0 L110 D1, 1 operation, tip Z -2 to 20
+; T2 D5 L130 D1, 2 operations, tip Z -15 to 60
+; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+; ASSUMED work offset G54
+; ASSUMED retract to machine coordinate 0 mm
+; ASSUMED approach from 50 mm along the tool axis
+MSG("POCKET")
+N1 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T1
+M6
+T2
+SUPA G0 Z0 D0
+D1
+S4000 M3
+G0 B0 C0
+X8 Y0
+Z10
+M8
+Z1
+G3 X8 Y0 Z-1.4 I-8 J0 F200
+X0 Y8 Z-2 I-8 J0
+G1 X-20 F600
+G3 X-20 Y-8 I0 J-8
+G1 X0
+G2 X5 Y-13 I0 J-5
+G1 Y-20
+X5.081 Y-21.378
+X5.315 Y-22.528
+X5.688 Y-23.469
+X6.185 Y-24.222
+X6.794 Y-24.809
+X7.5 Y-25.25
+X8.727 Y-25.684
+X10.188 Y-25.906
+X11.93 Y-25.988
+X14 Y-26
+Z20
+M9
+G0 Z70
+MSG("HOLES")
+N2 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T2
+M6
+SUPA G0 Z0 D0
+D1
+S2500 M3
+G0 B0 C0
+X-30 Y15
+Z20
+M8
+Z2
+G1 Z-6 F150
+G0 Z2
+Z-5.5
+G1 Z-12
+G0 Z2
+Z-11.5
+G1 Z-15
+G0 Z20
+X-10
+Z2
+G1 Z-6
+G0 Z2
+Z-5.5
+G1 Z-12
+G0 Z2
+Z-11.5
+G1 Z-15
+G0 Z20
+F150
+MCALL CYCLE82(-3,-5,2,-9,,0.5)
+G0 X-10 Y25
+MCALL
+G0 Z7
+F150
+MCALL CYCLE82(7,5,2,1,,0.5)
+G0 X10 Y25
+MCALL
+G4 F1.5
+M9
+G0 Z57
+N3 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+; T2 stays in the spindle
+D1
+S2500 M3
+G0 B0 C0
+X0 Y0
+Z110
+M8
+Z60
+M9
+Z110
+SUPA G0 Z0 D0
+M5
+M30
