@@ -242,9 +242,20 @@ pub enum Clearance {
     },
 }
 
-/// CUTCOM: on which side of the path the cutter runs.
+/// CUTCOM.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Compensation {
+pub struct Compensation {
+    /// On which side.
+    pub side: CutterSide,
+    /// Offset register, if one is named.
+    pub register: Option<u32>,
+    /// No other plane than that of X and Y is named.
+    pub xy: bool,
+}
+
+/// On which side of the path the cutter runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CutterSide {
     /// Off.
     Off,
     /// On again, on the side that was given last.

@@ -4,7 +4,7 @@ use super::args::{Arg, Args};
 use super::fault::{Fault, quoted};
 use super::parse::{argument_not_yet, exactly, needed, wrong_count};
 use super::record::{AxisPlane, FeedUnit, Record};
-use crate::program::{Compensation, Coolant, Dwell, Rotation, Turning, Units};
+use crate::program::{Coolant, CutterSide, Dwell, Rotation, Turning, Units};
 
 /// `x,y,z`, or `NOMORE` or `0` for none.
 pub(super) fn shift(name: &'static str, args: &mut Args<'_>) -> Result<Option<[f64; 3]>, Fault> {
@@ -42,17 +42,13 @@ pub(super) fn on_or_off(name: &'static str, arg: Arg<'_>) -> Result<bool, Fault>
 }
 
 pub(super) fn compensation<'a>(name: &'static str, args: &mut Args<'_>) -> Result<Record<'a>, Fault> {
-    const SIDES: [(&str, Compensation); 4] = [
-        ("OFF", Compensation::Off),
-        ("ON", Compensation::On),
-        ("LEFT", Compensation::Left),
-        ("RIGHT", Compensation::Right),
-    ];
+    const SIDES: [(&str, CutterSide); 4] =
+        [("OFF", CutterSide::Off), ("ON", CutterSide::On), ("LEFT", CutterSide::Left), ("RIGHT", CutterSide::Right)];
     let first = needed(name, args)?;
     let found = SIDES.iter().find(|(word, _)| first.is(word)).map(|(_, side)| *side);
     let side = found.ok_or_else(|| argument_not_yet(name, first))?;
     let (mut register, mut plane) = (None, None);
-    while side != Compensation::Off
+    while side != CutterSide::Off
         && let Some(arg) = args.next()?
     {
         let known = AxisPlane::WORDS.iter().find(|(word, _)| arg.is(word)).map(|(_, plane)| *plane);

@@ -15,12 +15,12 @@ use super::fault::{Fault, Span};
 use super::frame::{Frame, Workpiece};
 use super::holes::Definition;
 use super::options::{ClPoint, Options};
-use super::record::{Cutter, Point, Record, Text};
+use super::record::{AxisPlane, Cutter, Point, Record, Text};
 use super::spline::Curve;
 use super::vector::near;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
-use crate::program::{Event, Feed, Location, Move, Plane, ToolCall, Units};
+use crate::program::{Compensation, Event, Feed, Location, Move, Plane, ToolCall, Units};
 
 /// What a text is for.
 #[derive(Debug, Clone, Copy)]
@@ -248,7 +248,10 @@ impl Interpreter {
             Record::Preselect(number) => self.emit(here, Event::Preselect(number)),
             Record::Spindle(spindle) => self.emit(here, Event::Spindle(spindle)),
             Record::Coolant(coolant) => self.emit(here, Event::Coolant(coolant)),
-            Record::Compensation { side, .. } => self.emit(here, Event::Compensation(side)),
+            Record::Compensation { side, register, plane } => {
+                let xy = plane.is_none_or(|plane| plane == AxisPlane::Xy);
+                self.emit(here, Event::Compensation(Compensation { side, register, xy }));
+            }
             Record::Turning(turning) => self.emit(here, Event::Turning(turning)),
             Record::Delay { dwell, at } => self.delay(dwell, at, here),
             Record::Tolerance { value, at } => self.take_tolerance(value, at, here)?,

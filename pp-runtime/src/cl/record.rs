@@ -3,7 +3,7 @@
 //! Units, modes and what a record means in its context come later, in the interpreter.
 
 pub use super::fault::Span;
-use crate::program::{Compensation, Coolant, Dwell, Spindle, Turning, Units};
+use crate::program::{Coolant, CutterSide, Dwell, Spindle, Turning, Units};
 
 /// A point, perhaps with a tool axis, in the units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -438,7 +438,7 @@ pub enum Record<'a> {
     /// `CUTCOM/LEFT|RIGHT[,n][,XYPLAN]`, `CUTCOM/ON`, `CUTCOM/OFF`.
     Compensation {
         /// Side.
-        side: Compensation,
+        side: CutterSide,
         /// Offset register.
         register: Option<u32>,
         /// Plane.

@@ -9,7 +9,7 @@ use super::record::{
     AxisPlane, Circle, CircleForm, Cycle, CycleState, FeedUnit, FrameRecord, Numbers, Point, Record, Return, Text, Tool,
 };
 use super::vector::{cross, distance};
-use crate::program::{Compensation, Coolant, Dwell, Rotation, Spindle, Turning, Units};
+use crate::program::{Coolant, CutterSide, Dwell, Rotation, Spindle, Turning, Units};
 
 /// A number as CL data has it: decimal, and with a point.
 struct Number(f64);
@@ -171,16 +171,16 @@ fn on_off(word: &str, on: bool, out: &mut Formatter<'_>) -> fmt::Result {
 }
 
 fn compensation(
-    side: Compensation,
+    side: CutterSide,
     register: Option<u32>,
     plane: Option<AxisPlane>,
     out: &mut Formatter<'_>,
 ) -> fmt::Result {
     let side = match side {
-        Compensation::Off => "OFF",
-        Compensation::On => "ON",
-        Compensation::Left => "LEFT",
-        Compensation::Right => "RIGHT",
+        CutterSide::Off => "OFF",
+        CutterSide::On => "ON",
+        CutterSide::Left => "LEFT",
+        CutterSide::Right => "RIGHT",
     };
     write!(out, "CUTCOM/{side}")?;
     if let Some(register) = register {

@@ -8,6 +8,7 @@ mod arcs;
 mod axes;
 mod cl;
 mod clearance;
+mod compensation;
 mod control;
 mod course;
 mod cycles;
@@ -33,6 +34,7 @@ use crate::program::{Clearance, Coolant, Rotation};
 
 pub use crate::program::Units;
 pub use arcs::{ArcForm, ArcOutput, Arcs};
+pub use compensation::CutterPath;
 pub use control::{ControlSetup, PathNorm, Smoothing};
 pub(crate) use course::{preference, preferences};
 pub use cycles::{CycleOutput, Cycles};
@@ -71,6 +73,8 @@ pub struct Config {
     pub arcs: Arcs,
     /// Cycles of the control.
     pub cycles: Cycles,
+    /// What the path under CUTCOM is; `None` (default): CUTCOM is refused.
+    pub compensation: Option<CutterPath>,
     /// LINTOL may be wider than that; default false.
     pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
@@ -179,6 +183,8 @@ pub struct Tool {
     pub diameter: Option<f64>,
     /// Length offset register (H); default: the tool's number or what the CL data says.
     pub offset: Option<u32>,
+    /// Register of its radius (D); default: what CUTCOM says or the tool's number.
+    pub radius_offset: Option<u32>,
     /// Spindle speed where the CL data gives none, rev/min.
     pub speed: Option<f64>,
     /// Sense of rotation where the CL data gives none.
@@ -402,6 +408,7 @@ impl Default for Config {
             axis_tolerance_path: 0.1_f64.to_radians(),
             arcs: Arcs::default(),
             cycles: Cycles::default(),
+            compensation: None,
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],

@@ -233,6 +233,11 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Threads with the spindle under control of its angle, where that has a code of its own (M29 of Fanuc).
 #rigid = {rigid}
 
+# Cutter compensation by the control (CUTCOM: G41, G42, RL, RR). Without `path` CUTCOM is refused.
+[compensation]
+# What the CL data under CUTCOM is: "centre" (D holds wear only), or "contour" (D holds the radius).
+# e.g. path = "centre"
+
 [feed]
 # Blocks in which an axis would be faster than its speed run longer.
 #keep_speeds = {keep_speeds}
@@ -251,10 +256,10 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. lower = [-50.0, -40.0, -30.0]
 # e.g. upper = [50.0, 40.0, 0.0]
 
-# Tools by number. `length` is from the gauge line to the tip, `offset` the length register where it is not the
-# tool's number; `speed`, `direction` and `coolant` as in [defaults].
+# Tools by number. `length` is from the gauge line to the tip, `offset` and `radius_offset` the registers of
+# length and radius where they are not the tool's number; `speed`, `direction` and `coolant` as in [defaults].
 [tools]
-# e.g. 12 = {{ length = 148.32, diameter = 10.0, offset = 12, name = "ball 10", left_handed = false, speed = 8000, direction = "CLW", coolant = "flood", cl_point = "tip" }}
+# e.g. 12 = {{ length = 148.32, diameter = 10.0, offset = 12, radius_offset = 12, name = "ball 10", left_handed = false, speed = 8000, direction = "CLW", coolant = "flood", cl_point = "tip" }}
 
 # Decimals of the words; significant digits for inverse-time feed.
 [formats]

@@ -82,8 +82,19 @@ impl Config {
         set(&mut r.units, named);
         self.read_top(r, &mut top);
         let sections = [
-            "defaults", "course", "retract", "approach", "arcs", "cycles", "feed", "formats", "program", "control",
-            "cl", "stock",
+            "defaults",
+            "course",
+            "retract",
+            "approach",
+            "arcs",
+            "cycles",
+            "compensation",
+            "feed",
+            "formats",
+            "program",
+            "control",
+            "cl",
+            "stock",
         ]
         .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
@@ -110,6 +121,7 @@ impl Config {
                 }
                 "arcs" => self.read_arcs(r, &mut section),
                 "cycles" => self.read_cycles(r, &mut section),
+                "compensation" => self.read_compensation(r, &mut section),
                 "feed" => self.read_feed(r, &mut section),
                 "formats" => self.read_formats(r, &mut section),
                 "control" => self.read_control::<M>(r, &mut section),
@@ -404,6 +416,9 @@ fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> (Tool, Option
     }
     if let Some(value) = section.get("offset") {
         tool.offset = r.whole(value, 1..=LARGEST_TOOL);
+    }
+    if let Some(value) = section.get("radius_offset") {
+        tool.radius_offset = r.whole(value, 1..=LARGEST_TOOL);
     }
     if let Some(value) = section.get("speed") {
         tool.speed = r.number(value, Quantity::Plain, Bound::Positive);

@@ -35,6 +35,8 @@ pub(super) struct Belief {
     pub(super) feed_mode: &'static str,
     /// The path is not compensated.
     pub(super) centre: bool,
+    /// The cutter runs left of its path, or right.
+    pub(super) beside: Option<bool>,
     pub(super) length: LengthState,
     /// Speed of the spindle, where it stands in blocks of its own.
     pub(super) speed: Option<Decimal>,

@@ -51,6 +51,8 @@ pub struct Encoder<'a, W: Write> {
     /// The cycle in force.
     cycling: Option<Cycle>,
     rigid: bool,
+    /// The cutter is to run left of its path, or right.
+    beside: Option<bool>,
     line: Vec<u8>,
 }
 
@@ -150,6 +152,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             belief: Belief::default(),
             cycling: None,
             rigid: layout.rigid,
+            beside: None,
             line: Vec::with_capacity(256),
         }
     }
@@ -369,6 +372,7 @@ impl<'a, W: Write> Encoder<'a, W> {
         let along = self.along_vector(words);
         self.motion(along.map_or(self.codes.feed, |(code, _)| code));
         self.call_length(words)?;
+        self.side_code();
         self.axis_words(words, false);
         self.centre_word(along.is_some());
         match feed {
@@ -381,8 +385,28 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.writer.end()
     }
 
-    /// The path is not compensated; `implied`: the motion code says so for its block.
+    /// Left or right of the path, or on it again: in front of the words, where nothing stands behind them.
+    fn side_code(&mut self) {
+        if self.codes.centre.is_empty() {
+            self.changed_side();
+        }
+    }
+
+    fn changed_side(&mut self) {
+        if self.belief.beside != self.beside {
+            let index = self.beside.map_or(2, |left| usize::from(!left));
+            let code = fill(self.codes.beside[index], |field| self.values.get(field)).unwrap_or_default();
+            self.writer.code(&code);
+            self.belief.beside = self.beside;
+            self.belief.centre = self.beside.is_none();
+        }
+    }
+
+    /// On which side of the path, where that stands behind the words; `implied`: the motion code says that it is on it.
     fn centre_word(&mut self, implied: bool) {
+        if self.beside.is_some() || self.belief.beside.is_some() {
+            return self.changed_side();
+        }
         if !implied && self.writes(!self.belief.centre) {
             self.writer.code(self.codes.centre);
         }
@@ -509,6 +533,11 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 }
                 self.belief.length = LengthState::Wanted(offset);
                 if codes.length.call == LengthCall::Alone { self.call_length(&Words::default()) } else { Ok(()) }
+            }
+            Step::Beside { left, register } => {
+                self.beside = left;
+                self.values.radius = Some(register);
+                Ok(())
             }
             Step::TipControl { on } => self.tip_control(on),
             Step::Plane { angles, pose } => self.tilt(angles, pose),

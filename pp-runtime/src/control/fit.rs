@@ -96,6 +96,7 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
         path_norm: config.control.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
         cycles: codes.cycles.as_ref().map_or_else(CycleAbilities::default, |cycles| cycles.can),
+        radius_registers: codes.beside[1].contains("{radius}"),
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
         arc_radius_tolerance: codes.arcs.radius_tolerance,
         tip: tip_ability(control, config),

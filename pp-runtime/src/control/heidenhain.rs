@@ -154,6 +154,7 @@ static SPELLINGS: Spellings = Spellings {
     }),
     motion_modal: false,
     centre: "R0",
+    beside: ["RL", "RR", "R0"],
     machine: ["L", "R0 FMAX M91"],
     tool_change: &["TOOL CALL {tool} Z S{speed}", "TOOL DEF {next}"],
     preselect: true,

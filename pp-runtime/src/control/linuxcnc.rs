@@ -66,6 +66,7 @@ static SPELLINGS: Spellings = Spellings {
     }),
     motion_modal: true,
     centre: "",
+    beside: ["G41 D{radius}", "G42 D{radius}", "G40"],
     machine: ["G53 G0", ""],
     tool_change: &["T{tool} M6", "T{next}"],
     preselect: false,

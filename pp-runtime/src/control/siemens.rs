@@ -98,6 +98,7 @@ static SPELLINGS: Spellings = Spellings {
     }),
     motion_modal: true,
     centre: "",
+    beside: ["G41", "G42", "G40"],
     machine: ["SUPA G0", "D0"],
     tool_change: &["T{tool}", "M6", "T{next}"],
     preselect: true,

@@ -64,6 +64,8 @@ pub struct Spellings {
     pub motion_modal: bool,
     /// Path without compensation of the radius, behind the axis words; stays in force.
     pub centre: &'static str,
+    /// Cutter left and right of its path, as templates, and on it again.
+    pub beside: [&'static str; 3],
     /// Around the words of a rapid in machine coordinates.
     pub machine: [&'static str; 2],
     /// Tool call, and the tool after it.

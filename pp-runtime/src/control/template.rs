@@ -24,6 +24,8 @@ pub enum Field {
     Next,
     /// Length offset of the tool.
     Offset,
+    /// Register of the radius.
+    Radius,
     /// Spindle speed, rev/min.
     Speed,
     /// A time in seconds.
@@ -110,7 +112,7 @@ pub const OF_CYCLE: &[Field] = &[
 ];
 
 impl Field {
-    const ALL: [Self; 32] = [
+    const ALL: [Self; 33] = [
         Self::Name,
         Self::Number,
         Self::Units,
@@ -119,6 +121,7 @@ impl Field {
         Self::Tool,
         Self::Next,
         Self::Offset,
+        Self::Radius,
         Self::Speed,
         Self::Seconds,
         Self::Milliseconds,
@@ -157,6 +160,7 @@ impl Field {
             Self::Tool => "tool",
             Self::Next => "next",
             Self::Offset => "offset",
+            Self::Radius => "radius",
             Self::Speed => "speed",
             Self::Seconds => "seconds",
             Self::Milliseconds => "milliseconds",

@@ -12,6 +12,7 @@ mod circle;
 mod clamps;
 mod clearance;
 mod course;
+mod cutter;
 mod expand;
 mod fault;
 mod feed;

@@ -11,13 +11,12 @@ use std::ops::RangeInclusive;
 use crate::config::{Config, PathNorm, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
-use crate::program::{
-    Clearance, Compensation, Coolant, Dwell, Event, Location, Move, Rotation, Spindle, ToolCall, Turning,
-};
+use crate::program::{Clearance, Coolant, Dwell, Event, Location, Move, Rotation, Spindle, ToolCall, Turning};
 
 use super::arcs::Chorded;
 use super::clamps::Clamps;
 use super::course::{Course, Target, Towards};
+use super::cutter::Cutter;
 use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
@@ -83,6 +82,8 @@ pub struct Abilities {
     pub feed_per_inch: f64,
     /// Cycles that it has.
     pub cycles: CycleAbilities,
+    /// Registers of radii are one list for all tools.
+    pub radius_registers: bool,
     /// Arcs are possible in the plane square to X, to Y and to Z.
     pub arc_planes: [bool; 3],
     /// By how much the distances of the ends of an arc from its centre may differ, mm.
@@ -254,6 +255,7 @@ pub struct Planner<'a, M: Machine> {
     pub(super) times: Times,
     pub(super) selection: Selection,
     pub(super) clamps: Clamps,
+    pub(super) cutter: Cutter,
 }
 
 impl<'a, M: Machine> Planner<'a, M> {
@@ -306,6 +308,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             times: Times::default(),
             selection: Selection::default(),
             clamps,
+            cutter: Cutter::default(),
         }
     }
 
@@ -406,11 +409,15 @@ impl<'a, M: Machine> Planner<'a, M> {
     #[cold]
     fn expanded(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
         let mut expander = std::mem::take(&mut self.expander);
-        let done = expander.event(at, event, &mut |at, event| match event {
-            Event::Move(motion) => self.motion(at, motion, sink),
-            Event::Arc(arc) => self.arc(at, arc, sink),
-            Event::Hole(hole) => self.hole(at, hole, sink),
-            event => self.other(at, event, sink),
+        let bears = self.bears_cutter(at, event);
+        let done = bears.and_then(|()| {
+            expander.event(at, event, &mut |at, event| match event {
+                Event::Move(motion) => self.motion(at, motion, sink),
+                Event::Arc(arc) if self.cutter.idle() => self.arc(at, arc, sink),
+                Event::Arc(arc) => self.beside_arc(at, arc, sink),
+                Event::Hole(hole) => self.hole(at, hole, sink),
+                event => self.other(at, event, sink),
+            })
         });
         self.warnings.append(&mut expander.take_warnings());
         self.tolerance.tip = expander.chord_tolerance();
@@ -428,6 +435,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             sink.show(true);
             return self.park(at, sink);
         }
+        self.ends_cutter(at)?;
         self.end(at, sink)
     }
 
@@ -454,7 +462,11 @@ impl<'a, M: Machine> Planner<'a, M> {
             return self.first(at, motion, number, sink);
         }
         self.settle(Some(motion), sink)?;
-        if self.selection.over { Ok(()) } else { self.run(at, motion, number, sink) }
+        match self.selection.over {
+            true => Ok(()),
+            false if self.cutter.idle() => self.run(at, motion, number, sink),
+            false => self.beside_path(at, motion, number, sink),
+        }
     }
 
     /// The first motion of an operation waits for the next.
@@ -567,14 +579,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             Event::Frame(number) => self.change_frame(at, number, sink)?,
             Event::Home => self.go_home(at, sink)?,
             Event::ClearancePlane(plane) => self.clearance = Some(Clearance::Plane(plane)),
-            Event::Compensation(Compensation::Off) => {}
-            Event::Compensation(_) => {
-                return Err(stop(
-                    at,
-                    Fault::new("CUTCOM asks for cutter compensation by the control, which is not written yet")
-                        .help("have the CAM system compute the path of the tool's centre, without CUTCOM"),
-                ));
-            }
+            Event::Compensation(asked) => self.set_cutter(at, &asked)?,
             Event::Turning(turning) => {
                 self.towards = self.placer.towards(turning);
                 if self.towards.is_none() && turning != Turning::Shortest {

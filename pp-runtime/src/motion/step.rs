@@ -67,6 +67,13 @@ pub enum Step<'a> {
         /// The cycle.
         cycle: &'a Cycle,
     },
+    /// From the next feed block on the cutter runs beside its path.
+    Beside {
+        /// Left of the words as they are written, else right; `None`: on it again.
+        left: Option<bool>,
+        /// Register of the radius.
+        register: u32,
+    },
     /// Rapid; words that do not change are left out.
     Rapid {
         /// Where to.

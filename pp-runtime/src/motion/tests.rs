@@ -9,7 +9,7 @@ use crate::control::{Control, Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
 use crate::program::{
-    Compensation, Coolant, Dwell, Event, Feed, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
+    Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
 };
 
 /// What came out of a run.
@@ -1300,11 +1300,14 @@ fn nc_text_that_is_not_ascii_is_refused() {
 }
 
 #[test]
-fn cutter_compensation_is_refused() {
+fn cutter_compensation_is_refused_until_it_is_said_what_d_holds() {
     let before = [tool(1), spindle(), feed([0.0; 3], UP)];
     let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
-    assert!(with(Event::Compensation(Compensation::Left)).error().text.contains("CUTCOM"));
-    assert_eq!(with(Event::Compensation(Compensation::Off)).diagnostics, []);
+    let asked = |side| with(Event::Compensation(Compensation { side, register: None, xy: true }));
+    let refused = asked(CutterSide::Left);
+    assert!(refused.error().text.contains("CUTCOM"));
+    assert!(refused.error().help.as_ref().is_some_and(|help| help.contains("[compensation] path")));
+    assert_eq!(asked(CutterSide::Off).diagnostics, []);
 }
 
 #[test]

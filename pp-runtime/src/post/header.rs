@@ -3,7 +3,9 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, LengthMode, Mode, ProgramZero, Stock, TcpFrame, ToolPosture, Units, Wrap, part_angles};
+use crate::config::{
+    Config, CutterPath, LengthMode, Mode, ProgramZero, Stock, TcpFrame, ToolPosture, Units, Wrap, part_angles,
+};
 use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
@@ -219,6 +221,10 @@ impl<M: Machine> Header<'_, M> {
             format!("ARCS AND CURVES left by at most {}", self.length(config.tolerance)),
         ];
         lines.extend(set_up(config, self.survey));
+        lines.extend(config.compensation.map(|path| match path {
+            CutterPath::Centre => "CUTTER COMPENSATION of the path of the tool's centre: D holds wear only".to_owned(),
+            CutterPath::Contour => "CUTTER COMPENSATION of the contour: D holds the radius".to_owned(),
+        }));
         lines.extend(reading(config, self.survey));
         let turns = rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some();
         let kept = (turns && config.mode != Mode::Plane).then(|| {

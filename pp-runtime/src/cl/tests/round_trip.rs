@@ -2,7 +2,7 @@
 
 use crate::cl::record::*;
 use crate::cl::{Record, comment, parse};
-use crate::program::{Compensation, Coolant, Dwell, Rotation, Spindle, Turning, Units};
+use crate::program::{Coolant, CutterSide, Dwell, Rotation, Spindle, Turning, Units};
 use proptest::prelude::*;
 
 fn number() -> impl Strategy<Value = f64> {
@@ -107,7 +107,7 @@ fn tool() -> impl Strategy<Value = Tool> {
 
 fn compensation() -> impl Strategy<Value = Record<'static>> {
     let plane = prop::option::of(prop::sample::select(AxisPlane::WORDS.map(|(_, plane)| plane).to_vec()));
-    let side = prop::sample::select(vec![Compensation::On, Compensation::Left, Compensation::Right]);
+    let side = prop::sample::select(vec![CutterSide::On, CutterSide::Left, CutterSide::Right]);
     (side, prop::option::of(0..1000_u32), plane).prop_map(|(side, register, plane)| Record::Compensation {
         side,
         register,
@@ -177,7 +177,7 @@ fn states() -> BoxedStrategy<Record<'static>> {
         Record::Turning(Turning::Shortest),
         Record::Turning(Turning::Next(Rotation::Clockwise)),
         Record::Turning(Turning::Next(Rotation::CounterClockwise)),
-        Record::Compensation { side: Compensation::Off, register: None, plane: None },
+        Record::Compensation { side: CutterSide::Off, register: None, plane: None },
     ];
     prop_oneof![
         prop::sample::select(plain.to_vec()),
