@@ -36,6 +36,7 @@ pub(crate) mod machines;
 mod tests;
 
 pub use clamps::{Moving, Nowhere};
+pub(crate) use clearance::way_out;
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use planner::{Abilities, Planner, Registers, Statistics, Stop};

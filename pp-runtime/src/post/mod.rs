@@ -23,7 +23,7 @@ use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
 use crate::program::Location;
 
-use setting::Setting;
+pub(crate) use setting::Setting;
 use survey::Survey;
 
 /// What is to be posted, and how.

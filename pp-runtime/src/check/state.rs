@@ -1,0 +1,149 @@
+//! The state in which a block moves, beside the one that it should move in.
+
+use std::io::Read;
+
+use super::compare::{Checker, Phase};
+use super::expect::Wanted;
+use super::read::{Block, Family, FeedMode, Length, Side, State, TipControl, WorkPlane};
+use super::report::Shown;
+use crate::config::LengthMode;
+use crate::kinematics::Machine;
+use crate::program::Rotation;
+
+impl<M: Machine, R: Read> Checker<'_, M, R> {
+    /// At the part, on the path of the CL data.
+    pub(super) fn state_at_path(&mut self, block: &Block, wanted: &Wanted, shown: Shown<'_>) {
+        let state = &block.state;
+        let found = self
+            .everywhere(state, wanted.side)
+            .or_else(|| self.tool(state, wanted, true))
+            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
+            .or_else(|| coolant(state, wanted.coolant));
+        self.say(found, shown);
+    }
+
+    /// On the way to the approach point; `last`: down to it.
+    pub(super) fn state_at_approach(&mut self, block: &Block, last: bool, shown: Shown<'_>) {
+        let Some(wanted) = self.expect.get(0).map(|item| item.wanted) else { return };
+        let state = &block.state;
+        let moves_z = matches!(self.family, Family::Fanuc | Family::Haas);
+        let found = self
+            .everywhere(state, Side::None)
+            .or_else(|| self.tool(state, &wanted, last || !moves_z))
+            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
+            .or_else(|| if self.rewound.is_some() { None } else { coolant(state, 0) });
+        self.say(found, shown);
+    }
+
+    /// Out along the tool axis.
+    pub(super) fn state_at_leave(&mut self, block: &Block, dry: bool, shown: Shown<'_>) {
+        let state = &block.state;
+        let wanted = self.last.map(|(_, wanted)| wanted);
+        let found = self
+            .everywhere(state, Side::None)
+            .or_else(|| wanted.and_then(|wanted| self.tool(state, &wanted, true)))
+            .or_else(|| if dry { coolant(state, 0) } else { None });
+        self.say(found, shown);
+    }
+
+    /// In machine coordinates.
+    pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, shown: Shown<'_>) {
+        let state = &block.state;
+        let found = self.everywhere(state, Side::None).or_else(|| if dry { coolant(state, 0) } else { None });
+        self.say(found, shown);
+    }
+
+    /// Rotary axes to their parking places.
+    pub(super) fn state_at_park(&mut self, block: &Block, shown: Shown<'_>) {
+        let state = &block.state;
+        let found = self.everywhere(state, Side::None).or_else(|| spindle(state, None)).or_else(|| coolant(state, 0));
+        self.say(found, shown);
+    }
+
+    /// At the end code.
+    pub(super) fn state_at_end(&mut self, block: &Block, shown: Shown<'_>) {
+        let found = spindle(&block.state, None).or_else(|| coolant(&block.state, 0));
+        self.say(found, shown);
+    }
+
+    fn say(&mut self, found: Option<String>, shown: Shown<'_>) {
+        if let Some(text) = found {
+            self.found(shown, &text);
+        }
+    }
+
+    /// What holds for every block that moves.
+    fn everywhere(&self, state: &State, side: Side) -> Option<String> {
+        if state.units != Some(self.units) {
+            return Some(format!("lengths are not in {} here", self.units.name()));
+        }
+        if state.incremental != Some(false) {
+            return Some("words are distances here, or nobody has said that they are places".to_owned());
+        }
+        // Heidenhain says the plane with the tool.
+        let unsaid = self.family == Family::Heidenhain && state.plane.is_none() && self.phase == Phase::Unknown;
+        if state.plane != Some(WorkPlane::Xy) && !unsaid {
+            return Some("the plane is not that of X and Y".to_owned());
+        }
+        if state.side.unwrap_or_default() != side {
+            return Some(format!("cutter compensation is {:?} here, the CL data asks for {side:?}", state.side));
+        }
+        if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
+            return Some("F does not count a minute here".to_owned());
+        }
+        if state.tip_control != TipControl::Off {
+            return Some("tip control is on, and the words are axis positions".to_owned());
+        }
+        if state.tilt.is_some() {
+            return Some("a tilted plane is on, and the words are axis positions".to_owned());
+        }
+        None
+    }
+
+    fn tool(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {
+        if state.tool != wanted.tool {
+            let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
+            return Some(format!("{} is in the spindle, it is to be {}", name(state.tool), name(wanted.tool)));
+        }
+        let offset = self.offsets.iter().find(|(frame, _)| *frame == wanted.frame).map(|(_, offset)| *offset);
+        if state.work_offset != offset {
+            return Some(format!("the work offset is {:?}, it is to be {offset:?}", state.work_offset));
+        }
+        if !length {
+            return None;
+        }
+        let register = match (self.config.length_mode, wanted.tool) {
+            (LengthMode::Gauge, _) => Length::Off,
+            (LengthMode::Tip, Some(_)) => Length::Register(wanted.register),
+            (LengthMode::Tip, None) => return None,
+        };
+        if state.length.unwrap_or(Length::Off) != register {
+            return Some(format!("the length compensation is {:?}, it is to be {register:?}", state.length));
+        }
+        None
+    }
+}
+
+fn spindle(state: &State, wanted: Option<(f64, Rotation)>) -> Option<String> {
+    let turns = state.spindle.flatten();
+    match wanted {
+        None => turns.map(|_| "the spindle turns, and it is to stand".to_owned()),
+        Some((_, sense)) if turns != Some(sense) => Some(match turns {
+            None => "the spindle stands, and it is to turn".to_owned(),
+            Some(_) => "the spindle turns the other way round".to_owned(),
+        }),
+        Some((speed, _)) => match state.speed {
+            Some(written) if (written - speed).abs() <= 1e-6 * speed => None,
+            written => Some(format!("S is {written:?}, it is to be {speed}")),
+        },
+    }
+}
+
+fn coolant(state: &State, wanted: u8) -> Option<String> {
+    match state.coolant {
+        Some(bits) if bits == wanted => None,
+        Some(_) if wanted == 0 => Some("coolant is on, and it is to be off".to_owned()),
+        None => Some("nobody has said whether coolant is on".to_owned()),
+        Some(_) => Some("coolant is not what the CL data asks for".to_owned()),
+    }
+}
