@@ -95,6 +95,8 @@ impl Tally {
         let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN)]);
         let text = format!("{text}; line {} of the program is `{block}`", shown.line);
         self.outcome.count += 1;
+        // In front of everything that the CL data asks for.
+        let at = if at == Location::default() { Location { line: 1, column: 1 } } else { at };
         self.remarks.add(Diagnostic {
             severity: Severity::Error,
             location: at,

@@ -131,7 +131,7 @@ impl<'a> Checking<'a> {
     }
 
     /// Writes comments in the place of the end.
-    pub(super) fn close_with(mut self, comments: &[Vec<u8>]) -> io::Result<()> {
+    pub(super) fn close_with(self, comments: &[Vec<u8>]) -> io::Result<()> {
         let kept = self.without_end();
         self.out.write_all(&self.held[..kept])?;
         for comment in comments {
