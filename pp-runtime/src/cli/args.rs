@@ -8,7 +8,7 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
-use crate::config::{AXIS_TOLERANCE, Config, Operations, TOLERANCE, Units, preference, preferences};
+use crate::config::{AXIS_TOLERANCE, Config, Mode, Operations, TOLERANCE, Units, preference, preferences};
 use crate::control::{self, CONTROLS, Control};
 use crate::kinematics::{Branch, Machine};
 
@@ -163,6 +163,9 @@ pub(super) struct SetUpArgs {
     /// Angle to the pole within which the tool axis is put there, degrees
     #[arg(long, value_name = "DEGREES", value_parser = pole_tolerance)]
     pub(super) axis_tolerance: Option<f64>,
+    /// What the words of a motion say: axis values, tip coordinates, or coordinates in a tilted plane
+    #[arg(long, value_name = "MODE", value_parser = PossibleValuesParser::new(Mode::NAMES.map(|(name, _)| name)))]
+    pub(super) mode: Option<String>,
     /// Dry run: move every point out along the tool axis by so many mm, with the spindle off
     #[arg(long, value_name = "MM", value_parser = lift)]
     pub(super) lift: Option<f64>,
@@ -214,6 +217,11 @@ impl SetUpArgs {
             config.prefer = Some(preference::<M>(text).ok_or_else(help)?);
         }
         config.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
+        let named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);
+        if let Some(mode) = self.mode.as_ref().and_then(named) {
+            config.mode = mode;
+            config.given.insert("mode");
+        }
         config.lift = self.lift.or(config.lift);
         config.greedy |= self.greedy;
         config.axis_tolerance = self.axis_tolerance.unwrap_or(config.axis_tolerance);

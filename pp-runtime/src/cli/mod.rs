@@ -277,7 +277,8 @@ fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Res
         }
     };
     args.apply::<M>(&mut config).map_err(Failure::Argument)?;
-    let unfit = control::check(control, &config);
+    let mut unfit = control::check(control, &config);
+    unfit.append(&mut control::unsuited::<M>(control, &config));
     if !unfit.is_empty() {
         return Err(Failure::Argument(unfit.join("\n")));
     }

@@ -60,6 +60,10 @@ pub struct ControlSetup {
     pub path_norm: Option<PathNorm>,
     /// Whole numbers end with a point; default as usual on the control.
     pub point: Option<bool>,
+    /// Codes that switch tip control on and off; default those of the control.
+    pub tip_control: Option<[String; 2]>,
+    /// Name of the swivel data of CYCLE800; default none: there is only one.
+    pub swivel_data: Option<String>,
     /// Every word in every block; default false.
     pub every_word: bool,
     /// Names of axes on the control; default their letters.
@@ -112,6 +116,12 @@ impl Config {
         if let Some(value) = self.get(section, "control.point") {
             self.control.point = r.boolean(value);
         }
+        if let Some(value) = self.get(section, "control.tip_control") {
+            self.control.tip_control = two_codes(r, value);
+        }
+        if let Some(value) = self.get(section, "control.swivel_data") {
+            self.control.swivel_data = r.line(value);
+        }
         if let Some(value) = self.get(section, "control.every_word") {
             set(&mut self.control.every_word, r.boolean(value));
         }
@@ -132,16 +142,19 @@ impl Config {
                 r.fault(span, format!("`{key}` is no kind of coolant"), Some(help));
                 continue;
             };
-            let codes: Vec<String> =
-                r.list(value).unwrap_or_default().into_iter().filter_map(|code| r.line(code)).collect();
-            match <[String; 2]>::try_from(codes) {
-                Ok(codes) if codes.iter().all(|code| !code.trim().is_empty()) => {
-                    self.control.coolant[kind] = Some(codes);
-                }
-                _ => r.fault(value.span(), "two codes are needed here: [on, off]", None),
-            }
+            self.control.coolant[kind] = two_codes(r, value);
         }
     }
+}
+
+/// `["M88", "M89"]`.
+fn two_codes(r: &mut Reader<'_>, value: Value<'_>) -> Option<[String; 2]> {
+    let codes: Vec<String> = r.list(value).unwrap_or_default().into_iter().filter_map(|code| r.line(code)).collect();
+    let codes = <[String; 2]>::try_from(codes).ok().filter(|codes| codes.iter().all(|code| !code.trim().is_empty()));
+    if codes.is_none() {
+        r.fault(value.span(), "two codes are needed here: [on, off]", None);
+    }
+    codes
 }
 
 /// Blocks with named fields.

@@ -10,6 +10,7 @@ mod clearance;
 mod control;
 mod course;
 mod machine;
+mod mode;
 mod print;
 mod read;
 #[cfg(test)]
@@ -31,6 +32,7 @@ pub use crate::program::Units;
 pub use control::{ControlSetup, PathNorm, Smoothing};
 pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
+pub use mode::{Mode, TcpFrame, TcpWords, ToolPosture};
 pub use print::print;
 use read::WORK_OFFSETS;
 pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
@@ -76,6 +78,16 @@ pub struct Config {
     pub lift: Option<f64>,
     /// What linear words say of the tool; default [`LengthMode::Tip`].
     pub length_mode: LengthMode,
+    /// What the words of a motion say; default [`Mode::Axes`].
+    pub mode: Mode,
+    /// The frame of tip coordinates in mode `tcp`; default none: where a control has only one, that one.
+    pub tcp_frame: Option<TcpFrame>,
+    /// How blocks say where the tool axis goes in mode `tcp`; default [`TcpWords::Angles`].
+    pub tcp_words: TcpWords,
+    /// How the control moves the tool axis in mode `tcp`; default [`ToolPosture::Axes`].
+    pub tool_posture: ToolPosture,
+    /// The control knows held axes and linear axes between rotary ones in mode `tcp`; default false.
+    pub tcp_confirmed: bool,
     /// Codes of the clamps of rotary axes; default none.
     pub clamp: BTreeMap<char, ClampCodes>,
     /// The posted length is compared at the tool call, where the control can; default `None`: where a rotary axis in the
@@ -373,6 +385,11 @@ impl Default for Config {
             rotary_offset: BTreeMap::new(),
             program_zero: ProgramZero::Part,
             length_mode: LengthMode::Tip,
+            mode: Mode::Axes,
+            tcp_frame: None,
+            tcp_words: TcpWords::Angles,
+            tool_posture: ToolPosture::Axes,
+            tcp_confirmed: false,
             clamp: BTreeMap::new(),
             length_guard: None,
             length_tolerance: 0.01,

@@ -60,6 +60,18 @@ units = "mm"
 # Linear words say where the "tip" is with all rotary axes at zero and the length offset active, or where the "gauge" line
 # is, without length offset.
 #length_mode = "tip"
+# What the words of a motion say: where every one of the "axes" goes (works on any control), where the tip goes while the
+# control keeps it there ("tcp"), or where it goes in a tilted "plane" (3+2).
+#mode = "{mode}"
+# The frame of tip coordinates where a table turns under them: fixed to the table as it stands at zero ("table_at_zero"),
+# or where tip control begins ("table_at_start"), or standing still ("not_turning"). Fanuc: parameter 19696#5.
+# e.g. tcp_frame = "table_at_zero"
+# Blocks of mode "tcp" hold the "angles" of the rotary axes, or the tool axis as "vectors" and the control chooses the angles.
+#tcp_words = "angles"
+# How the control moves the tool axis in mode "tcp": rotary "axes" evenly, or in the "plane" of its ends.
+#tool_posture = "axes"
+# In mode "tcp" the control knows held axes and linear axes between rotary ones.
+#tcp_confirmed = {tcp_confirmed}
 # Compare the posted length of a tool with the control's tool table at the tool call, where the control can. Without it
 # where a rotary axis in the head makes the length matter.
 # e.g. length_guard = true
@@ -101,6 +113,8 @@ units = "mm"
 #table_check = {table_check}
 "#,
         name = M::NAME,
+        mode = config.mode.name(),
+        tcp_confirmed = config.tcp_confirmed,
         length_tolerance = number(config.length_tolerance),
         work_offset = config.work_offset,
         rotary_offset = axes::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held),
@@ -254,6 +268,10 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. path_norm = "xyz+deg"
 # Whole numbers end with a point.
 # e.g. point = true
+# Codes that switch tip control on and off, in mode "tcp".
+# e.g. tip_control = ["M428", "M429"]
+# Name of the swivel data of CYCLE800.
+# e.g. swivel_data = "TABLE"
 # Every word in every block.
 #every_word = {every_word}
 # Names of axes where they are not their letters.

@@ -163,6 +163,7 @@ impl Config {
         if let Some(value) = self.get(top, "length_mode") {
             set(&mut self.length_mode, r.choice(value, &set_up::LENGTH_MODES));
         }
+        self.read_mode(r, top);
         if let Some(value) = self.get(top, "length_guard") {
             self.length_guard = r.boolean(value);
         }

@@ -194,8 +194,16 @@ fn the_clearance_geometry_is_a_plane_a_box_or_a_cylinder() {
 }
 
 #[test]
-fn a_key_of_a_later_version_is_not_supported_yet() {
-    assert_eq!(faults("mode = 'tcp'\n"), ["1:1: `mode` is not supported yet"]);
+fn modes_frames_and_postures_are_read() {
+    let text = "mode = 'tcp'\ntcp_frame = 'not_turning'\ntool_posture = 'plane'\ntcp_confirmed = true\n\
+                [control]\ntip_control = ['M428', 'M429']\nswivel_data = 'TABLE'\n";
+    let config = read(text);
+    assert_eq!((config.mode, config.tcp_frame), (super::Mode::Tcp, Some(super::TcpFrame::NotTurning)));
+    assert_eq!((config.tool_posture, config.tcp_confirmed), (super::ToolPosture::Plane, true));
+    assert_eq!(config.control.tip_control, Some(["M428".to_owned(), "M429".to_owned()]));
+    assert_eq!(config.control.swivel_data.as_deref(), Some("TABLE"));
+    assert_eq!(faults("mode = 'tpc'\n").len(), 1);
+    assert_eq!(faults("[control]\ntip_control = ['M428']\n").len(), 1);
 }
 
 #[test]

@@ -17,9 +17,6 @@ pub(super) type Value<'a> = &'a Spanned<DeValue<'a>>;
 /// Longest length that is taken for one, mm. A typing error, or inches in place of millimetres, shows up here.
 const LONGEST_MM: f64 = 1e5;
 
-/// Keys that the file will know one day; refusing them by name is kinder than "unknown".
-const LATER: [&str; 1] = ["mode"];
-
 /// Which numbers make sense.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Bound {
@@ -264,9 +261,7 @@ impl<'a> Section<'a> {
             }
             let dot = if self.name.is_empty() { "" } else { "." };
             let path = format!("{}{dot}{name}", self.name);
-            if LATER.contains(&name) {
-                reader.fault(span, format!("`{path}` is not supported yet"), None);
-            } else if reader.top.contains(&name) {
+            if reader.top.contains(&name) {
                 let help = format!("`{name}` belongs above the first [header] of the file");
                 reader.fault(span, format!("unknown key `{path}`"), Some(help));
             } else if let Some(near) = nearest(name, self.known.iter().copied()) {

@@ -26,6 +26,8 @@ pub(super) enum LengthState {
 pub(super) struct Belief {
     /// Words of the axes by position in the chain.
     axes: [Option<i64>; MAX_AXES],
+    /// Components of the tool axis.
+    vector: Option<[i64; 3]>,
     feed: Option<Decimal>,
     /// Motion code.
     pub(super) motion: &'static str,
@@ -56,6 +58,7 @@ impl Belief {
     /// Every axis may stand anywhere.
     pub(super) fn forget_axes(&mut self) {
         self.axes = [None; MAX_AXES];
+        self.vector = None;
     }
 
     /// The next F has to be written.
@@ -72,6 +75,17 @@ impl Belief {
     #[inline]
     pub(super) fn set_axis(&mut self, axis: usize, units: i64) {
         self.axes[axis] = Some(units);
+    }
+
+    /// A block would write another tool axis.
+    #[inline]
+    pub(super) fn vector_changes(&self, vector: Option<[i64; 3]>) -> bool {
+        vector.is_some() && self.vector != vector
+    }
+
+    /// Takes over a tool axis.
+    pub(super) fn set_vector(&mut self, vector: [i64; 3]) {
+        self.vector = Some(vector);
     }
 
     /// Takes over an F; true if another was in force.

@@ -2,15 +2,15 @@
 
 use std::io::{self, Write};
 
-use crate::config::{ControlSetup, Program, Smoothing, Units};
-use crate::motion::{Feed, Sink, Step, Words};
+use crate::config::{ControlSetup, Mode, Program, Smoothing, ToolPosture, Units};
+use crate::motion::{Feed, PoseRule, Sink, Step, VECTOR_DECIMALS, Words};
 use crate::nc::{Decimal, Numbering, Numerals, Writer, write_number};
 use crate::program::{Coolant, Rotation};
 
 use super::belief::{Belief, LengthState};
 use super::spellings::coolant_index;
 use super::template::{Field, fill};
-use super::{Control, Layout, LengthCall, Spellings};
+use super::{Control, Layout, LengthCall, Spellings, Vectors};
 
 /// What the words of an axis look like.
 #[derive(Debug, Clone)]
@@ -37,6 +37,10 @@ struct Values {
     offset: Option<u32>,
     speed: Option<Decimal>,
     seconds: Option<f64>,
+    posture: &'static str,
+    plane: [Decimal; 3],
+    pose: &'static str,
+    swivel_data: String,
     numerals: Numerals,
 }
 
@@ -65,6 +69,12 @@ impl Values {
             Field::Offset => whole(self.offset),
             Field::Speed => self.speed.map(|speed| text(speed, Numerals::default())),
             Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), plain)),
+            Field::Posture => Some(self.posture.to_owned()),
+            Field::First => Some(text(self.plane[0], self.numerals)),
+            Field::Second => Some(text(self.plane[1], self.numerals)),
+            Field::Third => Some(text(self.plane[2], self.numerals)),
+            Field::Pose => Some(self.pose.to_owned()),
+            Field::SwivelData => Some(self.swivel_data.clone()),
             Field::Milliseconds => self.seconds.map(|seconds| text(decimal(seconds * 1e3, 0), Numerals::default())),
         }
     }
@@ -80,6 +90,9 @@ pub struct Encoder<'a, W: Write> {
     z: Option<usize>,
     setup: ControlSetup,
     program: Program,
+    mode: Mode,
+    /// How the tool axis is written in the place of rotary words.
+    vectors: Option<&'static Vectors>,
     values: Values,
     numerals: Numerals,
     preselect: bool,
@@ -125,6 +138,14 @@ fn program_name(codes: &Spellings, layout: &Layout) -> String {
     if name.is_empty() { "NONAME".to_owned() } else { name }
 }
 
+/// How the tool axis moves under tip control, in the words of the control.
+fn posture(codes: &Spellings, layout: &Layout) -> &'static str {
+    let plane = layout.posture == Some(ToolPosture::Plane);
+    let Some(tip) = &codes.tip else { return "" };
+    let words = tip.vectors.as_ref().filter(|_| layout.vectors).map_or(&tip.posture, |vectors| &vectors.posture);
+    words[usize::from(plane)]
+}
+
 impl<'a, W: Write> Encoder<'a, W> {
     /// An encoder that knows of nothing in force yet.
     pub fn new(control: &'a dyn Control, layout: &Layout, out: W) -> Self {
@@ -146,6 +167,8 @@ impl<'a, W: Write> Encoder<'a, W> {
             path_tolerance: text(path_tolerance, Numerals { plus: false, ..numerals }),
             angle: setup.smoothing_angle.map(f64::to_degrees),
             turning: codes.turning[usize::from(layout.shortest)],
+            posture: posture(codes, layout),
+            swivel_data: format!("\"{}\"", setup.swivel_data.as_deref().unwrap_or_default()),
             numerals,
             ..Values::default()
         };
@@ -160,6 +183,8 @@ impl<'a, W: Write> Encoder<'a, W> {
             preselect: setup.preselect.unwrap_or(codes.preselect),
             setup,
             program: layout.program.clone(),
+            mode: layout.mode,
+            vectors: codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref()).filter(|_| layout.vectors),
             belief: Belief::default(),
             line: Vec::with_capacity(256),
         }
@@ -273,10 +298,11 @@ impl<'a, W: Write> Encoder<'a, W> {
     #[inline]
     fn any_changes(&self, words: &Words) -> bool {
         let z = self.z.filter(|_| matches!(self.belief.length, LengthState::Wanted(_)));
-        self.axes.iter().any(|axis| {
-            words.has(axis.index)
-                && (self.belief.axis_changes(axis.index, words.units[axis.index]) || z == Some(axis.index))
-        })
+        self.belief.vector_changes(words.vector)
+            || self.axes.iter().any(|axis| {
+                words.has(axis.index)
+                    && (self.belief.axis_changes(axis.index, words.units[axis.index]) || z == Some(axis.index))
+            })
     }
 
     #[inline]
@@ -291,6 +317,20 @@ impl<'a, W: Write> Encoder<'a, W> {
                 }
             }
         }
+        if let (Some(vectors), Some(vector)) = (self.vectors, words.vector)
+            && self.writes(self.belief.vector_changes(words.vector))
+        {
+            self.belief.set_vector(vector);
+            for (word, units) in vectors.words.into_iter().zip(vector) {
+                self.writer.word(word, Decimal { units, decimals: VECTOR_DECIMALS }, self.numerals);
+            }
+        }
+    }
+
+    /// The code of a motion that writes a tool axis, and what ends a rapid of it, where these differ.
+    fn along_vector(&self, words: &Words) -> Option<(&'static str, &'static str)> {
+        let vectors = self.vectors.filter(|_| self.writes(self.belief.vector_changes(words.vector)))?;
+        vectors.motion.map(|code| (code, vectors.rapid_end))
     }
 
     fn motion(&mut self, code: &'static str) {
@@ -328,12 +368,72 @@ impl<'a, W: Write> Encoder<'a, W> {
                 if let Some(z) = self.z {
                     self.belief.forget_axis(z);
                 }
-                let code = fill(self.codes.length.code, |field| self.values.get(field)).unwrap_or_default();
+                let code = fill(self.length_code(), |field| self.values.get(field)).unwrap_or_default();
                 self.writer.code(&code);
                 Ok(())
             }
             LengthCall::WithZ | LengthCall::WithTool => Ok(()),
         }
+    }
+
+    /// The code that calls the length offset, and with it tip control where the two go together.
+    fn length_code(&self) -> &'static str {
+        let tip = self.codes.tip.as_ref().filter(|_| self.mode == Mode::Tcp && self.setup.tip_control.is_none());
+        let code = tip.and_then(|tip| self.vectors.map_or(tip.with_length, |vectors| vectors.with_length));
+        code.unwrap_or(self.codes.length.code)
+    }
+
+    /// Tip control on or off; where it comes with the length offset, with the next motion.
+    fn tip_control(&mut self, on: bool) -> io::Result<()> {
+        self.belief.forget_axes();
+        self.belief.motion = "";
+        if let Some(codes) = &self.setup.tip_control {
+            let code = codes[usize::from(!on)].clone();
+            return self.block(&code);
+        }
+        let Some(tip) = &self.codes.tip else { return Ok(()) };
+        if !on {
+            self.smooth(false)?;
+        }
+        self.fill_all(if on { tip.on } else { tip.off })?;
+        if let LengthState::On(register) = self.belief.length
+            && !on
+            && tip.ends_length
+        {
+            self.belief.length = LengthState::Wanted(register);
+        }
+        Ok(())
+    }
+
+    /// Tilts the plane. The control turns the rotary axes to it, and its blocks may bring codes of their own.
+    fn tilt(&mut self, angles: [Decimal; 3], pose: Option<bool>) -> io::Result<()> {
+        let Some(plane) = &self.codes.plane else { return Ok(()) };
+        if let LengthState::Wanted(register) = self.belief.length
+            && plane.length_first
+        {
+            self.belief.length = LengthState::On(register);
+            self.fill(self.codes.length.code)?;
+        }
+        self.values.plane = angles;
+        // Where both poses are one, a control that wants a word gets one.
+        self.values.pose = match pose {
+            Some(higher) => plane.poses[usize::from(higher)],
+            None if plane.pose == PoseRule::Side => plane.poses[1],
+            None => "",
+        };
+        self.fill_all(plane.on)?;
+        self.belief.forget_axes();
+        self.belief.motion = "";
+        Ok(())
+    }
+
+    fn tilt_off(&mut self) -> io::Result<()> {
+        let Some(plane) = &self.codes.plane else { return Ok(()) };
+        self.smooth(false)?;
+        self.fill_all(plane.off)?;
+        self.belief.forget_axes();
+        self.belief.motion = "";
+        Ok(())
     }
 
     fn smooth(&mut self, on: bool) -> io::Result<()> {
@@ -365,13 +465,14 @@ impl<'a, W: Write> Encoder<'a, W> {
             Feed::PerMinute(_) => self.feed_mode(self.codes.per_minute),
             Feed::InverseTime(_) => self.feed_mode(self.codes.inverse_time.unwrap_or_default()),
         }
-        self.motion(self.codes.feed);
+        let along = self.along_vector(words);
+        self.motion(along.map_or(self.codes.feed, |(code, _)| code));
         self.call_length(words)?;
         self.axis_words(words, false);
-        if self.writes(!self.belief.centre) {
+        if along.is_none() && self.writes(!self.belief.centre) {
             self.writer.code(self.codes.centre);
         }
-        self.belief.centre = true;
+        self.belief.centre |= along.is_none();
         match feed {
             Feed::PerMinute(value) => {
                 let changes = self.belief.set_feed(value);
@@ -394,10 +495,11 @@ impl<'a, W: Write> Encoder<'a, W> {
         if self.codes.length.call == LengthCall::Alone {
             self.call_length(words)?;
         }
-        self.motion(self.codes.rapid);
+        let along = self.along_vector(words);
+        self.motion(along.map_or(self.codes.rapid, |(code, _)| code));
         self.call_length(words)?;
         self.axis_words(words, false);
-        self.writer.code(self.codes.rapid_end);
+        self.writer.code(along.map_or(self.codes.rapid_end, |(_, end)| end));
         self.writer.end()
     }
 
@@ -436,11 +538,25 @@ impl<'a, W: Write> Encoder<'a, W> {
             }
             None => {
                 self.fill_all(self.codes.safety)?;
+                self.reset_frame()?;
                 self.belief.feed_mode = self.codes.per_minute;
                 self.belief.length = LengthState::Off;
             }
         }
         Ok(())
+    }
+
+    /// What a restart point cancels besides, in a mode that uses it.
+    fn reset_frame(&mut self) -> io::Result<()> {
+        match (self.mode, &self.setup.tip_control, &self.codes.tip, &self.codes.plane) {
+            (Mode::Tcp, Some([_, off]), _, _) => {
+                let off = off.clone();
+                self.block(&off)
+            }
+            (Mode::Tcp, None, Some(tip), _) => self.fill_all(tip.reset),
+            (Mode::Plane, _, _, Some(plane)) => self.fill_all(plane.reset),
+            _ => Ok(()),
+        }
     }
 
     fn tool_change(&mut self) -> io::Result<()> {
@@ -538,6 +654,9 @@ impl<W: Write> Sink for Encoder<'_, W> {
                 self.belief.length = LengthState::Wanted(offset);
                 if codes.length.call == LengthCall::Alone { self.call_length(&Words::default()) } else { Ok(()) }
             }
+            Step::TipControl { on } => self.tip_control(on),
+            Step::Plane { angles, pose } => self.tilt(angles, pose),
+            Step::PlaneOff => self.tilt_off(),
             Step::LengthGuard { label, tool, length, tolerance } => {
                 for block in self.control.length_guard(label, tool, length, tolerance) {
                     self.writer.line(block.as_bytes())?;

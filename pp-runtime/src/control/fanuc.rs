@@ -3,12 +3,16 @@
 //! A number without a point counts least increments, so every axis and feed word has one; `G4 P` counts milliseconds.
 //! `G43` and `G49` may move Z by the length of the tool. `G43 H` therefore stands in the block that moves Z to the
 //! approach point, and `G49` in the block that moves Z to its machine position.
+//!
+//! `G43.4 H` starts tip control in the block that goes to the first point; which frame it counts in is parameter 19696#5.
+//! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` turns the axes. Of several poses it takes the
+//! one that turns the master axis least (B-63784EN, tool axis direction control), so they are turned there before.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::Registers;
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, ascii_in_brackets};
 use super::{Control, numbered};
 
 /// The Fanuc dialect.
@@ -70,6 +74,36 @@ static SPELLINGS: Spellings = Spellings {
     smoothing: [&["G05.1 Q1"], &["G05.1 Q1"], &["G05.1 Q1"]],
     smoothing_off: &["G05.1 Q0"],
     turning: ["", ""],
+    tip: Some(Tip {
+        on: &[],
+        with_length: Some("G43.4 H{offset} P{posture}"),
+        off: &["G49"],
+        reset: &[],
+        ends_length: true,
+        posture: ["0", "1"],
+        vectors: Some(Vectors {
+            words: ["I", "J", "K"],
+            with_length: Some("G43.5 H{offset} P{posture}"),
+            motion: None,
+            rapid_end: "",
+            posture: ["0", "1"],
+        }),
+        frame_is_set: true,
+        turns_in_plane: true,
+        note: "G43.4 and G49 must move nothing by themselves (parameter 5006#6 = 1)",
+    }),
+    plane: Some(Tilting {
+        on: &["G68.2 X0. Y0. Z0. I{first} J{second} K{third}", "G53.1"],
+        length_first: false,
+        off: &["G69"],
+        reset: &["G69"],
+        poses: ["", ""],
+        angles: PlaneAngles::EulerZxz,
+        decimals: None,
+        pose: PoseRule::Nearest,
+        ends_behind_retract: true,
+        note: "G53.1 must take the pose that turns the rotary axes least: they stand there already",
+    }),
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
 };
 

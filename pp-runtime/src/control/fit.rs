@@ -1,7 +1,8 @@
 //! Whether a configuration fits a control, and what the planner may ask of the two.
 
 use crate::config::{Config, PathNorm, Smoothing};
-use crate::motion::Abilities;
+use crate::kinematics::Machine;
+use crate::motion::{Abilities, PlaneAbility, TipAbility};
 use crate::program::Coolant;
 
 use super::Control;
@@ -56,6 +57,24 @@ pub fn check(control: &dyn Control, config: &Config) -> Vec<String> {
     faults
 }
 
+/// Tip control as the control has it, or as the configuration says that it is switched.
+fn tip_ability(control: &dyn Control, config: &Config) -> Option<TipAbility> {
+    let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
+        frame_is_set: tip.frame_is_set,
+        turns_in_plane: tip.turns_in_plane,
+        takes_vectors: tip.vectors.is_some() && config.control.tip_control.is_none(),
+    });
+    let plain = TipAbility { frame_is_set: false, turns_in_plane: false, takes_vectors: false };
+    own.or_else(|| config.control.tip_control.is_some().then_some(plain))
+}
+
+/// Why the machine, the control and the configuration do not suit the mode that is asked for, one sentence each.
+#[must_use]
+pub fn unsuited<M: Machine>(control: &dyn Control, config: &Config) -> Vec<String> {
+    let Abilities { tip, plane, .. } = abilities(control, config);
+    crate::motion::unsuited::<M>(config, control.spellings().title, tip, plane)
+}
+
 /// What the planner may ask for.
 #[must_use]
 pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
@@ -73,5 +92,12 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
         registers: codes.length.registers,
         path_norm: config.control.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
+        tip: tip_ability(control, config),
+        plane: codes.plane.as_ref().map(|plane| PlaneAbility {
+            angles: plane.angles,
+            decimals: plane.decimals.unwrap_or(config.formats.rotary),
+            pose: plane.pose,
+            ends_behind_retract: plane.ends_behind_retract,
+        }),
     }
 }

@@ -2,12 +2,15 @@
 //!
 //! Codes have two digits, as Haas writes them. As on Fanuc a number needs its point and `G43` stands with Z; the dwell
 //! is in seconds because its P has a point. Coolant through the spindle has an off code of its own.
+//!
+//! `G234 H` controls the tip in the frame of the table at zero. `G268` tilts a plane, with the length offset active before
+//! it, and `G253` turns the axes; `Q123` is the order of its angles.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::Registers;
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, ascii_in_brackets};
 use super::{Control, numbered};
 
 /// The Haas dialect.
@@ -69,6 +72,30 @@ static SPELLINGS: Spellings = Spellings {
     smoothing: [&["G187 P1 E{path_tolerance}"], &["G187 P2 E{path_tolerance}"], &["G187 P3 E{path_tolerance}"]],
     smoothing_off: &["G187"],
     turning: ["", ""],
+    tip: Some(Tip {
+        on: &[],
+        with_length: Some("G234 H{offset}"),
+        off: &["G49"],
+        reset: &[],
+        ends_length: true,
+        posture: ["", ""],
+        vectors: None,
+        frame_is_set: false,
+        turns_in_plane: false,
+        note: "G234 and G49 must move nothing by themselves",
+    }),
+    plane: Some(Tilting {
+        on: &["G268 X0. Y0. Z0. I{first} J{second} K{third} Q123", "G253"],
+        length_first: true,
+        off: &["G269"],
+        reset: &["G269"],
+        poses: ["", ""],
+        angles: PlaneAngles::FixedXyz,
+        decimals: None,
+        pose: PoseRule::Nearest,
+        ends_behind_retract: true,
+        note: "G268 turns about X, then Y, then Z of the work offset, and G253 takes the pose where the axes stand",
+    }),
     rotary_note: "the axes must not take the shortest way to an angle of another turn",
 };
 

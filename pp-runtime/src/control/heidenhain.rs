@@ -4,12 +4,16 @@
 //! There is no inverse time, so F counts along the control's own path. The speed stands in TOOL CALL, which takes the
 //! length from the row of the tool. In a program in inches F counts tenths of an inch. A `~` at the end of a line goes on in the
 //! next, so no comment holds one.
+//!
+//! `FUNCTION TCPM` controls the tip in the frame of the table at zero. `PLANE SPATIAL` turns about X, then Y, then Z of the
+//! frame it tilts (SPC·SPB·SPA as a product), and SEQ is the sign of the master axis, the first one from the tool. Both
+//! are off before a tool call and before M91.
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::Registers;
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, printable};
+use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
 use super::{Control, numbered};
 
 /// The Heidenhain dialect.
@@ -72,6 +76,36 @@ static SPELLINGS: Spellings = Spellings {
     ],
     smoothing_off: &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1"],
     turning: ["M127", "M126"],
+    tip: Some(Tip {
+        on: &["FUNCTION TCPM F TCP AXIS POS PATHCTRL {posture}"],
+        with_length: None,
+        off: &["FUNCTION RESET TCPM"],
+        reset: &["FUNCTION RESET TCPM"],
+        ends_length: false,
+        posture: ["AXIS", "VECTOR"],
+        vectors: Some(Vectors {
+            words: ["TX", "TY", "TZ"],
+            with_length: None,
+            motion: Some("LN"),
+            rapid_end: "FMAX",
+            posture: ["AXIS", "VECTOR"],
+        }),
+        frame_is_set: false,
+        turns_in_plane: true,
+        note: "",
+    }),
+    plane: Some(Tilting {
+        on: &["PLANE SPATIAL SPA{first} SPB{second} SPC{third} TURN MB MAX FMAX SEQ{pose} TABLE ROT"],
+        length_first: false,
+        off: &["PLANE RESET STAY"],
+        reset: &[],
+        poses: ["-", "+"],
+        angles: PlaneAngles::FixedXyz,
+        decimals: Some(4),
+        pose: PoseRule::Sign,
+        ends_behind_retract: false,
+        note: "the master axis of SEQ must be the rotary axis nearest the tool",
+    }),
     rotary_note: "M127 is in force, the axes take no shorter way",
 };
 

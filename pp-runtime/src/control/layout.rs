@@ -1,6 +1,6 @@
 //! What an encoder needs to know of the job.
 
-use crate::config::{Config, ControlSetup, Program, Units, Wrap};
+use crate::config::{Config, ControlSetup, Mode, Program, TcpWords, ToolPosture, Units, Wrap};
 use crate::kinematics::{AxisKind, Machine};
 
 /// The job as an encoder sees it.
@@ -18,6 +18,12 @@ pub struct Layout {
     pub name: Vec<u8>,
     /// Rotary axes go the short way.
     pub shortest: bool,
+    /// What the words of a motion say.
+    pub mode: Mode,
+    /// How the tool axis moves under tip control.
+    pub posture: Option<ToolPosture>,
+    /// Blocks hold the tool axis in the place of rotary words.
+    pub vectors: bool,
     /// What the configuration says of the control.
     pub setup: ControlSetup,
     /// Blocks around the program.
@@ -37,6 +43,9 @@ impl Layout {
             path_tolerance: config.path_tolerance / units.in_mm(),
             name: name.to_vec(),
             shortest: config.wrap.values().any(|wrap| *wrap != Wrap::Sign),
+            mode: config.mode,
+            posture: Some(config.tool_posture),
+            vectors: config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors,
             setup: config.control.clone(),
             program: config.program.clone(),
         }

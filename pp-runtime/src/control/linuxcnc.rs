@@ -64,6 +64,8 @@ static SPELLINGS: Spellings = Spellings {
     smoothing: [&[], &[], &[]],
     smoothing_off: &[],
     turning: ["", ""],
+    tip: None,
+    plane: None,
     rotary_note: "the axes must not be wrapped",
 };
 

@@ -21,13 +21,13 @@ use std::ops::RangeInclusive;
 
 pub use encoder::Encoder;
 pub use fanuc::Fanuc;
-pub use fit::{abilities, check, starting_point};
+pub use fit::{abilities, check, starting_point, unsuited};
 pub use haas::Haas;
 pub use heidenhain::Heidenhain;
 pub use layout::Layout;
 pub use linuxcnc::LinuxCnc;
 pub use siemens::Siemens;
-pub use spellings::{Comments, Length, LengthCall, Spellings};
+pub use spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors};
 
 /// Every control there is, the default first.
 pub const CONTROLS: &[&dyn Control] = &[&LinuxCnc, &Fanuc, &Siemens, &Heidenhain, &Haas];

@@ -3,12 +3,16 @@
 //! A name that ends in a digit is parted from its number by `=` (`C1=30`). The length belongs to the cutting edge D of
 //! the tool; `D0` in a block of machine coordinates takes it away, so it is called again before the next motion. `G4 F`
 //! counts seconds and leaves the feed alone. `TRAFOOF` stands before the work offset, which it may clear.
+//!
+//! `TRAORI` controls the tip in the frame of the table at zero; behind it the work offset is called again. `CYCLE800` in
+//! mode 57 turns about X, the new Y and the new Z. Its direction -1 or 1 takes the pose with the lower or the higher value
+//! of the axis that is the direction reference of the swivel data (828D operating manual, 10.6).
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::Registers;
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, printable};
+use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
 use super::{Control, numbered};
 
 /// The Siemens dialect.
@@ -66,6 +70,37 @@ static SPELLINGS: Spellings = Spellings {
     ],
     smoothing_off: &["CYCLE832()"],
     turning: ["", ""],
+    tip: Some(Tip {
+        on: &["TRAORI", "{posture}", "{work_offset}"],
+        with_length: None,
+        off: &["TRAFOOF"],
+        reset: &[],
+        ends_length: false,
+        posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
+        // In ORIMKS they would be counted in the frame of the machine.
+        vectors: Some(Vectors {
+            words: ["A3=", "B3=", "C3="],
+            with_length: None,
+            motion: None,
+            rapid_end: "",
+            posture: ["ORIWKS ORIAXES", "ORIWKS ORIVECT"],
+        }),
+        frame_is_set: false,
+        turns_in_plane: true,
+        note: "",
+    }),
+    plane: Some(Tilting {
+        on: &["CYCLE800(0,{swivel_data},0,57,0,0,0,{first},{second},{third},0,0,0,{pose},0)"],
+        length_first: false,
+        off: &["CYCLE800()"],
+        reset: &[],
+        poses: ["-1", "1"],
+        angles: PlaneAngles::MovingXyz,
+        decimals: Some(6),
+        pose: PoseRule::Side,
+        ends_behind_retract: true,
+        note: "the direction reference of the swivel data must be the rotary axis nearest the tool",
+    }),
     rotary_note: "the axes must not be modulo axes (MD30310 = 0)",
 };
 

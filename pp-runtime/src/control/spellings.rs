@@ -3,7 +3,7 @@
 //! Texts with braces are [templates](super::template).
 
 use crate::config::{Formats, PathNorm};
-use crate::motion::Registers;
+use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 use crate::program::{Coolant, Rotation};
 
@@ -88,6 +88,10 @@ pub struct Spellings {
     pub smoothing_off: &'static [&'static str],
     /// Whether rotary axes turn as their words say, or the short way.
     pub turning: [&'static str; 2],
+    /// Tip control; `None` if only the configuration can say how it is switched.
+    pub tip: Option<Tip>,
+    /// Tilted planes.
+    pub plane: Option<Tilting>,
     /// What words beyond 360° take for granted about the rotary axes of this control.
     pub rotary_note: &'static str,
 }
@@ -118,6 +122,71 @@ pub struct Length {
     pub registers: Registers,
     /// Address of the register, for people.
     pub address: &'static str,
+}
+
+/// How tip control is switched.
+#[derive(Debug)]
+pub struct Tip {
+    /// Blocks that switch it on; empty if it comes with the length offset.
+    pub on: &'static [&'static str],
+    /// The code in the place of the length offset.
+    pub with_length: Option<&'static str>,
+    /// Blocks that switch it off.
+    pub off: &'static [&'static str],
+    /// Blocks of a restart point besides those of `safety`.
+    pub reset: &'static [&'static str],
+    /// It goes together with the length offset, which has to be called again.
+    pub ends_length: bool,
+    /// Words for a tool axis that follows the rotary axes, and for one that turns in the plane of its ends.
+    pub posture: [&'static str; 2],
+    /// How it takes the tool axis as a vector, if it does.
+    pub vectors: Option<Vectors>,
+    /// In which frame it counts is a setting of the machine.
+    pub frame_is_set: bool,
+    /// It can turn the tool axis in the plane of its ends.
+    pub turns_in_plane: bool,
+    /// What it takes for granted.
+    pub note: &'static str,
+}
+
+/// How a tool axis is written as a vector.
+#[derive(Debug)]
+pub struct Vectors {
+    /// What stands before its components.
+    pub words: [&'static str; 3],
+    /// The code in the place of the length offset.
+    pub with_length: Option<&'static str>,
+    /// Codes of a straight motion that holds one, rapid and at feed, where they are codes of their own.
+    pub motion: Option<&'static str>,
+    /// What ends a rapid that holds one.
+    pub rapid_end: &'static str,
+    /// As [`Tip::posture`].
+    pub posture: [&'static str; 2],
+}
+
+/// How a plane is tilted.
+#[derive(Debug)]
+pub struct Tilting {
+    /// Blocks that tilt it.
+    pub on: &'static [&'static str],
+    /// The length offset is called before it.
+    pub length_first: bool,
+    /// Blocks that give it up.
+    pub off: &'static [&'static str],
+    /// Blocks of a restart point besides those of `safety`.
+    pub reset: &'static [&'static str],
+    /// Words for the pose with the lower, and with the higher angle.
+    pub poses: [&'static str; 2],
+    /// What its words mean.
+    pub angles: PlaneAngles,
+    /// Decimals of its angles; `None`: as many as rotary words have.
+    pub decimals: Option<u32>,
+    /// How the control chooses its pose.
+    pub pose: PoseRule,
+    /// It is given up behind the machine retract.
+    pub ends_behind_retract: bool,
+    /// What it takes for granted.
+    pub note: &'static str,
 }
 
 /// Where a length offset is called.

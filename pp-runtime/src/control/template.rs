@@ -34,6 +34,18 @@ pub enum Field {
     Angle,
     /// Whether rotary axes go the short way.
     Turning,
+    /// How the tool axis moves under tip control.
+    Posture,
+    /// Angles of a tilted plane, in the order of the control.
+    First,
+    /// The second of them.
+    Second,
+    /// The third of them.
+    Third,
+    /// Pose of the rotary axes in a tilted plane.
+    Pose,
+    /// Name of the swivel data, between quotation marks.
+    SwivelData,
 }
 
 /// Fields of a whole program.
@@ -53,7 +65,7 @@ pub const OF_TOOL: &[Field] = &[
 ];
 
 impl Field {
-    const ALL: [Self; 13] = [
+    const ALL: [Self; 19] = [
         Self::Name,
         Self::Number,
         Self::Units,
@@ -67,6 +79,12 @@ impl Field {
         Self::Milliseconds,
         Self::Angle,
         Self::Turning,
+        Self::Posture,
+        Self::First,
+        Self::Second,
+        Self::Third,
+        Self::Pose,
+        Self::SwivelData,
     ];
 
     /// Its name between braces.
@@ -86,6 +104,12 @@ impl Field {
             Self::Milliseconds => "milliseconds",
             Self::Angle => "angle",
             Self::Turning => "turning",
+            Self::Posture => "posture",
+            Self::First => "first",
+            Self::Second => "second",
+            Self::Third => "third",
+            Self::Pose => "pose",
+            Self::SwivelData => "swivel_data",
         }
     }
 }

@@ -47,7 +47,7 @@ fn words(units: [i64; 4]) -> Words {
 }
 
 fn only(mask: u16, units: [i64; 4]) -> Words {
-    let mut words = Words { units: [0; MAX_AXES], mask };
+    let mut words = Words { units: [0; MAX_AXES], mask, vector: None };
     words.units[..4].copy_from_slice(&units);
     words
 }

@@ -4,7 +4,7 @@
 //! The tip keeps the programmed feed: a block takes its tip path over the feed. Longer only where an axis would turn or
 //! travel faster than it can, where the control asks for a longest F or a shortest block, and then by as much as it needs.
 
-use crate::config::{Config, PathNorm, Units};
+use crate::config::{Config, Mode, PathNorm, Units};
 use crate::nc::Decimal;
 use crate::program;
 
@@ -23,6 +23,8 @@ pub(crate) struct Feeds {
     /// A tip path shorter than this stands still, mm: one unit of the linear words.
     still: f64,
     norm: PathNorm,
+    /// The control keeps the tip on its path: F counts along that.
+    along_tip: bool,
     /// Units of F in a unit of length.
     per_length: f64,
     /// F has this bound.
@@ -68,6 +70,7 @@ impl Feeds {
             decimals: config.formats.feed,
             digits: config.formats.inverse_time,
             norm: abilities.path_norm,
+            along_tip: config.mode != Mode::Axes,
             per_length: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
             bound: 10_f64.powi(config.formats.feed_whole as i32),
             reorient_speed: config.reorient_speed,
@@ -79,7 +82,7 @@ impl Feeds {
 
     /// F counts along the path of the control where a rotary axis moves.
     pub(crate) fn counts_path(&self) -> bool {
-        matches!(self.norm, PathNorm::Xyz | PathNorm::XyzDegrees)
+        self.along_tip || matches!(self.norm, PathNorm::Xyz | PathNorm::XyzDegrees)
     }
 
     /// mm/min of a programmed feed; `speed`: rev/min of the spindle as written.
@@ -102,7 +105,7 @@ impl Feeds {
             return Err(zero(feed));
         }
         let programmed = self.programmed(feed, stroke);
-        let minutes = programmed.max(stroke.least).max(self.shortest).max(stroke.length / self.largest);
+        let minutes = programmed.max(stroke.least).max(self.shortest).max(self.path(stroke) / self.largest);
         let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min does not fit into a word"));
         let (feed, word) = if stroke.turn == 0.0 && stroke.square {
             let feed = if minutes > programmed { stroke.length / minutes } else { feed };
@@ -111,18 +114,17 @@ impl Feeds {
         } else {
             let inverse = |time: f64| Decimal::significant(1.0 / time, self.digits).map_err(overflow);
             let along = |path: f64| Decimal::fixed(path / minutes, self.decimals).map_err(overflow);
-            let in_lengths = self.per_length / self.length_unit;
-            let (linear, degrees) = (stroke.linear, stroke.degrees);
+            // Degrees have no unit of length.
+            let lengths = stroke.linear > 0.0 && (!self.along_tip || stroke.length >= self.still);
+            let in_units = if lengths { self.per_length / self.length_unit } else { 1.0 };
             match self.norm {
-                PathNorm::G93Minutes => inverse(minutes).map(|word| (Feed::InverseTime(word), word))?,
-                PathNorm::G93Seconds => inverse(minutes * 60.0).map(|word| (Feed::InverseTime(word), word))?,
-                PathNorm::Xyz if linear > 0.0 => {
-                    along(linear * in_lengths).map(|word| (Feed::PerMinute(word), word))?
+                PathNorm::G93Minutes if !self.along_tip => {
+                    inverse(minutes).map(|word| (Feed::InverseTime(word), word))?
                 }
-                PathNorm::XyzDegrees if linear > 0.0 => {
-                    along(linear.hypot(degrees) * in_lengths).map(|word| (Feed::PerMinute(word), word))?
+                PathNorm::G93Seconds if !self.along_tip => {
+                    inverse(minutes * 60.0).map(|word| (Feed::InverseTime(word), word))?
                 }
-                PathNorm::Xyz | PathNorm::XyzDegrees => along(degrees).map(|word| (Feed::PerMinute(word), word))?,
+                _ => along(self.path(stroke) * in_units).map(|word| (Feed::PerMinute(word), word))?,
             }
         };
         if word.value() >= self.bound {
@@ -135,6 +137,20 @@ impl Feeds {
             return Err(zero(stroke.length / minutes));
         }
         Ok(Pace { feed, minutes, slowed: minutes - programmed })
+    }
+
+    /// What F counts along, mm; degrees where a rotary axis moves and no linear one does.
+    fn path(&self, stroke: Stroke) -> f64 {
+        let Stroke { length, linear, degrees, .. } = stroke;
+        match self.norm {
+            _ if stroke.turn == 0.0 && stroke.square => length,
+            _ if self.along_tip && length < self.still => degrees,
+            _ if self.along_tip => length,
+            PathNorm::G93Minutes | PathNorm::G93Seconds => length,
+            PathNorm::Xyz if linear > 0.0 => linear,
+            PathNorm::XyzDegrees if linear > 0.0 => linear.hypot(degrees),
+            PathNorm::Xyz | PathNorm::XyzDegrees => degrees,
+        }
     }
 
     /// Minutes of a stroke as the CL data asks for it.

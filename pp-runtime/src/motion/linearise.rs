@@ -232,7 +232,7 @@ impl<M: Machine> Placer<M> {
     /// What is certified of one block.
     #[inline]
     pub(crate) fn certify(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, allowed: Tolerance) -> Piece<M::Axes> {
-        let mut bound = self.machine.motion(&from.axes, &to.axes);
+        let mut bound = self.frame.bound(self.machine.motion(&from.axes, &to.axes));
         let (tip_off, axis_off) = (from.rounding.max(to.rounding), self.axis_off(from).max(self.axis_off(to)));
         if bound.tip > allowed.tip - tip_off && bound.axis <= allowed.axis - axis_off {
             bound.tip = self.tip_by_halves(from, to, bound.tip);

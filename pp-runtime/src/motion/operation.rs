@@ -1,6 +1,6 @@
 //! Motions inside an operation, and what must be true before each.
 
-use crate::config::{Rapid, Transition};
+use crate::config::{Mode, Rapid, Transition};
 use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
@@ -91,7 +91,7 @@ impl<M: Machine> Planner<'_, M> {
         let place = self.placer.place(&motion.pose, &self.place, !motion.rapid, planned).map_err(fault)?;
         let before = self.place.pose;
         if motion.rapid {
-            if self.config.transition == Transition::Safe && self.indexes(&place) {
+            if self.config.transition == Transition::Safe && self.indexes(&place) || self.leaves_plane(&place) {
                 self.phase = Phase::First { at, motion: *motion, planned, operation: false };
                 return Ok(());
             }
@@ -169,6 +169,9 @@ impl<M: Machine> Planner<'_, M> {
         sink: &mut impl Sink,
     ) -> Planned {
         if self.placer.rotary_travel(&self.place.words, &place.words) > 0.0 {
+            if self.leaves_plane(place) {
+                return Err(stop(at, self.turns_in_plane()));
+            }
             return self.feed_in_pieces(at, motion, place, self.tolerance, sink);
         }
         let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
@@ -189,6 +192,7 @@ impl<M: Machine> Planner<'_, M> {
         let mut blocks = 0;
         while let Some(piece) = pieces.next(&self.placer).map_err(fault)? {
             self.placer.travel.check(piece.place.axes.as_ref()).map_err(fault)?;
+            self.placer.check_between(&self.place, &piece.place).map_err(fault)?;
             let pace = self.pace(motion.feed, &piece.place).map_err(fault)?;
             blocks += u64::from(piece.place.words != self.place.words);
             self.write_feed(at, &piece.place, pace, sink)?;
@@ -233,6 +237,18 @@ impl<M: Machine> Planner<'_, M> {
         self.rapid(place, self.all(), sink)
     }
 
+    /// The rotaries would turn while the plane is tilted.
+    pub(super) fn leaves_plane(&self, to: &Place<M::Axes>) -> bool {
+        self.config.mode == Mode::Plane && self.placer.rotary_travel(&self.place.words, &to.words) > 0.0
+    }
+
+    /// A cut that turns the tool axis, in mode `plane`.
+    #[cold]
+    fn turns_in_plane(&self) -> Fault {
+        Fault::new("the tool axis turns in this cut, and mode plane holds it still")
+            .help("post this program with mode tcp or axes")
+    }
+
     /// A motion turns a rotary axis by more than the index angle.
     fn indexes(&self, to: &Place<M::Axes>) -> bool {
         self.placer.rotary_travel(&self.place.words, &to.words) > self.config.index_angle + 1e-9
@@ -270,9 +286,11 @@ impl<M: Machine> Planner<'_, M> {
         }
     }
 
+    /// The axes whose words a block inside an operation may hold: in a tilted plane the control has turned the others.
     #[inline]
     pub(super) fn all(&self) -> u16 {
-        self.placer.linear_mask() | self.placer.rotary_mask()
+        let rotary = if self.config.mode == Mode::Plane { 0 } else { self.placer.rotary_mask() };
+        self.placer.linear_mask() | rotary
     }
 
     #[inline]

@@ -3,9 +3,11 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::config::{Config, LengthMode, Units};
+use crate::config::{Config, LengthMode, Mode, TcpWords, Units};
 use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::nc::whole_units;
 use crate::program::{Rotation, Turning};
@@ -13,10 +15,12 @@ use crate::program::{Rotation, Turning};
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
 use super::course::{Metric, Target, Towards};
 use super::fault::Fault;
+use super::frame::{Frame, Map, no_plane, orientation};
 use super::linearise::Tolerance;
 use super::origin::Origin;
-use super::step::{MAX_AXES, Words};
+use super::step::{MAX_AXES, VECTOR_DECIMALS, Words};
 use super::structure::{counted, held_tool_axis, orthogonal, poles};
+use super::tilt::{PlaneAbility, PoseRule, Tilt};
 use super::travel::Travel;
 use super::way::angle_between;
 
@@ -25,6 +29,12 @@ const LIMIT_NOISE: f64 = 1e-6;
 
 /// Cosine between tool axis and retract axis from which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
+
+/// Between two points of a block that are compared with the travel an axis leaves its chord by less than this, mm.
+const UNSEEN: f64 = 0.01;
+
+/// Most points of a block that are compared with the travel.
+const MOST_SEEN: f64 = 1000.0;
 
 /// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
 const SWING: f64 = 1_f64.to_radians();
@@ -77,6 +87,8 @@ pub(crate) struct Placer<M: Machine> {
     pub(super) scale: AngleScale,
     /// What the words count from.
     origin: Origin,
+    /// What the linear words count.
+    pub(super) frame: Frame,
     /// Units of linear words in 1 mm.
     per_mm: f64,
     pub(super) limits: Vec<Option<Limits>>,
@@ -88,6 +100,10 @@ pub(crate) struct Placer<M: Machine> {
     straight: bool,
     head: bool,
     gauge_line: bool,
+    /// Blocks hold the tool axis in the place of rotary words.
+    vectors: bool,
+    /// The control takes the length of the tool into account, whatever the rotaries do.
+    compensated: bool,
     square: bool,
     /// The linear axes are square to each other, whatever the rotaries do.
     orthogonal: bool,
@@ -165,12 +181,17 @@ impl<M: Machine> Placer<M> {
             per_mm: per_unit / units.in_mm(),
             limits,
             travel: Travel::new(&machine, config),
+            frame: Frame::new(&machine, config),
             origin,
             retract_axis,
             retract_share: share(retract_axis),
-            straight: !head && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
+            straight: config.mode == Mode::Axes
+                && !head
+                && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
             gauge_line: config.length_mode == LengthMode::Gauge,
+            vectors: config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors,
+            compensated: config.mode != Mode::Axes,
             square: orthogonal(&machine, axes) && counted(axes),
             orthogonal: orthogonal(&machine, axes),
             wrapped: rotaries
@@ -192,7 +213,7 @@ impl<M: Machine> Placer<M> {
     /// Why the words depend on the length of the tool, if they do.
     pub(crate) fn needs_length(&self) -> Option<&'static str> {
         if self.head {
-            Some("this machine turns the tool about its head")
+            (!self.compensated).then_some("this machine turns the tool about its head")
         } else {
             self.gauge_line.then_some("`length_mode = \"gauge\"` writes where its gauge line is")
         }
@@ -215,7 +236,7 @@ impl<M: Machine> Placer<M> {
 
     /// The path length of the linear words is that of the tip while no rotary moves.
     pub(crate) fn square(&self) -> bool {
-        self.square
+        self.square || self.frame.counts_tip()
     }
 
     pub(crate) fn retract_axis(&self) -> usize {
@@ -300,7 +321,15 @@ impl<M: Machine> Placer<M> {
     /// The written words of the axes in a mask.
     #[inline]
     pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
-        Words { units: self.written(place), mask }
+        let units = self.written(place);
+        let both = mask & self.linear_mask != 0 && mask & self.rotary_mask != 0;
+        if !(self.vectors && both) {
+            return Words { units, mask, vector: None };
+        }
+        let axis = self.frame.map(&self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
+        let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
+        let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
+        Words { units, mask: mask & !self.rotary_mask, vector }
     }
 
     /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
@@ -535,6 +564,9 @@ impl<M: Machine> Placer<M> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(self.unreachable(&place.pose, &place.axes));
         };
+        if let Some(map) = self.frame.map(&self.machine, &place.axes) {
+            return self.set_tip(place, &map);
+        }
         place.axes = axes;
         let (mut sum, mut squares) = (0.0, 0.0);
         for (index, value) in place.axes.as_mut().iter_mut().enumerate().take(MAX_AXES) {
@@ -558,6 +590,78 @@ impl<M: Machine> Placer<M> {
         }
         place.rounding = if self.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
+    }
+
+    /// The words of a tip that the control counts in a frame of its own.
+    fn set_tip(&self, mut place: Place<M::Axes>, map: &Map) -> Result<Place<M::Axes>, Fault> {
+        let mut written = map.words(&place.pose.tip);
+        let letters = self.frame.letters();
+        for (index, value) in letters.into_iter().zip(written.iter_mut()) {
+            let units = whole_units(*value, self.per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
+            let units = units.ok_or_else(|| too_large(M::AXES[index].letter))?;
+            place.words[index] = units;
+            *value = units as f64 / self.per_mm;
+        }
+        let reached = map.tip(&written);
+        let axes = self.machine.linear_axes(&reached, &place.axes);
+        place.axes = axes.ok_or_else(|| self.unreachable(&place.pose, &place.axes))?;
+        place.rounding = (reached - place.pose.tip).norm();
+        Ok(place)
+    }
+
+    /// The place in the frame that counts once its rotaries have been turned to.
+    pub(crate) fn started(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        self.frame.start(&self.machine, &place.axes);
+        self.finish(place)
+    }
+
+    /// The place in the plane whose Z is its tool axis, and that plane in the words of the control.
+    pub(crate) fn tilted(
+        &mut self,
+        place: Place<M::Axes>,
+        ability: &PlaneAbility,
+    ) -> Result<(Place<M::Axes>, Tilt), Fault> {
+        let stands = orientation(&self.machine, &place.axes);
+        // The rotaries stand at rounded angles, the control computes its own: the plane is that of the tool axis.
+        let rounded = UnitVector3::new_normalize(stands * self.machine.tool_axis().into_inner());
+        let correction = nalgebra::Rotation3::rotation_between(&rounded, &place.pose.axis).ok_or_else(no_plane)?;
+        let tilt = self.frame.tilt(ability, &(correction * stands)).ok_or_else(no_plane)?;
+        Ok((self.finish(place)?, tilt))
+    }
+
+    /// Which of the poses of a plane this is, in the words of a rule: see [`PoseRule::choose`].
+    pub(crate) fn pose_of_plane(&self, place: &Place<M::Axes>, rule: PoseRule) -> Option<bool> {
+        let rotary = self.rotaries.last()?;
+        let within_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
+        let value = |axes: &M::Axes| within_a_turn(axes.as_ref()[rotary.index]);
+        let here = value(&place.axes);
+        let solutions = self.machine.inverse_kinematics(&place.pose, &place.axes);
+        let others = solutions.iter().map(|solution| value(&solution.axes));
+        // This pose is among them, rounded.
+        let others: Vec<f64> = others.filter(|other| within_a_turn(other - here).abs() > self.scale.angle(1)).collect();
+        rule.choose(here, &others)
+    }
+
+    /// Checks the travel inside a block in which the control moves the linear axes so that the tip keeps to its line.
+    pub(crate) fn check_between(&mut self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Result<(), Fault> {
+        if !self.frame.counts_tip() || !self.travel.limited() {
+            return Ok(());
+        }
+        // Between two of these points an axis leaves its chord by less than `UNSEEN`: deviations fall with the square.
+        let steps = (self.machine.motion(&from.axes, &to.axes).tip / UNSEEN).sqrt().ceil().clamp(1.0, MOST_SEEN);
+        let mut step = 1.0;
+        while step < steps {
+            let part = step / steps;
+            let mut axes = from.axes;
+            for (value, end) in axes.as_mut().iter_mut().zip(to.axes.as_ref()) {
+                *value += (end - *value) * part;
+            }
+            let tip = from.pose.tip + (to.pose.tip - from.pose.tip) * part;
+            let axes = self.machine.linear_axes(&tip, &axes).ok_or_else(|| self.unreachable(&to.pose, &to.axes))?;
+            self.travel.check(axes.as_ref())?;
+            step += 1.0;
+        }
+        Ok(())
     }
 
     /// How far rounding of the linear words can take the tip, mm.
@@ -599,7 +703,7 @@ impl<M: Machine> Placer<M> {
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
             .ok_or_else(|| too_large(M::AXES[index].letter))?;
-        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index };
+        let mut words = Words { units: [0; MAX_AXES], mask: 1 << index, vector: None };
         words.units[index] = units;
         Ok(words)
     }

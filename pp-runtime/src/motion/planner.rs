@@ -20,11 +20,13 @@ use super::course::{Course, Target, Towards};
 use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
+use super::frame::TipAbility;
 use super::linearise::Tolerance;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
 use super::selection::Selection;
 use super::step::{Sink, Step};
+use super::tilt::PlaneAbility;
 use super::times::Times;
 use super::tool::{SpindleRequest, Tool};
 use super::wrap::Speller;
@@ -77,6 +79,10 @@ pub struct Abilities {
     pub path_norm: PathNorm,
     /// Units of F in one unit of length of an inch program.
     pub feed_per_inch: f64,
+    /// How it controls the tip, if it does.
+    pub tip: Option<TipAbility>,
+    /// How it tilts a plane, if it does.
+    pub plane: Option<PlaneAbility>,
 }
 
 /// What the register of a length offset means.
@@ -221,6 +227,8 @@ pub struct Planner<'a, M: Machine> {
     /// The coolant as written; `None` if nobody knows.
     pub(super) coolant: Option<Coolant>,
     pub(super) inverse_time: bool,
+    /// The control counts the tip: tip control is on, or a plane tilted.
+    pub(super) framed: bool,
     /// How far feed motions may be left.
     pub(super) tolerance: Tolerance,
     /// Lowest pose of this tool axis that was cut in this operation.
@@ -273,6 +281,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             coolant_request: Coolant::Off,
             coolant: None,
             inverse_time: false,
+            framed: false,
             tolerance: Tolerance { tip: config.tolerance, axis: config.axis_tolerance_path },
             lowest: None,
             plunge_told: false,
@@ -607,6 +616,9 @@ impl<'a, M: Machine> Planner<'a, M> {
         }
         self.begin(at, true, sink)?;
         self.cancel_inverse_time(sink)?;
+        if self.framed {
+            self.machine_retract(at, sink)?;
+        }
         sink.step(&Step::Raw { text })?;
         self.spindle = None;
         self.spindle_stop = false;

@@ -36,7 +36,6 @@ impl<M: Machine> Planner<'_, M> {
         let tip = here.pose.tip + here.pose.axis.into_inner() * distance;
         let context = |text: Fault| fault(text.context(format_args!("the retract of {distance} mm to rewind")));
         let out = self.placer.shifted(tip, &here).map_err(context)?;
-        let above = self.placer.shifted(tip, &turned).map_err(context)?;
         self.cancel_inverse_time(sink)?;
         if self.config.retract.rewind_dry {
             self.coolant_off(sink)?;
@@ -44,8 +43,10 @@ impl<M: Machine> Planner<'_, M> {
         self.rapid(&out, self.placer.linear_mask(), sink)?;
         self.clear = false;
         self.machine_retract(at, sink)?;
+        let (turned, frame) = self.framed_at(turned).map_err(fault)?;
+        let above = self.placer.shifted(tip, &turned).map_err(context)?;
         self.clamps.note(&here.words, &above.words);
-        self.come_in(at, &above, sink)?;
+        self.come_in(at, &above, frame, sink)?;
         self.turn_coolant(at, sink)?;
         self.clear = false;
         self.place = above;

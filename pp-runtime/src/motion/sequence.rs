@@ -12,7 +12,7 @@
 //! "Out" and "in" are along the tool axis. Where the machine stands is never assumed at program start, behind a tool
 //! change or behind a stop.
 
-use crate::config::Transition;
+use crate::config::{Mode, Transition};
 use crate::diag::Severity;
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::program::{Location, Move};
@@ -92,9 +92,40 @@ impl<M: Machine> Planner<'_, M> {
             self.restart(sink)?;
         }
         let words = self.placer.retract_words(self.config.retract.position).map_err(|fault| stop(at, fault))?;
+        let off = match self.abilities.plane {
+            _ if !self.framed => None,
+            Some(plane) if self.config.mode == Mode::Plane => Some((Step::PlaneOff, plane.ends_behind_retract)),
+            _ => Some((Step::TipControl { on: false }, false)),
+        };
+        self.framed = false;
+        if let Some((off, false)) = off {
+            sink.step(&off)?;
+        }
         sink.step(&Step::Machine { words })?;
+        if let Some((off, true)) = off {
+            sink.step(&off)?;
+        }
         self.clear = true;
         Ok(())
+    }
+
+    /// The frame of what follows, where it depends on how the rotaries stand there; nothing has moved yet.
+    pub(super) fn framed_at(
+        &mut self,
+        place: Place<M::Axes>,
+    ) -> Result<(Place<M::Axes>, Option<Step<'static>>), Fault> {
+        match (self.config.mode, self.abilities.plane) {
+            (Mode::Axes, _) | (Mode::Plane, None) => Ok((place, None)),
+            (Mode::Tcp, _) => {
+                let place = if self.placer.frame.is_set_anew() { self.placer.started(place)? } else { place };
+                Ok((place, Some(Step::TipControl { on: true })))
+            }
+            (Mode::Plane, Some(ability)) => {
+                let (place, tilt) = self.placer.tilted(place, &ability)?;
+                let pose = self.placer.pose_of_plane(&place, ability.pose);
+                Ok((place, Some(Step::Plane { angles: tilt.words, pose })))
+            }
+        }
     }
 
     fn restart(&mut self, sink: &mut impl Sink) -> Planned {
@@ -102,6 +133,7 @@ impl<M: Machine> Planner<'_, M> {
         sink.step(&Step::Restart { number: self.restarts })?;
         self.clamps.forget();
         self.inverse_time = false;
+        self.framed = false;
         Ok(())
     }
 
@@ -124,8 +156,8 @@ impl<M: Machine> Planner<'_, M> {
             return self.start_directly(at, first, planned, sink);
         }
         self.leave(at, sink)?;
-        if self.abilities.length_moves && self.restarts > 0 {
-            // What the safety line cancels must not move the tool down.
+        if (self.abilities.length_moves || self.framed) && self.restarts > 0 {
+            // What the safety line cancels must not move the tool down, or turn it in the part.
             self.machine_retract(at, sink)?;
         }
         // A complete state, the retract included: the program can be entered here.
@@ -183,6 +215,9 @@ impl<M: Machine> Planner<'_, M> {
     fn start_directly(&mut self, at: Location, first: &Move, planned: Option<Target>, sink: &mut impl Sink) -> Planned {
         let place =
             self.placer.place(&first.pose, &self.place, !first.rapid, planned).map_err(|fault| stop(at, fault))?;
+        if self.leaves_plane(&place) {
+            return self.index(at, first, None, planned, sink);
+        }
         let before = self.place.pose;
         if first.rapid {
             self.cancel_inverse_time(sink)?;
@@ -224,6 +259,7 @@ impl<M: Machine> Planner<'_, M> {
         let fault = |fault: Fault| stop(at, fault);
         self.clamps.approach();
         let place = self.placer.place(&first.pose, &self.place, false, planned).map_err(fault)?;
+        let (place, frame) = self.framed_at(place).map_err(fault)?;
         let distance = self.config.approach.distance;
         let above = if first.rapid && next.is_some_and(|next| straight_down(&first.pose, &next.pose)) {
             place
@@ -233,7 +269,7 @@ impl<M: Machine> Planner<'_, M> {
                 .shifted(tip + axis.into_inner() * distance, &place)
                 .map_err(|fault| stop(at, fault.context(format_args!("the approach from {distance} mm"))))?
         };
-        self.come_in(at, &above, sink)?;
+        self.come_in(at, &above, frame, sink)?;
         self.count_sequence();
         self.turn_coolant(at, sink)?;
         self.place = above;
@@ -254,7 +290,13 @@ impl<M: Machine> Planner<'_, M> {
     }
 
     /// Steps 4 to 6: from the machine retract to the approach point.
-    pub(super) fn come_in(&mut self, at: Location, above: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
+    pub(super) fn come_in(
+        &mut self,
+        at: Location,
+        above: &Place<M::Axes>,
+        frame: Option<Step<'static>>,
+        sink: &mut impl Sink,
+    ) -> Planned {
         let retract = self.config.retract.position;
         if let Some(below) = self.placer.below_retract(above, retract)
             && below < -self.placer.unit_mm()
@@ -270,11 +312,22 @@ impl<M: Machine> Planner<'_, M> {
             ));
         }
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
-        let retract_axis = 1 << self.placer.retract_axis();
         self.unclamp(&above.words, sink)?;
         self.rapid(above, rotary, sink)?;
+        if let Some(frame) = frame {
+            sink.step(&frame)?;
+            self.framed = true;
+            self.clear = false;
+        }
         self.clamp(sink)?;
-        for mask in [linear & !retract_axis, linear & retract_axis] {
+        let last = match self.config.mode {
+            Mode::Axes => 1 << self.placer.retract_axis(),
+            // Along the tool axis of the plane.
+            Mode::Plane => 1 << self.placer.frame.letters()[2],
+            // The tip goes straight to the approach point, however the table is tilted.
+            Mode::Tcp => linear,
+        };
+        for mask in [linear & !last, last] {
             self.rapid(above, mask, sink)?;
         }
         Ok(())

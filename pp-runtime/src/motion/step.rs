@@ -8,6 +8,9 @@ use crate::program::{Coolant, Rotation};
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;
 
+/// Decimals of the components of a tool axis: as many as CL data has.
+pub const VECTOR_DECIMALS: u32 = 7;
+
 /// Words of axes: whole units of their last decimal, by position in the chain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Words {
@@ -15,6 +18,8 @@ pub struct Words {
     pub units: [i64; MAX_AXES],
     /// Bit `i` is set for the axis at position `i`.
     pub mask: u16,
+    /// The tool axis as the control counts it, in the place of rotary words: units of [`VECTOR_DECIMALS`] decimals.
+    pub vector: Option<[i64; 3]>,
 }
 
 impl Words {
@@ -82,6 +87,20 @@ pub enum Step<'a> {
         /// Register.
         offset: u32,
     },
+    /// The control keeps the tip where the linear words say, or no longer.
+    TipControl {
+        /// From here on.
+        on: bool,
+    },
+    /// The plane of the linear words is tilted, and the rotary axes are turned to it.
+    Plane {
+        /// Its angles as the control counts them, degrees.
+        angles: [Decimal; 3],
+        /// Which of the two poses, where it has to be said: plus or the higher one.
+        pose: Option<bool>,
+    },
+    /// The plane is no longer tilted.
+    PlaneOff,
     /// The length of the tool as the control knows it is compared with the one that was posted, and the program stops where
     /// they differ; nothing where a control cannot compare.
     LengthGuard {

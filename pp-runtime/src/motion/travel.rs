@@ -4,7 +4,7 @@
 //! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
 
 use crate::config::Config;
-use crate::kinematics::{AxisKind, Limits, Machine};
+use crate::kinematics::{Axis, AxisKind, Limits, Machine, Side};
 
 use super::fault::Fault;
 use super::origin::along_axes;
@@ -28,6 +28,8 @@ pub(crate) struct LinearTravel {
     share: f64,
     /// Smallest and largest `q + g` so far.
     pub(crate) span: Option<(f64, f64)>,
+    /// A rotary axis of the head turns the tool: its length moves the axis, how far depends on the angles.
+    turned: bool,
     /// Points that could not be compared because the gauge length is unknown.
     pub(crate) unknown_length: bool,
 }
@@ -47,6 +49,8 @@ impl Travel {
             .filter(|&i| M::AXES[i].kind == AxisKind::Linear && !M::AXES[i].held)
             .collect();
         let shares = along_axes(machine, &machine.tool_axis());
+        let head = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool;
+        let turned = M::AXES.iter().any(head);
         let axes = solved
             .iter()
             .map(|&index| LinearTravel {
@@ -56,6 +60,7 @@ impl Travel {
                 zero: config.machine_zero.get(&M::AXES[index].letter).copied(),
                 share: shares[index],
                 span: None,
+                turned,
                 unknown_length: false,
             })
             .collect();
@@ -77,6 +82,11 @@ impl Travel {
             axis.check(values[axis.index], length)?;
         }
         Ok(())
+    }
+
+    /// Whether the travel of an axis is declared.
+    pub(crate) fn limited(&self) -> bool {
+        self.axes.iter().any(LinearTravel::limited)
     }
 
     /// Compares a machine coordinate with the limits.
@@ -115,7 +125,7 @@ impl LinearTravel {
     }
 
     fn gauge(&self, length: Option<f64>) -> Option<f64> {
-        if self.share.abs() < NO_SHARE { Some(0.0) } else { length.map(|length| length * self.share) }
+        if self.share.abs() < NO_SHARE && !self.turned { Some(0.0) } else { length.map(|length| length * self.share) }
     }
 
     fn check(&mut self, value: f64, length: Option<f64>) -> Result<(), Fault> {

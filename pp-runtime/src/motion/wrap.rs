@@ -94,7 +94,7 @@ mod tests {
         degrees
             .iter()
             .map(|&to| {
-                let mut words = Words { units: [0; MAX_AXES], mask: 1 };
+                let mut words = Words { units: [0; MAX_AXES], mask: 1, vector: None };
                 words.units[0] = to;
                 let spelled = speller.spell(&from, words).units[0];
                 from[0] = to;

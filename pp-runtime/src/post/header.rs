@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, LengthMode, ProgramZero, Units, Wrap, part_angles};
+use crate::config::{Config, LengthMode, Mode, ProgramZero, TcpFrame, ToolPosture, Units, Wrap, part_angles};
 use crate::control::{Control, Encoder};
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
@@ -43,7 +43,9 @@ pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
     if !survey.framed {
         list.push("the points of the CL data count from the part zero".to_owned());
     }
-    if rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
+    // A control that counts the tip in the frame of the part knows where the part lies.
+    let known = config.mode != Mode::Axes && config.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
+    if !known && rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
         list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
     }
     if !config.is_given("work_offset") {
@@ -207,7 +209,7 @@ impl<M: Machine> Header<'_, M> {
         encoder.comment(&name)?;
         let mut lines = vec![
             format!("CL FILE {}", self.job.cl_name),
-            format!("MACHINE {}, CONTROL {}, MODE axes", M::NAME, self.job.control.spellings().title),
+            format!("MACHINE {}, CONTROL {}, MODE {}", M::NAME, self.job.control.spellings().title, config.mode.name()),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
@@ -216,7 +218,8 @@ impl<M: Machine> Header<'_, M> {
         lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));
         lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
-        if rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some() {
+        let turns = rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some();
+        if turns && config.mode != Mode::Plane {
             lines.push(format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
                 self.length(config.tolerance),
@@ -225,8 +228,9 @@ impl<M: Machine> Header<'_, M> {
             let note = self.job.control.spellings().rotary_note;
             lines.push(format!("ROTARY WORDS are absolute and count on past 360: {note}"));
         }
+        lines.extend(framed(self.job.control, config));
         lines.extend(unchecked(&self.unchecked));
-        if rotaries::<M>(Side::Workpiece).next().is_some() {
+        if config.mode == Mode::Axes && rotaries::<M>(Side::Workpiece).next().is_some() {
             lines.push(format!(
                 "valid only for part origin {} from the table reference; do not touch off again",
                 self.point(config.part_origin)
@@ -317,7 +321,7 @@ impl<M: Machine> Header<'_, M> {
         let mut lines = vec![text];
         let gauge_line = config.length_mode == LengthMode::Gauge;
         if let Some(length) = length
-            && (gauge_line || rotaries::<M>(Side::Tool).next().is_some())
+            && (gauge_line || config.mode == Mode::Axes && rotaries::<M>(Side::Tool).next().is_some())
         {
             let length = self.length(length);
             let own = offset.is_none_or(|offset| offset == number);
@@ -329,6 +333,33 @@ impl<M: Machine> Header<'_, M> {
             lines.push(format!("T{number} posted with L = {length}: {who}"));
         }
         lines
+    }
+}
+
+/// What the words count in a mode in which the control moves the tip, and what it takes for granted.
+fn framed(control: &dyn Control, config: &Config) -> Vec<String> {
+    let codes = control.spellings();
+    let note =
+        |note: &str| (!note.is_empty()).then(|| format!("MODE {} takes for granted: {note}", config.mode.name()));
+    match config.mode {
+        Mode::Axes => Vec::new(),
+        Mode::Tcp => {
+            let frame = match config.tcp_frame {
+                None | Some(TcpFrame::TableAtZero) => "fixed to the table as it stands with its rotary axes at zero",
+                Some(TcpFrame::TableAtStart) => "fixed to the table as it stands where tip control begins",
+                Some(TcpFrame::NotTurning) => "standing still while the table turns",
+            };
+            let posture = match config.tool_posture {
+                ToolPosture::Axes => "rotary axes move evenly",
+                ToolPosture::Plane => "the tool axis turns in the plane of its ends",
+            };
+            let words = format!("LINEAR WORDS are coordinates of the tip in a frame {frame}; {posture}");
+            std::iter::once(words).chain(codes.tip.as_ref().and_then(|tip| note(tip.note))).collect()
+        }
+        Mode::Plane => {
+            let words = "LINEAR WORDS are coordinates of the tip in the tilted plane, about the same zero".to_owned();
+            std::iter::once(words).chain(codes.plane.as_ref().and_then(|plane| note(plane.note))).collect()
+        }
     }
 }
 

@@ -1,0 +1,304 @@
+//! What the linear words of a block count: axis values, or coordinates of the tip in a frame of the control.
+//!
+//! In mode `tcp` the control moves the axes so that the tip stands at the X Y Z of the block; in mode `plane` it counts
+//! them in a plane that it has tilted. Either way the words are an isometry of the workpiece frame,
+//!
+//! ```text
+//! word = S · R · (p + o) + shift
+//! ```
+//!
+//! `S` being the signs of words that run backwards (with all rotaries at zero the words are those of mode `axes`), `o` the
+//! part zero where words count from the table, and `R` what the frame adds: nothing for a frame that is fixed to the table
+//! as it stands at zero, the table's turn for one that is fixed to it where tip control begins, the plane's for a plane.
+//!
+//! A mirrored control (an odd number of backward words) sees a mirrored part: what is a rotation `R` of the part is
+//! `S·R·S` in its words.
+
+use nalgebra::{Matrix3, Point3, Vector3};
+
+use crate::config::{Config, Mode, ProgramZero, TcpFrame, TcpWords, ToolPosture};
+use crate::kinematics::{AxisKind, Machine, MotionBound, Side};
+
+use super::fault::Fault;
+use super::step::MAX_AXES;
+use super::tilt::{PlaneAbility, Tilt};
+
+/// What tip control of a control can do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TipAbility {
+    /// In which frame it counts is a setting of the machine.
+    pub frame_is_set: bool,
+    /// It can turn the tool axis in the plane of its ends.
+    pub turns_in_plane: bool,
+    /// It takes the tool axis as a vector.
+    pub takes_vectors: bool,
+}
+
+/// An isometry of the workpiece frame: `word = rotation · p + shift`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Map {
+    pub(super) rotation: Matrix3<f64>,
+    pub(super) shift: Vector3<f64>,
+}
+
+impl Map {
+    /// The words X Y Z of a tip, mm.
+    pub(super) fn words(&self, tip: &Point3<f64>) -> Vector3<f64> {
+        self.rotation * tip.coords + self.shift
+    }
+
+    /// The tip of words.
+    pub(super) fn tip(&self, words: &Vector3<f64>) -> Point3<f64> {
+        Point3::from(self.rotation.transpose() * (words - self.shift))
+    }
+}
+
+/// What linear words count.
+#[derive(Debug, Clone, PartialEq)]
+enum Counting {
+    /// Axis values.
+    Axes,
+    /// The tip, in one frame until the next change.
+    Fixed(Map),
+    /// The tip, in a frame that stands still while the table turns.
+    Turning,
+}
+
+/// The frames of one machine and set-up.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Frame {
+    counting: Counting,
+    mode: Mode,
+    tcp_frame: TcpFrame,
+    posture: ToolPosture,
+    /// Signs of the words X Y Z.
+    signs: Matrix3<f64>,
+    /// What the words count from, from the part zero, mm.
+    zero: Vector3<f64>,
+    /// Positions of X Y Z in the chain.
+    letters: [usize; 3],
+}
+
+impl Frame {
+    pub(super) fn new<M: Machine>(machine: &M, config: &Config) -> Self {
+        let position = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter);
+        let letters = ['X', 'Y', 'Z'].map(|letter| position(letter).unwrap_or_default());
+        let sign = letters.map(|index| machine.joint(index).sign);
+        let zero = match config.program_zero {
+            ProgramZero::Part => Vector3::zeros(),
+            ProgramZero::Table => config.part_origin.into(),
+        };
+        let mut frame = Self {
+            counting: Counting::Axes,
+            mode: config.mode,
+            tcp_frame: config.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
+            posture: config.tool_posture,
+            signs: Matrix3::from_diagonal(&Vector3::from(sign)),
+            zero,
+            letters,
+        };
+        match (frame.mode, frame.tcp_frame) {
+            (Mode::Tcp, TcpFrame::TableAtZero) => frame.fix(&Matrix3::identity(), Vector3::zeros()),
+            (Mode::Tcp, TcpFrame::NotTurning) => frame.counting = Counting::Turning,
+            (Mode::Axes | Mode::Plane, _) | (Mode::Tcp, TcpFrame::TableAtStart) => {}
+        }
+        frame
+    }
+
+    /// Positions of X Y Z in the chain.
+    pub(super) fn letters(&self) -> [usize; 3] {
+        self.letters
+    }
+
+    /// Words count the tip, not the axes.
+    pub(super) fn counts_tip(&self) -> bool {
+        self.counting != Counting::Axes
+    }
+
+    /// Whether the frame has to be set where the rotaries have turned.
+    pub(super) fn is_set_anew(&self) -> bool {
+        self.mode == Mode::Plane || self.mode == Mode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
+    }
+
+    fn fix(&mut self, turn: &Matrix3<f64>, moved: Vector3<f64>) {
+        let rotation = self.signs * turn;
+        let shift = rotation * self.zero + self.signs * moved;
+        self.counting = Counting::Fixed(Map { rotation, shift });
+    }
+
+    /// The frame is fixed to the table as it stands.
+    pub(super) fn start<M: Machine>(&mut self, machine: &M, axes: &M::Axes) {
+        let (turn, moved) = table(machine, axes);
+        // The zero of the table's words turns with it, about the same centre lines.
+        self.fix(&turn, moved - turn * self.zero + self.zero);
+    }
+
+    /// The plane of an orientation in the workpiece frame, as the control will have it.
+    pub(super) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<Tilt> {
+        let tilt = ability.tilt(&(self.signs * orientation * self.signs))?;
+        let rotation = tilt.orientation.transpose() * self.signs;
+        self.counting = Counting::Fixed(Map { rotation, shift: rotation * self.zero });
+        Some(tilt)
+    }
+
+    /// The map from the workpiece to the words, where words count the tip.
+    #[inline]
+    pub(super) fn map<M: Machine>(&self, machine: &M, axes: &M::Axes) -> Option<Map> {
+        match &self.counting {
+            Counting::Axes => None,
+            Counting::Fixed(map) => Some(*map),
+            Counting::Turning => {
+                let (turn, moved) = table(machine, axes);
+                Some(Map { rotation: self.signs * turn, shift: self.signs * (moved + self.zero) })
+            }
+        }
+    }
+
+    /// What is certified of a block: `bound` is for axes that all move evenly.
+    #[inline]
+    pub(super) fn bound(&self, bound: MotionBound) -> MotionBound {
+        match (&self.counting, self.posture) {
+            (Counting::Axes | Counting::Turning, _) => bound,
+            (Counting::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
+            (Counting::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
+        }
+    }
+}
+
+/// How the rotary axes of the table have carried the part: a point `p` of the workpiece stands at `turn · p + moved`, counted
+/// from where the part zero is with all axes at zero.
+fn table<M: Machine>(machine: &M, axes: &M::Axes) -> (Matrix3<f64>, Vector3<f64>) {
+    let (mut turn, mut moved) = (Matrix3::identity(), Vector3::zeros());
+    for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
+        if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {
+            let joint = machine.joint(index);
+            let back = rotation(&joint, -axes.as_ref()[index]);
+            let centre = joint.point.coords;
+            turn = back * turn;
+            moved = back * (moved - centre) + centre;
+        }
+    }
+    (turn, moved)
+}
+
+/// How all rotary axes together turn the tool in the workpiece frame.
+pub(super) fn orientation<M: Machine>(machine: &M, axes: &M::Axes) -> Matrix3<f64> {
+    let rotaries = M::AXES.iter().enumerate().take(MAX_AXES).filter(|(_, axis)| axis.kind == AxisKind::Rotary);
+    rotaries
+        .fold(Matrix3::identity(), |turned, (index, _)| turned * rotation(&machine.joint(index), axes.as_ref()[index]))
+}
+
+fn rotation(joint: &crate::kinematics::Joint, angle: f64) -> Matrix3<f64> {
+    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle).into_inner()
+}
+
+/// Why a machine, its control and a configuration do not suit the mode that is asked for, one sentence each.
+#[must_use]
+pub fn unsuited<M: Machine>(
+    config: &Config,
+    control: &str,
+    tip: Option<TipAbility>,
+    plane: Option<PlaneAbility>,
+) -> Vec<String> {
+    let mode = config.mode;
+    if mode == Mode::Axes {
+        return Vec::new();
+    }
+    let Ok(machine) = config.machine::<M>() else { return Vec::new() };
+    let mut faults = Vec::new();
+    let mut other = |text: String, instead: &str| faults.push(format!("mode {}: {text}; {instead}", mode.name()));
+    if config.length_mode == crate::config::LengthMode::Gauge {
+        other("the control needs the length offset for it".to_owned(), "leave `length_mode` at \"tip\"");
+    }
+    if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(&machine, *letter)) {
+        let text =
+            format!("{letter} of this machine does not run along its own direction, and the control counts along it");
+        other(text, "use mode axes");
+    }
+    match mode {
+        Mode::Tcp => tcp_faults::<M>(config, control, tip, &mut other),
+        Mode::Plane if plane.is_none() => {
+            other(format!("{control} tilts no plane"), "mode axes works on any control, mode tcp on most");
+        }
+        Mode::Plane if !tool_along_z(&machine) => {
+            other("the tool axis of this machine is not its Z".to_owned(), "use mode axes");
+        }
+        Mode::Plane | Mode::Axes => {}
+    }
+    faults
+}
+
+fn tcp_faults<M: Machine>(
+    config: &Config,
+    control: &str,
+    tip: Option<TipAbility>,
+    other: &mut impl FnMut(String, &str),
+) {
+    let Some(tip) = tip else {
+        let text = format!("{control} has no tip control of its own");
+        return other(text, "give the codes that switch it, `[control] tip_control = [on, off]`, or use mode axes");
+    };
+    let table = rotaries::<M>(Side::Workpiece).next().is_some();
+    let head = rotaries::<M>(Side::Tool).next().is_some();
+    if tip.frame_is_set && table && config.tcp_frame.is_none() {
+        let text = "in which frame the tip is counted while the table turns is a parameter of the machine (19696#5)";
+        other(text.to_owned(), "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
+    }
+    if !tip.frame_is_set && config.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
+        other(format!("{control} counts the tip in the frame of the table at zero"), "leave `tcp_frame` out");
+    }
+    if config.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {
+        other(format!("{control} moves rotary axes evenly"), "leave `tool_posture` at \"axes\"");
+    }
+    if config.tcp_words == TcpWords::Vectors && !tip.takes_vectors {
+        other(format!("{control} takes no tool axis as a vector"), "leave `tcp_words` at \"angles\"");
+    }
+    if config.tcp_words == TcpWords::Vectors && config.tcp_frame == Some(TcpFrame::NotTurning) {
+        let text = "a tool axis as a vector has no meaning in a frame that stands still while the table turns";
+        other(text.to_owned(), "leave `tcp_words` at \"angles\"");
+    }
+    if config.tcp_frame == Some(TcpFrame::NotTurning) && (head || config.tool_posture == ToolPosture::Plane) {
+        let text = "in a frame that does not turn the path is certified for rotary axes of the table that move evenly";
+        other(text.to_owned(), "use mode axes");
+    }
+    if !config.tcp_confirmed && !plain_chain::<M>() {
+        let text = "a held axis, or a linear axis that is not between table and head, may be unknown to the control";
+        other(text.to_owned(), "`tcp_confirmed = true` if it knows this chain, or mode axes");
+    }
+}
+
+fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = usize> {
+    let wanted = move |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side;
+    M::AXES.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(index, _)| index)
+}
+
+/// Nothing is held, and every linear axis stands between the rotaries of the table and those of the head.
+fn plain_chain<M: Machine>() -> bool {
+    let last_of_table = rotaries::<M>(Side::Workpiece).last();
+    let first_of_head = rotaries::<M>(Side::Tool).next();
+    M::AXES.iter().enumerate().all(|(index, axis)| {
+        let between = last_of_table.is_none_or(|last| index > last) && first_of_head.is_none_or(|first| index < first);
+        !axis.held && (axis.kind == AxisKind::Rotary || between)
+    })
+}
+
+/// X along X, whichever way round its word counts.
+fn is_own_direction<M: Machine>(machine: &M, letter: char) -> bool {
+    let index = M::AXES.iter().position(|axis| axis.letter == letter && !axis.held);
+    let own = match letter {
+        'X' => Vector3::x(),
+        'Y' => Vector3::y(),
+        _ => Vector3::z(),
+    };
+    index.is_some_and(|index| (machine.joint(index).direction.into_inner() - own).norm() < 1e-12)
+}
+
+fn tool_along_z<M: Machine>(machine: &M) -> bool {
+    (machine.tool_axis().into_inner() - Vector3::z()).norm() < 1e-12
+}
+
+/// What a control cannot do with a plane, in words.
+pub(super) fn no_plane() -> Fault {
+    Fault::new("the angles of the tilted plane do not give the orientation of the machine")
+        .help("this is a fault of the postprocessor, not of the CL data: use mode axes")
+}

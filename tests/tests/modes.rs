@@ -1,0 +1,463 @@
+//! The three ways to write multi-axis motion say the same motion: at every point of the CL data the words of mode `tcp` and
+//! of mode `plane` put the tool where those of mode `axes` do.
+//!
+//! What words mean is stated here a second time, with the oracle's matrices and the conventions of the controls written
+//! out; steps are looked at, not text.
+
+use std::io;
+
+use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use nalgebra::{Matrix3, Point3, UnitVector3, Vector3, Vector4};
+use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, Tool, ToolPosture, Units};
+use pp_runtime::control::{self, Control};
+use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
+use pp_runtime::machine;
+use pp_runtime::motion::{Feed as FeedWord, Navigator, Planner, Sink, Step, Stop};
+use pp_runtime::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+use tests::block::{angle_to_arc, distance_to_line};
+use tests::further::{HeadTable, Trunnion};
+use tests::oracle::{Oracle, angle_between, rotation, rotation_about};
+use tests::random::Random;
+
+machine! {
+    /// A table of two rotaries under a spindle with a quill.
+    pub struct Quill;
+    chain: C B | X Y W Z;
+    axes = { W: Z };
+    hold = { W: 0 };
+}
+
+const LENGTH: f64 = 87.25;
+
+/// One unit of linear words, mm.
+const UNIT: f64 = 1e-3;
+
+/// What the program says so far: the words of the axes, and what the control counts them in.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Says {
+    /// By position in the chain, mm and degrees.
+    words: [f64; 9],
+    /// Angles of the tilted plane, degrees.
+    plane: Option<[f64; 3]>,
+    /// The tool axis in the frame of the control.
+    vector: Option<[f64; 3]>,
+    /// Rotary words where tip control began, degrees.
+    began: Option<[f64; 9]>,
+    /// Blocks of feed, and how many of them move a rotary axis with a feed that is no inverse time.
+    feeds: usize,
+    turned_per_minute: usize,
+    /// Words at the end of each feed block since the motion before.
+    blocks: Vec<[f64; 9]>,
+}
+
+struct Listener<M: Machine> {
+    says: Says,
+    rotary: u32,
+    machine: std::marker::PhantomData<M>,
+}
+
+impl<M: Machine> Listener<M> {
+    fn new(config: &Config) -> Self {
+        Self { says: Says::default(), rotary: config.formats.rotary, machine: std::marker::PhantomData }
+    }
+
+    fn take(&mut self, words: &pp_runtime::motion::Words) -> bool {
+        let mut turned = words.vector.is_some();
+        self.says.vector = words.vector.map(|vector| vector.map(|units| units as f64 * 1e-7)).or(self.says.vector);
+        for (index, axis) in M::AXES.iter().enumerate().filter(|(index, _)| words.has(*index)) {
+            let per_unit = if axis.kind == AxisKind::Linear { 3 } else { self.rotary };
+            let value = words.units[index] as f64 / 10_f64.powi(per_unit.cast_signed());
+            turned |= axis.kind == AxisKind::Rotary && (value - self.says.words[index]).abs() > 0.0;
+            self.says.words[index] = value;
+        }
+        turned
+    }
+}
+
+impl<M: Machine> Sink for Listener<M> {
+    fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
+        match step {
+            Step::Feed { words, feed } => {
+                let turned = self.take(words);
+                self.says.blocks.push(self.says.words);
+                self.says.feeds += 1;
+                self.says.turned_per_minute += usize::from(turned && matches!(feed, FeedWord::PerMinute(_)));
+                assert!(self.says.plane.is_none() || !turned, "no rotary turns in a tilted plane");
+            }
+            Step::Rapid { words } => {
+                self.take(words);
+            }
+            Step::Machine { .. } | Step::Restart { .. } | Step::Tool { .. } => {
+                let framed = self.says.plane.is_some() || self.says.began.is_some();
+                let machine = matches!(step, Step::Machine { .. });
+                assert!(!framed || machine && self.says.plane.is_some(), "{step:?} under tip control");
+            }
+            Step::TipControl { on } => {
+                assert_ne!(self.says.began.is_some(), *on);
+                self.says.began = on.then_some(self.says.words);
+            }
+            Step::Plane { angles, .. } => {
+                assert_eq!(self.says.plane, None);
+                self.says.plane = Some(angles.map(|angle| angle.value()));
+            }
+            Step::PlaneOff => {
+                assert!(self.says.plane.is_some());
+                self.says.plane = None;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// What the program says at each motion, and the first fault.
+fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_>]) -> Result<Vec<Says>, String> {
+    let machine = config.machine::<M>().expect("valid");
+    let unsuited = control::unsuited::<M>(control, config);
+    if !unsuited.is_empty() {
+        return Err(unsuited.join("\n"));
+    }
+    let mut navigator = Navigator::new(machine.clone(), config);
+    events.iter().for_each(|event| navigator.event(event));
+    let abilities = control::abilities(control, config);
+    let mut planner =
+        Planner::new(machine, config, Units::Millimetres, abilities, false).with_course(navigator.finish());
+    let mut listener = Listener::<M>::new(config);
+    let mut all = Vec::new();
+    let fault = |stop: Stop| match stop {
+        Stop::Fault(fault) => fault.text,
+        Stop::Output(error) => panic!("{error}"),
+    };
+    for (line, event) in events.iter().enumerate() {
+        let at = Location { line: line as u64 + 1, column: 1 };
+        planner.event(at, event, &mut listener).map_err(fault)?;
+        if let Event::Move(_) = event {
+            all.push(listener.says.clone());
+            listener.says.blocks.clear();
+        }
+    }
+    planner.finish(Location::default(), &mut listener).map_err(fault)?;
+    let framed = listener.says.plane.is_some() || listener.says.began.is_some();
+    assert!(!framed, "the program ends with the frame off");
+    Ok(all)
+}
+
+/// Turns about coordinate directions, written out.
+fn about(axis: usize, degrees: f64) -> Matrix3<f64> {
+    rotation(&[Vector3::x(), Vector3::y(), Vector3::z()][axis], degrees.to_radians())
+        .fixed_view::<3, 3>(0, 0)
+        .into_owned()
+}
+
+/// The orientation of a plane's angles, as the manual of each control has it.
+///
+/// Fanuc, B-63784EN "tilted working plane command": Euler angles I about Z, J about the new X, K about the new Z. Siemens,
+/// CYCLE800 mode 57: about X, the new Y, the new Z. Heidenhain, PLANE SPATIAL: about the fixed X, then Y, then Z.
+fn orientation(control: &str, [a, b, c]: [f64; 3]) -> Matrix3<f64> {
+    match control {
+        "fanuc" => about(2, a) * about(0, b) * about(2, c),
+        "siemens" => about(0, a) * about(1, b) * about(2, c),
+        _ => about(2, c) * about(1, b) * about(0, a),
+    }
+}
+
+/// Signs of the words X Y Z.
+fn signs<M: Machine>(machine: &M) -> Matrix3<f64> {
+    let index = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis of this letter");
+    Matrix3::from_diagonal(&Vector3::from(['X', 'Y', 'Z'].map(|letter| machine.joint(index(letter)).sign)))
+}
+
+fn linear_words<M: Machine>(words: &[f64; 9]) -> Vector3<f64> {
+    let word = |letter: char| words[M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis")];
+    Vector3::new(word('X'), word('Y'), word('Z'))
+}
+
+fn axis_values<M: Machine>(words: &[f64; 9]) -> Vec<f64> {
+    let value = |(index, axis): (usize, &pp_runtime::kinematics::Axis)| match axis.kind {
+        AxisKind::Linear => words[index],
+        AxisKind::Rotary => words[index].to_radians(),
+    };
+    M::AXES.iter().enumerate().map(value).collect()
+}
+
+/// The point of the workpiece that stands where the words say, the table turned as in `words`.
+fn on_table<M: Machine>(machine: &M, at: &Vector3<f64>, words: &[f64; 9]) -> Point3<f64> {
+    let mut point = Vector4::new(at.x, at.y, at.z, 1.0);
+    for (index, axis) in M::AXES.iter().enumerate().rev() {
+        if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {
+            let joint = machine.joint(index);
+            let angle = joint.sign * words[index].to_radians();
+            point = rotation_about(&joint.point.coords, &joint.direction, angle) * point;
+        }
+    }
+    Point3::new(point.x, point.y, point.z)
+}
+
+/// Where the tool is by the words of a mode: tip and axis.
+fn meant<M: Machine>(machine: &M, config: &Config, control: &str, says: &Says) -> (Point3<f64>, Vector3<f64>) {
+    let oracle = Oracle::of(machine);
+    let words = signs(machine).transpose() * linear_words::<M>(&says.words);
+    let axis = oracle.forward(&axis_values::<M>(&says.words)).axis.into_inner();
+    match config.mode {
+        Mode::Axes => (oracle.forward(&axis_values::<M>(&says.words)).tip, axis),
+        Mode::Tcp => {
+            let began = says.began.expect("under tip control");
+            let tip = match config.tcp_frame.unwrap_or(TcpFrame::TableAtZero) {
+                TcpFrame::TableAtZero => Point3::from(words),
+                TcpFrame::TableAtStart => on_table(machine, &words, &began),
+                TcpFrame::NotTurning => on_table(machine, &words, &says.words),
+            };
+            let Some(vector) = says.vector else { return (tip, axis) };
+            let vector = signs(machine).transpose() * Vector3::from(vector);
+            let axis = match config.tcp_frame {
+                Some(TcpFrame::TableAtStart) => {
+                    on_table(machine, &vector, &began) - on_table(machine, &Vector3::zeros(), &began)
+                }
+                _ => vector,
+            };
+            (tip, axis)
+        }
+        Mode::Plane => {
+            let (signs, plane) = (signs(machine), orientation(control, says.plane.expect("a plane")));
+            let tip = signs * plane * linear_words::<M>(&says.words);
+            (Point3::from(tip), signs * plane.column(2))
+        }
+    }
+}
+
+/// Operations with a tool axis of their own each, and cuts in which the axis turns unless it is to be held.
+fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -> Vec<Event<'static>> {
+    let mut events = vec![
+        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+    ];
+    for _ in 0..6 {
+        events.push(Event::Operation(b"OPERATION"));
+        let axis = |random: &mut Random| {
+            let values: Vec<f64> = M::AXES
+                .iter()
+                .map(|axis| match (axis.kind, axis.limits) {
+                    (AxisKind::Linear, _) => 0.0,
+                    (_, Some(limits)) => random.between(limits.lower.max(-1.0), limits.upper.min(1.0)),
+                    (_, None) => random.between(-3.0, 3.0),
+                })
+                .collect();
+            Oracle::of(machine).forward(&values).axis
+        };
+        let start = axis(random);
+        for point in 0..5 {
+            let tip = Point3::new(random.between(-50.0, 50.0), random.between(-50.0, 50.0), random.between(0.0, 30.0));
+            // Near enough to stay on the branch.
+            let lean = random.between(0.0, 0.1);
+            let turned = axis(random).into_inner() * lean + start.into_inner() * (1.0 - lean);
+            let within = machine.reach(&UnitVector3::new_normalize(turned), &M::HELD).is_ok();
+            let axis = if hold || point == 0 || !within { start } else { UnitVector3::new_normalize(turned) };
+            let pose = Pose { tip, axis };
+            events.push(Event::Move(Move { pose, rapid: point == 0, feed: Some(Feed::PerMinute(750.0)) }));
+        }
+    }
+    events
+}
+
+fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Control, random: &mut Random) -> Config {
+    let mut config = control::starting_point(control);
+    config.mode = mode;
+    config.tcp_frame = tcp_frame;
+    config.part_origin = [random.between(-40.0, 40.0), random.between(-40.0, 40.0), random.between(-20.0, 90.0)];
+    config.retract.distance = Some(40.0);
+    config.length_guard = Some(false);
+    config.feed.largest = Some(30_000.0);
+    config.tcp_confirmed = true;
+    config.tools.insert(1, Tool { length: Some(LENGTH), ..Tool::default() });
+    config
+}
+
+/// Points compared.
+fn compare<M: Machine>(seed: u64) -> usize {
+    let mut compared = 0;
+    let frames = [None, Some(TcpFrame::TableAtZero), Some(TcpFrame::TableAtStart), Some(TcpFrame::NotTurning)];
+    let modes = [(Mode::Tcp, TcpWords::Angles), (Mode::Tcp, TcpWords::Vectors), (Mode::Plane, TcpWords::Angles)];
+    for control in control::CONTROLS {
+        let name = control.spellings().name;
+        for (mode, words) in modes {
+            for (round, frame) in frames.into_iter().enumerate() {
+                let (mut random, mut same) = (Random::new(seed + round as u64), Random::new(seed + round as u64));
+                let config = Config { tcp_words: words, ..set_up(mode, frame, *control, &mut random) };
+                let axes = set_up(Mode::Axes, None, *control, &mut same);
+                let machine = config.machine::<M>().expect("valid");
+                let events = events(&machine, &mut random, mode == Mode::Plane);
+                let plain = match posted::<M>(&axes, *control, &events) {
+                    Ok(plain) => plain,
+                    Err(fault) => panic!("{name}: {fault}"),
+                };
+                let framed = match posted::<M>(&config, *control, &events) {
+                    Ok(framed) => framed,
+                    Err(fault) => {
+                        let known = [
+                            "has no tip control",
+                            "tilts no plane",
+                            "give `tcp_frame`",
+                            "counts the tip in",
+                            "does not turn",
+                            "no tool axis as a vector",
+                            "has no meaning",
+                        ];
+                        assert!(known.iter().any(|known| fault.contains(known)), "{name} {mode:?}: {fault}");
+                        continue;
+                    }
+                };
+                let moves = events.iter().filter_map(|event| match event {
+                    Event::Move(motion) => Some(motion),
+                    _ => None,
+                });
+                let mut machine = machine;
+                machine.set_up(config.part_origin.into(), LENGTH);
+                for (index, (motion, (framed, plain))) in moves.zip(framed.iter().zip(&plain)).enumerate() {
+                    // The first motion of an operation, a rapid here, is written with the second.
+                    if motion.rapid {
+                        continue;
+                    }
+                    let context = format!("{} {name} {mode:?} {frame:?} motion {index}", M::NAME);
+                    let (tip, axis) = meant(&machine, &config, name, framed);
+                    let off = (tip - motion.pose.tip).norm();
+                    assert!(off <= 2.0 * UNIT, "{context}: tip {off}\n{framed:?}\n{plain:?}");
+                    let (tip, _) = meant(&machine, &axes, name, plain);
+                    let off = (tip - motion.pose.tip).norm();
+                    assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode axes");
+                    match mode {
+                        Mode::Plane => {
+                            let abilities = control::abilities(*control, &config);
+                            let decimals = abilities.plane.expect("it tilts").decimals;
+                            let half_unit = 0.5 * 10_f64.powi(-decimals.cast_signed()).to_radians();
+                            let off = angle_between(&axis, &motion.pose.axis);
+                            assert!(off <= 3.0 * half_unit + 1e-12, "{context}: axis {off}");
+                        }
+                        _ if words == TcpWords::Vectors => {
+                            let off = angle_between(&axis, &motion.pose.axis);
+                            assert!(framed.vector.is_some() && off <= 1e-7, "{context}: axis {off}");
+                        }
+                        _ => {
+                            let angles = |says: &Says| -> Vec<f64> {
+                                let rotary = |index: &usize| M::AXES[*index].kind == AxisKind::Rotary;
+                                (0..M::AXES.len()).filter(rotary).map(|index| says.words[index]).collect()
+                            };
+                            assert_eq!(angles(framed), angles(plain), "{context}");
+                            assert!(framed.turned_per_minute > 0 || index < 2, "F counts along the tip: {context}");
+                        }
+                    }
+                    compared += 1;
+                }
+            }
+        }
+    }
+    compared
+}
+
+/// Every block of the cuts, looked at in many places: where the control takes the tool between two points.
+fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
+    let mut random = Random::new(seed);
+    let config = set_up(Mode::Tcp, Some(frame), &control::Fanuc, &mut random);
+    let mut machine = config.machine::<M>().expect("valid");
+    let events = events(&machine, &mut random, false);
+    let says = posted::<M>(&config, &control::Fanuc, &events).expect("posted");
+    machine.set_up(config.part_origin.into(), LENGTH);
+    let motions: Vec<&Move> = events
+        .iter()
+        .filter_map(|event| match event {
+            Event::Move(motion) => Some(motion),
+            _ => None,
+        })
+        .collect();
+    let mut blocks = 0;
+    for (index, pair) in motions.windows(2).enumerate().filter(|(_, pair)| !pair[0].rapid && !pair[1].rapid) {
+        let (start, end) = (pair[0].pose, pair[1].pose);
+        let mut from = says[index].words;
+        for to in &says[index + 1].blocks {
+            for place in 0..=200 {
+                let share = f64::from(place) / 200.0;
+                let words = std::array::from_fn(|axis| from[axis] + (to[axis] - from[axis]) * share);
+                let now = Says { words, ..says[index + 1].clone() };
+                let (tip, axis) = meant(&machine, &config, "fanuc", &now);
+                let off = distance_to_line(&tip, &start.tip, &end.tip);
+                assert!(off <= config.tolerance, "{} {frame:?} motion {index}: tip {off}", M::NAME);
+                let off = angle_to_arc(&axis, &start.axis, &end.axis);
+                assert!(off <= config.axis_tolerance_path, "{} {frame:?} motion {index}: axis {off}", M::NAME);
+            }
+            from = *to;
+            blocks += 1;
+        }
+    }
+    blocks
+}
+
+#[test]
+fn between_points_tip_and_axis_keep_to_their_way() {
+    for (seed, frame) in [TcpFrame::TableAtZero, TcpFrame::TableAtStart, TcpFrame::NotTurning].into_iter().enumerate() {
+        let seed = seed as u64 + 20;
+        assert!(between_points::<SpinnerU5620>(seed, frame) >= 18);
+        assert!(between_points::<Dmu70e>(seed, frame) >= 18);
+        assert!(between_points::<MultiProDesk>(seed, frame) >= 18);
+        if frame != TcpFrame::NotTurning {
+            assert!(between_points::<LolaXoyzba>(seed, frame) >= 18);
+            assert!(between_points::<HeadTable>(seed, frame) >= 18);
+        }
+    }
+}
+
+#[test]
+fn both_rotaries_in_the_table() {
+    assert!(compare::<SpinnerU5620>(1) > 300);
+    assert!(compare::<Trunnion>(2) > 300);
+}
+
+#[test]
+fn an_inclined_axis_in_the_table() {
+    assert!(compare::<Dmu70e>(3) > 300);
+}
+
+#[test]
+fn both_rotaries_in_the_head() {
+    assert!(compare::<LolaXoyzba>(4) > 300);
+}
+
+#[test]
+fn one_rotary_in_the_table_and_a_word_that_runs_backwards() {
+    assert!(compare::<MultiProDesk>(5) > 300);
+}
+
+#[test]
+fn one_rotary_in_the_table_and_one_in_the_head() {
+    assert!(compare::<HeadTable>(6) > 300);
+}
+
+#[test]
+fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
+    let mut random = Random::new(9);
+    let mut refused = |control: &dyn Control, mode: Mode, change: &dyn Fn(&mut Config)| {
+        let mut config = set_up(mode, None, control, &mut random);
+        config.tcp_confirmed = false;
+        change(&mut config);
+        control::unsuited::<SpinnerU5620>(control, &config).join("\n")
+    };
+    let (linuxcnc, fanuc, haas) = (&control::LinuxCnc, &control::Fanuc, &control::Haas);
+    assert!(refused(linuxcnc, Mode::Plane, &|_| {}).contains("tilts no plane; mode axes works on any control"));
+    assert!(refused(linuxcnc, Mode::Tcp, &|_| {}).contains("`[control] tip_control = [on, off]`"));
+    assert!(refused(fanuc, Mode::Tcp, &|_| {}).contains("give `tcp_frame`"));
+    let frame = |config: &mut Config| config.tcp_frame = Some(TcpFrame::TableAtStart);
+    assert!(refused(haas, Mode::Tcp, &frame).contains("leave `tcp_frame` out"));
+    let posture = |config: &mut Config| config.tool_posture = ToolPosture::Plane;
+    assert!(refused(haas, Mode::Tcp, &posture).contains("leave `tool_posture` at \"axes\""));
+    let fixed = |config: &mut Config| {
+        config.tcp_frame = Some(TcpFrame::NotTurning);
+        config.tool_posture = ToolPosture::Plane;
+    };
+    assert!(refused(fanuc, Mode::Tcp, &fixed).contains("does not turn"));
+    let codes = |config: &mut Config| config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
+    assert_eq!(refused(linuxcnc, Mode::Tcp, &codes), "");
+    let config = set_up(Mode::Tcp, None, haas, &mut random);
+    let unconfirmed = Config { tcp_confirmed: false, ..config };
+    assert_eq!(control::unsuited::<SpinnerU5620>(haas, &unconfirmed), Vec::<String>::new());
+    let quill = control::unsuited::<Quill>(haas, &unconfirmed).join("\n");
+    assert!(quill.contains("a held axis") && quill.contains("`tcp_confirmed = true`"), "{quill}");
+    assert_eq!(control::unsuited::<Quill>(haas, &Config { tcp_confirmed: true, ..unconfirmed }), Vec::<String>::new());
+}
