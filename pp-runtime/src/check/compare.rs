@@ -15,12 +15,12 @@ use super::Checked;
 use super::expect::{Expect, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
-use super::read::{Action, Block, Family, MAX_AXES, WorkOffset};
+use super::read::{Action, Block, Family, MAX_AXES, TipControl, WorkOffset};
 use super::report::{Shown, Tally};
 use super::travel::Travel;
 use super::words::Words;
 use crate::cl;
-use crate::config::{Config, Units};
+use crate::config::{Config, Mode, Units};
 use crate::kinematics::{AxisKind, Machine, Side};
 use crate::program::Location;
 
@@ -113,10 +113,12 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let unit = decimals(config.formats.linear(units)) * units.in_mm();
         let angle = decimals(config.formats.rotary).to_radians();
         let rotaries = words.rotary_mask.count_ones();
+        // Three angles of a plane, half a thousandth of a degree each.
+        let in_plane = if config.mode == Mode::Plane { 3.0 * 0.5e-3_f64.to_radians() } else { 0.0 };
         let slack = Slack {
             unit,
             tip: 0.5 * unit * corner(&machine) + 1e-6,
-            axis: 0.5 * angle * f64::from(rotaries) * 1.01 + config.axis_tolerance.max(AXIS_NOISE),
+            axis: 0.5 * angle * f64::from(rotaries) * 1.01 + config.axis_tolerance.max(AXIS_NOISE) + in_plane,
             angle,
         };
         let masks = (words.linear_mask, words.rotary_mask);
@@ -212,20 +214,38 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
                 self.phase = Phase::Clear(0);
                 self.here = None;
             }
-            Action::Orient => {
-                self.found(shown, "the control turns the rotary axes into a plane, which nothing asks for");
-            }
+            Action::Orient => self.orient(shown),
             Action::Rapid if matches!(self.phase, Phase::Clear(_)) => self.approach(block, shown)?,
             _ => self.part(block, shown)?,
         }
         self.before = (block.values, block.known);
         if matches!(block.action, Action::Machine | Action::Reference) {
             self.before.1 = block.known;
-        } else if let Some(text) = self.travel.check(&self.words, &block.values, block.known) {
+        } else {
+            self.limits(block, shown);
+        }
+        Ok(())
+    }
+
+    /// Whether the axes stay within their travel.
+    fn limits(&mut self, block: &Block, shown: Shown<'_>) {
+        let solved = self.words.linear_mask | self.words.rotary_mask;
+        let direct = block.state.tip_control == TipControl::Off && block.state.tilt.is_none();
+        if !self.travel.limited() || (!direct && block.known & solved != solved) {
+            return;
+        }
+        let Some(values) = self.words.axes(&block.values, &block.state) else { return };
+        if let Some(text) = self.travel.check(&self.words, &values, block.known) {
             self.tally.outcome.limits += 1;
             self.found(shown, &text);
         }
-        Ok(())
+    }
+
+    /// The control turns the rotary axes into a tilted plane.
+    fn orient(&mut self, shown: Shown<'_>) {
+        if self.config.mode != Mode::Plane || !matches!(self.phase, Phase::Clear(_)) {
+            self.found(shown, "the control turns the rotary axes into a plane where nothing asks for it");
+        }
     }
 
     pub(super) fn found(&mut self, shown: Shown<'_>, text: &str) {
@@ -243,9 +263,15 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         }
     }
 
+    /// Axes whose place has to be known for tip and tool axis to be.
+    pub(super) fn solved(&self, block: &Block) -> u16 {
+        let rotary = if block.state.vector.is_some() { 0 } else { self.words.rotary_mask };
+        self.words.linear_mask | rotary
+    }
+
     /// A block at the part: a motion of the CL data, the way out, or nothing that is known.
     fn part(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
-        let solved = self.words.linear_mask | self.words.rotary_mask;
+        let solved = self.solved(block);
         if block.known & solved != solved {
             self.found(shown, "where the axes stand is not known here");
             return Ok(());

@@ -5,7 +5,7 @@
 //! the linear axes are square F is the feed of the tip; else it says what the control counts.
 
 use super::read::{Family, FeedMode, MAX_AXES, State};
-use crate::config::{Config, PathNorm, Units};
+use crate::config::{Config, Mode, PathNorm, Units};
 use crate::kinematics::{AxisKind, Machine};
 use crate::program::Feed;
 
@@ -44,6 +44,8 @@ pub(super) struct FeedLaw {
     angle: f64,
     decimals: u32,
     digits: u32,
+    /// F counts along the tip path, whatever the axes do.
+    along_tip: bool,
     /// F of one mm/min.
     per_mm: f64,
 }
@@ -83,8 +85,14 @@ impl FeedLaw {
             angle,
             decimals: config.formats.feed,
             digits: config.formats.inverse_time,
+            along_tip: config.mode == Mode::Tcp,
             per_mm: in_tenths / units.in_mm(),
         }
+    }
+
+    /// The largest speeds of the axes count.
+    pub(super) fn needs_axes(&self) -> bool {
+        self.speeds.iter().any(Option::is_some)
     }
 
     /// The F of a block; `None` where no feed is known.
@@ -139,6 +147,9 @@ impl FeedLaw {
             let digit = 10_f64.powi(value.abs().log10().floor() as i32 + 1 - self.digits as i32);
             Expected { mode: FeedMode::InverseTime, value, slack: digit + value * (rough + NOISE) }
         };
+        if self.along_tip {
+            return Some(if still { along(degrees, rough) } else { along(stroke.length * self.per_mm, rough) });
+        }
         Some(match self.norm {
             PathNorm::G93Minutes => inverse(1.0),
             PathNorm::G93Seconds => inverse(60.0),

@@ -7,9 +7,9 @@ use super::compare::{Checker, Phase};
 use super::expect::{Kind, Motion, Wanted};
 use super::feed::Stroke;
 use super::path::{Segment, Shape, angle_between};
-use super::read::{Action, ArcMove, Block, MAX_AXES};
+use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
 use super::report::Shown;
-use crate::config::{Rapid, Rewind, Transition};
+use crate::config::{Rapid, Rewind, ToolPosture, Transition};
 use crate::kinematics::Machine;
 use crate::program::Location;
 
@@ -203,8 +203,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// The way of a block between its ends.
     fn way(&mut self, block: &Block, segment: &Segment, wanted: &Wanted, shown: Shown<'_>) {
         let (before, known) = self.before;
-        let solved = self.words.linear_mask | self.words.rotary_mask;
-        if self.lost || known & solved != solved {
+        let solved = self.solved(block);
+        // The control itself turns the axis evenly.
+        let evenly = block.state.tip_control != TipControl::Off
+            && (block.state.vector.is_some() || self.config.tool_posture == ToolPosture::Plane);
+        if self.lost || known & solved != solved || (evenly && block.action == Action::Feed) {
             return;
         }
         let turned = self.rotary_way(&before, &block.values);
@@ -263,7 +266,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         shown: Shown<'_>,
     ) {
         let (before, known) = self.before;
-        let solved = self.words.linear_mask | self.words.rotary_mask;
+        let solved = self.solved(block);
         if self.lost || known & solved != solved {
             return;
         }
@@ -273,7 +276,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             _ if matches!(block.action, Action::Arc(_)) => (share - self.along) * segment.length(),
             _ => (segment.at(share).tip - segment.at(self.along).tip).norm(),
         };
-        let (from, to) = (self.words.values(&before), self.words.values(&block.values));
+        let axes = |words: &[f64; MAX_AXES]| match self.law.needs_axes() {
+            true => self.words.axes(words, &block.state).unwrap_or_else(|| self.words.values(words)),
+            false => self.words.values(words),
+        };
+        let (from, to) = (axes(&before), axes(&block.values));
         let stroke = Stroke {
             length: part,
             change: std::array::from_fn(|index| to[index] - from[index]),

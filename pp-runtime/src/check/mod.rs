@@ -70,8 +70,7 @@ pub struct Checked {
 /// # Errors
 /// [`CheckError`] if there is nothing to compare; what is wrong with the program is in the outcome.
 pub fn check<M: Machine>(job: &Job<'_>, mut input: impl Read + Seek, program: impl Read) -> Result<Checked, CheckError> {
-    let family = Family::of_control(job.control.spellings().name)
-        .ok_or_else(|| CheckError::Impossible("programs of this control cannot be read back".to_owned()))?;
+    let family = family(job)?;
     let machine = job.config.machine::<M>().map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let units = match job.config.output_units {
@@ -86,4 +85,24 @@ pub fn check<M: Machine>(job: &Job<'_>, mut input: impl Read + Seek, program: im
         checker.block(block, text).map_err(CheckError::Input)?;
     }
     Ok(checker.conclude(reader.lines()))
+}
+
+/// The blocks of a program as a control of this set-up reads them, comments left out.
+///
+/// # Errors
+/// [`CheckError`] if the control is not known or the program cannot be read.
+pub fn blocks<M: Machine>(job: &Job<'_>, program: impl Read) -> Result<Vec<read::Block>, CheckError> {
+    let family = family(job)?;
+    let units = job.config.output_units.or(job.units).unwrap_or_default();
+    let mut reader = Reader::new(program, set_up::vocabulary::<M>(family, job.config, units));
+    let mut blocks = Vec::new();
+    while let Some((block, _)) = reader.next_block().map_err(CheckError::Program)? {
+        blocks.push(block.clone());
+    }
+    Ok(blocks)
+}
+
+fn family(job: &Job<'_>) -> Result<Family, CheckError> {
+    Family::of_control(job.control.spellings().name)
+        .ok_or_else(|| CheckError::Impossible("programs of this control cannot be read back".to_owned()))
 }

@@ -8,6 +8,7 @@ use super::expect::{Item, Kind, Motion};
 use super::path::{Segment, Shape, angle_between};
 use super::read::{Block, MAX_AXES, stated};
 use super::report::Shown;
+use crate::config::Mode;
 use crate::kinematics::Machine;
 use crate::motion::way_out;
 
@@ -158,10 +159,16 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.expect.fill(8)?;
         let retract = 1 << self.words.retract;
         let (rotary, linear) = (self.words.rotary_mask, self.words.linear_mask);
+        // Under tip control all linear axes come down together; in a plane its own Z comes last.
+        let last = match self.config.mode {
+            Mode::Axes => retract,
+            Mode::Tcp => linear,
+            Mode::Plane => self.words.linear_places()[2].map_or(retract, |z| 1 << z),
+        };
         let step = match block.written {
             written if written & !rotary == 0 => 1,
-            written if written & (rotary | retract) == 0 => 2,
-            written if written & !retract == 0 => 3,
+            written if written & !last == 0 => 3,
+            written if written & (rotary | last) == 0 => 2,
             _ => 0,
         };
         if self.expect.get(0).is_none() || (self.parks && step == 1 && self.parks_rotary(block)) {
@@ -172,10 +179,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         {
             self.found(shown, "from the retract the rotary axes turn first, then the other linear axes move, the retract axis last");
         }
-        self.state_at_approach(block, step == 3, shown);
+        self.state_at_approach(block, step, shown);
         self.phase = Phase::Clear(step);
         if step == 3 || step == 0 && block.written & retract != 0 {
-            let solved = rotary | linear;
+            let solved = self.solved(block);
             if block.known & solved != solved {
                 self.found(shown, "where the axes stand at the approach point is not known");
                 self.phase = Phase::Path;
@@ -183,10 +190,24 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 return Ok(());
             }
             let end = self.words.place(&block.values, &block.state);
+            self.stands_in_plane(block, &end, shown);
             self.arrive(block, &end, shown);
             self.here = Some(end);
         }
         Ok(())
+    }
+
+    /// In a tilted plane the rotary axes stand where the plane has them.
+    fn stands_in_plane(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) {
+        if block.state.tilt.is_none() {
+            return;
+        }
+        let stands = self.words.chain.place(&self.words.values(&block.values)).axis;
+        let off = angle_between(&stands, &end.axis);
+        if off > self.slack.axis {
+            let off = off.to_degrees();
+            self.found(shown, &format!("the rotary axes stand {off:.4} deg off the plane that the control tilts"));
+        }
     }
 
     /// The retract axis has come down to the approach point.

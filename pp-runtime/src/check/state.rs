@@ -6,7 +6,7 @@ use super::compare::{Checker, Phase};
 use super::expect::Wanted;
 use super::read::{Block, Family, FeedMode, Length, Side, State, TipControl, WorkPlane};
 use super::report::Shown;
-use crate::config::LengthMode;
+use crate::config::{LengthMode, Mode};
 use crate::kinematics::Machine;
 use crate::program::Rotation;
 
@@ -16,6 +16,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let state = &block.state;
         let found = self
             .everywhere(state, wanted.side)
+            .or_else(|| self.frame(state, true))
             .or_else(|| self.tool(state, wanted, true))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
             .or_else(|| coolant(state, wanted.coolant));
@@ -23,12 +24,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// On the way to the approach point; `last`: down to it.
-    pub(super) fn state_at_approach(&mut self, block: &Block, last: bool, shown: Shown<'_>) {
+    pub(super) fn state_at_approach(&mut self, block: &Block, step: u8, shown: Shown<'_>) {
+        let last = step == 3;
         let Some(wanted) = self.expect.get(0).map(|item| item.wanted) else { return };
         let state = &block.state;
         let moves_z = matches!(self.family, Family::Fanuc | Family::Haas);
         let found = self
             .everywhere(state, Side::None)
+            .or_else(|| self.frame(state, step > 1))
             .or_else(|| self.tool(state, &wanted, last || !moves_z))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
             .or_else(|| if self.rewound.is_some() { None } else { coolant(state, 0) });
@@ -41,6 +44,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let wanted = self.last.map(|(_, wanted)| wanted);
         let found = self
             .everywhere(state, Side::None)
+            .or_else(|| self.frame(state, true))
             .or_else(|| wanted.and_then(|wanted| self.tool(state, &wanted, true)))
             .or_else(|| if dry { coolant(state, 0) } else { None });
         self.say(found, shown);
@@ -49,14 +53,16 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// In machine coordinates.
     pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, shown: Shown<'_>) {
         let state = &block.state;
-        let found = self.everywhere(state, Side::None).or_else(|| if dry { coolant(state, 0) } else { None });
+        let tips = (state.tip_control != TipControl::Off)
+            .then(|| "machine coordinates while tip control is on".to_owned());
+        let found = self.everywhere(state, Side::None).or(tips).or_else(|| if dry { coolant(state, 0) } else { None });
         self.say(found, shown);
     }
 
     /// Rotary axes to their parking places.
     pub(super) fn state_at_park(&mut self, block: &Block, shown: Shown<'_>) {
         let state = &block.state;
-        let found = self.everywhere(state, Side::None).or_else(|| spindle(state, None)).or_else(|| coolant(state, 0));
+        let found = self.everywhere(state, Side::None).or_else(|| self.frame(state, false)).or_else(|| spindle(state, None)).or_else(|| coolant(state, 0));
         self.say(found, shown);
     }
 
@@ -91,13 +97,27 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
             return Some("F does not count a minute here".to_owned());
         }
-        if state.tip_control != TipControl::Off {
-            return Some("tip control is on, and the words are axis positions".to_owned());
-        }
-        if state.tilt.is_some() {
-            return Some("a tilted plane is on, and the words are axis positions".to_owned());
-        }
         None
+    }
+
+    /// Tip control and tilted plane; `framed`: those of the mode.
+    fn frame(&self, state: &State, framed: bool) -> Option<String> {
+        let tips = state.tip_control != TipControl::Off;
+        let tilted = state.tilt.is_some();
+        match (self.config.mode, framed) {
+            (Mode::Tcp, true) if !tips => Some("tip control is off, and the words are those of the tip".to_owned()),
+            (Mode::Plane, true) if !tilted => Some("no plane is tilted, and the words count in one".to_owned()),
+            (Mode::Plane, true) if state.tilt.is_some_and(|tilt| !tilt.oriented) => {
+                Some("the plane is tilted, and the rotary axes have not been told to follow".to_owned())
+            }
+            (mode, framed) if tips && !(framed && mode == Mode::Tcp) => {
+                Some("tip control is on, and the words are axis positions".to_owned())
+            }
+            (mode, framed) if tilted && !(framed && mode == Mode::Plane) => {
+                Some("a plane is tilted, and the words are axis positions".to_owned())
+            }
+            _ => None,
+        }
     }
 
     fn tool(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {

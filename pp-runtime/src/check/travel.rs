@@ -46,12 +46,13 @@ impl Travel {
         Self { axes: M::AXES.iter().enumerate().filter_map(axis).collect() }
     }
 
+    /// Whether any axis has limits.
+    pub(super) fn limited(&self) -> bool {
+        !self.axes.is_empty()
+    }
+
     /// The first axis that leaves its travel where the words say.
-    pub(super) fn check(&mut self, words: &Words, written: &[f64; MAX_AXES], known: u16) -> Option<String> {
-        if self.axes.is_empty() {
-            return None;
-        }
-        let values = words.values(written);
+    pub(super) fn check(&mut self, words: &Words, values: &[f64; MAX_AXES], known: u16) -> Option<String> {
         for axis in self.axes.iter_mut().filter(|axis| known & (1 << axis.index) != 0) {
             let gauge = if axis.rotary { 0.0 } else { words.gauge_of(axis.index) };
             let value = values[axis.index] + gauge;

@@ -8,21 +8,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::chain::{Chain, Placed};
 use super::read::{MAX_AXES, State, TipControl};
-use crate::config::{Config, LengthMode, ProgramZero};
+use crate::config::{Config, LengthMode, ProgramZero, TcpFrame};
 use crate::kinematics::{AxisKind, Machine};
-
-/// In which frame a control under tip control counts X Y Z where a rotary axis is in the table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum TipFrame {
-    /// That of the part with the table at zero.
-    TableAtZero,
-    /// That in which the table stood when tip control was switched on; it turns with the table from there.
-    #[cfg_attr(not(test), expect(dead_code, reason = "a Fanuc control in tip control; no configuration asks for it yet"))]
-    TableAtStart,
-    /// That of the room.
-    #[cfg_attr(not(test), expect(dead_code, reason = "a Fanuc control in tip control; no configuration asks for it yet"))]
-    NotTurning,
-}
 
 /// What stands between words and axis values, by position in the chain.
 #[derive(Debug, Clone)]
@@ -43,8 +30,10 @@ pub(super) struct Words {
     offset: [f64; MAX_AXES],
     held: [f64; MAX_AXES],
     xyz: [Option<usize>; 3],
+    /// Tool axis with all axes at zero.
+    tool: Vector3<f64>,
     length: f64,
-    pub(super) frame: TipFrame,
+    pub(super) frame: TcpFrame,
 }
 
 impl Words {
@@ -67,9 +56,10 @@ impl Words {
             held: [0.0; MAX_AXES],
             xyz: ['X', 'Y', 'Z'].map(|letter| M::AXES.iter().position(|axis| axis.letter == letter)),
             length: 0.0,
-            frame: TipFrame::TableAtZero,
+            frame: config.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             linear,
             chain,
+            tool,
         };
         let origin = if config.program_zero == ProgramZero::Table { config.part_origin } else { [0.0; 3] };
         words.zero = words.along(&origin.into());
@@ -137,24 +127,71 @@ impl Words {
                 let values = self.values(words);
                 let tip = self.program_point(words);
                 let tip = match self.frame {
-                    TipFrame::TableAtZero => tip,
-                    TipFrame::TableAtStart => self.chain.onto_workpiece(tip, &self.values(start)),
-                    TipFrame::NotTurning => self.chain.onto_workpiece(tip, &values),
+                    TcpFrame::TableAtZero => tip,
+                    TcpFrame::TableAtStart => self.chain.onto_workpiece(tip, &self.values(start)),
+                    TcpFrame::NotTurning => self.chain.onto_workpiece(tip, &values),
                 };
-                Placed { tip, axis: self.chain.place(&values).axis }
+                let axis = match &state.vector {
+                    Some(vector) => self.direction(vector, &values, start),
+                    None => self.chain.place(&values).axis,
+                };
+                Placed { tip, axis }
             }
             (TipControl::Off, Some(tilt)) => {
                 let words = self.turned(words, &tilt.rotation, &tilt.origin);
-                let up = self.turned(&self.along(&Vector3::z()), &tilt.rotation, &Vector3::zeros());
+                let up = self.turned(&self.along(&self.tool), &tilt.rotation, &Vector3::zeros());
                 Placed { tip: self.program_point(&words), axis: self.chain.at_zero(&up) }
             }
         }
     }
 
+    /// A tool axis that the program names, on the workpiece.
+    fn direction(&self, vector: &Vector3<f64>, values: &[f64; MAX_AXES], start: &[f64; MAX_AXES]) -> Vector3<f64> {
+        let mut words = [0.0; MAX_AXES];
+        if let [Some(x), Some(y), Some(z)] = self.xyz {
+            (words[x], words[y], words[z]) = (vector.x, vector.y, vector.z);
+        }
+        let named = self.chain.at_zero(&words);
+        let turned = |values: &[f64; MAX_AXES]| {
+            self.chain.onto_workpiece(named, values) - self.chain.onto_workpiece(Vector3::zeros(), values)
+        };
+        match self.frame {
+            TcpFrame::TableAtZero => named,
+            TcpFrame::TableAtStart => turned(&self.values(start)),
+            TcpFrame::NotTurning => turned(values),
+        }
+    }
+
+    /// Axis values behind a block, whatever its words count; `None` where the control chooses the rotary axes.
+    pub(super) fn axes(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
+        let mut values = self.values(words);
+        if state.tip_control == TipControl::Off && state.tilt.is_none() {
+            return Some(values);
+        }
+        let ([x, y, z], None) = (self.linear_three()?, state.vector) else { return None };
+        let tip = self.place(words, state).tip;
+        for index in [x, y, z] {
+            values[index] = 0.0;
+        }
+        let from = self.chain.place(&values).tip;
+        let column = |index: usize| {
+            let mut moved = values;
+            moved[index] = 1.0;
+            self.chain.place(&moved).tip - from
+        };
+        let solved = Matrix3::from_columns(&[column(x), column(y), column(z)]).try_inverse()? * (tip - from);
+        (values[x], values[y], values[z]) = (solved.x, solved.y, solved.z);
+        Some(values)
+    }
+
+    fn linear_three(&self) -> Option<[usize; 3]> {
+        self.linear[..].try_into().ok()
+    }
+
     /// Words of a plane as words of the program.
     fn turned(&self, words: &[f64; MAX_AXES], rotation: &Matrix3<f64>, origin: &Vector3<f64>) -> [f64; MAX_AXES] {
         let mut turned = *words;
-        if let [x, y, z] = self.linear[..] {
+        if let [Some(x), Some(y), Some(z)] = self.xyz {
             let point = origin + rotation * Vector3::new(words[x], words[y], words[z]);
             (turned[x], turned[y], turned[z]) = (point.x, point.y, point.z);
         }

@@ -158,6 +158,8 @@ pub struct State {
     pub feed: Option<f64>,
     /// Tip control.
     pub tip_control: TipControl,
+    /// The tool axis as the program says it under tip control, in the place of angles.
+    pub vector: Option<Vector3<f64>>,
     /// Tilted plane.
     pub tilt: Option<Tilt>,
     /// G98: cycles go back to the level before them.
@@ -184,6 +186,7 @@ impl Default for State {
             feed_mode: None,
             feed: None,
             tip_control: TipControl::Off,
+            vector: None,
             tilt: None,
             to_initial: true,
             shortest: false,

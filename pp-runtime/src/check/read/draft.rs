@@ -30,6 +30,8 @@ pub(super) enum LengthCode {
     On,
     /// Tip control with the register of the block.
     TipControl,
+    /// The same, I J K being the tool axis.
+    TipVector,
 }
 
 /// A tilted plane.
@@ -70,6 +72,9 @@ pub(super) struct Draft {
     pub(super) centre: [f64; 3],
     pub(super) centre_written: u8,
     pub(super) centre_absolute: u8,
+    /// Components of the tool axis.
+    pub(super) vector: [f64; 3],
+    pub(super) vector_written: u8,
     /// Radius of an arc, R of a cycle.
     pub(super) radius: Option<f64>,
     /// More whole turns of a helix.

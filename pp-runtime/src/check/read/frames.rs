@@ -29,8 +29,10 @@ impl EulerWords {
         self.order.is_none().then(|| turn(2, i) * turn(0, j) * turn(2, k))
     }
 
-    /// G268: I J K turn about X Y Z; the digits of Q say in which order, each about the axes as the turns before have left
-    /// them.
+    /// G268: I J K turn about X Y Z of the work offset, which stay where they are; the digits of Q say in which order.
+    ///
+    /// Assumed from how posts use it (`Q123` with angles about fixed axes); no worked example of the manufacturer is known
+    /// here.
     pub(super) fn haas(&self) -> Option<Matrix3<f64>> {
         let order = self.order?;
         let digits = [order / 100, order / 10 % 10, order % 10];
@@ -38,7 +40,7 @@ impl EulerWords {
             return None;
         }
         let turns = digits.map(|digit| turn(digit as usize - 1, self.angles[digit as usize - 1]));
-        Some(turns[0] * turns[1] * turns[2])
+        Some(turns[2] * turns[1] * turns[0])
     }
 }
 

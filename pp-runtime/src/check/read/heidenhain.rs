@@ -71,7 +71,7 @@ impl Heidenhain {
         if self.jump.is_some() {
             return self.jumped(at);
         }
-        if at.word(b"L") {
+        if at.word(b"L") || at.word(b"LN") {
             draft.code = Some(Code::Feed);
             self.words(at, machine, draft, block, known)
         } else if at.word(b"CC") {
@@ -87,7 +87,7 @@ impl Heidenhain {
         } else if at.word(b"FUNCTION") {
             let reset = at.word(b"RESET");
             draft.tip_control = Some(!reset);
-            at.word(b"TCPM") && (reset || tcpm(at, draft))
+            at.word(b"TCPM") && (reset || tcpm(at))
         } else if at.word(b"BEGIN") {
             draft.distances = Some(false);
             draft.feed_mode = Some(super::block::FeedMode::PerMinute);
@@ -180,6 +180,11 @@ impl Heidenhain {
         match letters {
             b"PA" if polar && incremental => draft.sweep = Some(number.value.to_radians()),
             b"F" => draft.feed = Some(number.value),
+            b"TX" | b"TY" | b"TZ" => {
+                let axis = usize::from(letters[1] - b'X');
+                draft.vector[axis] = number.value;
+                draft.vector_written |= 1 << axis;
+            }
             b"R" => draft.radius = Some(number.value),
             b"M" => {
                 let mut text = *at;
@@ -418,13 +423,25 @@ fn plane(at: &mut Cursor<'_>, draft: &mut Draft) -> bool {
     let oriented = at.word(b"TURN") || at.word(b"MOVE");
     let stays = !oriented && at.word(b"STAY");
     draft.tilt = Some(TiltCode::On { rotation: frames::spatial([a, b, c]), origin: nalgebra::Vector3::zeros(), oriented });
-    oriented || stays
+    (oriented || stays) && positioning(at)
+}
+
+/// How the rotary axes get there: `MB MAX FMAX SEQ- TABLE ROT`.
+fn positioning(at: &mut Cursor<'_>) -> bool {
+    const WORDS: [&[u8]; 11] =
+        [b"MB", b"MAX", b"FMAX", b"SEQ+", b"SEQ-", b"SYM+", b"SYM-", b"TABLE", b"COORD", b"ROT", b"DIST"];
+    let rest = at.rest();
+    at.at += rest.len();
+    let rest = rest.split(|byte| *byte == b';').next().unwrap_or_default();
+    let mut words = rest.split(|byte| *byte == b' ').filter(|word| !word.is_empty());
+    words.all(|word| WORDS.contains(&word))
 }
 
 /// `FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS`.
-fn tcpm(at: &mut Cursor<'_>, draft: &mut Draft) -> bool {
-    draft.groups |= 1 << 31;
-    at.word(b"F") && at.word(b"TCP") && at.word(b"AXIS") && (at.word(b"POS") || at.word(b"SPAT"))
+fn tcpm(at: &mut Cursor<'_>) -> bool {
+    let axis = at.word(b"F") && at.word(b"TCP") && at.word(b"AXIS") && (at.word(b"POS") || at.word(b"SPAT"));
+    let way = at.word(b"PATHCTRL") && (at.word(b"AXIS") || at.word(b"VECTOR"));
+    axis && way && at.ended()
 }
 
 fn m(number: u32, draft: &mut Draft) -> bool {

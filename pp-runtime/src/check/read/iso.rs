@@ -29,6 +29,8 @@ pub(super) struct Iso {
     jump: Option<u32>,
     tilt: frames::EulerWords,
     cycle: CycleWords,
+    /// I J K are the tool axis.
+    vectors: bool,
 }
 
 /// Words of a cycle that stay in force.
@@ -88,6 +90,7 @@ impl Iso {
             jump: None,
             tilt: frames::EulerWords::default(),
             cycle: CycleWords::default(),
+            vectors: false,
         }
     }
 
@@ -328,6 +331,7 @@ impl Iso {
             420 => set(&mut draft.side, Side::Right, group::SIDE),
             430 => set(&mut draft.length, LengthCode::On, group::LENGTH),
             434 if self.family == Family::Fanuc => set(&mut draft.length, LengthCode::TipControl, group::LENGTH),
+            435 if self.family == Family::Fanuc => set(&mut draft.length, LengthCode::TipVector, group::LENGTH),
             2340 if haas => set(&mut draft.length, LengthCode::TipControl, group::LENGTH),
             490 => set(&mut draft.length, LengthCode::Off, group::LENGTH),
             530 => {
@@ -442,6 +446,18 @@ impl Iso {
         if loose.smoothing {
             left.p = None;
             left.q = None;
+        }
+        let tips = matches!(draft.length, Some(LengthCode::TipControl | LengthCode::TipVector));
+        if tips && self.family == Family::Fanuc {
+            // P0 and P1: how the rotary axes move between two points.
+            left.p = None;
+        }
+        self.vectors |= draft.length == Some(LengthCode::TipVector);
+        self.vectors &= !matches!(draft.length, Some(LengthCode::Off | LengthCode::On | LengthCode::TipControl));
+        if self.vectors && draft.centre_written != 0 {
+            draft.vector = draft.centre;
+            draft.vector_written = draft.centre_written;
+            draft.centre_written = 0;
         }
         if loose.sync {
             draft.pitch = left.k.map(|k| k.value);

@@ -186,7 +186,7 @@ impl Interpreter {
                 }
             }
             Some(LengthCode::Off) => state.length = Some(Length::Off),
-            Some(LengthCode::On | LengthCode::TipControl) => match with(draft.register, state) {
+            Some(LengthCode::On | LengthCode::TipControl | LengthCode::TipVector) => match with(draft.register, state) {
                 Some(0) => state.length = Some(Length::Off),
                 Some(register) => state.length = Some(Length::Register(register)),
                 None => fault(faults, 0, "a length compensation without a register"),
@@ -197,14 +197,20 @@ impl Interpreter {
     fn set_frames(&mut self, draft: &Draft) {
         let state = &mut self.state;
         let tip = match draft.length {
-            Some(LengthCode::TipControl) => Some(true),
+            Some(LengthCode::TipControl | LengthCode::TipVector) => Some(true),
             Some(LengthCode::Off) => Some(false),
             _ => draft.tip_control,
         };
         match tip {
             Some(true) => state.tip_control = TipControl::On { start: self.values },
-            Some(false) => state.tip_control = TipControl::Off,
+            Some(false) => {
+                state.tip_control = TipControl::Off;
+                state.vector = None;
+            }
             None => {}
+        }
+        if draft.vector_written == 7 {
+            state.vector = nalgebra::Vector3::from(draft.vector).try_normalize(0.0);
         }
         match draft.tilt {
             None | Some(TiltCode::Orient) => {}
@@ -255,7 +261,6 @@ impl Interpreter {
         if matches!(draft.tilt, Some(TiltCode::Orient | TiltCode::On { oriented: true, .. }))
             && block.action == Action::Nothing
         {
-            self.known &= !self.mask(true);
             block.action = Action::Orient;
         }
         if !self.keeps_motion {

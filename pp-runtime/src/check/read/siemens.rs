@@ -140,6 +140,12 @@ impl Siemens {
             }
             return once(draft.axis(index, number.value, number.negative), name, start, block);
         }
+        if let [b'A' | b'B' | b'C', b'3'] = name {
+            let axis = usize::from(letter - b'A');
+            draft.vector[axis] = number.value;
+            draft.vector_written |= 1 << axis;
+            return true;
+        }
         if name.len() > 1 {
             return false;
         }
