@@ -16,6 +16,7 @@ use pp_runtime::config::Config;
 use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use tests::binaries::workspace;
+use tests::block::distance_to_line;
 use tests::random::Random;
 
 /// A program, the CL data it was posted from, its configuration, its machine and control.
@@ -155,10 +156,18 @@ fn damage(program: &[u8], random: &mut Random) -> (Vec<u8>, String) {
 
 /// What a damage does to the motion, if anything.
 fn harm<M: Machine>(config: &Config, whole: &[Block], damaged: &[Block]) -> Option<String> {
-    let moving = |blocks: &[Block]| -> Vec<Block> { blocks.iter().filter(|block| moves(block)).cloned().collect() };
+    let moving = |blocks: &[Block]| {
+        let mut moving: Vec<Block> = blocks.iter().filter(|block| moves(block)).cloned().collect();
+        // What stands twice goes nowhere.
+        moving.dedup_by(|again, first| {
+            again.action == first.action && again.values == first.values && again.known == first.known && state(&first.state, &again.state).is_none()
+        });
+        moving
+    };
     let (whole, damaged) = (moving(whole), moving(damaged));
     for (index, (was, is)) in whole.iter().zip(&damaged).enumerate() {
-        if let Some(what) = differs::<M>(config, was, is, index.checked_sub(1).map(|before| &whole[before])) {
+        let around = [index.checked_sub(1).map(|before| &whole[before]), whole.get(index + 1)];
+        if let Some(what) = differs::<M>(config, was, is, around) {
             return Some(format!("block {index}: {what}"));
         }
     }
@@ -170,7 +179,7 @@ fn moves(block: &Block) -> bool {
     block.action.moves() && block.written != 0
 }
 
-fn differs<M: Machine>(config: &Config, was: &Block, is: &Block, before: Option<&Block>) -> Option<String> {
+fn differs<M: Machine>(config: &Config, was: &Block, is: &Block, around: [Option<&Block>; 2]) -> Option<String> {
     if std::mem::discriminant(&was.action) != std::mem::discriminant(&is.action) {
         return Some(format!("{:?} became {:?}", was.action, is.action));
     }
@@ -185,14 +194,18 @@ fn differs<M: Machine>(config: &Config, was: &Block, is: &Block, before: Option<
         return moved.then(|| format!("a coordinate is {off:.4} off"));
     }
     let ((tip, axis), (there, leaning)) = (pose::<M>(config, was), pose::<M>(config, is));
-    if (tip - there).norm() > UNITS * unit {
+    // A point of an arc that has moved along it is still on the path.
+    let known = |block: &&Block| block.known == all && block.action != Action::Machine;
+    let near = around.map(|block| block.filter(known).map(|block| pose::<M>(config, block).0));
+    let off = near.iter().flatten().map(|end| distance_to_line(&there.into(), &tip.into(), &(*end).into()));
+    if off.fold((tip - there).norm(), f64::min) > UNITS * unit {
         return Some(format!("the tip is {:.4} mm off", (tip - there).norm()));
     }
     let largest = 4.0 * 10_f64.powi(-(config.formats.rotary as i32)).to_radians() + 1e-5;
     if (axis - leaning).norm() > largest {
         return Some(format!("the tool axis is {:.5} deg off", (axis - leaning).norm().to_degrees()));
     }
-    let length = before.filter(|before| before.known == all).map_or(0.0, |before| (pose::<M>(config, before).0 - tip).norm());
+    let length = near[0].map_or(0.0, |before| (before - tip).norm());
     let slack = 0.01_f64.max(8.0 * unit / length.max(1e-9));
     match (was.action, was.state.feed, is.state.feed) {
         (Action::Feed, Some(was), Some(is)) if (was - is).abs() > slack * was => Some(format!("F {was} became {is}")),

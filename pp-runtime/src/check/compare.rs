@@ -15,7 +15,7 @@ use super::Checked;
 use super::expect::{Expect, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
-use super::read::{Action, Block, Family, MAX_AXES, TipControl, WorkOffset};
+use super::read::{Action, Block, Family, Length, MAX_AXES, TipControl, WorkOffset};
 use super::report::{Shown, Tally};
 use super::travel::Travel;
 use super::words::Words;
@@ -93,6 +93,10 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) ended: bool,
     /// The approach to the motion ahead has been made.
     pub(super) approached: bool,
+    /// Axes that have been parked: bits.
+    pub(super) parked: u16,
+    /// Length compensation behind the last block.
+    pub(super) length: Option<Length>,
     /// The axes may go to their parking places.
     pub(super) parks: bool,
     /// No rotary axis is in the head, and the tool stands along the retract axis.
@@ -151,6 +155,8 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             ended: false,
             approached: false,
             parks: false,
+            parked: 0,
+            length: None,
             straight: straight(&machine),
             machine,
         }
@@ -177,12 +183,13 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         if let Some(length) = block.guard {
             self.guard(length, shown);
         }
+        self.length_given_up(block, shown);
         match block.action {
             Action::Nothing => {}
             Action::ToolChange => self.change(shown),
             Action::Dwell(seconds) => self.dwell(seconds, shown),
-            Action::Stop => self.stop(false, shown),
-            Action::OptionalStop => self.stop(true, shown),
+            Action::Stop => self.stop(block, false, shown),
+            Action::OptionalStop => self.stop(block, true, shown),
             Action::End => self.end(block, shown)?,
             _ => self.moves(block, shown)?,
         }

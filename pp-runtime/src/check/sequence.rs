@@ -6,7 +6,7 @@ use super::chain::Placed;
 use super::compare::{Checker, Phase};
 use super::expect::{Item, Kind, Motion};
 use super::path::{Segment, Shape, angle_between};
-use super::read::{Block, MAX_AXES, stated};
+use super::read::{Action, Block, Family, Length, MAX_AXES, stated};
 use super::report::Shown;
 use crate::config::Mode;
 use crate::kinematics::Machine;
@@ -61,6 +61,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
+    /// An approach that has begun has to end at the approach point.
+    fn broken_off(&mut self, shown: Shown<'_>) {
+        if matches!(self.phase, Phase::Clear(1..)) && !self.parks {
+            self.found(shown, "an approach has begun before this block and does not end at an approach point");
+        }
+    }
+
     /// A block in machine coordinates.
     pub(super) fn to_machine(&mut self, block: &Block, shown: Shown<'_>) {
         self.pass_needless();
@@ -69,6 +76,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let there = (block.values[self.words.retract] - position).abs() <= 0.6 * self.slack.unit;
         if block.written != retract || !there {
             let parked = matches!(self.phase, Phase::Clear(_)) && self.parks_linear(block);
+            if parked {
+                self.parked |= block.written;
+            }
             if !parked {
                 self.found(shown, &format!("machine coordinates are not those of the retract, {position} mm of its axis alone"));
             }
@@ -78,6 +88,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.tally.outcome.limits += 1;
             self.found(shown, &text);
         }
+        self.broken_off(shown);
         let rewinds = self.rewinds();
         if self.phase == Phase::Path {
             self.leaves(rewinds, shown);
@@ -135,22 +146,21 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn leads_out(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> bool {
         let Some(here) = self.here.filter(|_| self.phase == Phase::Path) else { return false };
         let Some(distance) = self.distance_out() else { return false };
-        let step = end.tip - here.tip;
-        let along = step.dot(&here.axis);
-        let across = (step - here.axis * along).norm();
-        let slack = 4.0 * self.slack.tip;
-        let far = along >= distance - self.led_out - slack && along <= distance + slack;
-        if !far || across > slack || angle_between(&here.axis, &end.axis) > SAME_AXIS {
+        self.pass_needless();
+        let Some(from) = self.here_on_path() else { return false };
+        let rest = if self.config.retract.distance.is_some() { distance } else { distance - self.led_out };
+        let out = Placed { tip: from.tip + from.axis * rest, axis: from.axis };
+        let still = angle_between(&here.axis, &end.axis) <= SAME_AXIS;
+        if !still || !self.is_at(end, &out) {
             return false;
         }
-        self.pass_needless();
         let rewinds = self.rewinds();
         if rewinds {
             self.rewound = self.here_on_path();
         }
         self.state_at_leave(block, !rewinds || self.config.retract.rewind_dry, shown);
         self.phase = Phase::Out;
-        self.led_out += along;
+        self.led_out += rest;
         true
     }
 
@@ -307,6 +317,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// Rotary axes at their parking places.
     fn park(&mut self, block: &Block, shown: Shown<'_>) {
+        self.parks = true;
         self.state_at_park(block, shown);
         if !self.parks_rotary(block) {
             self.found(shown, "the CL data has no motion here, and this is no parking place of the configuration");
@@ -342,6 +353,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if !matches!(self.phase, Phase::Clear(_)) || !self.retracted {
             self.found(shown, "the tool is changed where the machine has not retracted");
         }
+        self.broken_off(shown);
         self.forget();
     }
 
@@ -361,7 +373,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// M0 and M1.
-    pub(super) fn stop(&mut self, optional: bool, shown: Shown<'_>) {
+    pub(super) fn stop(&mut self, block: &Block, optional: bool, shown: Shown<'_>) {
         self.pass_needless();
         match self.expect.get(0) {
             Some(Item { kind: Kind::Stop { optional: wanted }, .. }) if *wanted == optional => {
@@ -372,6 +384,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if self.config.stop_retract && !matches!(self.phase, Phase::Clear(_)) {
             self.found(shown, "the program stops where the tool has not been retracted");
         }
+        if self.config.stop_retract {
+            self.state_at_end(block, shown);
+        }
+        self.broken_off(shown);
         self.forget();
     }
 
@@ -389,8 +405,35 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.found(shown, "the program ends where the tool has not been retracted");
         }
         self.state_at_end(block, shown);
+        self.broken_off(shown);
+        self.all_parked(block, shown);
         self.ended = true;
         Ok(())
+    }
+
+    /// Every axis that has a parking place stands there.
+    fn all_parked(&mut self, block: &Block, shown: Shown<'_>) {
+        let values = self.words.values(&block.values);
+        for (index, axis) in M::AXES.iter().enumerate().filter(|(_, axis)| !axis.held) {
+            let Some(place) = self.config.park.get(&axis.letter) else { continue };
+            let rotary = self.words.rotary_mask & (1 << index) != 0;
+            let turned = rotary && self.same_place(index, values[index], *place, 0.6 * self.slack.angle);
+            let retracted = index == self.words.retract && (place - self.config.retract.position).abs() < self.slack.unit;
+            if !turned && !retracted && self.parked & (1 << index) == 0 {
+                self.found(shown, &format!("{} has not been parked", axis.letter));
+            }
+        }
+    }
+
+    /// What moves the tool by its length on some controls stands where nothing is in the way.
+    pub(super) fn length_given_up(&mut self, block: &Block, shown: Shown<'_>) {
+        let before = std::mem::replace(&mut self.length, block.state.length);
+        let moves = matches!(self.family, Family::Fanuc | Family::Haas);
+        let at_part = matches!(self.phase, Phase::Path | Phase::Out);
+        let changed = matches!(before, Some(Length::Register(_))) && before != block.state.length;
+        if moves && at_part && changed && block.action != Action::Machine {
+            self.found(shown, "the length compensation is given up where the machine has not retracted: the tool may move by its length");
+        }
     }
 
     /// A guard of a tool length; where it does not say which, it is known that there is one.

@@ -4,7 +4,7 @@ use std::io::Read;
 
 use super::compare::{Checker, Phase};
 use super::expect::Wanted;
-use super::read::{Block, Family, FeedMode, Length, Side, State, TipControl, WorkPlane};
+use super::read::{Action, Block, Family, FeedMode, Length, Side, State, TipControl, WorkPlane};
 use super::report::Shown;
 use crate::config::{LengthMode, Mode};
 use crate::kinematics::Machine;
@@ -16,6 +16,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let state = &block.state;
         let found = self
             .everywhere(state, wanted.side)
+            .or_else(|| if block.action == Action::Rapid { inverse(state) } else { None })
             .or_else(|| self.frame(state, true))
             .or_else(|| self.tool(state, wanted, true))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
@@ -31,6 +32,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let moves_z = matches!(self.family, Family::Fanuc | Family::Haas);
         let found = self
             .everywhere(state, Side::None)
+            .or_else(|| inverse(state))
             .or_else(|| self.frame(state, step > 1))
             .or_else(|| self.tool(state, &wanted, last || !moves_z))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
@@ -44,6 +46,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let wanted = self.last.map(|(_, wanted)| wanted);
         let found = self
             .everywhere(state, Side::None)
+            .or_else(|| inverse(state))
             .or_else(|| self.frame(state, true))
             .or_else(|| wanted.and_then(|wanted| self.tool(state, &wanted, true)))
             .or_else(|| if dry { coolant(state, 0) } else { None });
@@ -55,7 +58,18 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let state = &block.state;
         let tips = (state.tip_control != TipControl::Off)
             .then(|| "machine coordinates while tip control is on".to_owned());
-        let found = self.everywhere(state, Side::None).or(tips).or_else(|| if dry { coolant(state, 0) } else { None });
+        // Where the block itself takes the length away.
+        let ends = matches!(self.family, Family::Fanuc | Family::Haas | Family::Siemens);
+        let length = (ends && matches!(state.length, Some(Length::Register(_))))
+            .then(|| "machine coordinates while a length compensation is on".to_owned());
+        // It may turn on as it did in the cut, or stand.
+        let turns = self.last.and_then(|(_, wanted)| wanted.spindle).filter(|_| state.spindle.flatten().is_some());
+        let found = self
+            .everywhere(state, Side::None)
+            .or_else(|| inverse(state))
+            .or(tips)
+            .or(length)
+            .or_else(|| spindle(state, turns)).or_else(|| if dry { coolant(state, 0) } else { None });
         self.say(found, shown);
     }
 
@@ -66,7 +80,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.say(found, shown);
     }
 
-    /// At the end code.
+    /// At a stop that retracts, and at the end code.
     pub(super) fn state_at_end(&mut self, block: &Block, shown: Shown<'_>) {
         let found = spindle(&block.state, None).or_else(|| coolant(&block.state, 0));
         self.say(found, shown);
@@ -142,6 +156,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         None
     }
+}
+
+/// Inverse time belongs to feed blocks.
+fn inverse(state: &State) -> Option<String> {
+    (state.feed_mode == Some(FeedMode::InverseTime)).then(|| "a rapid while F is inverse time".to_owned())
 }
 
 fn spindle(state: &State, wanted: Option<(f64, Rotation)>) -> Option<String> {

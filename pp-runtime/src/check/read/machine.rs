@@ -83,6 +83,10 @@ impl Interpreter {
         self.state_bits(draft, block.restart);
         block.stated = self.stated;
         self.act(draft, block);
+        let round = matches!(block.action, Action::Arc(_)) || matches!(self.modal, Some(Code::Clockwise | Code::CounterClockwise));
+        if draft.centre_written != 0 && !round {
+            fault(&mut block.faults, 0, "I J K stand beside no arc");
+        }
         block.values = self.act_values(block);
         block.known = self.known;
         block.state = self.state;
