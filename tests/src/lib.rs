@@ -18,6 +18,7 @@ pub mod further;
 pub mod oracle;
 pub mod program;
 pub mod random;
+pub mod state;
 mod subject;
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use super::Checked;
 use super::expect::{Expect, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
-use super::read::{Action, Block, Family, Length, MAX_AXES, TipControl, WorkOffset};
+use super::read::{Action, Block, Family, Length, MAX_AXES, TipControl, WorkOffset, WorkPlane};
 use super::report::{Shown, Tally};
 use super::travel::Travel;
 use super::words::Words;
@@ -93,6 +93,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) ended: bool,
     /// The approach to the motion ahead has been made.
     pub(super) approached: bool,
+    /// Plane of the last arc of this operation.
+    pub(super) arc_plane: Option<WorkPlane>,
     /// Axes that have been parked: bits.
     pub(super) parked: u16,
     /// Length compensation behind the last block.
@@ -155,6 +157,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             ended: false,
             approached: false,
             parks: false,
+            arc_plane: None,
             parked: 0,
             length: None,
             straight: straight(&machine),

@@ -129,8 +129,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// Where the tool stands on the path of the CL data.
     fn here_on_path(&self) -> Option<Placed> {
         let here = self.here?;
-        let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) else { return Some(here) };
-        Some(self.segment(motion, &here).at(self.along))
+        let reached = self.reached.unwrap_or(here);
+        match self.expect.get(0) {
+            Some(Item { kind: Kind::Motion(motion), .. }) => Some(self.segment(motion, &here).at(self.along)),
+            _ => Some(reached),
+        }
     }
 
     /// How far out along its axis the tool has to go, from where it stood before it was led out.
@@ -254,6 +257,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.reached = Some(above);
         self.led_out = 0.0;
         self.lost = false;
+        self.arc_plane = None;
         self.out_from = Some(motion.to);
         if above == motion.to {
             self.pass();
@@ -428,7 +432,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// What moves the tool by its length on some controls stands where nothing is in the way.
     pub(super) fn length_given_up(&mut self, block: &Block, shown: Shown<'_>) {
         let before = std::mem::replace(&mut self.length, block.state.length);
-        let moves = matches!(self.family, Family::Fanuc | Family::Haas);
+        // Tip control is given up with it before the retract: the manuals have it so.
+        let moves = matches!(self.family, Family::Fanuc | Family::Haas) && self.config.mode != Mode::Tcp;
         let at_part = matches!(self.phase, Phase::Path | Phase::Out);
         let changed = matches!(before, Some(Length::Register(_))) && before != block.state.length;
         if moves && at_part && changed && block.action != Action::Machine {
@@ -439,6 +444,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// A guard of a tool length; where it does not say which, it is known that there is one.
     pub(super) fn guard(&mut self, length: f64, shown: Shown<'_>) {
         let wanted = self.expect.get(0).and_then(|item| item.wanted.length);
+        let in_mm = matches!(self.family, Family::LinuxCnc | Family::Heidenhain);
+        let length = if in_mm { length } else { length * self.units.in_mm() };
         if let Some(wanted) = wanted
             && (wanted - length).abs() > 1e-3
         {

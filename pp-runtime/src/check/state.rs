@@ -14,6 +14,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// At the part, on the path of the CL data.
     pub(super) fn state_at_path(&mut self, block: &Block, wanted: &Wanted, shown: Shown<'_>) {
         let state = &block.state;
+        if matches!(block.action, Action::Arc(_)) {
+            self.arc_plane = state.plane;
+        }
         let found = self
             .everywhere(state, wanted.side)
             .or_else(|| if block.action == Action::Rapid { inverse(state) } else { None })
@@ -102,7 +105,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         // Heidenhain says the plane with the tool.
         let unsaid = self.family == Family::Heidenhain && state.plane.is_none() && self.phase == Phase::Unknown;
-        if state.plane != Some(WorkPlane::Xy) && !unsaid {
+        let of_arc = self.phase == Phase::Path && state.plane.is_some() && state.plane == self.arc_plane;
+        if state.plane != Some(WorkPlane::Xy) && !unsaid && !of_arc {
             return Some("the plane is not that of X and Y".to_owned());
         }
         if state.side.unwrap_or_default() != side {

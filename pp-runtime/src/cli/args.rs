@@ -36,6 +36,9 @@ pub(super) enum Command {
 /// Arguments of `config`.
 #[derive(Debug, Args)]
 pub(super) struct ConfigArgs {
+    /// Print a JSON schema of the file for editors instead
+    #[arg(long)]
+    pub(super) schema: bool,
     /// Control whose defaults it holds
     #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
     control: String,
@@ -62,6 +65,35 @@ pub(super) struct ExplainArgs {
     /// Print what becomes of each word of CL data instead
     #[arg(long)]
     pub(super) cl: bool,
+    /// Write a program that proves the kinematics at the machine: the tip stays while each rotary axis sweeps its travel
+    #[arg(long, conflicts_with_all = ["latex", "cl"])]
+    pub(super) proof_program: bool,
+    #[command(flatten)]
+    pub(super) proof: ProofArgs,
+}
+
+/// What a proof program is written for.
+#[derive(Debug, Args)]
+pub(super) struct ProofArgs {
+    /// Control that will run the proof program
+    #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
+    control: String,
+    /// Configuration of machine and set-up
+    #[arg(long, value_name = "FILE.toml", requires = "proof_program")]
+    pub(super) config: Option<PathBuf>,
+    /// Where the tip stands in the part, mm; without it at the part zero
+    #[arg(long, value_name = "X,Y,Z", requires = "proof_program", value_parser = point, allow_hyphen_values = true)]
+    pub(super) point: Option<[f64; 3]>,
+    /// Tool in the spindle; without it that of the configuration, or 1
+    #[arg(long, value_name = "N", requires = "proof_program", value_parser = clap::value_parser!(u32).range(1..=99_999))]
+    pub(super) tool: Option<u32>,
+}
+
+impl ProofArgs {
+    /// The control that was asked for.
+    pub(super) fn control(&self) -> &'static dyn Control {
+        named(&self.control)
+    }
 }
 
 /// Arguments of `post`.
@@ -118,7 +150,7 @@ pub(super) struct SetUpArgs {
     /// Unit of the program; without it that of the CL data
     #[arg(long, value_enum)]
     pub(super) output_units: Option<UnitsName>,
-    /// How far the chords of arcs and curves may leave them, and the tip its line while a rotary axis moves, mm
+    /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves, mm
     #[arg(long, value_name = "MM", value_parser = tolerance)]
     pub(super) tolerance: Option<f64>,
     /// How far the tool axis may leave its even turn from one point to the next, degrees
@@ -294,6 +326,14 @@ fn lift(text: &str) -> Result<f64, String> {
         true => Ok(value),
         false => Err("1 to 10000 mm are needed".to_owned()),
     }
+}
+
+/// A point, mm.
+fn point(text: &str) -> Result<[f64; 3], String> {
+    let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.abs() <= 1e5);
+    let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+    let point = numbers.and_then(|numbers| numbers.try_into().ok());
+    point.ok_or_else(|| "three numbers are needed: 60,0,120".to_owned())
 }
 
 /// A tolerance in mm.

@@ -25,9 +25,9 @@ use crate::config::{self, Config};
 use crate::control::{self, Control};
 use crate::diag::Severity;
 use crate::kinematics::Machine;
-use crate::post::{Job, PostError, Report, post};
+use crate::post::{Job, PostError, Proof, Report, post, prove};
 
-use args::{Command, MessageFormat, PostArgs, SetUpArgs};
+use args::{Command, MessageFormat, PostArgs, ProofArgs, SetUpArgs};
 use messages::{Messages, headline};
 use self_check::{Checking, SelfCheck};
 use source::{Source, same_file};
@@ -117,9 +117,11 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
         Command::Check(args) => check::run::<M>(&args, &mut streams),
         Command::Config(args) => {
             let config = control::starting_point(args.control());
-            print(&mut streams, |out| out.write_all(config::print::<M>(&config).as_bytes()))
+            let text = if args.schema { config::schema::<M>(&config) } else { config::print::<M>(&config) };
+            print(&mut streams, |out| out.write_all(text.as_bytes()))
         }
         Command::Explain(args) if args.latex => print(&mut streams, explain::latex::<M>),
+        Command::Explain(args) if args.proof_program => prove_machine::<M>(&args.proof, &mut streams),
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, explain::text::<M>),
     };
@@ -149,6 +151,16 @@ fn print(streams: &mut Streams<'_>, write: impl FnOnce(&mut dyn Write) -> io::Re
     let mut out = BufWriter::new(&mut *streams.output);
     write(&mut out).and_then(|()| out.flush()).map_err(|error| Failure::unwritable(Path::new("-"), error))?;
     Ok(Status::Done)
+}
+
+/// Writes the program that proves the kinematics at the machine; nothing of it where it cannot be planned.
+fn prove_machine<M: Machine>(args: &ProofArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+    let mut messages = Messages::new(streams.errors, MessageFormat::Human);
+    let config = read_file::<M>(args.config.as_deref(), args.control(), &mut messages)?;
+    fit::<M>(args.control(), &config)?;
+    let proof = Proof { config: &config, control: args.control(), tool: args.tool, point: args.point };
+    let text = prove::<M>(&proof).map_err(Failure::Argument)?;
+    print(streams, |out| out.write_all(&text))
 }
 
 fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
@@ -260,10 +272,28 @@ fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut 
 }
 
 fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
-    let control = args.control();
+    let mut config = read_file::<M>(args.config.as_deref(), args.control(), messages)?;
+    args.apply::<M>(&mut config).map_err(Failure::Argument)?;
+    fit::<M>(args.control(), &config)?;
+    Ok(config)
+}
+
+/// Whether the control can do what the configuration asks for.
+fn fit<M: Machine>(control: &dyn Control, config: &Config) -> Result<(), Failure> {
+    let mut unfit = control::check(control, config);
+    unfit.append(&mut control::unsuited::<M>(control, config));
+    if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
+}
+
+/// The configuration of a file on top of the defaults of a control.
+fn read_file<M: Machine>(
+    path: Option<&Path>,
+    control: &dyn Control,
+    messages: &mut Messages<'_>,
+) -> Result<Config, Failure> {
     let start = control::starting_point(control);
-    let mut config = match &args.config {
-        None => start,
+    match path {
+        None => Ok(start),
         Some(path) => {
             let bytes = fs::read(path).map_err(|error| Failure::unreadable(path, error))?;
             let text = String::from_utf8(bytes).map_err(|error| {
@@ -273,16 +303,9 @@ fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Res
             start.read_over::<M>(&text).map_err(|faults| {
                 messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
                 Failure::Said
-            })?
+            })
         }
-    };
-    args.apply::<M>(&mut config).map_err(Failure::Argument)?;
-    let mut unfit = control::check(control, &config);
-    unfit.append(&mut control::unsuited::<M>(control, &config));
-    if !unfit.is_empty() {
-        return Err(Failure::Argument(unfit.join("\n")));
     }
-    Ok(config)
 }
 
 /// Neither the program nor its rejected form may replace a file that is read.

@@ -6,7 +6,7 @@ use std::ops::Range;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Limits, Machine};
 
 use super::Units;
-use super::value::{Bound, Quantity, Reader, Value, list, nearest};
+use super::value::{Bound, Quantity, Reader, Shape, Value, list, nearest};
 
 pub(super) fn read_machine_zero<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, f64> {
     let mut read = BTreeMap::new();
@@ -21,13 +21,18 @@ pub(super) fn read_machine_zero<M: Machine>(r: &mut Reader<'_>, value: Option<Va
     read
 }
 
+/// `[lowest, highest]`, or `"free"`.
+const TRAVEL: &str = r#"{ "anyOf": [{ "const": "free" }, { "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 }] }"#;
+
 pub(super) fn read_limits<M: Machine>(r: &mut Reader<'_>, value: Option<Value<'_>>) -> BTreeMap<char, Option<Limits>> {
     let mut read = BTreeMap::new();
     for (axis, value, _) in read_axes::<M>(r, value) {
         if value.get_ref().is_str() {
             read.extend(r.choice(value, &[("free", ())]).map(|()| (axis.letter, None)));
+            r.note(value, || Shape::Schema(TRAVEL));
             continue;
         }
+        r.note(value, || Shape::Schema(TRAVEL));
         let Some(numbers) = r.list(value) else { continue };
         let &[lower, upper] = numbers.as_slice() else {
             r.fault(value.span(), "a travel is [lowest, highest] or \"free\"", None);
@@ -73,6 +78,9 @@ pub(super) fn read_axes<'a, M: Machine>(
     value: Option<Value<'a>>,
 ) -> Vec<(&'static Axis, Value<'a>, Range<usize>)> {
     let mut read = Vec::new();
+    if let Some(value) = value {
+        r.note(value, || Shape::Names(M::AXES.iter().map(|axis| axis.letter.to_string()).collect()));
+    }
     for (key, span, value) in value.map_or_else(Vec::new, |value| r.entries(value)) {
         match M::AXES.iter().find(|axis| axis.letter.to_string() == key) {
             Some(axis) => read.push((axis, value, span)),
@@ -92,7 +100,12 @@ pub(super) fn solved_rotaries<'a, M: Machine>(
 ) -> Vec<(&'static Axis, Value<'a>)> {
     let solved = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held;
     let mut read = Vec::new();
-    for (axis, value, span) in read_axes::<M>(r, value) {
+    let entries = read_axes::<M>(r, value);
+    if let Some(value) = value {
+        let solved = M::AXES.iter().filter(|axis| solved(axis));
+        r.note(value, || Shape::Names(solved.map(|axis| axis.letter.to_string()).collect()));
+    }
+    for (axis, value, span) in entries {
         if solved(axis) {
             read.push((axis, value));
         } else {

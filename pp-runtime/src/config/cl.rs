@@ -4,9 +4,9 @@ use crate::cl::record::CycleKind;
 use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense, not_inert};
 
 use super::Config;
-use super::control::work_offset;
+use super::control::{TEXTS, work_offset};
 use super::read::set;
-use super::value::{Reader, Section, Value};
+use super::value::{Reader, Section, Shape, Value};
 
 pub(super) const CL_POINTS: [(&str, ClPoint); 2] = [("tip", ClPoint::Tip), ("centre", ClPoint::Centre)];
 const FRAMES: [(&str, Frames); 3] = [("refuse", Frames::Refuse), ("main", Frames::Main), ("offset", Frames::Offset)];
@@ -23,6 +23,9 @@ const COLUMNS: std::ops::RangeInclusive<u32> = 8..=4096;
 /// Largest number of a code.
 const LARGEST_CODE: u32 = 9999;
 
+/// Numbers of codes.
+const CODES: &str = r#"{ "type": "array", "items": { "type": "integer", "minimum": 0, "maximum": 9999 } }"#;
+
 impl Config {
     pub(super) fn read_cl(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
         if let Some(value) = self.get(section, "cl.dialect") {
@@ -32,6 +35,7 @@ impl Config {
             self.cl.columns = r.whole(value, COLUMNS);
         }
         if let Some(value) = self.get(section, "cl.inert") {
+            r.note(value, || Shape::Schema(TEXTS));
             for word in r.list(value).unwrap_or_default() {
                 let Some(name) = r.line(word) else { continue };
                 match not_inert(&name) {
@@ -68,6 +72,7 @@ impl Config {
             set(&mut self.allow_lintol, r.boolean(value));
         }
         if let Some(cycles) = self.get(section, "cl.cycle") {
+            r.note(cycles, || Shape::Names(CycleKind::WORDS.iter().map(|(word, _)| (*word).to_owned()).collect()));
             for (key, span, value) in r.entries(cycles) {
                 let Some((_, kind)) = CycleKind::WORDS.iter().find(|(word, _)| *word == key) else {
                     r.fault(span, format!("`{key}` is not a kind of CYCLE"), None);
@@ -86,6 +91,9 @@ impl Config {
 
     /// Work offsets of frames by their numbers.
     pub(super) fn read_frames(&mut self, r: &mut Reader<'_>, frames: Option<Value<'_>>) {
+        if let Some(frames) = frames {
+            r.note(frames, || Shape::Numbered);
+        }
         for (key, span, value) in frames.map_or_else(Vec::new, |frames| r.entries(frames)) {
             match key.parse().ok().filter(|number: &u32| *number > 0 && number.to_string() == key) {
                 Some(number) => {
@@ -101,5 +109,6 @@ impl Config {
 }
 
 fn codes(r: &mut Reader<'_>, value: Value<'_>) -> Vec<u32> {
+    r.note(value, || Shape::Schema(CODES));
     r.list(value).unwrap_or_default().into_iter().filter_map(|code| r.whole(code, 0..=LARGEST_CODE)).collect()
 }

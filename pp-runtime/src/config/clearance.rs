@@ -5,13 +5,34 @@ use nalgebra::{Point3, Vector3};
 use crate::program::{Clearance, Plane};
 
 use super::read::read_point;
-use super::value::{Bound, Reader, Value};
+use super::value::{Bound, Reader, Shape, Value};
 
 const FORMS: &str = "write `{ plane = 80 }`, `{ box = [[-60, -60, -40], [60, 60, 30]] }` or \
                      `{ cylinder = { radius = 90, lower = -40, upper = 30 } }`";
 
+const SCHEMA: &str = r#"{
+    "type": "object", "minProperties": 1, "maxProperties": 1, "additionalProperties": false,
+    "properties": {
+        "plane": { "type": "number" },
+        "box": {
+            "type": "array", "minItems": 2, "maxItems": 2,
+            "items": { "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 }
+        },
+        "cylinder": {
+            "type": "object", "additionalProperties": false, "required": ["radius", "lower", "upper"],
+            "properties": {
+                "radius": { "type": "number", "exclusiveMinimum": 0 },
+                "lower": { "type": "number" },
+                "upper": { "type": "number" },
+                "centre": { "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 }
+            }
+        }
+    }
+}"#;
+
 /// Reads one geometry; what is wrong with it is told.
 pub(super) fn read(r: &mut Reader<'_>, value: Value<'_>) -> Option<Clearance> {
+    r.note(value, || Shape::Schema(SCHEMA));
     let entries = r.entries(value);
     let [(kind, span, value)] = &entries[..] else {
         if value.get_ref().as_table().is_some() {

@@ -7,7 +7,7 @@ use crate::kinematics::Machine;
 
 use super::axes::read_axes;
 use super::read::set;
-use super::value::{Bound, Quantity, Reader, Section, Value, list, nearest};
+use super::value::{Bound, Quantity, Reader, Section, Shape, Value, list, nearest};
 use super::{Config, WORK_OFFSETS};
 
 /// What F counts along in a block in which a rotary axis moves.
@@ -44,6 +44,8 @@ pub struct ControlSetup {
     pub program_number: Option<u32>,
     /// Name of the program; default that of the CL data.
     pub program_name: Option<String>,
+    /// The program begins with the name of its file; default false.
+    pub file_header: bool,
     /// Safety blocks of a restart point; default those of the control.
     pub safety: Option<Vec<String>>,
     /// Blocks of a tool change; default those of the control.
@@ -84,6 +86,12 @@ const SMOOTHINGS: [(&str, Smoothing); 4] = [
 ];
 const COOLANTS: [&str; 4] = ["flood", "mist", "through", "air"];
 
+/// Lines of text.
+pub(super) const TEXTS: &str = r#"{ "type": "array", "items": { "type": "string" } }"#;
+
+/// Codes, on and off.
+const CODES: &str = r#"{ "type": "array", "items": { "type": "string" }, "minItems": 2, "maxItems": 2 }"#;
+
 impl Config {
     pub(super) fn read_control<M: Machine>(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
         if let Some(value) = self.get(section, "control.program_number") {
@@ -91,6 +99,9 @@ impl Config {
         }
         if let Some(value) = self.get(section, "control.program_name") {
             self.control.program_name = r.line(value);
+        }
+        if let Some(value) = self.get(section, "control.file_header") {
+            set(&mut self.control.file_header, r.boolean(value));
         }
         if let Some(value) = self.get(section, "control.safety") {
             self.control.safety = Some(templates(r, value, OF_PROGRAM));
@@ -133,7 +144,9 @@ impl Config {
 
     /// `through = ["M88", "M89"]`.
     fn read_coolant(&mut self, r: &mut Reader<'_>, value: Value<'_>) {
+        r.note(value, || Shape::Names(COOLANTS.map(str::to_owned).to_vec()));
         for (key, span, value) in r.entries(value) {
+            r.note(value, || Shape::Schema(CODES));
             let Some(kind) = COOLANTS.iter().position(|kind| *kind == key) else {
                 let help = match nearest(key, COOLANTS.into_iter()) {
                     Some(near) => format!("did you mean `{near}`?"),
@@ -160,6 +173,7 @@ fn two_codes(r: &mut Reader<'_>, value: Value<'_>) -> Option<[String; 2]> {
 /// Blocks with named fields.
 pub(super) fn templates(r: &mut Reader<'_>, value: Value<'_>, allowed: &[Field]) -> Vec<String> {
     let mut blocks = Vec::new();
+    r.note(value, || Shape::Schema(TEXTS));
     for value in r.list(value).unwrap_or_default() {
         let Some(block) = r.line(value) else { continue };
         if let Err(bad) = template::check(&block, allowed) {
@@ -180,6 +194,7 @@ pub(super) fn templates(r: &mut Reader<'_>, value: Value<'_>, allowed: &[Field])
 
 /// A work offset that one of the controls has; which one has it is seen when it is chosen.
 pub(super) fn work_offset(r: &mut Reader<'_>, value: Value<'_>) -> Option<String> {
+    r.note(value, || Shape::Text);
     if let Some(text) = value.get_ref().as_str()
         && crate::control::CONTROLS.iter().any(|control| control.work_offset(text).is_some())
     {

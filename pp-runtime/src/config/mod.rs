@@ -4,6 +4,7 @@
 //! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
 //! writes angles in degrees. Nothing here plans or writes a motion.
 
+mod arcs;
 mod axes;
 mod cl;
 mod clearance;
@@ -15,6 +16,7 @@ mod print;
 mod read;
 #[cfg(test)]
 pub(crate) mod sample;
+mod schema;
 mod set_up;
 #[cfg(test)]
 mod tests;
@@ -29,6 +31,7 @@ use crate::kinematics::{Branch, Limits};
 use crate::program::{Clearance, Coolant, Rotation};
 
 pub use crate::program::Units;
+pub use arcs::{ArcForm, ArcOutput, Arcs};
 pub use control::{ControlSetup, PathNorm, Smoothing};
 pub(crate) use course::{preference, preferences};
 pub use machine::Travel;
@@ -36,6 +39,7 @@ pub use mode::{Mode, TcpFrame, TcpWords, ToolPosture};
 pub use print::print;
 use read::WORK_OFFSETS;
 pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
+pub use schema::schema;
 pub(crate) use set_up::part_angles;
 pub(crate) use value::{list, nearest};
 
@@ -56,10 +60,13 @@ pub struct Config {
     pub greedy: bool,
     /// Within this angle of the pole the tool axis is put there, rad; default 0: within what CL data rounds.
     pub axis_tolerance: f64,
-    /// How far chords may leave arcs and curves, and the tip its line while a rotary axis moves, mm; default 0.01.
+    /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves,
+    /// mm; default 0.01.
     pub tolerance: f64,
     /// How far the tool axis may leave its even turn from one point to the next, rad; default 0.1 degree.
     pub axis_tolerance_path: f64,
+    /// Arcs of the control.
+    pub arcs: Arcs,
     /// LINTOL may be wider than that; default false.
     pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
@@ -95,6 +102,8 @@ pub struct Config {
     pub length_guard: Option<bool>,
     /// By how much the lengths may differ, mm; default 0.01.
     pub length_tolerance: f64,
+    /// The blank as it lies on the table; default none: a box around all cuts.
+    pub stock: Option<Stock>,
     /// The word of the work offset; default `G54`.
     pub work_offset: String,
     /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
@@ -233,6 +242,15 @@ pub enum Rewind {
 pub struct Approach {
     /// Distance of the approach point from the first tip along the tool axis, mm; default 50.
     pub distance: f64,
+}
+
+/// A box around the blank, for the pictures of a control, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stock {
+    /// Its lowest corner.
+    pub lower: [f64; 3],
+    /// Its highest corner.
+    pub upper: [f64; 3],
 }
 
 /// What switches the clamp of a rotary axis.
@@ -378,6 +396,7 @@ impl Default for Config {
             axis_tolerance: 0.0,
             tolerance: 0.01,
             axis_tolerance_path: 0.1_f64.to_radians(),
+            arcs: Arcs::default(),
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],
@@ -392,6 +411,7 @@ impl Default for Config {
             tcp_confirmed: false,
             clamp: BTreeMap::new(),
             length_guard: None,
+            stock: None,
             length_tolerance: 0.01,
             operations: None,
             lift: None,

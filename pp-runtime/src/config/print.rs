@@ -97,7 +97,7 @@ units = "mm"
 # Retract before STOP and OPSTOP.
 #stop_retract = {stop_retract}
 
-# How far the chords of arcs and curves may leave them, and the tip its line while a rotary axis moves.
+# How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves.
 #tolerance = {tolerance}
 # How far the tool axis may leave its even turn from one point to the next.
 #axis_tolerance_path = {axis_tolerance_path}
@@ -216,6 +216,16 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Coolant off while the rotary axes are rewound out of the part.
 #rewind_dry = false
 
+# Arcs of the control: where the rotary axes stand still, in a plane of the program, within `tolerance` of the CL data.
+[arcs]
+# "native", or "lines" throughout.
+#output = "native"
+# What says where the centre is: "centre", or "radius" (whole turns and arcs close to half a turn have their centre still).
+#form = "centre"
+# Arcs that are smaller or larger become lines.
+#smallest_radius = {smallest_radius}
+#largest_radius = {largest_radius}
+
 [feed]
 # Blocks in which an axis would be faster than its speed run longer.
 #keep_speeds = {keep_speeds}
@@ -227,6 +237,12 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 [approach]
 # The approach point lies this far from the first point along the tool axis.
 #distance = {distance}
+
+# Corners of the blank as it lies on the table, for the pictures of a Heidenhain control (BLK FORM). Without them a box
+# around all cuts.
+[stock]
+# e.g. lower = [-50.0, -40.0, -30.0]
+# e.g. upper = [50.0, 40.0, 0.0]
 
 # Tools by number. `length` is from the gauge line to the tip, `offset` the length register where it is not the
 # tool's number; `speed`, `direction` and `coolant` as in [defaults].
@@ -254,6 +270,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Number and name of the program. Without them 1, and the name in the CL data.
 # e.g. program_number = 1234
 # e.g. program_name = "BRACKET"
+# The program begins with the name of its file, as a Siemens archive wants it: `%_N_NAME_MPF`.
+#file_header = {file_header}
 # Blocks of a restart point, and of a tool change.
 # e.g. safety = ["{{units}} G17 G40 G49 G80 G90 G94 {{work_offset}}"]
 # e.g. tool_change = ["T{{tool}} M6", "T{{next}}"]
@@ -291,6 +309,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         greedy = config.greedy,
         axis_tolerance = degrees(config.axis_tolerance),
         position = number(config.retract.position),
+        smallest_radius = number(config.arcs.smallest_radius),
+        largest_radius = number(config.arcs.largest_radius),
         keep_speeds = config.feed.keep_speeds,
         shortest_block = number(config.feed.shortest_block),
         distance = number(config.approach.distance),
@@ -305,6 +325,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         feed_whole = formats.feed_whole,
         speed_whole = formats.speed_whole,
         every_word = config.control.every_word,
+        file_header = config.control.file_header,
         axis_names = sample_names::<M>(),
         step = Config::LINE_NUMBER_STEP,
     )?;

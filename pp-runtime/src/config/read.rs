@@ -16,7 +16,7 @@ use super::cl::CL_POINTS;
 use super::clearance;
 use super::control::{templates, work_offset};
 use super::set_up;
-use super::value::{Bound, Quantity, Reader, Section, Value};
+use super::value::{Bound, Quantity, Reader, Section, Shape, Value};
 use super::{Config, Rapid, Rewind, Tool, Transition, Units, Wrap};
 
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
@@ -41,6 +41,9 @@ pub(crate) const AXIS_TOLERANCE: RangeInclusive<f64> = 0.001..=10.0;
 
 /// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
 const DWELL: RangeInclusive<f64> = 0.001..=600.0;
+
+/// `[x, y, z]`.
+const POINT: &str = r#"{ "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 }"#;
 
 /// Largest number of a tool or of its offset register.
 const LARGEST_TOOL: u32 = 99_999;
@@ -71,15 +74,17 @@ impl Config {
         if reader.has_faults() { Err(reader.into_faults()) } else { Ok(self) }
     }
 
-    fn read_root<M: Machine>(&mut self, r: &mut Reader<'_>, root: &DeTable<'_>) {
+    pub(super) fn read_root<M: Machine>(&mut self, r: &mut Reader<'_>, root: &DeTable<'_>) {
         let mut top = Section::new("", root);
         // The file's unit first: it decides what every length below means.
         let units = self.get(&mut top, "units");
         let named = units.and_then(|value| r.choice(value, &UNITS));
         set(&mut r.units, named);
         self.read_top(r, &mut top);
-        let sections = ["defaults", "course", "retract", "approach", "feed", "formats", "program", "control", "cl"]
-            .map(|name| (name, top.get(name)));
+        let sections = [
+            "defaults", "course", "retract", "approach", "arcs", "feed", "formats", "program", "control", "cl", "stock",
+        ]
+        .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
         let frames = top.get("frames");
         let machine_zero = top.get("machine_zero");
@@ -102,11 +107,13 @@ impl Config {
                     let distance = self.get(&mut section, "approach.distance");
                     set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
                 }
+                "arcs" => self.read_arcs(r, &mut section),
                 "feed" => self.read_feed(r, &mut section),
                 "formats" => self.read_formats(r, &mut section),
                 "control" => self.read_control::<M>(r, &mut section),
                 "cl" => self.read_cl(r, &mut section),
                 "course" => self.read_course::<M>(r, &mut section),
+                "stock" => self.stock = set_up::stock(r, &mut section, value),
                 _ => self.read_program(r, &mut section),
             }
             section.finish(r);
@@ -347,6 +354,9 @@ impl Config {
     }
 
     fn read_tools(&mut self, r: &mut Reader<'_>, tools: Option<Value<'_>>) {
+        if let Some(tools) = tools {
+            r.note(tools, || Shape::Numbered);
+        }
         for (key, span, value) in tools.map_or_else(Vec::new, |tools| r.entries(tools)) {
             // Leading zeros would let one tool stand in two tables.
             let number = key.parse().ok().filter(|number: &u32| number.to_string() == key);
@@ -414,6 +424,7 @@ fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> (Tool, Option
 }
 
 pub(super) fn read_point(r: &mut Reader<'_>, value: Value<'_>) -> Option<[f64; 3]> {
+    r.note(value, || Shape::Schema(POINT));
     let numbers = r.list(value)?;
     let &[x, y, z] = numbers.as_slice() else {
         let text = format!("three numbers [x, y, z] are needed here, found {}", numbers.len());

@@ -7,8 +7,9 @@ use nalgebra::{Matrix3, Rotation3};
 use crate::kinematics::Machine;
 
 use super::axes::solved_rotaries;
-use super::value::{Bound, Quantity, Reader, Section, Value};
-use super::{ClampCodes, Config, LengthMode, ProgramZero};
+use super::read::read_point;
+use super::value::{Bound, Quantity, Reader, Section, Shape, Value};
+use super::{ClampCodes, Config, LengthMode, ProgramZero, Stock};
 
 pub(super) const PROGRAM_ZEROS: [(&str, ProgramZero); 2] = [("part", ProgramZero::Part), ("table", ProgramZero::Table)];
 pub(super) const LENGTH_MODES: [(&str, LengthMode); 2] = [("tip", LengthMode::Tip), ("gauge", LengthMode::Gauge)];
@@ -27,8 +28,20 @@ const CLAMP: &str = "write `C = { on = \"M10\", off = \"M11\" }`";
 const ROTATION: &str =
     "write three angles in degrees, `[rx, ry, rz]`, or the three rows of a matrix, `[[1, 0, 0], [0, 1, 0], [0, 0, 1]]`";
 
+/// Three angles, or three rows of three numbers.
+const ROTATIONS: &str = r#"{
+    "type": "array", "minItems": 3, "maxItems": 3,
+    "items": {
+        "anyOf": [
+            { "type": "number" },
+            { "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 }
+        ]
+    }
+}"#;
+
 /// `[rx, ry, rz]`, degrees, for `Rz·Ry·Rx`, or the rows of a matrix.
 pub(super) fn part_rotation(r: &mut Reader<'_>, value: Value<'_>) -> Option<Rotation3<f64>> {
+    r.note(value, || Shape::Schema(ROTATIONS));
     let entries = r.list(value)?;
     let [x, y, z] = entries[..] else {
         let text = format!("three angles or three rows are needed here, found {}", entries.len());
@@ -72,6 +85,24 @@ fn clamp_code(r: &mut Reader<'_>, value: Value<'_>) -> Option<String> {
     }
     r.fault(value.span(), format!("\"{code}\" is not an M code"), Some(CLAMP.to_owned()));
     None
+}
+
+/// The box around the blank: both corners, or none.
+pub(super) fn stock(r: &mut Reader<'_>, section: &mut Section<'_>, table: Option<Value<'_>>) -> Option<Stock> {
+    let [lower, upper] = ["stock.lower", "stock.upper"].map(|key| section.get(key));
+    let corners = [lower, upper].map(|corner| corner.and_then(|corner| read_point(r, corner)));
+    let [Some(lower), Some(upper)] = corners else {
+        if lower.is_some() != upper.is_some() {
+            let help = "lower = [-50, -40, -30] and upper = [50, 40, 0]".to_owned();
+            r.fault(table.map_or(0..0, |table| table.span()), "both corners of the blank are needed", Some(help));
+        }
+        return None;
+    };
+    if (0..3).any(|index| lower[index] >= upper[index]) {
+        r.fault(table.map_or(0..0, |table| table.span()), "this blank is empty: `lower` is its lowest corner", None);
+        return None;
+    }
+    Some(Stock { lower, upper })
 }
 
 /// By how much the length in the control's table may differ.
@@ -214,6 +245,18 @@ mod tests {
         let config = read("length_guard = true\nlength_tolerance = 0.05\n").expect("right");
         assert_eq!((config.length_guard, config.length_tolerance), (Some(true), 0.05));
         assert!(read("length_tolerance = 0.00001\n").is_err() && read("length_tolerance = 5\n").is_err());
+    }
+
+    #[test]
+    fn a_blank_has_two_corners() {
+        let read = |text: &str| Config::read::<Sample>(&format!("[stock]\n{text}\n"));
+        let config = read("lower = [-5, -4, -3]\nupper = [5, 4, 0]").expect("right");
+        assert_eq!(config.stock, Some(Stock { lower: [-5.0, -4.0, -3.0], upper: [5.0, 4.0, 0.0] }));
+        assert_eq!(read("").expect("right").stock, None);
+        for wrong in ["lower = [-5, -4, -3]", "lower = [-5, -4, 0]\nupper = [5, 4, 0]", "lower = 5\nupper = [5, 4, 0]"]
+        {
+            assert_eq!(read(wrong).expect_err("wrong").len(), 1, "{wrong}");
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Values and keys of a configuration file, each fault with the place it stands at.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::{Range, RangeInclusive};
 
@@ -18,7 +19,7 @@ pub(super) type Value<'a> = &'a Spanned<DeValue<'a>>;
 const LONGEST_MM: f64 = 1e5;
 
 /// Which numbers make sense.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Bound {
     /// Every finite number.
     Any,
@@ -39,6 +40,35 @@ pub(super) enum Quantity {
     Angle,
 }
 
+/// What a value has to be.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Shape {
+    /// A number.
+    Number(Bound),
+    /// A whole number.
+    Whole(RangeInclusive<u32>),
+    /// True or false.
+    Boolean,
+    /// A line of text.
+    Text,
+    /// One of a few words.
+    Choice(Vec<&'static str>),
+    /// A table of these keys, with values that are alike.
+    Names(Vec<String>),
+    /// A table whose keys are numbers, with values that are alike.
+    Numbered,
+    /// As this JSON schema says.
+    Schema(&'static str),
+}
+
+/// What was asked for while a file was read: the place of a value in the text and what it has to be, and all keys there are,
+/// with their tables.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Notes {
+    pub(super) shapes: BTreeMap<usize, Shape>,
+    pub(super) keys: Vec<(String, &'static str)>,
+}
+
 /// Collects faults while values are read.
 pub(super) struct Reader<'t> {
     text: &'t str,
@@ -48,11 +78,30 @@ pub(super) struct Reader<'t> {
     pub(super) lengths: bool,
     faults: Vec<Diagnostic>,
     top: Vec<&'static str>,
+    /// What was asked for, where that is wanted.
+    notes: Option<Notes>,
 }
 
 impl<'t> Reader<'t> {
     pub(super) fn new(text: &'t str) -> Self {
-        Self { text, units: Units::Millimetres, lengths: false, faults: Vec::new(), top: Vec::new() }
+        Self { text, units: Units::Millimetres, lengths: false, faults: Vec::new(), top: Vec::new(), notes: None }
+    }
+
+    /// A reader that also notes what each value has to be.
+    pub(super) fn noting(text: &'t str) -> Self {
+        Self { notes: Some(Notes::default()), ..Self::new(text) }
+    }
+
+    /// What has been noted.
+    pub(super) fn into_notes(self) -> Notes {
+        self.notes.unwrap_or_default()
+    }
+
+    /// Notes what a value has to be; the last note about it counts.
+    pub(super) fn note(&mut self, value: Value<'_>, shape: impl FnOnce() -> Shape) {
+        if let Some(notes) = &mut self.notes {
+            notes.shapes.insert(value.span().start, shape());
+        }
     }
 
     pub(super) fn has_faults(&self) -> bool {
@@ -97,6 +146,7 @@ impl<'t> Reader<'t> {
 
     /// A finite number in mm, rad, or as it stands.
     pub(super) fn number(&mut self, value: Value<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
+        self.note(value, || Shape::Number(bound));
         let read = match value.get_ref() {
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
@@ -142,6 +192,7 @@ impl<'t> Reader<'t> {
 
     /// A whole number within `range`.
     pub(super) fn whole(&mut self, value: Value<'_>, range: RangeInclusive<u32>) -> Option<u32> {
+        self.note(value, || Shape::Whole(range.clone()));
         let DeValue::Integer(integer) = value.get_ref() else {
             self.wrong_type(value, "a whole number");
             return None;
@@ -155,6 +206,7 @@ impl<'t> Reader<'t> {
     }
 
     pub(super) fn boolean(&mut self, value: Value<'_>) -> Option<bool> {
+        self.note(value, || Shape::Boolean);
         let read = value.get_ref().as_bool();
         if read.is_none() {
             self.wrong_type(value, "true or false");
@@ -164,6 +216,7 @@ impl<'t> Reader<'t> {
 
     /// Text of one line without control characters.
     pub(super) fn line(&mut self, value: Value<'_>) -> Option<String> {
+        self.note(value, || Shape::Text);
         let Some(text) = value.get_ref().as_str() else {
             self.wrong_type(value, "text in quotes");
             return None;
@@ -177,6 +230,7 @@ impl<'t> Reader<'t> {
 
     /// One of a few words.
     pub(super) fn choice<T: Copy>(&mut self, value: Value<'_>, choices: &[(&'static str, T)]) -> Option<T> {
+        self.note(value, || Shape::Choice(choices.iter().map(|(name, _)| *name).collect()));
         let Some(text) = value.get_ref().as_str() else {
             self.wrong_type(value, "text in quotes");
             return None;
@@ -254,6 +308,9 @@ impl<'a> Section<'a> {
 
     /// Reports every key that was never asked for.
     pub(super) fn finish(self, reader: &mut Reader<'_>) {
+        if let Some(notes) = &mut reader.notes {
+            notes.keys.extend(self.known.iter().map(|key| (self.name.clone(), *key)));
+        }
         for (key, _) in self.table.into_iter().flat_map(DeTable::iter) {
             let (name, span) = (key.get_ref().as_ref(), key.span());
             if self.known.contains(&name) {

@@ -40,6 +40,8 @@ pub(super) struct Belief {
     pub(super) speed: Option<Decimal>,
     /// Coolant that is on.
     pub(super) coolant: Option<Coolant>,
+    /// The plane of arcs, by its code; empty if nobody knows.
+    pub(super) plane: &'static str,
     /// The control smooths.
     pub(super) smooth: bool,
 }

@@ -2,15 +2,15 @@
 
 use std::io::{self, Write};
 
-use crate::config::{ControlSetup, Mode, Program, Smoothing, ToolPosture, Units};
-use crate::motion::{Feed, PoseRule, Sink, Step, VECTOR_DECIMALS, Words};
+use crate::config::{ControlSetup, Mode, Program, Smoothing, Stock, ToolPosture, Units};
+use crate::motion::{Circle, Feed, PoseRule, Sink, Step, VECTOR_DECIMALS, Words};
 use crate::nc::{Decimal, Numbering, Numerals, Writer, write_number};
 use crate::program::{Coolant, Rotation};
 
 use super::belief::{Belief, LengthState};
 use super::spellings::coolant_index;
 use super::template::{Field, fill};
-use super::{Control, Layout, LengthCall, Spellings, Vectors};
+use super::{ArcCentre, Control, Layout, LengthCall, LengthGuard, Spellings, Vectors};
 
 /// What the words of an axis look like.
 #[derive(Debug, Clone)]
@@ -21,6 +21,9 @@ struct Address {
     word: String,
     decimals: u32,
 }
+
+/// Decimals of the angle of a helix, degrees: at 10 m from its axis they are a hundredth of a word.
+const POLAR_DECIMALS: u32 = 6;
 
 /// Values of the fields of templates.
 #[derive(Debug, Default)]
@@ -88,6 +91,9 @@ pub struct Encoder<'a, W: Write> {
     axes: Vec<Address>,
     /// Position of Z in the chain: its word takes a length offset along.
     z: Option<usize>,
+    units: Units,
+    /// Decimals of lengths.
+    linear: u32,
     setup: ControlSetup,
     program: Program,
     mode: Mode,
@@ -123,6 +129,12 @@ fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {
         Some(blank) => (&text[..blank], Some(&text[blank + 1..])),
         None => (&text[..length], Some(&text[length..])),
     }
+}
+
+/// A name of capitals, digits and `_`.
+fn plain(name: &str) -> String {
+    let byte = |byte: char| if byte.is_ascii_alphanumeric() { byte.to_ascii_uppercase() } else { '_' };
+    name.chars().map(byte).collect()
 }
 
 /// The name of a program as the control can hold it.
@@ -178,6 +190,8 @@ impl<'a, W: Write> Encoder<'a, W> {
             writer: Writer::new(out, numbering),
             axes: addresses(control, layout),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
+            units: layout.units,
+            linear: layout.linear,
             values,
             numerals,
             preselect: setup.preselect.unwrap_or(codes.preselect),
@@ -190,13 +204,29 @@ impl<'a, W: Write> Encoder<'a, W> {
         }
     }
 
-    /// The lines a program of this control begins with.
+    /// The lines a program of this control begins with. `blank`: the corners of the box around it, mm.
     ///
     /// # Errors
     /// Those of the output.
-    pub fn open(&mut self) -> io::Result<()> {
+    pub fn open(&mut self, blank: Option<&Stock>) -> io::Result<()> {
+        if self.setup.file_header {
+            let header = self.control.file_header(&plain(&self.values.name));
+            header.iter().try_for_each(|line| self.writer.line(line.as_bytes()))?;
+        }
         let opening = self.codes.opening;
-        self.lines(opening)
+        self.lines(opening)?;
+        let Some(Stock { lower, upper }) = blank else { return Ok(()) };
+        let [lower, upper] = [lower, upper].map(|corner| self.point(corner));
+        self.control.blank(&lower, &upper).iter().try_for_each(|line| self.writer.line(line.as_bytes()))
+    }
+
+    /// A point as words X Y Z.
+    fn point(&self, point: &[f64; 3]) -> String {
+        let words = ["X", "Y", "Z"].iter().zip(point).map(|(letter, mm)| {
+            let value = Decimal::fixed(mm / self.units.in_mm(), self.linear).unwrap_or_default();
+            format!("{letter}{}", text(value, self.numerals))
+        });
+        words.collect::<Vec<_>>().join(" ")
     }
 
     /// The blocks of the configuration behind the header.
@@ -208,13 +238,14 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.foreign(&blocks)
     }
 
-    /// The blocks of the configuration before the end code, and the end.
+    /// The blocks of the configuration before the end code, remarks as comments, and the end.
     ///
     /// # Errors
     /// Those of the output.
-    pub fn end(&mut self) -> io::Result<()> {
+    pub fn end(&mut self, remarks: &[String]) -> io::Result<()> {
         let blocks = std::mem::take(&mut self.program.end);
         self.foreign(&blocks)?;
+        remarks.iter().try_for_each(|remark| self.comment(remark.as_bytes()))?;
         self.block(self.codes.end)?;
         self.lines(self.codes.closing)
     }
@@ -385,6 +416,7 @@ impl<'a, W: Write> Encoder<'a, W> {
 
     /// Tip control on or off; where it comes with the length offset, with the next motion.
     fn tip_control(&mut self, on: bool) -> io::Result<()> {
+        self.usual_plane()?;
         self.belief.forget_axes();
         self.belief.motion = "";
         if let Some(codes) = &self.setup.tip_control {
@@ -408,6 +440,7 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// Tilts the plane. The control turns the rotary axes to it, and its blocks may bring codes of their own.
     fn tilt(&mut self, angles: [Decimal; 3], pose: Option<bool>) -> io::Result<()> {
         let Some(plane) = &self.codes.plane else { return Ok(()) };
+        self.usual_plane()?;
         if let LengthState::Wanted(register) = self.belief.length
             && plane.length_first
         {
@@ -469,23 +502,130 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.motion(along.map_or(self.codes.feed, |(code, _)| code));
         self.call_length(words)?;
         self.axis_words(words, false);
-        if along.is_none() && self.writes(!self.belief.centre) {
-            self.writer.code(self.codes.centre);
-        }
-        self.belief.centre |= along.is_none();
+        self.centre_word(along.is_some());
         match feed {
-            Feed::PerMinute(value) => {
-                let changes = self.belief.set_feed(value);
-                if self.writes(changes) {
-                    self.feed_word(value);
-                }
-            }
+            Feed::PerMinute(value) => self.changed_feed(value),
             Feed::InverseTime(value) => {
                 self.feed_word(value);
                 self.belief.forget_feed();
             }
         }
         self.writer.end()
+    }
+
+    /// The path is not compensated; `implied`: the motion code says so for its block.
+    fn centre_word(&mut self, implied: bool) {
+        if !implied && self.writes(!self.belief.centre) {
+            self.writer.code(self.codes.centre);
+        }
+        self.belief.centre |= !implied;
+    }
+
+    fn changed_feed(&mut self, feed: Decimal) {
+        let changes = self.belief.set_feed(feed);
+        if self.writes(changes) {
+            self.feed_word(feed);
+        }
+    }
+
+    /// A plane of arcs that is to be in force.
+    fn plane(&mut self, code: &'static str) {
+        if self.writes(self.belief.plane != code) {
+            self.writer.code(code);
+        }
+        self.belief.plane = code;
+    }
+
+    /// The usual plane, in a block of its own: a length offset may count along the axis square to another one.
+    fn usual_plane(&mut self) -> io::Result<()> {
+        let usual = self.codes.arcs.planes[2].unwrap_or_default();
+        if self.belief.plane == usual || self.belief.plane.is_empty() {
+            return Ok(());
+        }
+        self.plane(usual);
+        self.writer.end()
+    }
+
+    fn arc(&mut self, words: &Words, circle: &Circle, feed: Decimal) -> io::Result<()> {
+        self.smooth(true)?;
+        if self.codes.length.call == LengthCall::Alone {
+            self.call_length(words)?;
+        }
+        self.feed_mode(self.codes.per_minute);
+        // Its words are complete: what is left out of an arc means something else on each control.
+        for axis in &circle.plane.axes()[..2] {
+            self.belief.forget_axis(circle.chain[*axis]);
+        }
+        match self.codes.arcs.centre {
+            ArcCentre::Offsets => self.arc_with_offsets(words, circle),
+            ArcCentre::Pole => self.arc_about_pole(words, circle)?,
+        }
+        self.centre_word(false);
+        self.changed_feed(feed);
+        self.writer.end()
+    }
+
+    /// `G17 G2 X Y Z I J`.
+    fn arc_with_offsets(&mut self, words: &Words, circle: &Circle) {
+        let arcs = &self.codes.arcs;
+        let [first, second, square] = circle.plane.axes();
+        self.plane(arcs.planes[square].unwrap_or_default());
+        self.motion(arcs.senses[usize::from(!circle.clockwise)]);
+        self.axis_words(words, false);
+        let decimals = self.decimals(circle.chain[first]);
+        if let Some(units) = circle.radius {
+            self.writer.word(arcs.radius, Decimal { units, decimals }, self.numerals);
+            return;
+        }
+        let mut offsets = [(first, 0), (second, 1)];
+        offsets.sort_unstable();
+        for (axis, place) in offsets {
+            let units = circle.centre[place] - circle.start[place];
+            self.writer.word(["I", "J", "K"][axis], Decimal { units, decimals }, self.numerals);
+        }
+    }
+
+    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`.
+    fn arc_about_pole(&mut self, words: &Words, circle: &Circle) -> io::Result<()> {
+        let arcs = &self.codes.arcs;
+        let [first, second, square] = circle.plane.axes().map(|axis| circle.chain[axis]);
+        let decimals = self.decimals(first);
+        let sense = arcs.senses[usize::from(!circle.clockwise)];
+        self.belief.motion = "";
+        if let Some(units) = circle.radius.filter(|_| circle.rise == 0) {
+            self.writer.code("CR");
+            self.axis_words(words, false);
+            self.writer.word(arcs.radius, Decimal { units, decimals }, self.numerals);
+            self.writer.code(sense);
+            return Ok(());
+        }
+        self.writer.code("CC");
+        for (axis, units) in [first, second].into_iter().zip(circle.centre) {
+            let word = self.axes.iter().find(|address| address.index == axis).map_or("", |address| &address.word);
+            self.writer.word(word, Decimal { units, decimals }, self.numerals);
+        }
+        self.writer.end()?;
+        if circle.rise == 0 {
+            self.writer.code("C");
+            self.axis_words(words, false);
+        } else {
+            self.writer.code("CP");
+            let degrees = if circle.clockwise { -circle.sweep } else { circle.sweep }.to_degrees();
+            // At most a turn in six decimals.
+            let angle = Decimal::fixed(degrees, POLAR_DECIMALS).unwrap_or_default();
+            self.writer.word("IPA", angle, self.numerals);
+            let word = self.axes.iter().find(|address| address.index == square).map_or("", |address| &address.word);
+            let rise = Decimal { units: circle.rise, decimals: self.decimals(square) };
+            self.writer.word(&format!("I{word}"), rise, self.numerals);
+            self.belief.set_axis(square, words.units[square]);
+        }
+        self.writer.code(sense);
+        Ok(())
+    }
+
+    /// Decimals of the words of an axis.
+    fn decimals(&self, index: usize) -> u32 {
+        self.axes.iter().find(|address| address.index == index).map_or(0, |address| address.decimals)
     }
 
     fn rapid(&mut self, words: &Words) -> io::Result<()> {
@@ -506,6 +646,7 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// A rapid in machine coordinates. Not every control keeps its motion code in force, and some end the length offset.
     fn machine(&mut self, words: &Words) -> io::Result<()> {
         self.smooth(false)?;
+        self.usual_plane()?;
         let length = &self.codes.length;
         if length.machine_ends {
             if !matches!(self.belief.length, LengthState::Off | LengthState::Wanted(_)) {
@@ -541,6 +682,7 @@ impl<'a, W: Write> Encoder<'a, W> {
                 self.reset_frame()?;
                 self.belief.feed_mode = self.codes.per_minute;
                 self.belief.length = LengthState::Off;
+                self.belief.plane = self.codes.arcs.planes[2].unwrap_or_default();
             }
         }
         Ok(())
@@ -588,6 +730,18 @@ impl<'a, W: Write> Encoder<'a, W> {
         self.fill(self.codes.rotation(rotation))
     }
 
+    /// A wait, in as many pieces as the control needs; pieces are whole milliseconds, as they are written.
+    fn dwell(&mut self, seconds: f64) -> io::Result<()> {
+        let mut rest = (seconds * 1e3).round() as u32;
+        while rest > 0 {
+            let piece = rest.min(self.codes.longest_dwell);
+            self.values.seconds = Some(f64::from(piece) / 1e3);
+            self.fill_all(self.codes.dwell)?;
+            rest -= piece;
+        }
+        Ok(())
+    }
+
     /// On and off of a kind of coolant.
     fn coolant_codes(&self, kind: Coolant) -> Option<[&str; 2]> {
         let index = coolant_index(kind)?;
@@ -628,6 +782,7 @@ impl<W: Write> Sink for Encoder<'_, W> {
         let codes = self.codes;
         match *step {
             Step::Feed { ref words, feed } => self.feed(words, feed),
+            Step::Arc { ref words, circle, feed } => self.arc(words, circle, feed),
             Step::Rapid { ref words } => self.rapid(words),
             Step::Machine { ref words } => self.machine(words),
             Step::Restart { number } => self.restart(number),
@@ -657,19 +812,15 @@ impl<W: Write> Sink for Encoder<'_, W> {
             Step::TipControl { on } => self.tip_control(on),
             Step::Plane { angles, pose } => self.tilt(angles, pose),
             Step::PlaneOff => self.tilt_off(),
-            Step::LengthGuard { label, tool, length, tolerance } => {
-                for block in self.control.length_guard(label, tool, length, tolerance) {
-                    self.writer.line(block.as_bytes())?;
-                }
-                Ok(())
+            Step::LengthGuard { label, tool, offset, length, tolerance } => {
+                let guard = LengthGuard { label, tool, offset, length, tolerance, units: self.units };
+                let blocks = self.control.length_guard(&guard);
+                blocks.iter().try_for_each(|block| self.writer.line(block.as_bytes()))
             }
             Step::Spindle { speed, rotation } => self.spindle(speed, rotation),
             Step::Code { text } => self.block(text),
             Step::SpindleOff => self.block(codes.spindle_off),
-            Step::Dwell { seconds } => {
-                self.values.seconds = Some(seconds);
-                self.fill_all(codes.dwell)
-            }
+            Step::Dwell { seconds } => self.dwell(seconds),
             Step::Coolant { kind } => self.coolant(kind),
             Step::CoolantOff => self.coolant_off(),
             Step::Stop { optional } => {

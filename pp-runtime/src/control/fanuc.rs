@@ -4,6 +4,11 @@
 //! `G43` and `G49` may move Z by the length of the tool. `G43 H` therefore stands in the block that moves Z to the
 //! approach point, and `G49` in the block that moves Z to its machine position.
 //!
+//! Length guard of the 30i and 31i with offset memory B or C and custom macros: `#10000+H` and `#11000+H` are the two
+//! parts of a length, geometry and wear. Machines differ in which is which (both orders are found in programs of
+//! machines), and `G43` takes their sum, so the guard does. They count in the unit of the program. `#3000` stops with an
+//! alarm and at most 26 characters.
+//!
 //! `G43.4 H` starts tip control in the block that goes to the first point; which frame it counts in is parameter 19696#5.
 //! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` turns the axes. Of several poses it takes the
 //! one that turns the master axis least (B-63784EN, tool axis direction control), so they are turned there before.
@@ -12,8 +17,10 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, ascii_in_brackets};
-use super::{Control, numbered};
+use super::spellings::{
+    ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, ascii_in_brackets,
+};
+use super::{Control, LengthGuard, numbered};
 
 /// The Fanuc dialect.
 #[derive(Debug, Clone, Copy)]
@@ -51,6 +58,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G0",
     rapid_end: "",
     feed: "G1",
+    arcs: Arcs {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Parameter 3410 is 0.01 mm or more on machines in use; a word is off by less than this.
+        radius_tolerance: 0.002,
+    },
     motion_modal: true,
     centre: "",
     machine: ["G53 G0", ""],
@@ -71,6 +86,7 @@ static SPELLINGS: Spellings = Spellings {
     coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
     stop: ["M0", "M1"],
     dwell: &["G4 P{milliseconds}"],
+    longest_dwell: 99_999_000,
     smoothing: [&["G05.1 Q1"], &["G05.1 Q1"], &["G05.1 Q1"]],
     smoothing_off: &["G05.1 Q0"],
     turning: ["", ""],
@@ -138,11 +154,33 @@ impl Control for Fanuc {
         let known = numbered(word, "G", 54..=59) || numbered(word, "G54.1 P", 1..=300);
         known.then(|| word.to_owned())
     }
+
+    fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
+        if !(1..=999).contains(&guard.offset) {
+            return Vec::new();
+        }
+        let ([length, tolerance], [wear, geometry]) =
+            (guard.in_program(), [10_000, 11_000].map(|at| at + guard.offset));
+        let alarm = format!("#3000=101 (T{} IS NOT {length} LONG)", guard.tool);
+        vec![format!("IF [ABS[#{wear}+#{geometry}-{length}] GT {tolerance}] THEN {alarm}")]
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::config::Units;
+
+    #[test]
+    fn the_length_guard_adds_geometry_and_wear_of_the_register_in_the_unit_of_the_program() {
+        let guard =
+            LengthGuard { label: 3, tool: 12, offset: 21, length: 114.3, tolerance: 0.01, units: Units::Millimetres };
+        let block = "IF [ABS[#10021+#11021-114.3] GT 0.01] THEN #3000=101 (T12 IS NOT 114.3 LONG)";
+        assert_eq!(Fanuc.length_guard(&guard), [block]);
+        let inches = Fanuc.length_guard(&LengthGuard { units: Units::Inches, ..guard });
+        assert_eq!(inches, ["IF [ABS[#10021+#11021-4.5] GT 0.00039] THEN #3000=101 (T12 IS NOT 4.5 LONG)"]);
+        assert!(Fanuc.length_guard(&LengthGuard { offset: 1000, ..guard }).is_empty());
+    }
 
     #[test]
     fn comments_hold_capitals_and_signs_that_every_model_prints() {

@@ -36,6 +36,9 @@ pub fn check(control: &dyn Control, config: &Config) -> Vec<String> {
             digits => format!("programs of {title} have a number of at most {digits} digits"),
         });
     }
+    if setup.file_header && control.file_header("NAME").is_empty() {
+        faults.push(format!("programs of {title} do not begin with the name of their file: leave `file_header` out"));
+    }
     if codes.counted && config.program.line_numbers.is_some() {
         faults.push(format!("{title} counts every line by itself: leave `line_numbers` out"));
     }
@@ -92,6 +95,8 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
         registers: codes.length.registers,
         path_norm: config.control.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
+        arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
+        arc_radius_tolerance: codes.arcs.radius_tolerance,
         tip: tip_ability(control, config),
         plane: codes.plane.as_ref().map(|plane| PlaneAbility {
             angles: plane.angles,

@@ -3,6 +3,10 @@
 //! Codes have two digits, as Haas writes them. As on Fanuc a number needs its point and `G43` stands with Z; the dwell
 //! is in seconds because its P has a point. Coolant through the spindle has an off code of its own.
 //!
+//! Length guard of the NGC with macros: `#2000+H` is the length in the offset page, `#2200+H` its wear, for H1 to H200, in
+//! the unit of the machine, which is that of the program; `G43` takes their sum. To read them stops the look-ahead (Haas
+//! mill manual 96-8000, macros). `#3000` stops with an alarm.
+//!
 //! `G234 H` controls the tip in the frame of the table at zero. `G268` tilts a plane, with the length offset active before
 //! it, and `G253` turns the axes; `Q123` is the order of its angles.
 
@@ -10,8 +14,8 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, ascii_in_brackets};
-use super::{Control, numbered};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, ascii_in_brackets};
+use super::{Control, LengthGuard, numbered};
 
 /// The Haas dialect.
 #[derive(Debug, Clone, Copy)]
@@ -49,6 +53,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G00",
     rapid_end: "",
     feed: "G01",
+    arcs: Arcs {
+        senses: ["G02", "G03"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Less than the control lets pass.
+        radius_tolerance: 0.002,
+    },
     motion_modal: true,
     centre: "",
     machine: ["G53 G00", ""],
@@ -69,6 +81,7 @@ static SPELLINGS: Spellings = Spellings {
     coolant: [Some(["M08", "M09"]), None, Some(["M88", "M89"]), None],
     stop: ["M00", "M01"],
     dwell: &["G04 P{seconds}"],
+    longest_dwell: 99_999_000,
     smoothing: [&["G187 P1 E{path_tolerance}"], &["G187 P2 E{path_tolerance}"], &["G187 P3 E{path_tolerance}"]],
     smoothing_off: &["G187"],
     turning: ["", ""],
@@ -107,5 +120,14 @@ impl Control for Haas {
     fn work_offset(&self, word: &str) -> Option<String> {
         let known = numbered(word, "G", 54..=59) || numbered(word, "G154 P", 1..=99);
         known.then(|| word.to_owned())
+    }
+
+    fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
+        if !(1..=200).contains(&guard.offset) {
+            return Vec::new();
+        }
+        let ([length, tolerance], [geometry, wear]) = (guard.in_program(), [2000, 2200].map(|at| at + guard.offset));
+        let alarm = format!("#3000= 101 (T{} IS NOT {length} LONG)", guard.tool);
+        vec![format!("IF [ABS[#{geometry} + #{wear} - {length}] GT {tolerance}] THEN {alarm}")]
     }
 }

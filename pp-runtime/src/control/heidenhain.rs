@@ -1,9 +1,14 @@
 //! Heidenhain TNC 640 and iTNC 530, conversational.
 //!
-//! Every line has a number, comments too, and every motion begins with L: nothing but words, F and R0 stays in force.
+//! Every line has a number, comments too, and every motion begins with L, an arc with C, CR or, if it is a helix, CP:
+//! nothing but words, F and R0 stays in force.
 //! There is no inverse time, so F counts along the control's own path. The speed stands in TOOL CALL, which takes the
 //! length from the row of the tool. In a program in inches F counts tenths of an inch. A `~` at the end of a line goes on in the
-//! next, so no comment holds one.
+//! next, so no comment holds one. A dwell of cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
+//!
+//! Length guard: `FN 18` reads from the row of the tool its length (ID50 NR1) and its oversize (NR4), which `TOOL CALL`
+//! adds up; always in millimetres, whatever the unit of the program. `QL` are parameters of this program alone. `FN 14`
+//! stops with a number, so the message stands as a comment before it.
 //!
 //! `FUNCTION TCPM` controls the tip in the frame of the table at zero. `PLANE SPATIAL` turns about X, then Y, then Z of the
 //! frame it tilts (SPC·SPB·SPA as a product), and SEQ is the sign of the master axis, the first one from the tool. Both
@@ -13,8 +18,8 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
-use super::{Control, numbered};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
+use super::{Control, LengthGuard, numbered};
 
 /// The Heidenhain dialect.
 #[derive(Debug, Clone, Copy)]
@@ -49,6 +54,15 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "L",
     rapid_end: "R0 FMAX",
     feed: "L",
+    arcs: Arcs {
+        senses: ["DR-", "DR+"],
+        // Arcs lie in the plane square to the axis of TOOL CALL.
+        planes: [None, None, Some("")],
+        centre: ArcCentre::Pole,
+        radius: "R",
+        // 0.016 mm as delivered.
+        radius_tolerance: 0.01,
+    },
     motion_modal: false,
     centre: "R0",
     machine: ["L", "R0 FMAX M91"],
@@ -69,6 +83,7 @@ static SPELLINGS: Spellings = Spellings {
     coolant: [Some(["M8", "M9"]), None, None, None],
     stop: ["M0", "M1"],
     dwell: &["CYCL DEF 9.0 DWELL TIME", "CYCL DEF 9.1 DWELL {seconds}"],
+    longest_dwell: 3_600_000,
     smoothing: [
         &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:1 TA{angle}"],
         &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:1 TA{angle}"],
@@ -125,6 +140,28 @@ impl Control for Heidenhain {
             return Some((number - 53).to_string());
         }
         numbered(word, "", 0..=999).then(|| word.to_owned())
+    }
+
+    fn blank(&self, lower: &str, upper: &str) -> Vec<String> {
+        vec![format!("BLK FORM 0.1 Z {lower}"), format!("BLK FORM 0.2 {upper}")]
+    }
+
+    fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
+        let LengthGuard { label, tool, .. } = *guard;
+        let [length, tolerance] = guard.in_millimetres();
+        let bound = |value: f64| format!("{:+}", (value * 1e4).round() / 1e4);
+        let (low, high) = (bound(length - tolerance), bound(length + tolerance));
+        vec![
+            format!("FN 18: SYSREAD QL1 = ID50 NR1 IDX{tool}"),
+            format!("FN 18: SYSREAD QL2 = ID50 NR4 IDX{tool}"),
+            "FN 1: QL1 = +QL1 + +QL2".to_owned(),
+            format!("FN 12: IF +QL1 LT {low} GOTO LBL \"OFF{label}\""),
+            format!("FN 12: IF +QL1 LT {high} GOTO LBL \"FITS{label}\""),
+            format!("LBL \"OFF{label}\""),
+            format!("; T{tool} was posted with L = {length} mm: the tool table says something else"),
+            "FN 14: ERROR = 100".to_owned(),
+            format!("LBL \"FITS{label}\""),
+        ]
     }
 
     fn message(&self, byte: u8) -> u8 {

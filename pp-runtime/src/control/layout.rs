@@ -10,6 +10,8 @@ pub struct Layout {
     pub axes: Vec<(char, u32)>,
     /// Unit of lengths.
     pub units: Units,
+    /// Decimals of lengths.
+    pub linear: u32,
     /// Work offset as the configuration has it.
     pub work_offset: String,
     /// How far the control may leave the path where it blends blocks, in `units`.
@@ -39,6 +41,7 @@ impl Layout {
         Self {
             axes: M::AXES.iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
             units,
+            linear,
             work_offset: config.work_offset.clone(),
             path_tolerance: config.path_tolerance / units.in_mm(),
             name: name.to_vec(),

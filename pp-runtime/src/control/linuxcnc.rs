@@ -9,8 +9,8 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::Registers;
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, ascii_in_brackets};
-use super::{Control, numbered};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::{Control, LengthGuard, numbered};
 
 /// The LinuxCNC dialect.
 #[derive(Debug, Clone, Copy)]
@@ -41,6 +41,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G0",
     rapid_end: "",
     feed: "G1",
+    arcs: Arcs {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Where the radii differ by more the interpreter of 2.9 looks at their ratio, too.
+        radius_tolerance: 0.001_27,
+    },
     motion_modal: true,
     centre: "",
     machine: ["G53 G0", ""],
@@ -61,6 +69,7 @@ static SPELLINGS: Spellings = Spellings {
     coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
     stop: ["M0", "M1"],
     dwell: &["G4 P{seconds}"],
+    longest_dwell: 99_999_000,
     smoothing: [&[], &[], &[]],
     smoothing_off: &[],
     turning: ["", ""],
@@ -82,8 +91,13 @@ impl Control for LinuxCnc {
         }
     }
 
-    fn length_guard(&self, label: u32, tool: u32, length: f64, tolerance: f64) -> Vec<String> {
-        let [length, tolerance] = [length, tolerance].map(|mm| (mm * 1e4).round() / 1e4);
+    fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
+        let LengthGuard { label, tool, .. } = *guard;
+        if guard.offset != tool {
+            // The table says nothing about the register of another tool.
+            return Vec::new();
+        }
+        let [length, tolerance] = guard.in_millimetres();
         // The table of a machine in inches holds another number; no tool fits both ways.
         let off = |table: &str| format!("[ABS[{table} - {length}] GT {tolerance}]");
         vec![
@@ -112,6 +126,7 @@ fn is_order(text: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::config::Units;
 
     fn comment(text: &str) -> String {
         let mut line = Vec::new();
@@ -129,7 +144,9 @@ mod tests {
 
     #[test]
     fn the_length_guard_compares_with_the_table_in_either_unit() {
-        let blocks = LinuxCnc.length_guard(3, 12, 4.5 * 25.4, 0.01);
+        let guard =
+            LengthGuard { label: 3, tool: 12, offset: 12, length: 4.5 * 25.4, tolerance: 0.01, units: Units::Inches };
+        let blocks = LinuxCnc.length_guard(&guard);
         let condition = "o3 if [[ABS[#5403 - 114.3] GT 0.01] AND [ABS[[#5403 * 25.4] - 114.3] GT 0.01]]";
         let message = "(abort, T12 was posted with L = 114.3 mm: the tool table says something else)";
         assert_eq!(blocks, [condition, message, "o3 endif"]);

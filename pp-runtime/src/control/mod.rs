@@ -19,6 +19,8 @@ mod tests;
 
 use std::ops::RangeInclusive;
 
+use crate::config::Units;
+
 pub use encoder::Encoder;
 pub use fanuc::Fanuc;
 pub use fit::{abilities, check, starting_point, unsuited};
@@ -27,7 +29,7 @@ pub use heidenhain::Heidenhain;
 pub use layout::Layout;
 pub use linuxcnc::LinuxCnc;
 pub use siemens::Siemens;
-pub use spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors};
+pub use spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors};
 
 /// Every control there is, the default first.
 pub const CONTROLS: &[&dyn Control] = &[&LinuxCnc, &Fanuc, &Siemens, &Heidenhain, &Haas];
@@ -69,11 +71,49 @@ pub trait Control: Sync {
         (name.len() == 1 && name.as_bytes()[0].is_ascii_uppercase()).then(|| name.to_owned())
     }
 
-    /// Blocks that stop the program with a message where the length of the tool in the spindle, as the control knows it,
-    /// is off the posted one by more than a tolerance, mm; `label` occurs once in a program. None where a control cannot
-    /// compare.
-    fn length_guard(&self, _label: u32, _tool: u32, _length: f64, _tolerance: f64) -> Vec<String> {
+    /// Lines before everything else with the name of the program's file, where the configuration asks for them; none where
+    /// the control knows no such lines. `name`: capitals, digits and `_`.
+    fn file_header(&self, _name: &str) -> Vec<String> {
         Vec::new()
+    }
+
+    /// Lines about the box of the blank for the pictures of the control; corners as words X Y Z.
+    fn blank(&self, _lower: &str, _upper: &str) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Blocks that stop the program with a message where the length of the tool in the spindle, as the control knows it,
+    /// is off the posted one by more than a tolerance. None where a control cannot compare.
+    fn length_guard(&self, guard: &LengthGuard) -> Vec<String>;
+}
+
+/// The length of a tool that is to be compared with the control's own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LengthGuard {
+    /// A number that occurs once in a program.
+    pub label: u32,
+    /// The tool in the spindle.
+    pub tool: u32,
+    /// Its length offset.
+    pub offset: u32,
+    /// Posted gauge length, mm.
+    pub length: f64,
+    /// By how much it may differ, mm.
+    pub tolerance: f64,
+    /// Unit of the program.
+    pub units: Units,
+}
+
+impl LengthGuard {
+    /// Length and tolerance in the unit of the program, as they are written.
+    fn in_program(&self) -> [f64; 2] {
+        let places = if self.units == Units::Inches { 1e5 } else { 1e4 };
+        [self.length, self.tolerance].map(|mm| (mm / self.units.in_mm() * places).round() / places)
+    }
+
+    /// The same in millimetres, whatever the unit of the program.
+    fn in_millimetres(&self) -> [f64; 2] {
+        Self { units: Units::Millimetres, ..*self }.in_program()
     }
 }
 

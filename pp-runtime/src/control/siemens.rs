@@ -4,6 +4,11 @@
 //! the tool; `D0` in a block of machine coordinates takes it away, so it is called again before the next motion. `G4 F`
 //! counts seconds and leaves the feed alone. `TRAFOOF` stands before the work offset, which it may clear.
 //!
+//! Length guard: `$P_TOOLL[1]` is the first length of the active edge with wear and adapter, whatever number the tool
+//! management has given the tool; with `G710` and `G700` a program reads it in its own unit (Basic Functions 6FC5397-0BP40,
+//! G2, 7.3). `M0` holds with the message in sight, and `M30` behind it leaves no way on. Alarms of `SETAL` would need texts
+//! of the machine.
+//!
 //! `TRAORI` controls the tip in the frame of the table at zero; behind it the work offset is called again. `CYCLE800` in
 //! mode 57 turns about X, the new Y and the new Z. Its direction -1 or 1 takes the pose with the lower or the higher value
 //! of the axis that is the direction reference of the swivel data (828D operating manual, 10.6).
@@ -12,8 +17,8 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
-use super::{Control, numbered};
+use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, printable};
+use super::{Control, LengthGuard, numbered};
 
 /// The Siemens dialect.
 #[derive(Debug, Clone, Copy)]
@@ -43,6 +48,14 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "G0",
     rapid_end: "",
     feed: "G1",
+    arcs: Arcs {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "CR=",
+        // MD21000, as delivered.
+        radius_tolerance: 0.01,
+    },
     motion_modal: true,
     centre: "",
     machine: ["SUPA G0", "D0"],
@@ -63,6 +76,7 @@ static SPELLINGS: Spellings = Spellings {
     coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
     stop: ["M0", "M1"],
     dwell: &["G4 F{seconds}"],
+    longest_dwell: 99_999_000,
     smoothing: [
         &["CYCLE832({path_tolerance},3)"],
         &["CYCLE832({path_tolerance},2)"],
@@ -121,6 +135,22 @@ impl Control for Siemens {
             1..=2 if digits.bytes().all(|digit| digit.is_ascii_digit()) => Some(format!("{name}=")),
             _ => None,
         }
+    }
+
+    fn file_header(&self, name: &str) -> Vec<String> {
+        // Names of files have at most 24 characters.
+        vec![format!("%_N_{}_MPF", &name[..name.len().min(24)]), ";$PATH=/_N_MPF_DIR".to_owned()]
+    }
+
+    fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
+        let [length, tolerance] = guard.in_program();
+        vec![
+            format!("IF ABS($P_TOOLL[1]-{length})>{tolerance}"),
+            format!("MSG(\"T{} was posted with L = {length}: the tool data say something else\")", guard.tool),
+            "M0".to_owned(),
+            "M30".to_owned(),
+            "ENDIF".to_owned(),
+        ]
     }
 
     fn message(&self, byte: u8) -> u8 {

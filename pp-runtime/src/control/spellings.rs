@@ -56,6 +56,8 @@ pub struct Spellings {
     pub rapid_end: &'static str,
     /// Feed.
     pub feed: &'static str,
+    /// Arcs.
+    pub arcs: Arcs,
     /// The motion code stays in force.
     pub motion_modal: bool,
     /// Path without compensation of the radius, behind the axis words; stays in force.
@@ -82,6 +84,8 @@ pub struct Spellings {
     pub stop: [&'static str; 2],
     /// Dwell.
     pub dwell: &'static [&'static str],
+    /// Longest dwell that it can hold, milliseconds; a longer one is written as several.
+    pub longest_dwell: u32,
     /// Smoothing on, for roughing, medium and finishing; empty if only `safety` can ask for it.
     pub smoothing: [&'static [&'static str]; 3],
     /// Smoothing off.
@@ -94,6 +98,30 @@ pub struct Spellings {
     pub plane: Option<Tilting>,
     /// What words beyond 360° take for granted about the rotary axes of this control.
     pub rotary_note: &'static str,
+}
+
+/// How arcs look.
+#[derive(Debug)]
+pub struct Arcs {
+    /// Clockwise and counter-clockwise.
+    pub senses: [&'static str; 2],
+    /// The planes square to X, to Y and to Z, stated before an arc and in force from there on; `None`: no arcs in it.
+    pub planes: [Option<&'static str>; 3],
+    /// Where the centre stands.
+    pub centre: ArcCentre,
+    /// What stands before a radius that says the same.
+    pub radius: &'static str,
+    /// By how much the distances of both ends from the centre may differ, mm.
+    pub radius_tolerance: f64,
+}
+
+/// Where the centre of an arc stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ArcCentre {
+    /// In the block, as I J K counted from the start.
+    Offsets,
+    /// In a block of its own, `CC` with coordinates; a helix counts its angle.
+    Pole,
 }
 
 /// How comments look.

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use super::template::{self, Field};
 use super::*;
 use crate::config::{Config, ControlSetup, PathNorm, Program, Smoothing, Units};
-use crate::motion::{Feed, MAX_AXES, Sink as _, Step, Words};
+use crate::motion::{Circle, Feed, MAX_AXES, Plane, Sink as _, Step, Words};
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
 
@@ -86,11 +86,11 @@ fn short_program() -> Vec<Step<'static>> {
 
 fn whole(control: &dyn Control, layout: &Layout) -> Vec<String> {
     written_by(control, layout, |encoder| {
-        encoder.open()?;
+        encoder.open(None)?;
         encoder.comment(b"a (b)")?;
         encoder.step(&Step::Operation { name: b"Face 1" })?;
         short_program().iter().try_for_each(|step| encoder.step(step))?;
-        encoder.end()
+        encoder.end(&[])
     })
 }
 
@@ -336,10 +336,10 @@ fn blocks_of_the_configuration_replace_those_of_the_table() {
     let program = Program { start: vec!["(P{number} {name})".into()], end: vec!["M99".into()], ..Program::default() };
     let layout = Layout { program, ..edges(setup) };
     let text = written_by(&Fanuc, &layout, |encoder| {
-        encoder.open()?;
+        encoder.open(None)?;
         encoder.start()?;
         short_program()[..4].iter().try_for_each(|step| encoder.step(step))?;
-        encoder.end()
+        encoder.end(&[])
     });
     assert_eq!(
         text,
@@ -423,12 +423,72 @@ fn work_offsets_are_those_that_the_control_has() {
     assert_eq!(["G59", "12", "012"].map(|word| spelled(&Heidenhain, word)), ["6", "12", ""]);
 }
 
-/// What a motion block does: rapid, machine coordinates, where every axis stands, and the F of a feed block.
-type Motion = (bool, bool, BTreeMap<String, f64>, Option<(bool, f64)>);
+#[test]
+fn a_length_that_differs_stops_the_program_on_every_control() {
+    let guard =
+        LengthGuard { label: 3, tool: 12, offset: 1, length: 114.3, tolerance: 0.01, units: Units::Millimetres };
+    let haas = "IF [ABS[#2001 + #2201 - 114.3] GT 0.01] THEN #3000= 101 (T12 IS NOT 114.3 LONG)";
+    assert_eq!(Haas.length_guard(&guard), [haas]);
+    assert!(Haas.length_guard(&LengthGuard { offset: 201, ..guard }).is_empty());
+    let inches = Siemens.length_guard(&LengthGuard { units: Units::Inches, ..guard });
+    let message = "MSG(\"T12 was posted with L = 4.5: the tool data say something else\")";
+    assert_eq!(inches, ["IF ABS($P_TOOLL[1]-4.5)>0.00039", message, "M0", "M30", "ENDIF"]);
+    let heidenhain = [
+        "FN 18: SYSREAD QL1 = ID50 NR1 IDX12",
+        "FN 18: SYSREAD QL2 = ID50 NR4 IDX12",
+        "FN 1: QL1 = +QL1 + +QL2",
+        "FN 12: IF +QL1 LT +114.29 GOTO LBL \"OFF3\"",
+        "FN 12: IF +QL1 LT +114.31 GOTO LBL \"FITS3\"",
+        "LBL \"OFF3\"",
+        "; T12 was posted with L = 114.3 mm: the tool table says something else",
+        "FN 14: ERROR = 100",
+        "LBL \"FITS3\"",
+    ];
+    for units in [Units::Millimetres, Units::Inches] {
+        assert_eq!(Heidenhain.length_guard(&LengthGuard { units, ..guard }), heidenhain);
+    }
+    for control in CONTROLS {
+        let own = LengthGuard { offset: 12, length: 123.4567, units: Units::Inches, ..guard };
+        let blocks = control.length_guard(&own);
+        assert!(!blocks.is_empty() && blocks.iter().all(|block| block.len() <= control.spellings().line_length));
+    }
+}
+
+#[test]
+fn a_wait_that_is_too_long_for_the_control_is_written_as_several() {
+    let waits = |seconds| steps(&Heidenhain, &layout(), &[Step::Dwell { seconds }]);
+    let lengths = |seconds| -> Vec<String> {
+        waits(seconds).iter().filter_map(|line| Some(line.split_once("9.1 DWELL ")?.1.to_owned())).collect()
+    };
+    assert_eq!(lengths(3600.0), ["3600"]);
+    assert_eq!(lengths(3600.0004), ["3600"]);
+    assert_eq!(lengths(8000.25), ["3600", "3600", "800.25"]);
+    assert_eq!(steps(&Fanuc, &layout(), &[Step::Dwell { seconds: 99_999.0 }]), ["G4 P99999000"]);
+}
+
+/// The centre of an arc, and whether it is clockwise.
+type Round = (BTreeMap<String, i64>, bool);
+
+/// What a motion block does: rapid, machine coordinates, where every axis stands, the F of a feed block, and its circle.
+type Motion = (bool, bool, BTreeMap<String, f64>, Option<(bool, f64)>, Option<Round>);
+
+fn number(word: &str, behind: usize) -> f64 {
+    word[behind..].parse().expect("a number")
+}
+
+/// Turns X and Y about a pole, degrees; to a thousandth.
+fn turn_about(pole: &BTreeMap<String, i64>, degrees: f64, at: &mut BTreeMap<String, f64>) {
+    let [x, y] = ["X", "Y"].map(|axis| at[axis] - pole[axis] as f64 * 1e-3);
+    let (sine, cosine) = degrees.to_radians().sin_cos();
+    for (axis, value) in [("X", x * cosine - y * sine), ("Y", x * sine + y * cosine)] {
+        at.insert(axis.to_owned(), (value * 1e3 + pole[axis] as f64).round() * 1e-3);
+    }
+}
 
 /// Reads the motions of a program back, for every control: words stay in force until they change.
 fn motions(lines: &[String]) -> Vec<Motion> {
-    let (mut at, mut feed, mut rapid, mut inverse) = (BTreeMap::new(), None, false, false);
+    let (mut at, mut feed, mut rapid, mut inverse) = (BTreeMap::<String, f64>::new(), None, false, false);
+    let (mut clockwise, mut pole) = (None, BTreeMap::<String, i64>::new());
     let mut read = Vec::new();
     for line in lines {
         let mut line = line.as_str();
@@ -440,15 +500,32 @@ fn motions(lines: &[String]) -> Vec<Motion> {
         if line.starts_with(['(', ';', '%', 'O', '*', 'M', ' ']) || line.contains("CYCL") || line.contains("TOOL") {
             continue;
         }
+        if let Some(words) = line.strip_prefix("CC ") {
+            let word =
+                |word: &str| (word[..1].to_owned(), (word[1..].parse::<f64>().expect("a number") * 1e3).round() as i64);
+            pole = words.split(' ').map(word).collect();
+            continue;
+        }
         let (mut machine, mut fast, mut moves) = (false, None, false);
+        let (mut centre, before) = (BTreeMap::new(), at.clone());
         let mut word_feed = None;
         for word in line.split(' ') {
             match word {
                 "G53" | "SUPA" | "M91" => machine = true,
-                "G0" | "G00" => rapid = true,
-                "G1" | "G01" => rapid = false,
+                "G0" | "G00" => (rapid, clockwise) = (true, None),
+                "G1" | "G01" => (rapid, clockwise) = (false, None),
+                "G2" | "G02" => (rapid, clockwise) = (false, Some(true)),
+                "G3" | "G03" => (rapid, clockwise) = (false, Some(false)),
                 "FMAX" => fast = Some(true),
-                "L" => fast = fast.or(Some(false)),
+                "L" => (fast, clockwise) = (fast.or(Some(false)), None),
+                "C" | "CP" => (fast, centre) = (Some(false), pole.clone()),
+                _ if word.starts_with("IZ") => *at.get_mut("Z").expect("a height") += number(word, 2),
+                _ if word.starts_with("IPA") => {
+                    moves = true;
+                    turn_about(&pole, number(word, 3), &mut at);
+                }
+                "DR+" => clockwise = Some(false),
+                "DR-" => clockwise = Some(true),
                 "G93" => inverse = true,
                 "G94" => inverse = false,
                 _ => {
@@ -458,11 +535,16 @@ fn motions(lines: &[String]) -> Vec<Motion> {
                     };
                     let Ok(number) = number.parse::<f64>() else { continue };
                     match name.as_bytes()[0] {
-                        b'X' | b'Z' | b'A' | b'C' => {
+                        b'X'..=b'Z' | b'A' | b'C' => {
                             moves = true;
                             at.insert(name.to_owned(), number);
                         }
                         b'F' => word_feed = Some(number),
+                        letter @ b'I'..=b'K' if clockwise.is_some() => {
+                            let axis = ["X", "Y", "Z"][usize::from(letter - b'I')];
+                            let from = before.get(axis).copied().unwrap_or(f64::NAN);
+                            centre.insert(axis.to_owned(), ((from + number) * 1e3).round() as i64);
+                        }
                         _ => {}
                     }
                 }
@@ -472,7 +554,8 @@ fn motions(lines: &[String]) -> Vec<Motion> {
         feed = word_feed.or(feed);
         if moves {
             let feed = if rapid || machine { None } else { feed.map(|feed| (inverse, feed)) };
-            read.push((rapid, machine, at.clone(), feed));
+            let round = clockwise.filter(|_| !rapid && !machine).map(|clockwise| (centre, clockwise));
+            read.push((rapid, machine, at.clone(), feed, round));
         }
     }
     read
@@ -525,6 +608,157 @@ proptest! {
         let said: Vec<Vec<Motion>> = said.collect();
         for other in &said[1..] {
             prop_assert_eq!(&said[0], other);
+        }
+    }
+}
+
+/// X Y Z, millimetres.
+fn milling() -> Layout {
+    Layout { axes: vec![('X', 3), ('Y', 3), ('Z', 3)], ..layout() }
+}
+
+/// Where the axes stand, whole units.
+type Place = [i64; 3];
+
+fn linear(to: Place) -> Words {
+    let mut words = Words { mask: 0b111, ..Words::default() };
+    words.units[..3].copy_from_slice(&to);
+    words
+}
+
+/// A circle of a plane from one place to another about a centre, its sweep as the places say.
+fn round(plane: Plane, from: Place, to: Place, centre: [i64; 2], clockwise: bool) -> Circle {
+    let [first, second, square] = plane.axes();
+    let (start, end) = ([from[first], from[second]], [to[first], to[second]]);
+    let angle = |point: [i64; 2]| ((point[1] - centre[1]) as f64).atan2((point[0] - centre[0]) as f64);
+    let turn = (angle(end) - angle(start)) * if clockwise { -1.0 } else { 1.0 };
+    let turn = turn.rem_euclid(std::f64::consts::TAU);
+    let sweep = if turn > 0.0 { turn } else { std::f64::consts::TAU };
+    Circle { plane, chain: [0, 1, 2], clockwise, start, centre, radius: None, sweep, rise: to[square] - from[square] }
+}
+
+const FEED: Decimal = Decimal { units: 500, decimals: 0 };
+
+/// A quarter, a whole turn, a helix and an arc in the plane of Z and X, from X10 Y0 Z0 about the origin.
+fn some_arcs(control: &dyn Control, setup: ControlSetup, radius: Option<i64>) -> Vec<String> {
+    let quarter = Circle { radius, ..round(Plane::Xy, [10_000, 0, 0], [0, 10_000, 0], [0, 0], false) };
+    let whole = round(Plane::Xy, [0, 10_000, 0], [0, 10_000, 0], [0, 0], true);
+    let helix = round(Plane::Xy, [0, 10_000, 0], [10_000, 0, -2_500], [0, 0], true);
+    let upright = round(Plane::Zx, [10_000, 0, -2_500], [0, 0, 7_500], [-2_500, 0], false);
+    let mut blocks = vec![
+        Step::Restart { number: 1 },
+        Step::Feed { words: linear([10_000, 0, 0]), feed: per_minute(500) },
+        Step::Arc { words: linear([0, 10_000, 0]), circle: &quarter, feed: FEED },
+        Step::Arc { words: linear([0, 10_000, 0]), circle: &whole, feed: FEED },
+        Step::Arc { words: linear([10_000, 0, -2_500]), circle: &helix, feed: FEED },
+    ];
+    if control.spellings().arcs.planes[1].is_some() {
+        blocks.push(Step::Arc { words: linear([0, 0, 7_500]), circle: &upright, feed: FEED });
+        blocks.push(Step::Machine { words: only(0b100, [0; 4]) });
+    }
+    let blocks = steps(control, &Layout { setup, ..milling() }, &blocks);
+    let first = blocks.iter().position(|line| line.contains("X10") || line.contains("X+10")).expect("the first motion");
+    blocks[first..].to_vec()
+}
+
+#[test]
+fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
+    let arcs = |control| some_arcs(control, ControlSetup::default(), None);
+    let expected = [
+        "G1 X10 Y0 Z0 F500",
+        "G3 X0 Y10 I-10 J0",
+        "G2 X0 Y10 I0 J-10",
+        "X10 Y0 Z-2.5 I0 J-10",
+        "G18 G3 X0 Z7.5 I-10 K0",
+        "G17",
+        "G53 G0 Z0",
+    ];
+    assert_eq!(arcs(&LinuxCnc), expected);
+    assert_eq!(arcs(&Siemens)[..6], expected[..6]);
+    assert_eq!(
+        arcs(&Fanuc)[1..5],
+        ["G3 X0. Y10. I-10. J0.", "G2 X0. Y10. I0. J-10.", "X10. Y0. Z-2.5 I0. J-10.", "G18 G3 X0. Z7.5 I-10. K0."]
+    );
+    assert_eq!(arcs(&Haas)[1], "G03 X0. Y10. I-10. J0.");
+}
+
+#[test]
+fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
+    assert_eq!(
+        some_arcs(&Heidenhain, ControlSetup::default(), None),
+        [
+            "4 L X+10 Y+0 Z+0 R0 F500",
+            "5 CC X+0 Y+0",
+            "6 C X+0 Y+10 DR+",
+            "7 CC X+0 Y+0",
+            "8 C X+0 Y+10 DR-",
+            "9 CC X+0 Y+0",
+            "10 CP IPA-90 IZ-2.5 DR-",
+        ]
+    );
+}
+
+#[test]
+fn a_radius_takes_the_place_of_the_centre() {
+    let quarter = |control, radius| some_arcs(control, ControlSetup::default(), Some(radius))[1].clone();
+    assert_eq!(quarter(&Fanuc, 10_000), "G3 X0. Y10. R10.");
+    assert_eq!(quarter(&Siemens, -10_000), "G3 X0 Y10 CR=-10");
+    assert_eq!(quarter(&Heidenhain, 10_000), "5 CR X+0 Y+10 R+10 DR+");
+}
+
+/// Where to; centre and sense of an arc; a number that says what else.
+type Leg = (Place, Option<([i64; 2], bool)>, u8);
+
+/// Motions of a program that begins at the origin: arcs with whole turns among them.
+fn any_path() -> impl Strategy<Value = Vec<Leg>> {
+    let place = prop::array::uniform3(-3_i64..4).prop_map(|place| place.map(|value| value * 1000));
+    let centre = prop::option::weighted(0.6, (prop::array::uniform2(-4_i64..5), any::<bool>()));
+    let centre = centre.prop_map(|arc| arc.map(|(at, clockwise)| (at.map(|value| value * 1000 + 500), clockwise)));
+    prop::collection::vec((place, centre, 0_u8..8), 1..30)
+}
+
+proptest! {
+    /// Arcs are the same with every word and without, and on every control.
+    #[test]
+    fn arcs_are_the_same_on_every_control(path in any_path()) {
+        let (mut here, mut circles) = ([0; 3], Vec::new());
+        for (to, arc, _) in &path {
+            circles.push(arc.map(|(centre, clockwise)| {
+                // Both ends as far from the centre: what the words say is then the same for all.
+                let [x, y] = [2 * centre[0] - here[0], 2 * centre[1] - here[1]];
+                let end = if to[0] == here[0] { [here[0], here[1], to[2]] } else { [x, y, to[2]] };
+                (end, round(Plane::Xy, here, end, centre, clockwise))
+            }));
+            here = circles.last().and_then(|circle| circle.map(|(end, _)| end)).unwrap_or(*to);
+        }
+        let mut blocks = vec![Step::Restart { number: 1 }, Step::Rapid { words: linear([0; 3]) }];
+        for ((to, _, kind), circle) in path.iter().zip(&circles) {
+            let at = circle.map_or(*to, |(end, _)| end);
+            match circle {
+                Some((end, circle)) => blocks.push(Step::Arc { words: linear(*end), circle, feed: FEED }),
+                None => {
+                    let words = linear(*to);
+                    blocks.push(if kind % 2 == 0 { Step::Rapid { words } } else { Step::Feed { words, feed: per_minute(500) } });
+                }
+            }
+            if *kind == 7 {
+                blocks.extend([Step::Restart { number: 2 }, Step::Rapid { words: linear(at) }]);
+            }
+        }
+        let said: Vec<_> = CONTROLS.iter().map(|control| {
+            let modal = motions(&steps(*control, &milling(), &blocks));
+            let every_word = ControlSetup { every_word: true, ..ControlSetup::default() };
+            let full = motions(&steps(*control, &Layout { setup: every_word, ..milling() }, &blocks));
+            // Behind a helix Heidenhain writes where it ends once more.
+            let moving = |mut motions: Vec<Motion>| {
+                motions.dedup_by(|next, before| next.4.is_none() && next.2 == before.2);
+                motions
+            };
+            (moving(modal), moving(full))
+        }).collect();
+        for (index, (modal, full)) in said.iter().enumerate() {
+            prop_assert_eq!(modal, full, "{}", CONTROLS[index].spellings().name);
+            prop_assert_eq!(modal, &said[0].0, "{}", CONTROLS[index].spellings().name);
         }
     }
 }

@@ -1,27 +1,28 @@
-//! Arcs, curves and holes into straight motions.
+//! Curves and holes into straight motions.
 //!
-//! Planner, scout and the survey of a file all see a program through an expander, so that they agree on its motions.
-//! Arcs and curves become chords that leave them by no more than the tolerance; their ends are exact. A hole becomes the
-//! rapids and feeds of its cycle, level by level along the tool axis.
+//! Planner, navigator and the survey of a file all see a program through an expander, so that they agree on its motions.
+//! Curves become chords that leave them by no more than the tolerance; their ends are exact. A hole becomes the rapids and
+//! feeds of its cycle, level by level along the tool axis. An arc stays one: its tool axis is held, and whether the control
+//! traces it is the planner's to find out. The tool stands where it begins.
 
 use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
-use crate::program::{Arc, Drilling, Event, Feed, Hole, Location, Move, Spline, ToolCall};
+use crate::program::{Drilling, Event, Feed, Hole, Location, Move, Spline, ToolCall};
 
 use super::fault::Fault;
 
 /// More steps than this are no drilling.
 const MOST_STEPS: u32 = 10_000;
 
-/// More chords than this in one arc, or in one piece of a curve, are a fault of the file.
+/// More chords than this in one piece of a curve are a fault of the file.
 const MOST_CHORDS: f64 = 1e6;
 
 /// Levels closer than this are the same, mm.
 const SAME_LEVEL: f64 = 1e-9;
 
-/// Turns events into events without arcs, curves and holes.
+/// Turns events into events without curves and holes.
 #[derive(Debug, Clone, Default)]
 pub struct Expander {
     tolerance: f64,
@@ -37,7 +38,7 @@ pub struct Expander {
     warnings: Vec<Diagnostic>,
 }
 
-/// Takes straight events; an error ends the expansion.
+/// Takes what an event stands for; an error ends the expansion.
 type Out<'o, E> = &'o mut dyn FnMut(Location, &Event<'_>) -> Result<(), E>;
 
 impl Expander {
@@ -70,7 +71,7 @@ impl Expander {
         std::mem::take(&mut self.warnings)
     }
 
-    /// Hands on one event, or the straight events that it stands for.
+    /// Hands on one event, or the motions that it stands for.
     ///
     /// # Errors
     /// Those of `out`, and what cannot be expanded faithfully.
@@ -83,7 +84,9 @@ impl Expander {
             }
             Event::Arc(arc) => {
                 self.arm(at, out)?;
-                return self.arc(at, arc, out);
+                self.resume(at, arc.start, arc.feed, out)?;
+                self.here = Some(arc.end);
+                return out(at, event);
             }
             Event::Spline(spline) => {
                 self.arm(at, out)?;
@@ -147,35 +150,6 @@ impl Expander {
     /// Behind a tool change or a stop the tool first comes back to where the path goes on.
     fn resume<E>(&mut self, at: Location, start: Pose, feed: Option<Feed>, out: Out<'_, E>) -> Result<(), E> {
         if self.fresh { self.go(at, start, false, feed, out) } else { Ok(()) }
-    }
-
-    fn arc<E: From<Diagnostic>>(&mut self, at: Location, arc: &Arc, out: Out<'_, E>) -> Result<(), E> {
-        self.resume(at, arc.start, arc.feed, out)?;
-        let normal = arc.normal.into_inner();
-        let along = |point: Point3<f64>| (point - arc.centre).dot(&normal);
-        let flat = |point: Point3<f64>| (point - arc.centre) - normal * along(point);
-        let (first, last) = (flat(arc.start.tip), flat(arc.end.tip));
-        let (first_radius, last_radius) = (first.norm(), last.norm());
-        let radius = first_radius.max(last_radius);
-        // A chord over the angle t is off by r (1 - cos t/2), which is at most r t²/8.
-        let step = (8.0 * self.chord_tolerance() / radius).sqrt().min(std::f64::consts::FRAC_PI_2);
-        let chords = (arc.angle / step).ceil().max(1.0);
-        if chords.is_nan() || chords > MOST_CHORDS {
-            let fault = Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL");
-            return Err(fault.at(at, Severity::Error).into());
-        }
-        let (u, v) = (first / first_radius, normal.cross(&first) / first_radius);
-        let (start, rise) = (along(arc.start.tip), along(arc.end.tip) - along(arc.start.tip));
-        let mut index = 1.0;
-        while index < chords {
-            let part = index / chords;
-            let (sine, cosine) = (arc.angle * part).sin_cos();
-            let radius = first_radius + (last_radius - first_radius) * part;
-            let tip = arc.centre + (u * cosine + v * sine) * radius + normal * (start + rise * part);
-            self.go(at, Pose { tip, axis: arc.start.axis }, false, arc.feed, out)?;
-            index += 1.0;
-        }
-        self.go(at, arc.end, false, arc.feed, out)
     }
 
     fn spline<E: From<Diagnostic>>(&mut self, at: Location, spline: &Spline<'_>, out: Out<'_, E>) -> Result<(), E> {
@@ -301,7 +275,7 @@ fn blossom(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::Dwell;
+    use crate::program::{Arc, Dwell};
 
     const AT: Location = Location { line: 1, column: 1 };
 
@@ -342,55 +316,6 @@ mod tests {
         let (p, a, b) = (Point3::from(point), Point3::from(from), Point3::from(to));
         let t = ((p - a).dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
         (p - (a + (b - a) * t)).norm()
-    }
-
-    #[test]
-    fn chords_leave_a_helix_by_the_tolerance_at_most_and_not_by_much_less() {
-        use std::f64::consts::TAU;
-        for tolerance in [0.001, 0.01, 0.1] {
-            let config = Config { tolerance, ..Config::default() };
-            let angle = 2.25 * TAU;
-            let events = [go([20.0, 0.0, 0.0]), arc([20.0, 0.0, 0.0], [0.0, 20.0, -9.0], angle)];
-            let (motions, _) = expanded(&config, &events).expect("faithful");
-            assert_eq!(motions.last().map(|(tip, _)| *tip), Some([0.0, 20.0, -9.0]), "the end is exact");
-            let mut most: f64 = 0.0;
-            for step in 0..=20_000 {
-                let part = f64::from(step) / 20_000.0;
-                let (sine, cosine) = (angle * part).sin_cos();
-                let on_helix = [20.0 * cosine, 20.0 * sine, -9.0 * part];
-                let index = (part * (motions.len() - 1) as f64).floor() as usize;
-                let index = index.min(motions.len() - 2);
-                most = most.max(off_line(on_helix, motions[index].0, motions[index + 1].0));
-            }
-            assert!(most <= tolerance * 1.000_001 && most > 0.9 * tolerance, "{most} for {tolerance}");
-        }
-    }
-
-    #[test]
-    fn arcs_that_would_need_a_million_chords_are_refused() {
-        let far = Point3::new(1e150, 0.0, 0.0);
-        let angle = std::f64::consts::TAU;
-        let round = |centre| {
-            let here = up([20.0, 0.0, 0.0]);
-            Event::Arc(Arc { start: here, end: here, centre, normal: Vector3::z_axis(), angle, feed: None })
-        };
-        for events in [
-            [go([20.0, 0.0, 0.0]), Event::Tolerance(None), round(far)],
-            [go([20.0, 0.0, 0.0]), Event::Tolerance(None), round(Point3::new(f64::MAX, 0.0, 0.0))],
-            [go([20.0, 0.0, 0.0]), Event::Tolerance(Some(1e-300)), round(Point3::origin())],
-        ] {
-            let fault = expanded(&Config::default(), &events).expect_err("refused");
-            assert_eq!(fault.text, "this arc cannot be cut into chords");
-        }
-    }
-
-    #[test]
-    fn a_radius_that_changes_within_the_tolerance_leaves_both_ends_exact() {
-        let events = [go([20.0, 0.0, 0.0]), arc([20.0, 0.0, 0.0], [0.0, 20.004, 0.0], 0.25 * std::f64::consts::TAU)];
-        let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
-        assert_eq!(motions.last().map(|(tip, _)| *tip), Some([0.0, 20.004, 0.0]));
-        let middle = Vector3::from(motions[motions.len() / 2].0).norm();
-        assert!((20.0005..20.0035).contains(&middle), "{middle}");
     }
 
     #[test]
@@ -496,14 +421,16 @@ mod tests {
     fn an_arc_behind_a_stop_begins_with_the_way_back_to_its_start() {
         let events = [go([20.0, 0.0, 0.0]), Event::Stop, arc([20.0, 0.0, 0.0], [0.0, 20.0, 0.0], 1.57)];
         let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
-        assert_eq!(motions[1], ([20.0, 0.0, 0.0], false));
+        assert_eq!(motions[1..], [([20.0, 0.0, 0.0], false)], "the arc itself is no straight motion");
     }
 
     #[test]
     fn lintol_narrows_the_tolerance_and_widens_it_only_if_allowed() {
         let count = |config: &Config, stated: Option<f64>| {
-            let start = [20.0, 0.0, 0.0];
-            let events = [go(start), Event::Tolerance(stated), arc(start, [0.0, 20.0, 0.0], 1.57)];
+            let points = [[20.0, 0.0], [20.0, 11.0], [11.0, 20.0], [0.0, 20.0]].map(|[x, y]| Point3::new(x, y, 0.0));
+            let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
+            let spline = Event::Spline(Spline { knots: &knots, points: &points, axis: Vector3::z_axis(), feed: None });
+            let events = [go([20.0, 0.0, 0.0]), Event::Tolerance(stated), spline];
             expanded(config, &events).expect("faithful").0.len()
         };
         let config = Config::default();

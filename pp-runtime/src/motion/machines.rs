@@ -212,6 +212,21 @@ by_hand!(
 );
 
 by_hand!(
+    /// `C B | X Y Z` whose words of Y run backwards.
+    Mirrored,
+    5,
+    &[
+        axis('C', Workpiece, None),
+        axis('B', Workpiece, degrees(-5.0, 110.0)),
+        axis('X', Tool, None),
+        Axis { sign: Sign::Minus, ..axis('Y', Tool, None) },
+        axis('Z', Tool, None),
+    ],
+    &[[0.0; 3], [0.5, 0.0, -40.0], [0.0; 3], [0.0; 3], [0.0; 3]],
+    Cb::angles
+);
+
+by_hand!(
     /// `A Y | X Z`: one rotary axis in the table.
     Ay,
     4,
@@ -261,6 +276,7 @@ fn the_machines_of_the_tests_agree_with_themselves() {
         }
     }
     check::<Cb>();
+    check::<Mirrored>();
     check::<Head>();
     check::<Ay>();
     check::<Xyz>();

@@ -4,8 +4,11 @@
 //! turns, limits, feeds and the safe sequence between operations are decided here; how a control spells a step is not,
 //! and what the CL data looked like neither. Memory is constant, and nothing is allocated for a motion.
 
+mod arc;
+mod arcs;
 mod auxiliary;
 mod choose;
+mod circle;
 mod clamps;
 mod clearance;
 mod course;
@@ -18,6 +21,7 @@ mod operation;
 mod origin;
 mod place;
 mod planner;
+mod proof;
 mod refuse;
 mod retreat;
 mod rewind;
@@ -37,12 +41,16 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use arc::extent;
+pub use arcs::Chorded;
+pub use circle::{Circle, Plane};
 pub use clamps::{Moving, Nowhere};
 pub(crate) use clearance::way_out;
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use frame::{TipAbility, unsuited};
 pub use planner::{Abilities, Planner, Registers, Statistics, Stop};
+pub use proof::Sweep;
 pub use selection::Gate;
 pub use step::{Feed, MAX_AXES, Sink, Step, VECTOR_DECIMALS, Words};
 pub use tilt::{PlaneAbility, PlaneAngles, PoseRule};

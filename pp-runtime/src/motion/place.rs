@@ -3,9 +3,10 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
-use nalgebra::{Point3, UnitVector3, Vector3};
+use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
 use crate::config::{Config, LengthMode, Mode, TcpWords, Units};
 use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
@@ -19,7 +20,7 @@ use super::frame::{Frame, Map, no_plane, orientation};
 use super::linearise::Tolerance;
 use super::origin::Origin;
 use super::step::{MAX_AXES, VECTOR_DECIMALS, Words};
-use super::structure::{counted, held_tool_axis, orthogonal, poles};
+use super::structure::{coordinates, counted, held_tool_axis, orthogonal, poles};
 use super::tilt::{PlaneAbility, PoseRule, Tilt};
 use super::travel::Travel;
 use super::way::angle_between;
@@ -91,6 +92,8 @@ pub(crate) struct Placer<M: Machine> {
     pub(super) frame: Frame,
     /// Units of linear words in 1 mm.
     per_mm: f64,
+    /// Places of X Y Z in the chain, where these are the linear axes that are solved.
+    xyz: Option<[usize; 3]>,
     pub(super) limits: Vec<Option<Limits>>,
     pub(crate) travel: Travel,
     /// Solved linear axis that retracts.
@@ -179,6 +182,7 @@ impl<M: Machine> Placer<M> {
             rotary_mask: mask(AxisKind::Rotary),
             scale,
             per_mm: per_unit / units.in_mm(),
+            xyz: coordinates(axes),
             limits,
             travel: Travel::new(&machine, config),
             frame: Frame::new(&machine, config),
@@ -592,6 +596,48 @@ impl<M: Machine> Placer<M> {
         Ok(place)
     }
 
+    /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
+    /// where the program has no such words.
+    pub(super) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
+        if let Some(map) = self.frame.map(&self.machine, &at.axes) {
+            return Some(map.words(tip));
+        }
+        let axes = self.machine.linear_axes(tip, &at.axes)?;
+        let word = |index: usize| axes.as_ref()[index] + self.origin.linear(index);
+        Some(Vector3::from(self.xyz?.map(word)))
+    }
+
+    /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
+    /// place: the rows belong to the words, the columns to the directions of the workpiece.
+    pub(super) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        Some((self.xyz?, differences(|tip| self.program_point(tip, at))?))
+    }
+
+    /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.
+    pub(super) fn axis_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        let mut linear = (0..M::AXES.len().min(MAX_AXES)).filter(|index| self.linear_mask & (1 << index) != 0);
+        let solved = [linear.next()?, linear.next()?, linear.next()?];
+        let values = |tip: &Point3<f64>| {
+            let axes = self.machine.linear_axes(tip, &at.axes)?;
+            Some(Vector3::from(solved.map(|index| axes.as_ref()[index])))
+        };
+        Some((solved, differences(values)?))
+    }
+
+    /// Whether offsets along two axes have more digits than their words.
+    pub(super) fn too_large(&self, units: [i64; 2], axes: [usize; 2]) -> bool {
+        units.iter().zip(axes).any(|(units, axis)| units.abs() >= self.bounds[axis])
+    }
+
+    /// Minutes that the linear axes need while the tip travels so far, mm, in whatever direction, with the rotary axes
+    /// still; 0 where their speeds are not to be kept.
+    pub(super) fn least_minutes_of_tip(&self, length: f64, at: &Place<M::Axes>) -> f64 {
+        let Some((solved, map)) = self.axis_map(at).filter(|_| self.timed) else { return 0.0 };
+        let minutes =
+            |(row, axis): (usize, usize)| self.speeds[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed);
+        solved.into_iter().enumerate().map(minutes).fold(0.0, f64::max)
+    }
+
     /// The words of a tip that the control counts in a frame of its own.
     fn set_tip(&self, mut place: Place<M::Axes>, map: &Map) -> Result<Place<M::Axes>, Fault> {
         let mut written = map.words(&place.pose.tip);
@@ -734,11 +780,23 @@ impl<M: Machine> Placer<M> {
         Ok(words[index])
     }
 
-    /// The word of a parked rotary: of one whose words are wrapped the turn nearest to where it stands.
-    pub(crate) fn nearest_turn(&self, index: usize, word: i64, from: &Place<M::Axes>) -> i64 {
-        let wrapped = |rotary: &&Rotary| rotary.index == index && self.wrapped & (1 << index) != 0;
-        let nearest = |rotary: &Rotary| rotary.nearest(word, from.words[index], self.scale.turn).ok();
-        self.rotaries.iter().find(wrapped).and_then(nearest).unwrap_or(word)
+    /// The place with its rotaries parked at these angles, and which of them are; one whose words are wrapped stands in
+    /// the turn nearest to where it stood. The linear axes stay as they are.
+    pub(crate) fn parked(
+        &self,
+        park: &BTreeMap<char, f64>,
+        from: &Place<M::Axes>,
+    ) -> Result<(Place<M::Axes>, u16), Fault> {
+        let (mut words, mut mask) = (from.words, 0);
+        for rotary in &self.rotaries {
+            let index = rotary.index;
+            let Some(&angle) = park.get(&M::AXES[index].letter) else { continue };
+            let word = self.rotary_word(index, angle)?;
+            let nearest = || rotary.nearest(word, words[index], self.scale.turn).unwrap_or(word);
+            words[index] = if self.wrapped & (1 << index) != 0 { nearest() } else { word };
+            mask |= 1 << index;
+        }
+        Ok((self.at(&from.pose, from, &words), mask))
     }
 
     /// Whether a control that goes the short way would turn an axis the wrong way in this block.
@@ -757,6 +815,15 @@ impl<M: Machine> Placer<M> {
         let there = self.travel.value_at(self.retract_axis, retract)?;
         Some((there - place.axes.as_ref()[self.retract_axis]) * self.retract_share.signum())
     }
+}
+
+/// What the values of an affine map change by with the point.
+fn differences(map: impl Fn(&Point3<f64>) -> Option<Vector3<f64>>) -> Option<Matrix3<f64>> {
+    // A wide step leaves no more than the rounding of the arithmetic.
+    const STEP: f64 = 1024.0;
+    let origin = map(&Point3::origin())?;
+    let column = |direction: Vector3<f64>| Some((map(&Point3::from(direction * STEP))? - origin) / STEP);
+    Some(Matrix3::from_columns(&[column(Vector3::x())?, column(Vector3::y())?, column(Vector3::z())?]))
 }
 
 /// The axes of `base`, and those of `mask` from `chosen`.

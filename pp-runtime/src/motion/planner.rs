@@ -15,6 +15,7 @@ use crate::program::{
     Clearance, Compensation, Coolant, Dwell, Event, Location, Move, Rotation, Spindle, ToolCall, Turning,
 };
 
+use super::arcs::Chorded;
 use super::clamps::Clamps;
 use super::course::{Course, Target, Towards};
 use super::expand::Expander;
@@ -79,6 +80,10 @@ pub struct Abilities {
     pub path_norm: PathNorm,
     /// Units of F in one unit of length of an inch program.
     pub feed_per_inch: f64,
+    /// Arcs are possible in the plane square to X, to Y and to Z.
+    pub arc_planes: [bool; 3],
+    /// By how much the distances of the ends of an arc from its centre may differ, mm.
+    pub arc_radius_tolerance: f64,
     /// How it controls the tip, if it does.
     pub tip: Option<TipAbility>,
     /// How it tilts a plane, if it does.
@@ -130,6 +135,10 @@ pub struct Statistics {
     pub rewinds: u64,
     /// Blocks inserted into feed motions so that tip and tool axis stay within tolerance.
     pub inserted: u64,
+    /// Arcs that the control traces.
+    pub arcs: u64,
+    /// Arcs that became chords.
+    pub chorded: Chorded,
     /// Largest certified distance of the tip from its straight line in feed blocks that turn an axis, mm.
     pub largest_tip_bound: f64,
     /// Largest certified angle of the tool axis from its even turn in these blocks, rad.
@@ -187,7 +196,7 @@ pub struct Planner<'a, M: Machine> {
     /// ROTABL/NEXT for the next motion.
     pub(super) towards: Option<Towards>,
     /// Motions so far, as the course counts them.
-    counted: u64,
+    pub(super) counted: u64,
     pub(super) phase: Phase,
     waiting: Vec<(Location, Waiting)>,
     texts: Vec<u8>,
@@ -391,6 +400,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         let mut expander = std::mem::take(&mut self.expander);
         let done = expander.event(at, event, &mut |at, event| match event {
             Event::Move(motion) => self.motion(at, motion, sink),
+            Event::Arc(arc) => self.arc(at, arc, sink),
             event => self.other(at, event, sink),
         });
         self.warnings.append(&mut expander.take_warnings());
@@ -461,7 +471,7 @@ impl<'a, M: Machine> Planner<'a, M> {
     }
 
     /// Writes the sequence to a first motion that has been waiting for the next, and what came between the two.
-    fn settle(&mut self, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
+    pub(super) fn settle(&mut self, next: Option<&Move>, sink: &mut impl Sink) -> Planned {
         let Phase::First { at, motion, planned, operation } = self.phase else { return Ok(()) };
         self.phase = Phase::Running;
         if operation {
@@ -563,7 +573,7 @@ impl<'a, M: Machine> Planner<'a, M> {
                 let text = format!("{}{number}", char::from(letter));
                 self.raw(at, text.as_bytes(), sink)?;
             }
-            // The expander takes these apart.
+            // Arcs are motions of their own, and the expander takes the others apart.
             Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) | Event::Tolerance(_) => {}
         }
         Ok(())

@@ -190,10 +190,15 @@ impl<M: Machine> Planner<'_, M> {
             }
             if !self.placer.gauge_line() {
                 sink.step(&Step::Length { offset: tool.offset })?;
-                let guarded = self.config.length_guard.unwrap_or(self.placer.head()) && tool.offset == tool.number;
+                let guarded = self.config.length_guard.unwrap_or(self.placer.needs_length().is_some());
                 if let Some(length) = tool.length.filter(|_| guarded) {
-                    let (label, tolerance) = (self.restarts, self.config.length_tolerance);
-                    sink.step(&Step::LengthGuard { label, tool: tool.number, length, tolerance })?;
+                    sink.step(&Step::LengthGuard {
+                        label: self.restarts,
+                        tool: tool.number,
+                        offset: tool.offset,
+                        length,
+                        tolerance: self.config.length_tolerance,
+                    })?;
                 }
             }
         }
@@ -345,27 +350,21 @@ impl<M: Machine> Planner<'_, M> {
 
     pub(super) fn park(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
-        let parked = |kind: AxisKind| {
-            M::AXES
-                .iter()
-                .enumerate()
-                .filter(move |(_, axis)| axis.kind == kind && !axis.held)
-                .filter_map(|(index, axis)| self.config.park.get(&axis.letter).map(|&position| (index, position)))
-        };
-        let (mut turned, mut mask) = (self.place, 0);
-        for (index, angle) in parked(AxisKind::Rotary) {
-            let word = self.placer.rotary_word(index, angle).map_err(fault)?;
-            turned.words[index] = self.placer.nearest_turn(index, word, &self.place);
-            mask |= 1 << index;
-        }
+        let (turned, mask) = self.placer.parked(&self.config.park, &self.place).map_err(fault)?;
         if mask != 0 {
             self.clamp_parked(mask, false, sink)?;
             self.rapid(&turned, mask, sink)?;
             self.clamp_parked(mask, true, sink)?;
+            // The next turn counts from here.
+            self.place = turned;
+            self.placed = true;
         }
         let mut others = Words::default();
         let mut last = None;
-        for (index, coordinate) in parked(AxisKind::Linear) {
+        let linear = M::AXES.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Linear && !axis.held);
+        for (index, coordinate) in
+            linear.filter_map(|(index, axis)| Some((index, *self.config.park.get(&axis.letter)?)))
+        {
             let words = self.placer.machine_words(index, coordinate).map_err(fault)?;
             if index == self.placer.retract_axis() {
                 last = Some(words);

@@ -5,6 +5,8 @@ use std::io;
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
 
+use super::circle::Circle;
+
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;
 
@@ -49,6 +51,15 @@ pub enum Step<'a> {
         words: Words,
         /// How fast.
         feed: Feed,
+    },
+    /// Arc of a circle about an axis of the program, or a helix; the words of its plane are always written.
+    Arc {
+        /// Where to; linear axes only.
+        words: Words,
+        /// The circle.
+        circle: &'a Circle,
+        /// Units of the control's path per minute.
+        feed: Decimal,
     },
     /// Rapid; words that do not change are left out.
     Rapid {
@@ -106,8 +117,10 @@ pub enum Step<'a> {
     LengthGuard {
         /// A number of its own in the program.
         label: u32,
-        /// The tool in the spindle; its length is in its own register.
+        /// The tool in the spindle.
         tool: u32,
+        /// Its register.
+        offset: u32,
         /// Posted gauge length, mm.
         length: f64,
         /// By how much it may differ, mm.

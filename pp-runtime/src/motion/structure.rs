@@ -52,6 +52,12 @@ pub(super) fn counted(axes: &[Axis]) -> bool {
     solved_linear(axes).iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'))
 }
 
+/// Places of X, Y and Z in the chain, if these are the linear axes that are solved.
+pub(super) fn coordinates(axes: &[Axis]) -> Option<[usize; 3]> {
+    let place = |letter: char| axes.iter().position(|axis| axis.letter == letter && !axis.held);
+    Some([place('X')?, place('Y')?, place('Z')?])
+}
+
 fn solved_linear(axes: &[Axis]) -> Vec<usize> {
     (0..axes.len()).filter(|&index| axes[index].kind == AxisKind::Linear && !axes[index].held).collect()
 }

@@ -1241,6 +1241,35 @@ fn gohome_retracts_and_parks_or_is_refused() {
 }
 
 #[test]
+fn the_first_turn_behind_gohome_counts_from_where_the_axes_were_parked() {
+    let turned = |wrap: Option<Wrap>, before: f64, behind: f64| -> Vec<String> {
+        let mut config = config();
+        config.park.insert('C', 0.0);
+        config.wrap.extend(wrap.map(|wrap| ('C', wrap)));
+        let point = |c: f64| feed([10.0, 0.0, 60.0], cb(c, 30.0));
+        let lines = lines::<Cb>(&config, &[tool(1), spindle(), point(before), Event::Home, point(behind)]);
+        let words = lines.iter().flat_map(|line| line.split(' ')).filter(|word| word.starts_with('C'));
+        words.map(str::to_owned).collect()
+    };
+    assert_eq!(turned(None, 170.0, -170.0), ["C170", "C0", "C-170", "C0"]);
+    assert_eq!(turned(Some(Wrap::Symmetric), 170.0, -170.0), ["C170", "C0", "C-170", "C0"]);
+    // Not in two pieces, as from 170 it would have to be.
+    assert_eq!(turned(Some(Wrap::Positive), 170.0, -10.0), ["C170", "C0", "C350", "C0"]);
+    // The sign says the way.
+    assert_eq!(turned(Some(Wrap::Sign), 170.0, -170.0), ["C170", "C-360", "C-190", "C0"]);
+}
+
+#[test]
+fn from_behind_gohome_does_not_move_what_has_been_parked() {
+    let mut config = config();
+    config.park.insert('C', 0.0);
+    let from = Event::From(pose([0.0; 3], cb(170.0, 30.0)));
+    let events = [tool(1), Event::Home, from, spindle(), feed([10.0, 0.0, 60.0], cb(-170.0, 30.0))];
+    let lines = lines::<Cb>(&config, &events);
+    assert!(lines.contains(&"G0 B30 C-170".to_owned()), "{lines:?}");
+}
+
+#[test]
 fn nc_text_and_codes_leave_nothing_in_force() {
     for (event, block) in [(Event::Insert(b"G0 X5"), "G0 X5"), (Event::Code { letter: b'M', number: 10 }, "M10")] {
         let events = [tool(1), spindle(), feed([0.0; 3], UP), event, feed([0.0, 0.0, 1.0], UP)];

@@ -3,14 +3,17 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{Config, LengthMode, Mode, ProgramZero, TcpFrame, ToolPosture, Units, Wrap, part_angles};
-use crate::control::{Control, Encoder};
+use crate::config::{Config, LengthMode, Mode, ProgramZero, Stock, TcpFrame, ToolPosture, Units, Wrap, part_angles};
+use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 
 use super::Job;
 use super::survey::{Survey, ToolUse};
+
+/// A blank thinner than this is none, mm.
+const THINNEST: f64 = 0.1;
 
 /// Everything the header tells.
 pub(super) struct Header<'a, M: Machine> {
@@ -27,7 +30,7 @@ fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
 }
 
 /// The work offset as the control names it.
-fn work_offset(control: &dyn Control, config: &Config) -> String {
+pub(super) fn work_offset(control: &dyn Control, config: &Config) -> String {
     let word = &config.work_offset;
     let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
     format!("{}{spelled}", control.spellings().offset_title)
@@ -181,7 +184,7 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     list
 }
 
-fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
+pub(super) fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
     config.tools.get(&tool.call.number).and_then(|given| given.length).or(tool.call.length)
 }
 
@@ -202,7 +205,7 @@ pub(super) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
 
 impl<M: Machine> Header<'_, M> {
     pub(super) fn write<W: Write>(&self, assumptions: &[String], encoder: &mut Encoder<'_, W>) -> io::Result<()> {
-        encoder.open()?;
+        encoder.open(self.blank().as_ref())?;
         let config = self.job.config;
         let mut name = b"PROGRAM ".to_vec();
         name.extend_from_slice(if self.survey.name.is_empty() { b"without name" } else { &self.survey.name });
@@ -213,21 +216,61 @@ impl<M: Machine> Header<'_, M> {
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
             format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
-            format!("ARCS AND CURVES in chords that leave them by at most {}", self.length(config.tolerance)),
+            format!("ARCS AND CURVES left by at most {}", self.length(config.tolerance)),
         ];
         lines.extend(set_up(config, self.survey));
         lines.extend(reading(config, self.survey));
-        lines.extend((0..M::AXES.len()).map(|index| self.sign(index)));
         let turns = rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some();
-        if turns && config.mode != Mode::Plane {
-            lines.push(format!(
+        let kept = (turns && config.mode != Mode::Plane).then(|| {
+            format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
                 self.length(config.tolerance),
                 (config.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
-            ));
-            let note = self.job.control.spellings().rotary_note;
-            lines.push(format!("ROTARY WORDS are absolute and count on past 360: {note}"));
+            )
+        });
+        lines.extend(self.machine_lines(kept));
+        lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
+        for line in lines {
+            encoder.comment(line.as_bytes())?;
         }
+        encoder.start()
+    }
+
+    /// The box around the blank as words count, mm: that of the configuration, or else one around all cuts and their tools.
+    /// None around cuts in one plane, and none where words count to the gauge line.
+    fn blank(&self) -> Option<Stock> {
+        let config = self.job.config;
+        let mut blank = config.stock.or_else(|| self.around_cuts())?;
+        if config.program_zero == ProgramZero::Table {
+            for (index, origin) in config.part_origin.into_iter().enumerate() {
+                blank.lower[index] += origin;
+                blank.upper[index] += origin;
+            }
+        }
+        let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < THINNEST);
+        Some(blank).filter(|_| !flat && config.length_mode == LengthMode::Tip)
+    }
+
+    fn around_cuts(&self) -> Option<Stock> {
+        let boxes = self.survey.tools.iter().filter_map(|tool| {
+            let given = self.job.config.tools.get(&tool.call.number).and_then(|given| given.diameter);
+            let radius = given.or(tool.call.diameter).unwrap_or(0.0) / 2.0;
+            let [lower, upper] = tool.cuts?;
+            let aside = [radius, radius, 0.0];
+            Some((std::array::from_fn(|i| lower[i] - aside[i]), std::array::from_fn(|i| upper[i] + aside[i])))
+        });
+        let around = |one: ([f64; 3], [f64; 3]), other: ([f64; 3], [f64; 3])| {
+            (std::array::from_fn(|i| one.0[i].min(other.0[i])), std::array::from_fn(|i| one.1[i].max(other.1[i])))
+        };
+        boxes.reduce(around).map(|(lower, upper)| Stock { lower, upper })
+    }
+
+    /// What the program takes for granted about axes, set-up and tools; `kept`: what holds while a rotary axis moves.
+    pub(super) fn machine_lines(&self, kept: Option<String>) -> Vec<String> {
+        let config = self.job.config;
+        let mut lines: Vec<String> = (0..M::AXES.len()).map(|index| self.sign(index)).collect();
+        lines.extend(kept);
+        lines.extend(self.rotary_words());
         lines.extend(framed(self.job.control, config));
         lines.extend(unchecked(&self.unchecked));
         if config.mode == Mode::Axes && rotaries::<M>(Side::Workpiece).next().is_some() {
@@ -238,20 +281,33 @@ impl<M: Machine> Header<'_, M> {
         }
         lines.extend(rotary_entries::<M>(self.job.control, config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
-        lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
-        for line in lines {
-            encoder.comment(line.as_bytes())?;
-        }
-        encoder.start()
+        lines
     }
 
-    fn point(&self, point: [f64; 3]) -> String {
+    /// What words beyond a turn take for granted; nothing where every rotary axis rolls over, or has no words.
+    fn rotary_words(&self) -> Option<String> {
+        let (wrap, codes) = (&self.job.config.wrap, self.job.control.spellings());
+        let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
+        let letters: String = M::AXES.iter().filter(counting).map(|axis| axis.letter).collect();
+        if letters.is_empty() || self.job.config.mode == Mode::Plane {
+            return None;
+        }
+        let of = if wrap.is_empty() { String::new() } else { format!(" of {}", spaced(&letters)) };
+        let shortest = codes.turning[1];
+        let note = match wrap.values().any(|wrap| *wrap != Wrap::Sign) && !shortest.is_empty() {
+            true => format!("{shortest} is in force, so they must not be shown within a turn"),
+            false => codes.rotary_note.to_owned(),
+        };
+        Some(format!("ROTARY WORDS{of} are absolute and count on past 360: {note}"))
+    }
+
+    pub(super) fn point(&self, point: [f64; 3]) -> String {
         let [x, y, z] = point.map(|value| self.length(value));
         format!("X{x} Y{y} Z{z}")
     }
 
     /// A length in the unit of the program.
-    fn length(&self, mm: f64) -> String {
+    pub(super) fn length(&self, mm: f64) -> String {
         let decimals = self.job.config.formats.linear(self.units);
         let mut text = Vec::new();
         write_decimal(&mut text, Decimal::fixed(mm / self.units.in_mm(), decimals).unwrap_or_default());
@@ -289,6 +345,13 @@ impl<M: Machine> Header<'_, M> {
         format!("AXIS {letter} {moves}: {word}")
     }
 
+    /// Whether the control can compare the length of a tool with its own.
+    fn compares(&self, tool: u32, offset: Option<u32>, length: f64) -> bool {
+        let Some(offset) = self.job.control.spellings().length.registers.of_tool(tool, offset) else { return false };
+        let (tolerance, units) = (self.job.config.length_tolerance, self.units);
+        !self.job.control.length_guard(&LengthGuard { label: 1, tool, offset, length, tolerance, units }).is_empty()
+    }
+
     fn tool(&self, tool: &ToolUse) -> Vec<String> {
         let config = self.job.config;
         let number = tool.call.number;
@@ -323,12 +386,11 @@ impl<M: Machine> Header<'_, M> {
         if let Some(length) = length
             && (gauge_line || config.mode == Mode::Axes && rotaries::<M>(Side::Tool).next().is_some())
         {
-            let length = self.length(length);
-            let own = offset.is_none_or(|offset| offset == number);
             let mut held = format!("{register} must hold exactly this");
-            if !own && config.length_guard != Some(false) {
+            if config.length_guard != Some(false) && !self.compares(number, offset, length) {
                 held += ", and nothing compares it";
             }
+            let length = self.length(length);
             let who = if gauge_line { "the tool must be exactly this long" } else { &held };
             lines.push(format!("T{number} posted with L = {length}: {who}"));
         }

@@ -6,6 +6,7 @@
 //! same input gives the same bytes.
 
 mod header;
+mod proof;
 mod setting;
 mod survey;
 mod time;
@@ -20,9 +21,10 @@ use crate::config::{Config, Units};
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity};
 use crate::kinematics::{AxisKind, Machine};
-use crate::motion::{Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
+use crate::motion::{Chorded, Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
 use crate::program::Location;
 
+pub use proof::{Proof, prove};
 pub(crate) use setting::Setting;
 use survey::Survey;
 
@@ -127,6 +129,7 @@ impl Report {
                 statistics.largest_axis_bound.to_degrees(),
             ));
         }
+        lines.extend(arcs_text(statistics));
         lines.push("rapids are not linearised".to_owned());
         lines
     }
@@ -135,6 +138,25 @@ impl Report {
         self.failed |= diagnostic.severity == Severity::Error;
         self.diagnostics.push(diagnostic);
     }
+}
+
+/// How many arcs the control traces, and why others became lines.
+fn arcs_text(statistics: &Statistics) -> Option<String> {
+    let Chorded { frame, plane, radius, rounding } = statistics.chorded;
+    let reasons = [
+        (frame, "rotary axes turn in them, or the linear axes are not square"),
+        (plane, "in no plane in which the control has arcs"),
+        (radius, "their radius is outside `[arcs]`"),
+        (rounding, "rounded words do not say them within tolerance"),
+    ];
+    let total: u64 = reasons.iter().map(|(count, _)| count).sum();
+    if statistics.arcs + total == 0 {
+        return None;
+    }
+    let traced = format!("arcs: {} by the control", statistics.arcs);
+    let why: Vec<String> =
+        reasons.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{count} {why}")).collect();
+    Some(if why.is_empty() { traced } else { format!("{traced}, {total} as lines: {}", why.join("; ")) })
 }
 
 /// What the course costs, and what it would cost motion by motion.
@@ -315,12 +337,8 @@ fn rehearse<M: Machine>(
 /// The end code, or the first error in its place.
 fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>) -> io::Result<()> {
     if !report.failed {
-        if job.config.program.times {
-            for line in time::lines(&report.times) {
-                encoder.comment(line.as_bytes())?;
-            }
-        }
-        return encoder.end();
+        let times = if job.config.program.times { time::lines(&report.times) } else { Vec::new() };
+        return encoder.end(&times);
     }
     let errors = report.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
     if let Some(error) = errors.min_by_key(|error| error.location) {

@@ -10,7 +10,7 @@ use crate::cl::{ArcVote, Dialect, Options, Reader};
 use crate::config::{Config, Operations, list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Side};
-use crate::motion::{Course, Expander, Navigator};
+use crate::motion::{Course, Expander, Navigator, extent};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
 use super::setting::Setting;
@@ -33,6 +33,8 @@ pub(super) struct ToolUse {
     pub(super) operations: u64,
     /// Lowest and highest tip of the part as it lies, mm.
     pub(super) tip: Option<(f64, f64)>,
+    /// Lowest and highest corner of the box around the tips of its cuts, mm.
+    pub(super) cuts: Option<[[f64; 3]; 2]>,
     /// It cuts before any SPINDL/.. behind its call: speed and direction come from the configuration.
     pub(super) spindle_assumed: bool,
 }
@@ -198,39 +200,52 @@ impl Survey {
             // The planner passes over these.
             Event::Move(motion) if state.begun && state.call.is_none() && motion.rapid && !state.head => {}
             Event::Move(motion) => {
-                state.called = false;
-                if state.begun {
-                    state.begun = false;
-                    self.operations += 1;
-                    if std::mem::take(&mut state.named) {
-                        self.named.get_or_insert(self.operations);
-                    }
-                    let call = state.call.filter(|_| self.selected());
-                    state.tool = call.and_then(|call| {
-                        let place = state.called_so_far.get_mut(&call.number)?;
-                        Some(self.tool(call, place))
-                    });
-                    if let Some(call) = state.call.filter(|call| self.order.last() != Some(&call.number))
-                        && self.order.len() < MOST_CHANGES
-                    {
-                        self.order.push(call.number);
-                    }
-                    if let Some(index) = state.tool {
-                        self.tools[index].operations += 1;
-                    }
-                }
-                if !motion.rapid {
-                    self.feeds += 1;
-                    self.feeds_down += u64::from(motion.pose.axis.dot(tool_axis) < 0.0);
-                }
-                if let Some(index) = state.tool {
-                    let tool = &mut self.tools[index];
-                    let z = motion.pose.tip.z;
-                    tool.tip = Some(tool.tip.map_or((z, z), |(low, high)| (low.min(z), high.max(z))));
-                    tool.spindle_assumed |= !motion.rapid && !state.spindle;
+                let at: [f64; 3] = motion.pose.tip.into();
+                self.moved(state, !motion.rapid, [at; 2], motion.pose.axis.dot(tool_axis) < 0.0);
+            }
+            Event::Arc(arc) => self.moved(state, true, extent(&arc), arc.end.axis.dot(tool_axis) < 0.0),
+            _ => {}
+        }
+    }
+
+    /// A motion, at feed or not, of the tip between two corners; `down`: the tool points away from the table's top.
+    fn moved(&mut self, state: &mut State, cuts: bool, [lowest, highest]: [[f64; 3]; 2], down: bool) {
+        state.called = false;
+        if state.begun {
+            state.begun = false;
+            self.operations += 1;
+            if std::mem::take(&mut state.named) {
+                self.named.get_or_insert(self.operations);
+            }
+            let call = state.call.filter(|_| self.selected());
+            state.tool = call.and_then(|call| {
+                let place = state.called_so_far.get_mut(&call.number)?;
+                Some(self.tool(call, place))
+            });
+            if let Some(call) = state.call.filter(|call| self.order.last() != Some(&call.number))
+                && self.order.len() < MOST_CHANGES
+            {
+                self.order.push(call.number);
+            }
+            if let Some(index) = state.tool {
+                self.tools[index].operations += 1;
+            }
+        }
+        if cuts {
+            self.feeds += 1;
+            self.feeds_down += u64::from(down);
+        }
+        if let Some(index) = state.tool {
+            let tool = &mut self.tools[index];
+            let (low, high) = tool.tip.unwrap_or((lowest[2], highest[2]));
+            tool.tip = Some((low.min(lowest[2]), high.max(highest[2])));
+            if cuts {
+                let [lower, upper] = tool.cuts.get_or_insert([lowest, highest]);
+                for index in 0..3 {
+                    (lower[index], upper[index]) = (lower[index].min(lowest[index]), upper[index].max(highest[index]));
                 }
             }
-            _ => {}
+            tool.spindle_assumed |= cuts && !state.spindle;
         }
     }
 
@@ -290,7 +305,7 @@ impl Survey {
     /// The index of a tool, with what its calls say together.
     fn tool(&mut self, call: ToolCall, place: &mut Option<usize>) -> usize {
         let index = *place.get_or_insert_with(|| {
-            self.tools.push(ToolUse { call, operations: 0, tip: None, spindle_assumed: false });
+            self.tools.push(ToolUse { call, operations: 0, tip: None, cuts: None, spindle_assumed: false });
             self.tools.len() - 1
         });
         let known = &mut self.tools[index].call;

@@ -5,8 +5,8 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::*;
-use crate::config::{Operations, Tool};
-use crate::control::LinuxCnc;
+use crate::config::{Operations, Tool, Wrap};
+use crate::control::{Heidenhain, LinuxCnc, Siemens};
 use crate::motion::machines::{Cb, Head, Xyz};
 use crate::program::{Clearance, Plane, Rotation};
 
@@ -70,6 +70,84 @@ fn a_program_ends_with_its_end_code_and_has_no_fault() {
     );
     assert_eq!(report.statistics.motions, 6);
     assert_eq!(report.blocks as usize, text.lines().filter(|line| !line.starts_with('(')).count());
+}
+
+#[test]
+fn a_heidenhain_program_begins_with_the_blank_of_the_configuration_or_a_box_around_the_cuts() {
+    let blank = |change: fn(&mut Config), part: &str| -> Vec<String> {
+        let mut config = control::starting_point(&Heidenhain);
+        change(&mut config);
+        let job = Job { cl_name: "bracket.cls", config: &config, control: &Heidenhain, units: None };
+        let mut out = Vec::new();
+        post::<Cb>(&job, &mut Cursor::new(part.as_bytes()), &mut out).expect("memory neither fails nor fills");
+        let text = String::from_utf8(out).expect("ASCII");
+        text.lines().skip(1).take_while(|line| line.contains("BLK FORM")).map(str::to_owned).collect()
+    };
+    // Cuts from X 0 to 25, Y 0 to 8, Z -3 to 0 with a cutter of 10 mm.
+    assert_eq!(blank(|_| {}, PART), ["1 BLK FORM 0.1 Z X-5 Y-5 Z-3", "2 BLK FORM 0.2 X+30 Y+13 Z+0"]);
+    let wider: fn(&mut Config) = |config| {
+        config.tools.insert(1, Tool { diameter: Some(12.0), ..Tool::default() });
+    };
+    assert_eq!(blank(wider, PART)[0], "1 BLK FORM 0.1 Z X-6 Y-6 Z-3");
+    let given: fn(&mut Config) = |config| {
+        config.stock = Some(crate::config::Stock { lower: [-50.0, -40.0, -30.5], upper: [50.0, 40.0, 0.0] });
+        config.part_origin = [0.0, 0.0, 80.0];
+        config.program_zero = crate::config::ProgramZero::Table;
+    };
+    assert_eq!(blank(given, PART), ["1 BLK FORM 0.1 Z X-50 Y-40 Z+49.5", "2 BLK FORM 0.2 X+50 Y+40 Z+80"]);
+    let inches: fn(&mut Config) = |config| config.output_units = Some(Units::Inches);
+    assert_eq!(blank(inches, PART)[1], "2 BLK FORM 0.2 X+1.1811 Y+0.5118 Z+0");
+    let flat = PART.replace("GOTO/0,0,-3", "GOTO/0,0,0").replace("GOTO/25,0,-3", "GOTO/25,0,0");
+    assert_eq!(blank(|_| {}, &flat), Vec::<String>::new(), "a plane is no blank");
+}
+
+#[test]
+fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
+    let mut config = control::starting_point(&Siemens);
+    config.control.file_header = true;
+    config.control.program_name = Some("op 10: a bracket with a long name".to_owned());
+    let job = Job { cl_name: "bracket.cls", config: &config, control: &Siemens, units: None };
+    let mut out = Vec::new();
+    post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out).expect("memory neither fails nor fills");
+    let text = String::from_utf8(out).expect("ASCII");
+    assert!(text.starts_with("%_N_OP_10__A_BRACKET_WITH_A__MPF\n;$PATH=/_N_MPF_DIR\n; PROGRAM"), "{}", &text[..90]);
+    assert_eq!(control::check(&Siemens, &config), Vec::<String>::new());
+    assert_eq!(control::check(&LinuxCnc, &config).len(), 1);
+}
+
+#[test]
+fn times_stand_behind_the_blocks_of_the_user_and_before_the_end_code() {
+    let mut config = Config::default();
+    config.program.times = true;
+    config.program.end = vec!["M60".to_owned()];
+    let (text, _) = posted::<Cb>(&config, PART);
+    let (_, end) = text.split_once("\nM60\n").expect("the block of the user");
+    let lines: Vec<&str> = end.lines().collect();
+    assert!(lines[0].starts_with("(machining time "), "{lines:?}");
+    assert_eq!(lines.iter().filter(|line| !line.starts_with('(')).copied().collect::<Vec<_>>(), ["M2"]);
+    assert_eq!(lines.last(), Some(&"M2"));
+}
+
+#[test]
+fn only_axes_that_do_not_roll_over_count_on_past_a_turn() {
+    let line = |control: &dyn Control, wrapped: &str, wrap: Wrap| {
+        let mut config = control::starting_point(control);
+        config.wrap.extend(wrapped.chars().map(|letter| (letter, wrap)));
+        let job = Job { cl_name: "bracket.cls", config: &config, control, units: None };
+        let mut out = Vec::new();
+        post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out).expect("memory neither fails nor fills");
+        let text = String::from_utf8(out).expect("ASCII");
+        text.lines().find_map(|line| Some(line[line.find("ROTARY WORDS")?..].to_owned()))
+    };
+    let counts = "are absolute and count on past 360";
+    let none = line(&Heidenhain, "", Wrap::Positive).expect("a line");
+    assert_eq!(none, format!("ROTARY WORDS {counts}: M127 is in force, the axes take no shorter way"));
+    let both = [Wrap::Positive, Wrap::Sign].map(|wrap| line(&Heidenhain, "BC", wrap));
+    assert_eq!(both, [None, None]);
+    let one = line(&Heidenhain, "C", Wrap::Positive).expect("a line");
+    assert_eq!(one, format!("ROTARY WORDS of B {counts}: M126 is in force, so they must not be shown within a turn"));
+    let linuxcnc = line(&LinuxCnc, "C", Wrap::Positive).expect("a line");
+    assert_eq!(linuxcnc, format!("ROTARY WORDS of B {counts}: the axes must not be wrapped)"));
 }
 
 #[test]

@@ -4,7 +4,7 @@
 ; UNITS mm, WORK OFFSET G55
 ; PART ORIGIN X35 Y4.5 Z62 from the table reference
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES in chords that leave them by at most 0.01
+; ARCS AND CURVES left by at most 0.01
 ; CL data of NX, by its own evidence
 ; AXIS A + turns the table right-handed about +X: word backwards
 ; AXIS Y + moves the table along +Y: word backwards

@@ -1,120 +1,122 @@
 0 BEGIN PGM FACETS MM
-1 ; PROGRAM FACETS
-2 ; CL FILE facets.aptsource
-3 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
-4 ; UNITS mm, WORK OFFSET datum row 1
-5 ; PART ORIGIN X0 Y0 Z0 from the table reference
-6 ; PROGRAMMED POINT tool tip
-7 ; ARCS AND CURVES in chords that leave them by at most 0.01
-8 ; CL data of CATIA, by its own evidence
-9 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-10 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
-11 ; AXIS X + moves the tool along +X: word as in ISO 841
-12 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-13 ; AXIS Z + moves the tool along +Z: word as in ISO 841
-14 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-15 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, the axes take no shorter way
-16 ; linear limits not checked: no travel declared (X Y Z)
-17 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
-18 ; the entries of C and B in datum row 1 must be zero
-19 ; T5 D16 R0 L132.5, 3 operations, tip Z -13.517 to 58.514
-20 ; T6 D6 R0 L97.25, 1 operation, tip Z -4.281 to 61.011
-21 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
-22 ; ASSUMED work offset datum row 1
-23 ; ASSUMED retract to machine coordinate 0 mm
-24 ; ASSUMED approach from 50 mm along the tool axis
-25 M129
-26 PLANE RESET STAY
-27 M127
-28 CYCL DEF 247 DATUM SETTING ~
+1 BLK FORM 0.1 Z X-44.738 Y-46.542 Z-13.517
+2 BLK FORM 0.2 X+44.515 Y+38.484 Z+1.964
+3 ; PROGRAM FACETS
+4 ; CL FILE facets.aptsource
+5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
+6 ; UNITS mm, WORK OFFSET datum row 1
+7 ; PART ORIGIN X0 Y0 Z0 from the table reference
+8 ; PROGRAMMED POINT tool tip
+9 ; ARCS AND CURVES left by at most 0.01
+10 ; CL data of CATIA, by its own evidence
+11 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
+12 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
+13 ; AXIS X + moves the tool along +X: word as in ISO 841
+14 ; AXIS Y + moves the tool along +Y: word as in ISO 841
+15 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+16 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
+17 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, the axes take no shorter way
+18 ; linear limits not checked: no travel declared (X Y Z)
+19 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+20 ; the entries of C and B in datum row 1 must be zero
+21 ; T5 D16 R0 L132.5, 3 operations, tip Z -13.517 to 58.514
+22 ; T6 D6 R0 L97.25, 1 operation, tip Z -4.281 to 61.011
+23 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+24 ; ASSUMED work offset datum row 1
+25 ; ASSUMED retract to machine coordinate 0 mm
+26 ; ASSUMED approach from 50 mm along the tool axis
+27 M129
+28 PLANE RESET STAY
+29 M127
+30 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-29 M9
-30 L Z+0 R0 FMAX M91
-31 TOOL CALL 5 Z S4500
-32 TOOL DEF 6
-33 L Z+0 R0 FMAX M91
-34 M3
-35 L B+40.0133 C+34.4378 R0 FMAX
-36 L X+83.382 Y+12.486 R0 FMAX
-37 L Z+88.929 R0 FMAX
-38 M8
-39 L Z+26.929 R0 F600
-40 L X+104.688 Y+17.972 F850
-41 L X+100.2 Y+35.403
-42 L Z+90.929 R0 FMAX
-43 M9
-44 L Z+0 R0 FMAX M91
-45 L B+47.3638 C+154.2303 R0 FMAX
-46 L X+94.366 Y+22.375 R0 FMAX
-47 L Z+98.236 R0 FMAX
-48 M8
-49 L Z+36.236 F600
-50 L X+115.379 Y+28.892 F850
-51 L X+110.047 Y+46.084
-52 L Z+100.236 R0 FMAX
-53 M9
-54 L Z+0 R0 FMAX M91
-55 M5
-56 M0
-57 M129
-58 PLANE RESET STAY
-59 M127
-60 CYCL DEF 247 DATUM SETTING ~
+31 M9
+32 L Z+0 R0 FMAX M91
+33 TOOL CALL 5 Z S4500
+34 TOOL DEF 6
+35 L Z+0 R0 FMAX M91
+36 M3
+37 L B+40.0133 C+34.4378 R0 FMAX
+38 L X+83.382 Y+12.486 R0 FMAX
+39 L Z+88.929 R0 FMAX
+40 M8
+41 L Z+26.929 R0 F600
+42 L X+104.688 Y+17.972 F850
+43 L X+100.2 Y+35.403
+44 L Z+90.929 R0 FMAX
+45 M9
+46 L Z+0 R0 FMAX M91
+47 L B+47.3638 C+154.2303 R0 FMAX
+48 L X+94.366 Y+22.375 R0 FMAX
+49 L Z+98.236 R0 FMAX
+50 M8
+51 L Z+36.236 F600
+52 L X+115.379 Y+28.892 F850
+53 L X+110.047 Y+46.084
+54 L Z+100.236 R0 FMAX
+55 M9
+56 L Z+0 R0 FMAX M91
+57 M5
+58 M0
+59 M129
+60 PLANE RESET STAY
+61 M127
+62 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-61 M9
-62 L Z+0 R0 FMAX M91
-63 ; T5 stays in the spindle
-64 TOOL CALL S4500
-65 M3
-66 L B+34.1989 C+301.2722 R0 FMAX
-67 L X+76.454 Y+7.304 R0 FMAX
-68 L Z+83.809 R0 FMAX
-69 M8
-70 L Z+21.809 R0 F600
-71 L X+97.951 Y+11.98 F850
-72 L X+94.125 Y+29.569
-73 L Z+85.809 R0 FMAX
-74 M9
-75 M129
-76 PLANE RESET STAY
-77 M127
-78 CYCL DEF 247 DATUM SETTING ~
+63 M9
+64 L Z+0 R0 FMAX M91
+65 ; T5 stays in the spindle
+66 TOOL CALL S4500
+67 M3
+68 L B+34.1989 C+301.2722 R0 FMAX
+69 L X+76.454 Y+7.304 R0 FMAX
+70 L Z+83.809 R0 FMAX
+71 M8
+72 L Z+21.809 R0 F600
+73 L X+97.951 Y+11.98 F850
+74 L X+94.125 Y+29.569
+75 L Z+85.809 R0 FMAX
+76 M9
+77 M129
+78 PLANE RESET STAY
+79 M127
+80 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-79 M9
-80 L Z+0 R0 FMAX M91
-81 TOOL CALL 6 Z S9000
-82 TOOL DEF 5
-83 L Z+0 R0 FMAX M91
-84 M3
-85 L B+17.7131 C+206.2876 R0 FMAX
-86 L X+43.351 Y-3.185 R0 FMAX
-87 L Z+68.326 R0 FMAX
-88 M8
-89 L Z+6.326 R0 F600
-90 L X+65.218 Y-0.776 F850
-91 L X+63.247 Y+17.116
-92 L Z+70.326 R0 FMAX
-93 M9
-94 M129
-95 PLANE RESET STAY
-96 M127
-97 CYCL DEF 247 DATUM SETTING ~
+81 M9
+82 L Z+0 R0 FMAX M91
+83 TOOL CALL 6 Z S9000
+84 TOOL DEF 5
+85 L Z+0 R0 FMAX M91
+86 M3
+87 L B+17.7131 C+206.2876 R0 FMAX
+88 L X+43.351 Y-3.185 R0 FMAX
+89 L Z+68.326 R0 FMAX
+90 M8
+91 L Z+6.326 R0 F600
+92 L X+65.218 Y-0.776 F850
+93 L X+63.247 Y+17.116
+94 L Z+70.326 R0 FMAX
+95 M9
+96 M129
+97 PLANE RESET STAY
+98 M127
+99 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-98 M9
-99 L Z+0 R0 FMAX M91
-100 TOOL CALL 5 Z S4200
+100 M9
 101 L Z+0 R0 FMAX M91
-102 M3
-103 L B+59.3748 C+192.9554 R0 FMAX
-104 L X+107.214 Y+34.141 R0 FMAX
-105 L Z+111.999 R0 FMAX
-106 M8
-107 L Z+49.999 R0 F600
-108 L X+127.618 Y+42.367 F850
-109 L X+120.888 Y+59.061
-110 L Z+113.999 R0 FMAX
-111 M9
-112 L Z+0 R0 FMAX M91
-113 M5
-114 M30
-115 END PGM FACETS MM
+102 TOOL CALL 5 Z S4200
+103 L Z+0 R0 FMAX M91
+104 M3
+105 L B+59.3748 C+192.9554 R0 FMAX
+106 L X+107.214 Y+34.141 R0 FMAX
+107 L Z+111.999 R0 FMAX
+108 M8
+109 L Z+49.999 R0 F600
+110 L X+127.618 Y+42.367 F850
+111 L X+120.888 Y+59.061
+112 L Z+113.999 R0 FMAX
+113 M9
+114 L Z+0 R0 FMAX M91
+115 M5
+116 M30
+117 END PGM FACETS MM

@@ -4,7 +4,7 @@
 ; UNITS in, WORK OFFSET G54
 ; PART ORIGIN X0 Y0 Z0 from the table reference
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES in chords that leave them by at most 0.0004
+; ARCS AND CURVES left by at most 0.0004
 ; CL data of NX, by its own evidence
 ; AXIS X + moves the table against +X: word as in ISO 841
 ; AXIS Y + moves the tool along +Y: word as in ISO 841
@@ -29,6 +29,11 @@ T12
 M6
 SUPA G0 Z0 D0
 D1
+IF ABS($P_TOOLL[1]-4.75)>0.00039
+MSG("T12 was posted with L = 4.75: the tool data say something else")
+M0
+M30
+ENDIF
 S3800 M4
 G0 A-3.3 B0
 X-1.137 Y0.0053

@@ -4,7 +4,7 @@
 ; UNITS mm, WORK OFFSET G54
 ; PART ORIGIN X0 Y0 Z0 from the table reference
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES in chords that leave them by at most 0.01
+; ARCS AND CURVES left by at most 0.01
 ; CL data of SolidWorks CAM, by its own evidence
 ; 2 arcs, sense by form only, 0 arcs confirmed
 ; CSYS changes 1 time: its points stay in one common frame
@@ -18,7 +18,7 @@
 ; linear limits not checked: no travel declared (X Y Z)
 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
 ; the entries of C and B in G54 must be zero
-; T4 D10 R0 L120 D1, 2 operations, tip Z -14.99 to 60
+; T4 D10 R0 L120 D1, 2 operations, tip Z -15 to 60
 ; ASSUMED the points of the CL data count from the part zero
 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
 ; ASSUMED work offset G54
@@ -42,43 +42,8 @@ Z25
 M8
 Z3
 G1 Z-2 F150.5
-X12.462 Y20.434 F601.25
-X12.349 Y20.855
-X12.165 Y21.25
-X11.915 Y21.607
-X11.607 Y21.915
-X11.25 Y22.165
-X10.855 Y22.349
-X10.434 Y22.462
-X10 Y22.5
-X9.566 Y22.462
-X9.145 Y22.349
-X8.75 Y22.165
-X8.393 Y21.915
-X8.085 Y21.607
-X7.835 Y21.25
-X7.651 Y20.855
-X7.538 Y20.434
-X7.5 Y20
-X7.538 Y19.566
-X7.651 Y19.145
-X7.835 Y18.75
-X8.085 Y18.393
-X8.393 Y18.085
-X8.75 Y17.835
-X9.145 Y17.651
-X9.566 Y17.538
-X10 Y17.5
-X10.434 Y17.538
-X10.855 Y17.651
-X11.25 Y17.835
-X11.607 Y18.085
-X11.915 Y18.393
-X12.165 Y18.75
-X12.349 Y19.145
-X12.462 Y19.566
-X12.5 Y20
-X10
+G3 X12.5 Y20 I-2.5 J0 F601.25
+G1 X10
 G0 Z60
 X30
 Z3
@@ -106,32 +71,8 @@ Z230
 M8
 Z195
 G1 Z188 F300
-X-20.039 Y160.627
-X-20.157 Y161.243
-X-20.351 Y161.841
-X-20.618 Y162.409
-X-20.955 Y162.939
-X-21.355 Y163.423
-X-21.813 Y163.853
-X-22.321 Y164.222
-X-22.871 Y164.524
-X-23.455 Y164.755
-X-24.063 Y164.911
-X-24.686 Y164.99
-X-25.314
-X-25.937 Y164.911
-X-26.545 Y164.755
-X-27.129 Y164.524
-X-27.679 Y164.222
-X-28.187 Y163.853
-X-28.645 Y163.423
-X-29.045 Y162.939
-X-29.382 Y162.409
-X-29.649 Y161.841
-X-29.843 Y161.243
-X-29.961 Y160.627
-X-30 Y160
-Z230
+G3 X-30 Y160 I-5 J0
+G1 Z230
 M9
 G0 Z330
 SUPA G0 Z0 D0

@@ -4,7 +4,7 @@
 (UNITS mm, WORK OFFSET G54)
 (PART ORIGIN X0 Y0 Z0 from the table reference)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES in chords that leave them by at most 0.01)
+(ARCS AND CURVES left by at most 0.01)
 (CL data of SolidWorks CAM, by its own evidence)
 (2 arcs, sense by form only, 0 arcs confirmed)
 (CSYS changes 1 time: its points stay in one common frame)
@@ -16,7 +16,7 @@
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
 (ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
-(T4 D10 R0 L120 H4, 2 operations, tip Z -14.99 to 60)
+(T4 D10 R0 L120 H4, 2 operations, tip Z -15 to 60)
 (T4 posted with L = 120: H4 must hold exactly this)
 (ASSUMED the points of the CL data count from the part zero)
 (ASSUMED work offset G54)
@@ -40,43 +40,8 @@ Z25
 M8
 Z3
 G1 Z-2 F150.5
-X12.462 Y20.434 F601.25
-X12.349 Y20.855
-X12.165 Y21.25
-X11.915 Y21.607
-X11.607 Y21.915
-X11.25 Y22.165
-X10.855 Y22.349
-X10.434 Y22.462
-X10 Y22.5
-X9.566 Y22.462
-X9.145 Y22.349
-X8.75 Y22.165
-X8.393 Y21.915
-X8.085 Y21.607
-X7.835 Y21.25
-X7.651 Y20.855
-X7.538 Y20.434
-X7.5 Y20
-X7.538 Y19.566
-X7.651 Y19.145
-X7.835 Y18.75
-X8.085 Y18.393
-X8.393 Y18.085
-X8.75 Y17.835
-X9.145 Y17.651
-X9.566 Y17.538
-X10 Y17.5
-X10.434 Y17.538
-X10.855 Y17.651
-X11.25 Y17.835
-X11.607 Y18.085
-X11.915 Y18.393
-X12.165 Y18.75
-X12.349 Y19.145
-X12.462 Y19.566
-X12.5 Y20
-X10
+G3 X12.5 Y20 I-2.5 J0 F601.25
+G1 X10
 G0 Z60
 X30
 Z3
@@ -105,34 +70,11 @@ Z-130
 M8
 X165
 G1 X158 F300
-Y20.039 Z-130.627
-Y20.157 Z-131.243
-Y20.351 Z-131.841
-Y20.618 Z-132.409
-Y20.955 Z-132.939
-Y21.355 Z-133.423
-Y21.813 Z-133.853
-Y22.321 Z-134.222
-Y22.871 Z-134.524
-Y23.455 Z-134.755
-Y24.063 Z-134.911
-Y24.686 Z-134.99
-Y25.314
-Y25.937 Z-134.911
-Y26.545 Z-134.755
-Y27.129 Z-134.524
-Y27.679 Z-134.222
-Y28.187 Z-133.853
-Y28.645 Z-133.423
-Y29.045 Z-132.939
-Y29.382 Z-132.409
-Y29.649 Z-131.841
-Y29.843 Z-131.243
-Y29.961 Z-130.627
-Y30 Z-130
-X200
+G19 G3 Y30 Z-130 J5 K0
+G1 X200
 M9
 G0 X300
+G17
 G53 G0 Z0
 M5
 M2

@@ -4,7 +4,7 @@
 (UNITS mm, WORK OFFSET G54)
 (PART ORIGIN X0 Y0 Z0 from the table reference)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES in chords that leave them by at most 0.01)
+(ARCS AND CURVES left by at most 0.01)
 (CL data of SolidWorks CAM, by its own evidence)
 (2 arcs, sense by form only, 0 arcs confirmed)
 (CSYS changes 1 time: its points stay in one common frame)
@@ -18,7 +18,7 @@
 (linear limits not checked: no travel declared [X Y Z])
 (valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again)
 (the entries of C and B in G54 must be zero)
-(T4 D10 R0 L120 H4, 2 operations, tip Z -14.99 to 60)
+(T4 D10 R0 L120 H4, 2 operations, tip Z -15 to 60)
 (ASSUMED the points of the CL data count from the part zero)
 (ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point)
 (ASSUMED work offset G54)
@@ -39,43 +39,8 @@ Z25
 M8
 Z3
 G1 Z-2 F150.5
-X12.462 Y20.434 F601.25
-X12.349 Y20.855
-X12.165 Y21.25
-X11.915 Y21.607
-X11.607 Y21.915
-X11.25 Y22.165
-X10.855 Y22.349
-X10.434 Y22.462
-X10 Y22.5
-X9.566 Y22.462
-X9.145 Y22.349
-X8.75 Y22.165
-X8.393 Y21.915
-X8.085 Y21.607
-X7.835 Y21.25
-X7.651 Y20.855
-X7.538 Y20.434
-X7.5 Y20
-X7.538 Y19.566
-X7.651 Y19.145
-X7.835 Y18.75
-X8.085 Y18.393
-X8.393 Y18.085
-X8.75 Y17.835
-X9.145 Y17.651
-X9.566 Y17.538
-X10 Y17.5
-X10.434 Y17.538
-X10.855 Y17.651
-X11.25 Y17.835
-X11.607 Y18.085
-X11.915 Y18.393
-X12.165 Y18.75
-X12.349 Y19.145
-X12.462 Y19.566
-X12.5 Y20
-X10
+G3 X12.5 Y20 I-2.5 J0 F601.25
+G1 X10
 G0 Z60
 X30
 Z3
@@ -101,32 +66,8 @@ Z230
 M8
 Z195
 G1 Z188 F300
-X160.627 Y20.039
-X161.243 Y20.157
-X161.841 Y20.351
-X162.409 Y20.618
-X162.939 Y20.955
-X163.423 Y21.355
-X163.853 Y21.813
-X164.222 Y22.321
-X164.524 Y22.871
-X164.755 Y23.455
-X164.911 Y24.063
-X164.99 Y24.686
-Y25.314
-X164.911 Y25.937
-X164.755 Y26.545
-X164.524 Y27.129
-X164.222 Y27.679
-X163.853 Y28.187
-X163.423 Y28.645
-X162.939 Y29.045
-X162.409 Y29.382
-X161.841 Y29.649
-X161.243 Y29.843
-X160.627 Y29.961
-X160 Y30
-Z230
+G3 X160 Y30 I0 J5
+G1 Z230
 M9
 G0 Z330
 G53 G0 Z0

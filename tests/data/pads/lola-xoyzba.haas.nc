@@ -6,7 +6,7 @@ O00001 (PADS)
 (UNITS mm, WORK OFFSET G57)
 (PART ORIGIN X12.5 Y-8 Z40 from the table reference)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES in chords that leave them by at most 0.01)
+(ARCS AND CURVES left by at most 0.01)
 (CL data of NX, by its own evidence)
 (AXIS X + moves the table against +X: word as in ISO 841)
 (AXIS Y + moves the tool along +Y: word as in ISO 841)
@@ -20,8 +20,7 @@ O00001 (PADS)
 (T21 bull 12 D12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
 (T21 posted with L = 120.25: H21 must hold exactly this)
 (T22 D12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)
-(T22 posted with L = 96.5: H52 must hold exactly this, and nothing compares)
-(it)
+(T22 posted with L = 96.5: H52 must hold exactly this)
 (ASSUMED retract to machine coordinate 0 mm)
 (OPERATION SOUTH)
 N1 G21 G17 G40 G49 G80 G90 G94 G57
@@ -30,6 +29,7 @@ G53 G00 Z0.
 T21 M06
 T22
 G49 G53 G00 Z0.
+IF [ABS[#2021 + #2221 - 120.25] GT 0.01] THEN #3000= 101 (T21 IS NOT 120.25 LONG)
 S5200 M03
 G00 A18.266 B2.256
 X7.996 Y-63.387
@@ -58,6 +58,7 @@ M09
 G53 G00 Z0.
 T22 M06
 G49 G53 G00 Z0.
+IF [ABS[#2052 + #2252 - 96.5] GT 0.01] THEN #3000= 101 (T22 IS NOT 96.5 LONG)
 S6100 M03
 G00 A-15.559 B-2.129
 X-8.957 Y60.131

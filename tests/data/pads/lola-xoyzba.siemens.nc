@@ -4,7 +4,7 @@
 ; UNITS mm, WORK OFFSET G57
 ; PART ORIGIN X12.5 Y-8 Z40 from the table reference
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES in chords that leave them by at most 0.01
+; ARCS AND CURVES left by at most 0.01
 ; CL data of NX, by its own evidence
 ; AXIS X + moves the table against +X: word as in ISO 841
 ; AXIS Y + moves the tool along +Y: word as in ISO 841
@@ -16,7 +16,7 @@
 ; T21 bull 12 D12 R1 L120.25 D1, 1 operation, tip Z -9.4 to 0.521
 ; T21 posted with L = 120.25: D1 must hold exactly this
 ; T22 D12 R1 L96.5 D52, 1 operation, tip Z -3.3 to -1.375
-; T22 posted with L = 96.5: D52 must hold exactly this, and nothing compares it
+; T22 posted with L = 96.5: D52 must hold exactly this
 ; ASSUMED retract to machine coordinate 0 mm
 MSG("SOUTH")
 N1 TRAFOOF
@@ -29,6 +29,11 @@ M6
 T22
 SUPA G0 Z0 D0
 D1
+IF ABS($P_TOOLL[1]-120.25)>0.01
+MSG("T21 was posted with L = 120.25: the tool data say something else")
+M0
+M30
+ENDIF
 S5200 M3
 G0 A18.266 B2.2556
 X7.995 Y-63.387
@@ -61,6 +66,11 @@ T22
 M6
 SUPA G0 Z0 D0
 D52
+IF ABS($P_TOOLL[1]-96.5)>0.01
+MSG("T22 was posted with L = 96.5: the tool data say something else")
+M0
+M30
+ENDIF
 S6100 M3
 G0 A-15.5586 B-2.129
 X-8.957 Y60.13

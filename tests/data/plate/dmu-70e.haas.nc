@@ -6,7 +6,7 @@ O00001 (PLATE)
 (UNITS in, WORK OFFSET G54)
 (PART ORIGIN X0 Y0 Z0 from the table reference)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES in chords that leave them by at most 0.001)
+(ARCS AND CURVES left by at most 0.001)
 (CL data of Creo, by its own evidence)
 (1 arc, 1 of 1 decided arcs agree with their form)
 (AXIS C + turns the table left-handed about +Z: word as in ISO 841)
@@ -39,25 +39,8 @@ X0. Y0.5
 G43 H3 Z1.
 G01 Z-0.1 F20.
 X1.
-X1.0434 Y0.4962
-X1.0855 Y0.4849
-X1.125 Y0.4665
-X1.1607 Y0.4415
-X1.1915 Y0.4107
-X1.2165 Y0.375
-X1.2349 Y0.3355
-X1.2462 Y0.2934
-X1.25 Y0.25
-X1.2462 Y0.2066
-X1.2349 Y0.1645
-X1.2165 Y0.125
-X1.1915 Y0.0893
-X1.1607 Y0.0585
-X1.125 Y0.0335
-X1.0855 Y0.0151
-X1.0434 Y0.0038
-X1. Y0.
-X0.
+G02 X1. Y0. I0. J-0.25
+G01 X0.
 Y-0.25
 Z1.
 G00 X0.25 Y0.25

@@ -1,83 +1,69 @@
 0 BEGIN PGM PLATE INCH
-1 ; PROGRAM PLATE
-2 ; CL FILE plate.ncl
-3 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
-4 ; UNITS in, WORK OFFSET datum row 1
-5 ; PART ORIGIN X0 Y0 Z0 from the table reference
-6 ; PROGRAMMED POINT tool tip
-7 ; ARCS AND CURVES in chords that leave them by at most 0.001
-8 ; CL data of Creo, by its own evidence
-9 ; 1 arc, 1 of 1 decided arcs agree with their form
-10 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-11 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
-12 ; AXIS X + moves the tool along +X: word as in ISO 841
-13 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-14 ; AXIS Z + moves the tool along +Z: word as in ISO 841
-15 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed, the tool axis within 0.1 deg
-16 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, the axes take no shorter way
-17 ; linear limits not checked: no travel declared (X Y Z)
-18 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
-19 ; the entries of C and B in datum row 1 must be zero
-20 ; T3 D0.25 L4, 1 operation, tip Z -0.4 to 1
-21 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
-22 ; ASSUMED work offset datum row 1
-23 ; ASSUMED retract to machine coordinate 0 mm
-24 ; ASSUMED approach from 50 mm along the tool axis
-25 M129
-26 PLANE RESET STAY
-27 M127
-28 CYCL DEF 247 DATUM SETTING ~
+1 BLK FORM 0.1 Z X-0.125 Y-0.375 Z-0.4
+2 BLK FORM 0.2 X+1.375 Y+0.625 Z+1
+3 ; PROGRAM PLATE
+4 ; CL FILE plate.ncl
+5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
+6 ; UNITS in, WORK OFFSET datum row 1
+7 ; PART ORIGIN X0 Y0 Z0 from the table reference
+8 ; PROGRAMMED POINT tool tip
+9 ; ARCS AND CURVES left by at most 0.001
+10 ; CL data of Creo, by its own evidence
+11 ; 1 arc, 1 of 1 decided arcs agree with their form
+12 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
+13 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
+14 ; AXIS X + moves the tool along +X: word as in ISO 841
+15 ; AXIS Y + moves the tool along +Y: word as in ISO 841
+16 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed, the tool axis within 0.1 deg
+18 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, the axes take no shorter way
+19 ; linear limits not checked: no travel declared (X Y Z)
+20 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+21 ; the entries of C and B in datum row 1 must be zero
+22 ; T3 D0.25 L4, 1 operation, tip Z -0.4 to 1
+23 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+24 ; ASSUMED work offset datum row 1
+25 ; ASSUMED retract to machine coordinate 0 mm
+26 ; ASSUMED approach from 50 mm along the tool axis
+27 M129
+28 PLANE RESET STAY
+29 M127
+30 CYCL DEF 247 DATUM SETTING ~
   Q339=+1 ;DATUM NUMBER
-29 M9
-30 L Z+0 R0 FMAX M91
-31 TOOL CALL 3 Z S3000
+31 M9
 32 L Z+0 R0 FMAX M91
-33 M3
-34 L B+0 C+0 R0 FMAX
-35 L X+0 Y+0.5 R0 FMAX
-36 L Z+1 R0 FMAX
-37 L Z-0.1 R0 F200
-38 L X+1
-39 L X+1.0434 Y+0.4962
-40 L X+1.0855 Y+0.4849
-41 L X+1.125 Y+0.4665
-42 L X+1.1607 Y+0.4415
-43 L X+1.1915 Y+0.4107
-44 L X+1.2165 Y+0.375
-45 L X+1.2349 Y+0.3355
-46 L X+1.2462 Y+0.2934
-47 L X+1.25 Y+0.25
-48 L X+1.2462 Y+0.2066
-49 L X+1.2349 Y+0.1645
-50 L X+1.2165 Y+0.125
-51 L X+1.1915 Y+0.0893
-52 L X+1.1607 Y+0.0585
-53 L X+1.125 Y+0.0335
-54 L X+1.0855 Y+0.0151
-55 L X+1.0434 Y+0.0038
-56 L X+1 Y+0
-57 L X+0
-58 L Y-0.25
-59 L Z+1
-60 L X+0.25 Y+0.25 R0 FMAX
-61 L Z+0.1 R0 FMAX
-62 L Z-0.15 F40
-63 L Z-0.1303 R0 FMAX
-64 L Z-0.3
-65 L Z-0.2803 R0 FMAX
-66 L Z-0.4
-67 L Z+0.5 R0 FMAX
-68 L X+0.75 R0 FMAX
-69 L Z+0.1 R0 FMAX
-70 L Z-0.15
-71 L Z-0.1303 R0 FMAX
-72 L Z-0.3
-73 L Z-0.2803 R0 FMAX
-74 L Z-0.4
-75 L Z+0.5 R0 FMAX
-76 L Z+1 R0 FMAX
-77 L Z+3 R0 FMAX
-78 L Z+0 R0 FMAX M91
-79 M5
-80 M30
-81 END PGM PLATE INCH
+33 TOOL CALL 3 Z S3000
+34 L Z+0 R0 FMAX M91
+35 M3
+36 L B+0 C+0 R0 FMAX
+37 L X+0 Y+0.5 R0 FMAX
+38 L Z+1 R0 FMAX
+39 L Z-0.1 R0 F200
+40 L X+1
+41 CC X+1 Y+0.25
+42 C X+1 Y+0 DR-
+43 L X+0
+44 L Y-0.25
+45 L Z+1
+46 L X+0.25 Y+0.25 R0 FMAX
+47 L Z+0.1 R0 FMAX
+48 L Z-0.15 F40
+49 L Z-0.1303 R0 FMAX
+50 L Z-0.3
+51 L Z-0.2803 R0 FMAX
+52 L Z-0.4
+53 L Z+0.5 R0 FMAX
+54 L X+0.75 R0 FMAX
+55 L Z+0.1 R0 FMAX
+56 L Z-0.15
+57 L Z-0.1303 R0 FMAX
+58 L Z-0.3
+59 L Z-0.2803 R0 FMAX
+60 L Z-0.4
+61 L Z+0.5 R0 FMAX
+62 L Z+1 R0 FMAX
+63 L Z+3 R0 FMAX
+64 L Z+0 R0 FMAX M91
+65 M5
+66 M30
+67 END PGM PLATE INCH

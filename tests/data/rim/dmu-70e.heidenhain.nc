@@ -5,7 +5,7 @@
 4 ; UNITS mm, WORK OFFSET datum row 1
 5 ; PART ORIGIN X0 Y0 Z0 from the table reference
 6 ; PROGRAMMED POINT tool tip
-7 ; ARCS AND CURVES in chords that leave them by at most 0.01
+7 ; ARCS AND CURVES left by at most 0.01
 8 ; CL data of Creo, by its own evidence
 9 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
 10 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841

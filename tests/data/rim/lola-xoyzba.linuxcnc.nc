@@ -4,7 +4,7 @@
 (UNITS mm, WORK OFFSET G54)
 (PART ORIGIN X0 Y0 Z0 from the table reference)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES in chords that leave them by at most 0.01)
+(ARCS AND CURVES left by at most 0.01)
 (CL data of Creo, by its own evidence)
 (AXIS X + moves the table against +X: word as in ISO 841)
 (AXIS Y + moves the tool along +Y: word as in ISO 841)

@@ -179,7 +179,7 @@ impl Iso {
         draft.guard.is_some()
     }
 
-    /// `IF [ABS[#..-101.5] LT 0.01] GOTO 5`.
+    /// `IF [ABS[#..-101.5] GT 0.01] THEN #3000=1 (..)`, and `IF [ABS[#..-101.5] LT 0.01] GOTO 5` over such an alarm.
     fn fanuc_guard(&mut self, mut at: Cursor<'_>, draft: &mut Draft, block: &mut Block) -> bool {
         at.at += 2;
         let rest = at.rest();
@@ -189,6 +189,17 @@ impl Iso {
             at.blanks();
             at.number().and_then(whole)
         });
+        let then = rest.windows(4).position(|word| word.eq_ignore_ascii_case(b"THEN"));
+        if let Some(then) = then {
+            let mut at = Cursor::new(&rest[then + 4..]);
+            at.blanks();
+            let alarm = at.take(b'#') && at.number().and_then(whole) == Some(3000) && at.take(b'=');
+            match guarded(&rest[..then]).filter(|_| alarm && self.family != Family::LinuxCnc) {
+                Some(length) => draft.guard = Some(length),
+                None => fault(&mut block.faults, 0, "a condition that is not known here"),
+            }
+            return true;
+        }
         match (target, guarded(rest)) {
             (Some(target), Some(length)) if self.family != Family::LinuxCnc => {
                 self.jump = Some(target);

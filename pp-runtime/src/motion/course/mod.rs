@@ -18,6 +18,8 @@ mod states;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
+
 use nalgebra::UnitVector3;
 
 use crate::config::{Config, Transition, Units};
@@ -105,6 +107,8 @@ pub struct Navigator<M: Machine> {
     safe: bool,
     greedy: bool,
     prefer: Option<(char, bool)>,
+    /// Where GOHOME takes the axes.
+    park: BTreeMap<char, f64>,
     start_branch: Option<Branch>,
     ways: [Seeker; 2],
     /// Motions so far.
@@ -146,6 +150,7 @@ impl<M: Machine> Navigator<M> {
             safe: config.transition == Transition::Safe,
             greedy: config.greedy,
             prefer: config.prefer,
+            park: config.park.clone(),
             start_branch: config.start_branch,
             motion: 0,
             here: None,
@@ -179,12 +184,13 @@ impl<M: Machine> Navigator<M> {
 
     fn straight(&mut self, event: &Event<'_>) {
         match event {
-            Event::From(pose) if !self.placed => self.count_from(pose),
+            Event::From(pose) => self.count_from(pose),
             Event::Tool(_) => {
                 self.armed = true;
                 self.begun = true;
             }
             Event::Operation(_) => self.begun |= self.safe,
+            Event::Home => self.go_home(),
             _ if event.interrupts() => self.begun = true,
             // The planner passes over these.
             Event::Move(motion) if !self.armed && motion.rapid && !self.placer.head() => self.count_from(&motion.pose),
@@ -195,13 +201,35 @@ impl<M: Machine> Navigator<M> {
                 self.towards = None;
                 self.motion += 1;
             }
+            Event::Arc(arc) => {
+                // The tool has been led to its start.
+                self.go(&arc.end, false, false);
+                self.towards = None;
+                self.motion += 1;
+            }
             Event::Turning(turning) => self.towards = self.placer.towards(*turning),
             _ => {}
         }
     }
 
-    /// Nothing has moved yet: this is where the rotaries count from.
+    /// The rotaries are parked where the configuration wants it; an angle out of reach is told by the planner.
+    fn go_home(&mut self) {
+        self.begun = true;
+        let (placer, park) = (&self.placer, &self.park);
+        let Ok((_, 1..)) = placer.parked(park, &placer.zero()) else { return };
+        self.placed = true;
+        let parked = |words: &Turns| {
+            let there = placer.parked(park, &placer.standing(words));
+            there.map_or(*words, |(place, _)| placer.turns_of(&place.words))
+        };
+        self.ways.iter_mut().for_each(|way| way.search.park(parked));
+    }
+
+    /// Where the rotaries count from as long as nothing has moved.
     fn count_from(&mut self, pose: &Pose) {
+        if self.placed {
+            return;
+        }
         let from = self.placer.standing(&self.ways[0].search.words());
         if let Some(place) = self.placer.reference(pose, &from) {
             let words = self.placer.turns_of(&place.words);

@@ -260,6 +260,17 @@ impl Search {
         }
     }
 
+    /// Every survivor turns to where `parked` puts it; what comes next is a motion in the air.
+    pub(crate) fn park(&mut self, parked: impl Fn(&Turns) -> Turns) {
+        self.next.clear();
+        for from in &self.survivors {
+            let words = parked(&from.state.words);
+            let cost = from.cost.plus(self.metric.cost(&from.state.words, &words));
+            Self::keep(&mut self.next, Survivor { state: State { words, ..from.state }, cost, air: None, ..*from });
+        }
+        self.finish_layer(&[]);
+    }
+
     /// The words from which the next motion turns least by chance: those of the cheapest survivor.
     pub(crate) fn words(&self) -> Turns {
         self.survivors.iter().min_by_key(|survivor| survivor.cost).map_or([0; 2], |survivor| survivor.state.words)

@@ -44,7 +44,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Where nothing but the rotaries is known.
-    pub(super) fn standing(&self, words: &Turns) -> Place<M::Axes> {
+    pub(in crate::motion) fn standing(&self, words: &Turns) -> Place<M::Axes> {
         Place { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
     }
 

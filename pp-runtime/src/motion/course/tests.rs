@@ -44,6 +44,25 @@ fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
     navigator.finish()
 }
 
+#[test]
+fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
+    let mut config = Config::default();
+    config.limits.insert('C', limits(-190.0, 190.0));
+    config.park.insert('C', 0.0);
+    let mut navigator = Navigator::new(config.machine::<Cb>().expect("valid"), &config);
+    navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
+    for event in [Some(170.0), None, Some(-172.0)] {
+        let pose = |turn| Pose { tip: Point3::origin(), axis: axis(turn, 30.0) };
+        let cut = |turn| Move { pose: pose(turn), rapid: false, feed: Some(Feed::PerMinute(100.0)) };
+        navigator.event(&event.map_or(Event::Home, |turn| Event::Move(cut(turn))));
+    }
+    let course = navigator.finish();
+    // C to 170, home, to -172 and not to 188; B to 30 once.
+    let degrees = course.cost.travel as f64 / 10_f64.powi(config.formats.rotary as i32);
+    assert!((degrees - (170.0 + 170.0 + 172.0 + 30.0)).abs() < 0.01, "{degrees}");
+    assert_eq!(changes(course), []);
+}
+
 /// Everything that can be done, one choice after the other: which state each motion ends in, and to which state of the
 /// same pose the axes are rewound before it. Paths keep away from the pole.
 struct Everything<'t, M: Machine> {

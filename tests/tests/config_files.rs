@@ -1,0 +1,187 @@
+//! Configuration files: those of `examples/config` and those that are printed, against the schema that is printed, and in
+//! use.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use serde_json::Value;
+use tests::binaries::{binary, workspace};
+
+const MACHINES: [&str; 4] = ["dmu-70e", "lola-xoyzba", "multiprodesk", "spinner-u5-620"];
+const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"];
+
+/// Why a value does not suit a schema, for each place of it; the keywords are those that the schema is written with.
+fn faults(schema: &Value, value: &Value, path: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for (keyword, wanted) in schema.as_object().expect("a schema is an object") {
+        let number = || wanted.as_f64().expect("a number");
+        let fits = match keyword.as_str() {
+            "$schema" | "title" | "description" | "default" | "patternProperties" | "properties" => true,
+            "type" => match wanted.as_str() {
+                Some("object") => value.is_object(),
+                Some("array") => value.is_array(),
+                Some("string") => value.is_string(),
+                Some("boolean") => value.is_boolean(),
+                Some("number") => value.is_number(),
+                Some("integer") => value.is_i64() || value.is_u64(),
+                other => panic!("{path}: a type {other:?}"),
+            },
+            "enum" => wanted.as_array().expect("a list").contains(value),
+            "const" => wanted == value,
+            "minimum" => value.as_f64().is_none_or(|value| value >= number()),
+            "maximum" => value.as_f64().is_none_or(|value| value <= number()),
+            "exclusiveMinimum" => value.as_f64().is_none_or(|value| value > number()),
+            "minItems" => value.as_array().is_none_or(|list| list.len() as f64 >= number()),
+            "maxItems" => value.as_array().is_none_or(|list| list.len() as f64 <= number()),
+            "minProperties" => value.as_object().is_none_or(|table| table.len() as f64 >= number()),
+            "maxProperties" => value.as_object().is_none_or(|table| table.len() as f64 <= number()),
+            "required" => {
+                wanted.as_array().expect("a list").iter().all(|key| value.get(key.as_str().expect("a key")).is_some())
+            }
+            "anyOf" => wanted.as_array().expect("a list").iter().any(|one| faults(one, value, path).is_empty()),
+            "items" => {
+                let list = value.as_array().map_or(&[][..], Vec::as_slice);
+                let all = list.iter().enumerate();
+                found.extend(all.flat_map(|(index, item)| faults(wanted, item, &format!("{path}[{index}]"))));
+                continue;
+            }
+            "additionalProperties" => {
+                assert_eq!(wanted, &Value::Bool(false));
+                found.extend(entries(schema, value, path));
+                continue;
+            }
+            other => panic!("{path}: the keyword {other}"),
+        };
+        if !fits {
+            found.push(format!("{path}: {value} does not suit {keyword} {wanted}"));
+        }
+    }
+    found
+}
+
+/// The faults in the entries of a table.
+fn entries(schema: &Value, value: &Value, path: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for (key, value) in value.as_object().into_iter().flatten() {
+        let path = format!("{path}.{key}");
+        let number = !key.starts_with('0') && key.bytes().all(|byte| byte.is_ascii_digit());
+        let numbered = schema.pointer("/patternProperties/^[1-9][0-9]*$").filter(|_| number);
+        match schema.get("properties").and_then(|keys| keys.get(key)).or(numbered) {
+            Some(schema) => found.extend(faults(schema, value, &path)),
+            None => found.push(format!("{path}: unknown")),
+        }
+    }
+    found
+}
+
+fn printed(command: &mut Command) -> String {
+    let output = command.output().expect("the binary runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn schema(machine: &str, control: &str) -> Value {
+    let text = printed(binary(machine).args(["config", "--schema", "--control", control]));
+    serde_json::from_str(&text).expect("JSON")
+}
+
+fn toml(text: &str) -> Value {
+    let table: toml::Table = text.parse().unwrap_or_else(|error| panic!("{error}\n{text}"));
+    serde_json::to_value(table).expect("TOML is JSON")
+}
+
+/// The files of `examples/config`, with machine and control by their names.
+fn examples() -> Vec<(PathBuf, &'static str, &'static str)> {
+    let folder = fs::read_dir(workspace().join("examples/config")).expect("the folder");
+    let mut files: Vec<PathBuf> = folder.map(|entry| entry.expect("an entry").path()).collect();
+    files.sort();
+    let named = |path: PathBuf| {
+        let stem = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        let machine = MACHINES.into_iter().find(|machine| stem.starts_with(machine)).expect("a machine");
+        let control = CONTROLS.into_iter().find(|control| stem == format!("{machine}-{control}")).expect("a control");
+        (path, machine, control)
+    };
+    files.into_iter().map(named).collect()
+}
+
+#[test]
+fn every_printed_file_suits_its_schema_with_every_line_switched_on() {
+    for machine in MACHINES {
+        for control in CONTROLS {
+            let text = printed(binary(machine).args(["config", "--control", control]));
+            let on = |line: &str| {
+                let default = line.strip_prefix('#').filter(|rest| !rest.is_empty() && !rest.starts_with(' '));
+                line.strip_prefix("# e.g. ").or(default).unwrap_or(line).to_owned()
+            };
+            let on: Vec<String> = text.lines().map(on).collect();
+            let schema = schema(machine, control);
+            for text in [text, on.join("\n")] {
+                assert_eq!(faults(&schema, &toml(&text), ""), Vec::<String>::new(), "{machine} {control}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_the_reader_refuses_does_not_suit_the_schema() {
+    let schema = schema("spinner-u5-620", "linuxcnc");
+    for wrong in [
+        "unit = 'mm'",
+        "units = 'cm'",
+        "part_origin = [1, 2]",
+        "part_rotation = ['a', 0, 0]",
+        "park = { Q = 1 }",
+        "rotary_offset = { X = 1 }",
+        "tolerance = 0",
+        "stop_retract = 'yes'",
+        "[tools]\n012 = { length = 5 }",
+        "[tools]\n12 = { lenght = 5 }",
+        "[tools]\n12 = { length = -5 }",
+        "[limits]\nC = 'endless'",
+        "[retract]\nclearance = { ball = 5 }",
+        "[control]\ncoolant = { mist = ['M7'] }",
+        "[cl]\nauxfun = [10000]",
+        "[formats]\nrotary = 7",
+        "[formats]\nrotary = 3.5",
+        "[nowhere]\n",
+    ] {
+        assert!(!faults(&schema, &toml(wrong), "").is_empty(), "{wrong}");
+    }
+}
+
+#[test]
+fn each_machine_has_an_example_that_suits_its_schema() {
+    let examples = examples();
+    for machine in MACHINES {
+        assert!(examples.iter().any(|(_, known, _)| *known == machine), "{machine}");
+    }
+    for (path, machine, control) in examples {
+        let text = fs::read_to_string(&path).expect("text");
+        assert_eq!(faults(&schema(machine, control), &toml(&text), ""), Vec::<String>::new(), "{}", path.display());
+    }
+}
+
+/// Posts a part for a machine with four or five axes, and gives what is said.
+fn posted(path: &Path, machine: &str, control: &str) -> (String, String) {
+    let part = if machine == "multiprodesk" { "concave_4axis.cls" } else { "two_tools.cls" };
+    let mut command = binary(machine);
+    command.current_dir(workspace()).args(["post", &format!("examples/cl/{part}"), "--control", control, "--config"]);
+    let output = command.arg(path).output().expect("the binary runs");
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{}: {said}", path.display());
+    (String::from_utf8(output.stdout).expect("ASCII"), said)
+}
+
+#[test]
+fn each_example_posts_a_part_without_a_remark_and_checks_every_limit() {
+    for (path, machine, control) in examples() {
+        let (program, said) = posted(&path, machine, control);
+        assert!(!said.contains("warning") && !said.contains("not checked"), "{}: {said}", path.display());
+        // Nothing of the set-up is left to assumptions; how a control turns an axis that rolls over is its own affair.
+        let assumed: Vec<&str> =
+            said.lines().filter(|line| line.starts_with("assumed:") && !line.contains(" rolls over, ")).collect();
+        assert_eq!(assumed, Vec::<&str>::new(), "{}", path.display());
+        assert!(program.lines().count() > 60, "{}", path.display());
+    }
+}

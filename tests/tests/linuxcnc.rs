@@ -1,0 +1,149 @@
+//! Programs for LinuxCNC through its own interpreter, `rs274` of the package `linuxcnc-uspace`.
+//!
+//! Where it is not installed the tests say so and pass, unless `PP_REQUIRE_LINUXCNC=1` asks for it. The interpreter reads
+//! its tool table in inches; a tool is as long there as the program was posted for, so that the length guards let it pass.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::process::Command;
+
+use tempfile::TempDir;
+use tests::binaries::{binary, workspace};
+
+/// Length of a tool of which the program says nothing, mm.
+const ANY_LENGTH: f64 = 100.0;
+
+/// Whether the interpreter is there; says so where it is not.
+fn installed() -> bool {
+    let found = Command::new("rs274").arg("-h").output().is_ok();
+    let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
+    assert!(found || !required, "PP_REQUIRE_LINUXCNC=1, and there is no rs274: install linuxcnc-uspace");
+    if !found {
+        println!("skipped: rs274 is not installed (package linuxcnc-uspace)");
+    }
+    found
+}
+
+/// Length of each register that a program calls, mm.
+fn lengths(program: &str) -> BTreeMap<u32, f64> {
+    let mut lengths = BTreeMap::new();
+    let mut tool = 0;
+    for line in program.lines() {
+        for word in line.split(' ').filter(|_| !line.starts_with(['(', 'o'])) {
+            if let Some(number) = word.strip_prefix('T').and_then(|number| number.parse().ok()) {
+                tool = number;
+                lengths.entry(number).or_insert(ANY_LENGTH);
+            }
+            if let Some(number) = word.strip_prefix('H').and_then(|number| number.parse().ok()) {
+                lengths.entry(number).or_insert(ANY_LENGTH);
+            }
+        }
+        // The guard stands behind the call of its tool.
+        if let Some((_, length)) = line.split_once("[ABS[#5403 - ") {
+            let length = length.split(']').next().and_then(|length| length.parse().ok());
+            lengths.insert(tool, length.expect("a length"));
+        }
+    }
+    lengths
+}
+
+/// Runs a program with tools that are longer than it says by `off` mm; the canonical calls, or what is wrong.
+fn interpreted(program: &str, off: f64) -> Result<String, String> {
+    let folder = TempDir::new().expect("a temporary folder");
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("the folder takes files");
+    let row = |(number, length): (u32, f64)| format!("T{number} P{number} Z{:+.7} D+0.25\n", (length + off) / 25.4);
+    write("tool.tbl", &lengths(program).into_iter().map(row).collect::<String>());
+    write("params.var", "");
+    write("program.ngc", program);
+    let output = Command::new("rs274")
+        .current_dir(folder.path())
+        // It keeps the tool table in a file of the home folder, which runs at the same time would share.
+        .env("HOME", folder.path())
+        .args(["-g", "-t", "tool.tbl", "-v", "params.var", "program.ngc"])
+        .output()
+        .expect("rs274 runs");
+    let (calls, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    if output.status.success() { Ok(calls.into_owned()) } else { Err(errors.trim().to_owned()) }
+}
+
+/// Feed and rapid blocks of a program that move something.
+fn moving_blocks(program: &str) -> usize {
+    let moves = |line: &&str| {
+        let words = line.split(' ').filter(|word| word.len() > 1 && word.starts_with(['X', 'Y', 'Z', 'A', 'B', 'C']));
+        !line.starts_with(['(', 'o']) && words.count() > 0
+    };
+    program.lines().filter(moves).count()
+}
+
+/// Runs a program that has to pass, every motion of it.
+fn assert_runs(name: &str, program: &str) {
+    let calls = interpreted(program, 0.0).unwrap_or_else(|errors| panic!("{name}: {errors}"));
+    let motions = calls.lines().filter(|line| line.contains("STRAIGHT_") || line.contains("ARC_FEED")).count();
+    assert_eq!(motions, moving_blocks(program), "{name}: each block that moves is one motion");
+}
+
+fn printed(machine: &str, arguments: &[&str]) -> String {
+    let output = binary(machine).current_dir(workspace()).args(arguments).output().expect("the binary runs");
+    assert!(output.status.success(), "{machine} {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("ASCII")
+}
+
+#[test]
+fn every_golden_program_runs() {
+    if !installed() {
+        return;
+    }
+    let mut count = 0;
+    for part in fs::read_dir(workspace().join("tests/data")).expect("the folder of the parts") {
+        for file in fs::read_dir(part.expect("a part").path()).expect("the folder of a part") {
+            let path = file.expect("a file").path();
+            if path.to_string_lossy().ends_with(".linuxcnc.nc") {
+                assert_runs(&path.display().to_string(), &fs::read_to_string(&path).expect("ASCII"));
+                count += 1;
+            }
+        }
+    }
+    assert!(count >= 28, "{count} programs");
+}
+
+#[test]
+fn every_sample_runs_on_every_machine_that_it_suits() {
+    if !installed() {
+        return;
+    }
+    let five = ["concave.aptsource", "concave.ncl", "convex.cls", "two_tools.cls"];
+    let four = ["concave_4axis.cls", "spiral_groove.cls"];
+    let machines = ["dmu-70e", "lola-xoyzba", "spinner-u5-620"];
+    let suited = machines.into_iter().flat_map(|machine| five.map(|part| (machine, part)));
+    for (machine, part) in suited.chain(four.map(|part| ("multiprodesk", part))) {
+        let name = format!("examples/cl/{part}");
+        assert_runs(&format!("{machine} {name}"), &printed(machine, &["post", &name]));
+    }
+}
+
+#[test]
+fn a_proof_program_runs() {
+    if !installed() {
+        return;
+    }
+    let table = ["explain", "--proof-program", "--point=40,25,120"];
+    assert_runs("spinner-u5-620", &printed("spinner-u5-620", &table));
+    let head = ["explain", "--proof-program", "--config", "examples/config/lola-xoyzba-linuxcnc.toml"];
+    assert_runs("lola-xoyzba", &printed("lola-xoyzba", &head));
+}
+
+#[test]
+fn a_tool_of_another_length_is_stopped_by_the_guard_and_a_wrong_block_by_the_interpreter() {
+    if !installed() {
+        return;
+    }
+    let path = workspace().join("tests/data/two_tools/lola-xoyzba.linuxcnc.nc");
+    let program = fs::read_to_string(path).expect("ASCII");
+    for off in [0.011, -0.011] {
+        let errors = interpreted(&program, off).expect_err("stopped");
+        assert!(errors.contains("T1 was posted with L = 120"), "{errors}");
+    }
+    assert!(interpreted(&program, 0.009).is_ok());
+    let wrong = interpreted(&program.replacen("\nM8\n", "\nG68.2\n", 1), 0.0).expect_err("no such code");
+    assert!(wrong.contains("G68.2"), "{wrong}");
+}

@@ -1,0 +1,216 @@
+//! `explain --proof-program`: the tip stays on one point while each rotary axis sweeps its travel.
+//!
+//! Programs of every control are read by what is common to all of them, a letter and a number, and every block goes
+//! through the matrices of the oracle, at its ends and in between.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use pp_runtime::config::Config;
+use pp_runtime::kinematics::{Axis, AxisKind, Machine};
+use pp_runtime::nalgebra::Point3;
+use tempfile::TempDir;
+use tests::binaries::binary;
+use tests::oracle::Oracle;
+
+const CONTROLS: [&str; 5] = ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"];
+
+/// How far the tip may leave its point between the ends of a block, mm: the default of `tolerance`.
+const TOLERANCE: f64 = 0.01;
+
+/// Places of a block that are looked at.
+const PLACES: usize = 20;
+
+struct Case {
+    binary: &'static str,
+    config: &'static str,
+    /// Gauge length in it, mm.
+    length: f64,
+    point: [f64; 3],
+}
+
+/// What was printed, or what was said.
+fn proof(case: &Case, control: &str, more: &[&str]) -> Result<String, String> {
+    let folder = TempDir::new().expect("a temporary folder");
+    fs::write(folder.path().join("set-up.toml"), case.config).expect("the folder takes files");
+    let [x, y, z] = case.point;
+    let mut command = binary(case.binary);
+    command.current_dir(folder.path()).args(["explain", "--proof-program", "--config", "set-up.toml"]);
+    command.args(["--control", control, &format!("--point={x},{y},{z}")]).args(more);
+    let output = command.output().expect("the binary runs");
+    let errors = String::from_utf8(output.stderr).expect("text");
+    assert_eq!(output.stdout.is_empty(), !output.status.success(), "all or nothing: {errors}");
+    if output.status.success() {
+        Ok(String::from_utf8(output.stdout).expect("ASCII"))
+    } else {
+        assert_eq!(output.status.code(), Some(2));
+        Err(errors)
+    }
+}
+
+/// The places of all feed blocks in chain order, mm and rad; `None` for an axis that no word has spoken of yet.
+fn feeds<M: Machine>(program: &str) -> Vec<Vec<f64>> {
+    let (mut at, mut rapid, mut feeds) = (BTreeMap::new(), true, Vec::new());
+    for line in program.lines() {
+        let words: Vec<&str> =
+            line.split(' ').skip(usize::from(line.starts_with(|c: char| c.is_ascii_digit()))).collect();
+        let strange = ["(", ";", "*", "%", "O", "T", "S", "FN", "CYCL", "BEGIN", "IF", "o", "G53", "G49", "SUPA"];
+        if strange.iter().any(|strange| words[0].starts_with(strange)) || words.contains(&"M91") {
+            continue;
+        }
+        for code in &words {
+            match *code {
+                "G0" | "G00" => rapid = true,
+                "G1" | "G01" => rapid = false,
+                "L" => rapid = words.contains(&"FMAX"),
+                _ => {}
+            }
+        }
+        let mut moves = false;
+        for word in words {
+            if let Some((letter, number)) =
+                word.chars().next().zip(word.get(1..).and_then(|text| text.parse::<f64>().ok()))
+                && "XYZABC".contains(letter)
+            {
+                at.insert(letter, number);
+                moves = true;
+            }
+        }
+        if moves && !rapid {
+            let value = |axis: &Axis| {
+                let word = at.get(&axis.letter).unwrap_or_else(|| panic!("{} has no place: {line}", axis.letter));
+                if axis.kind == AxisKind::Rotary { word.to_radians() } else { *word }
+            };
+            feeds.push(M::AXES.iter().map(value).collect());
+        }
+    }
+    feeds
+}
+
+/// The matrices of a machine with the part origin of a configuration.
+fn oracle<M: Machine>(case: &Case) -> Oracle {
+    let config = Config::read::<M>(case.config).expect("a configuration");
+    let mut machine = config.machine::<M>().expect("valid");
+    machine.set_up(config.part_origin.into(), case.length);
+    Oracle::of(&machine)
+}
+
+/// Looks at every feed block, and gives the smallest and largest angle of each axis, degrees.
+fn look<M: Machine>(case: &Case, control: &str) -> BTreeMap<char, (f64, f64)> {
+    let program = proof(case, control, &[]).unwrap_or_else(|errors| panic!("{control}: {errors}"));
+    let (oracle, blocks) = (oracle::<M>(case), feeds::<M>(&program));
+    let unit = if program.contains("INCH") || program.contains("G20") { 25.4e-4 } else { 1e-3 };
+    let point = Point3::from(case.point);
+    let mut travel = BTreeMap::new();
+    for (index, words) in blocks.iter().enumerate() {
+        let off = (oracle.forward(words).tip - point).norm();
+        assert!(off <= 2.0 * unit, "{control}, block {index}: the tip is {off} mm off");
+        for place in 0..=PLACES {
+            let before = &blocks[index.saturating_sub(1)];
+            let share = place as f64 / PLACES as f64;
+            let between: Vec<f64> = before.iter().zip(words).map(|(a, b)| a + (b - a) * share).collect();
+            let off = (oracle.forward(&between).tip - point).norm();
+            assert!(off <= TOLERANCE, "{control}, on the way to block {index}: the tip is {off} mm off");
+        }
+        for (axis, value) in M::AXES.iter().zip(words).filter(|(axis, _)| axis.kind == AxisKind::Rotary) {
+            let degrees = value.to_degrees();
+            let ends = travel.entry(axis.letter).or_insert((degrees, degrees));
+            *ends = (ends.0.min(degrees), ends.1.max(degrees));
+        }
+    }
+    travel
+}
+
+fn assert_swept(found: &BTreeMap<char, (f64, f64)>, wanted: &[(char, f64, f64)]) {
+    for (letter, low, high) in wanted {
+        let (from, to) = found[letter];
+        assert!((from - low).abs() < 1e-3 && (to - high).abs() < 1e-3, "{letter}: {from} to {to}");
+    }
+}
+
+const SPINNER: Case = Case {
+    binary: "spinner-u5-620",
+    config: "units = 'mm'\npart_origin = [10, -5, 60]\n",
+    length: 0.0,
+    point: [40.0, 25.0, 50.0],
+};
+const DMU: Case = Case { binary: "dmu-70e", point: [60.0, 0.0, 120.0], config: "units = 'mm'\n", length: 0.0 };
+const DESK: Case = Case { binary: "multiprodesk", point: [0.0, 20.0, 30.0], config: "units = 'mm'\n", length: 0.0 };
+const LOLA: Case = Case {
+    binary: "lola-xoyzba",
+    point: [0.0; 3],
+    config: "units = 'mm'\n[limits]\nB = [-90, 90]\nA = [-60, 45]\n[tools]\n5 = { length = 117.25 }\n",
+    length: 117.25,
+};
+
+#[test]
+fn the_tip_stays_while_each_rotary_sweeps_its_travel_on_every_control() {
+    for control in CONTROLS {
+        assert_swept(&look::<SpinnerU5620>(&SPINNER, control), &[('B', -5.0, 110.0), ('C', 0.0, 360.0)]);
+        assert_swept(&look::<Dmu70e>(&DMU, control), &[('B', 0.0, 180.0), ('C', 0.0, 360.0)]);
+        assert_swept(&look::<MultiProDesk>(&DESK, control), &[('A', 0.0, 360.0)]);
+        assert_swept(&look::<LolaXoyzba>(&LOLA, control), &[('B', -90.0, 90.0), ('A', -60.0, 45.0)]);
+    }
+}
+
+#[test]
+fn the_header_says_what_must_be_seen_and_the_spindle_stands() {
+    let program = proof(&LOLA, "linuxcnc", &[]).expect("a program");
+    for line in [
+        "PROOF OF THE KINEMATICS: nothing is cut, the spindle stands",
+        "an indicator that stands on the table and touches a ball at the tip stays still",
+        "SWEEP 1: B from -90 to 90 degrees, A at 0",
+        "SWEEP 2: A from -60 to 45 degrees, B at 0",
+        "SWEEP 3: B from -90 to 90 degrees, A at -60",
+        "T5 posted with L = 117.25: H5 must hold exactly this",
+    ] {
+        assert!(program.contains(line), "missing: {line}\n{program}");
+    }
+    let codes = |code: &str| program.lines().any(|line| line.split(' ').any(|word| word == code));
+    assert!(!["M3", "M4", "M7", "M8"].into_iter().any(codes) && codes("M5") && codes("M2"));
+    assert!(program.contains("o1 if [[ABS[#5403 - 117.25]"), "the length is compared");
+}
+
+#[test]
+fn words_in_inches_and_within_a_turn_keep_the_tip_too() {
+    let inches = Case { config: "units = 'mm'\noutput_units = 'in'\npart_origin = [10, -5, 60]\n", ..SPINNER };
+    let program = proof(&inches, "linuxcnc", &[]).expect("a program");
+    let oracle = oracle::<SpinnerU5620>(&inches);
+    for mut words in feeds::<SpinnerU5620>(&program) {
+        for (axis, value) in SpinnerU5620::AXES.iter().zip(&mut words).filter(|(axis, _)| axis.kind == AxisKind::Linear)
+        {
+            assert!(value.abs() < 20.0, "{} is in inches", axis.letter);
+            *value *= 25.4;
+        }
+        assert!((oracle.forward(&words).tip - Point3::from(inches.point)).norm() <= 2.0 * 25.4e-4);
+    }
+    let wrapped = Case { config: "units = 'mm'\npart_origin = [10, -5, 60]\nwrap = { C = '0..360' }\n", ..SPINNER };
+    let turns = feeds::<SpinnerU5620>(&proof(&wrapped, "heidenhain", &[]).expect("a program"));
+    assert!(turns.iter().all(|words| (0.0..360.0).contains(&words[0].to_degrees())));
+}
+
+#[test]
+fn what_cannot_be_swept_is_refused_with_a_reason() {
+    let said = |case: Case| match proof(&case, "linuxcnc", &[]) {
+        Ok(program) => panic!("{} lines were written", program.lines().count()),
+        Err(errors) => errors,
+    };
+    let head = said(Case { config: "units = 'mm'\n[tools]\n5 = { length = 117.25 }\n", ..LOLA });
+    assert!(
+        head.contains("the travel of B, which turns the head, is not known") && head.contains("[limits]"),
+        "{head}"
+    );
+    let length = said(Case { config: "units = 'mm'\n[limits]\nB = [-90, 90]\nA = [-60, 45]\n", ..LOLA });
+    assert!(length.contains("length"), "{length}");
+    let steps = said(Case { config: "units = 'mm'\n[grid]\nB = 1\n", ..SPINNER });
+    assert!(steps.contains("B stands on steps"), "{steps}");
+    let limits =
+        "units = 'mm'\nmachine_zero = { X = 0, Y = 0, Z = 0 }\n[limits]\nZ = [-10, 10]\n[tools]\n1 = { length = 80 }\n";
+    assert!(said(Case { config: limits, ..SPINNER }).contains("Z"), "a linear axis runs out of travel");
+
+    let mut command = binary("spinner-u5-620");
+    let output = command.args(["explain", "--proof-program"]).output().expect("the binary runs");
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(!output.status.success() && errors.contains("part_origin") && errors.contains("--point"), "{errors}");
+}
