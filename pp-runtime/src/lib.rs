@@ -18,11 +18,11 @@ pub use serde;
 pub mod kinematics;
 
 #[cfg(feature = "std")]
+pub mod check;
+#[cfg(feature = "std")]
 pub mod cl;
 #[cfg(feature = "std")]
 pub mod cli;
-#[cfg(feature = "std")]
-pub mod check;
 #[cfg(feature = "std")]
 pub mod config;
 #[cfg(feature = "std")]

@@ -160,7 +160,10 @@ fn harm<M: Machine>(config: &Config, whole: &[Block], damaged: &[Block]) -> Opti
         let mut moving: Vec<Block> = blocks.iter().filter(|block| moves(block)).cloned().collect();
         // What stands twice goes nowhere.
         moving.dedup_by(|again, first| {
-            again.action == first.action && again.values == first.values && again.known == first.known && state(&first.state, &again.state).is_none()
+            again.action == first.action
+                && again.values == first.values
+                && again.known == first.known
+                && state(&first.state, &again.state).is_none()
         });
         moving
     };
@@ -260,5 +263,10 @@ fn every_harm_is_reported_and_nothing_else() {
     }
     let damages = SAMPLES.len() * DAMAGES;
     assert!(damages >= 2000 && harmful > damages / 3, "{harmful} of {damages} do harm: too few to say anything");
-    assert!(missed.is_empty(), "{} of {harmful} are missed ({reported} reported):\n{}", missed.len(), missed.join("\n"));
+    assert!(
+        missed.is_empty(),
+        "{} of {harmful} are missed ({reported} reported):\n{}",
+        missed.len(),
+        missed.join("\n")
+    );
 }

@@ -10,8 +10,8 @@
 
 use std::io::{self, Read};
 
-use super::chain::Placed;
 use super::Checked;
+use super::chain::Placed;
 use super::expect::{Expect, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
@@ -325,6 +325,8 @@ fn straight<M: Machine>(machine: &M) -> bool {
     let axes = || (0..M::AXES.len()).filter(|&index| !M::AXES[index].held);
     let head = axes().any(|index| M::AXES[index].kind == AxisKind::Rotary && M::AXES[index].side == Side::Tool);
     let tool = machine.tool_axis();
-    let along = |index: usize| M::AXES[index].kind == AxisKind::Linear && machine.joint(index).direction.dot(&tool).abs() > 1.0 - 1e-12;
+    let along = |index: usize| {
+        M::AXES[index].kind == AxisKind::Linear && machine.joint(index).direction.dot(&tool).abs() > 1.0 - 1e-12
+    };
     !head && axes().any(along)
 }

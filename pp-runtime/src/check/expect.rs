@@ -16,7 +16,9 @@ use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Pose, Side as ChainSide};
 use crate::motion::Expander;
 use crate::post::Setting;
-use crate::program::{Clearance, Compensation, Coolant, Dwell, Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+use crate::program::{
+    Clearance, Compensation, Coolant, Dwell, Event, Feed, Location, Move, Rotation, Spindle, ToolCall,
+};
 
 /// Items are read ahead up to this many, so that a block can be sought among them.
 const AHEAD: usize = 64;
@@ -65,7 +67,9 @@ pub(super) struct Item {
 #[derive(Debug, Clone)]
 pub(super) enum Kind {
     Motion(Motion),
-    Stop { optional: bool },
+    Stop {
+        optional: bool,
+    },
     /// Seconds.
     Dwell(f64),
     /// A block as it stands.
@@ -234,7 +238,11 @@ impl<'a> Follow<'a> {
                     if spline.knots[span] < spline.knots[span + 1] {
                         let piece = bezier(spline.knots, spline.points, span);
                         let end = if span + 1 < spline.points.len() { piece[3].into() } else { *last };
-                        self.motion(at, &Move { pose: pose(end), rapid: false, feed: spline.feed }, Shape::Cubic(piece));
+                        self.motion(
+                            at,
+                            &Move { pose: pose(end), rapid: false, feed: spline.feed },
+                            Shape::Cubic(piece),
+                        );
                     }
                 }
                 let end = Move { pose: pose(*last), rapid: false, feed: spline.feed };

@@ -96,7 +96,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             _ => None,
         };
         let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip / self.slack.axis));
-        let whole = !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.length() <= 2.0 * self.slack.tip;
+        let whole =
+            !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.length() <= 2.0 * self.slack.tip;
         if whole && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
@@ -157,7 +158,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let feeds = block.action != Action::Rapid;
         let as_feed = !motion.rapid || (self.config.rapid == Rapid::Feed && !self.turns(block));
         if feeds != as_feed {
-            let text = if feeds { "a rapid of the CL data is run at feed" } else { "a cut of the CL data is run at rapid" };
+            let text =
+                if feeds { "a rapid of the CL data is run at feed" } else { "a cut of the CL data is run at rapid" };
             self.found(shown, text);
         } else if feeds {
             self.way(block, segment, &wanted, shown);
@@ -244,7 +246,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let largest = self.config.axis_tolerance_path + self.slack.axis;
         if axis > largest && !swings {
             let (axis, largest) = (axis.to_degrees(), largest.to_degrees());
-            let text = format!("along this block the tool axis leaves its turn by {axis:.4} deg, {largest:.4} are allowed");
+            let text =
+                format!("along this block the tool axis leaves its turn by {axis:.4} deg, {largest:.4} are allowed");
             self.found(shown, &text);
         }
     }
@@ -314,7 +317,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 let segment = self.segment(motion, end);
                 let off = segment.distance(end, self.along);
                 let turn = angle_between(&end.axis, &motion.to.axis).to_degrees();
-                format!("this block serves no motion of the CL data: its end is {off:.4} mm off the next one and {turn:.4} deg off its axis")
+                format!(
+                    "this block serves no motion of the CL data: its end is {off:.4} mm off the next one and {turn:.4} deg off its axis"
+                )
             }
             Some(Kind::Stop { .. }) => "the program moves on before the stop of the CL data".to_owned(),
             Some(Kind::Raw(_)) => "the program moves on before the block that INSERT asks for".to_owned(),
@@ -339,7 +344,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
 /// Words at a share of a block.
 fn between(before: &[f64; MAX_AXES], block: &Block, share: f64, linear: [Option<usize>; 3]) -> [f64; MAX_AXES] {
-    let mut words: [f64; MAX_AXES] = std::array::from_fn(|index| before[index] + (block.values[index] - before[index]) * share);
+    let mut words: [f64; MAX_AXES] =
+        std::array::from_fn(|index| before[index] + (block.values[index] - before[index]) * share);
     if let (Action::Arc(ArcMove { centre, sweep }), Some(plane)) = (&block.action, block.state.plane) {
         let [u, v, _] = plane.axes();
         if let (Some(first), Some(second)) = (linear[u], linear[v]) {

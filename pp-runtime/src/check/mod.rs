@@ -69,7 +69,11 @@ pub struct Checked {
 ///
 /// # Errors
 /// [`CheckError`] if there is nothing to compare; what is wrong with the program is in the outcome.
-pub fn check<M: Machine>(job: &Job<'_>, mut input: impl Read + Seek, program: impl Read) -> Result<Checked, CheckError> {
+pub fn check<M: Machine>(
+    job: &Job<'_>,
+    mut input: impl Read + Seek,
+    program: impl Read,
+) -> Result<Checked, CheckError> {
     let family = family(job)?;
     let machine = job.config.machine::<M>().map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };

@@ -80,7 +80,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 self.parked |= block.written;
             }
             if !parked {
-                self.found(shown, &format!("machine coordinates are not those of the retract, {position} mm of its axis alone"));
+                self.found(
+                    shown,
+                    &format!("machine coordinates are not those of the retract, {position} mm of its axis alone"),
+                );
             }
             return;
         }
@@ -190,7 +193,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if let Phase::Clear(before) = self.phase
             && (step == 0 || step < before)
         {
-            self.found(shown, "from the retract the rotary axes turn first, then the other linear axes move, the retract axis last");
+            self.found(
+                shown,
+                "from the retract the rotary axes turn first, then the other linear axes move, the retract axis last",
+            );
         }
         self.state_at_approach(block, step, shown);
         self.phase = Phase::Clear(step);
@@ -247,7 +253,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let above = self.approach_point(&motion);
         if !self.is_at(end, &above) {
             let (off, turn) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis).to_degrees());
-            self.found(shown, &format!("the approach ends {off:.4} mm from the approach point, its tool axis {turn:.4} deg off"));
+            self.found(
+                shown,
+                &format!("the approach ends {off:.4} mm from the approach point, its tool axis {turn:.4} deg off"),
+            );
         } else {
             let outcome = &mut self.tally.outcome;
             outcome.tip = outcome.tip.max((end.tip - above.tip).norm());
@@ -306,9 +315,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             needed |= stated::SPINDLE;
         }
         let missing = needed & !block.stated;
-        for (bit, what) in [(stated::COOLANT, "coolant"), (stated::OFFSET, "the work offset"), (stated::SPINDLE, "the spindle")] {
+        for (bit, what) in
+            [(stated::COOLANT, "coolant"), (stated::OFFSET, "the work offset"), (stated::SPINDLE, "the spindle")]
+        {
             if missing & bit != 0 {
-                self.found(shown, &format!("an operation begins here, and {what} has not been stated since its first block"));
+                self.found(
+                    shown,
+                    &format!("an operation begins here, and {what} has not been stated since its first block"),
+                );
             }
         }
         if self.config.control.safety.is_none() && !self.restarted {
@@ -339,7 +353,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn parked(&self, block: &Block, values: &[f64; MAX_AXES], mask: u16, slack: f64) -> bool {
         let at = |(index, axis): (usize, &crate::kinematics::Axis)| {
             let place = self.config.park.get(&axis.letter);
-            block.written & (1 << index) == 0 || place.is_some_and(|place| self.same_place(index, values[index], *place, slack))
+            block.written & (1 << index) == 0
+                || place.is_some_and(|place| self.same_place(index, values[index], *place, slack))
         };
         block.written & !mask == 0 && M::AXES.iter().enumerate().all(at)
     }
@@ -422,7 +437,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             let Some(place) = self.config.park.get(&axis.letter) else { continue };
             let rotary = self.words.rotary_mask & (1 << index) != 0;
             let turned = rotary && self.same_place(index, values[index], *place, 0.6 * self.slack.angle);
-            let retracted = index == self.words.retract && (place - self.config.retract.position).abs() < self.slack.unit;
+            let retracted =
+                index == self.words.retract && (place - self.config.retract.position).abs() < self.slack.unit;
             if !turned && !retracted && self.parked & (1 << index) == 0 {
                 self.found(shown, &format!("{} has not been parked", axis.letter));
             }

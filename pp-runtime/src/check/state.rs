@@ -59,12 +59,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// In machine coordinates.
     pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, shown: Shown<'_>) {
         let state = &block.state;
-        let tips = (state.tip_control != TipControl::Off)
-            .then(|| "machine coordinates while tip control is on".to_owned());
+        let tips =
+            (state.tip_control != TipControl::Off).then(|| "machine coordinates while tip control is on".to_owned());
         // Where the block itself takes the length away.
         let ends = matches!(self.family, Family::Fanuc | Family::Haas | Family::Siemens);
-        let length = (ends && matches!(state.length, Some(Length::Register(_))))
-            .then(|| "machine coordinates while a length compensation is on".to_owned());
+        let length = (ends && state.length != Some(Length::Off))
+            .then(|| "machine coordinates, and the length compensation has not been switched off".to_owned());
         // It may turn on as it did in the cut, or stand.
         let turns = self.last.and_then(|(_, wanted)| wanted.spindle).filter(|_| state.spindle.flatten().is_some());
         let found = self
@@ -72,14 +72,19 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .or_else(|| inverse(state))
             .or(tips)
             .or(length)
-            .or_else(|| spindle(state, turns)).or_else(|| if dry { coolant(state, 0) } else { None });
+            .or_else(|| spindle(state, turns))
+            .or_else(|| if dry { coolant(state, 0) } else { None });
         self.say(found, shown);
     }
 
     /// Rotary axes to their parking places.
     pub(super) fn state_at_park(&mut self, block: &Block, shown: Shown<'_>) {
         let state = &block.state;
-        let found = self.everywhere(state, Side::None).or_else(|| self.frame(state, false)).or_else(|| spindle(state, None)).or_else(|| coolant(state, 0));
+        let found = self
+            .everywhere(state, Side::None)
+            .or_else(|| self.frame(state, false))
+            .or_else(|| spindle(state, None))
+            .or_else(|| coolant(state, 0));
         self.say(found, shown);
     }
 

@@ -313,8 +313,10 @@ fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
     if is_standard(&args.output) {
         return Ok(());
     }
-    let sources: [(Option<&PathBuf>, &str); 2] =
-        [(Some(&args.input).filter(|path| !is_standard(path)), "CL data"), (args.set_up.config.as_ref(), "configuration")];
+    let sources: [(Option<&PathBuf>, &str); 2] = [
+        (Some(&args.input).filter(|path| !is_standard(path)), "CL data"),
+        (args.set_up.config.as_ref(), "configuration"),
+    ];
     for written in [args.output.clone(), rejected_path(&args.output)] {
         for (read, what) in sources {
             if let Some(read) = read

@@ -30,7 +30,11 @@ pub(super) struct SelfCheck {
 
 impl SelfCheck {
     /// Begins to check what will be written.
-    pub(super) fn start<M: Machine>(config: &Config, control: &'static dyn Control, source: &Source) -> io::Result<Self> {
+    pub(super) fn start<M: Machine>(
+        config: &Config,
+        control: &'static dyn Control,
+        source: &Source,
+    ) -> io::Result<Self> {
         let (sender, receiver) = sync_channel(PIECES);
         let (config, input) = (config.clone(), source.again()?);
         let body = move || {
@@ -61,7 +65,9 @@ impl SelfCheck {
         self.send();
         drop(self.sender);
         self.thread.join().unwrap_or_else(|_| {
-            Err(CheckError::Impossible("the check of the program ended by itself: this is a fault of the program that checks".to_owned()))
+            Err(CheckError::Impossible(
+                "the check of the program ended by itself: this is a fault of the program that checks".to_owned(),
+            ))
         })
     }
 }

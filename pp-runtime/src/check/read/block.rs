@@ -274,13 +274,7 @@ impl Action {
     pub const fn moves(&self) -> bool {
         matches!(
             self,
-            Self::Rapid
-                | Self::Feed
-                | Self::Arc(_)
-                | Self::Cycle(_)
-                | Self::Machine
-                | Self::Reference
-                | Self::Orient
+            Self::Rapid | Self::Feed | Self::Arc(_) | Self::Cycle(_) | Self::Machine | Self::Reference | Self::Orient
         )
     }
 }

@@ -38,7 +38,11 @@ pub(super) enum LengthCode {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum TiltCode {
     Off,
-    On { rotation: Matrix3<f64>, origin: Vector3<f64>, oriented: bool },
+    On {
+        rotation: Matrix3<f64>,
+        origin: Vector3<f64>,
+        oriented: bool,
+    },
     /// The rotary axes follow.
     Orient,
 }

@@ -17,8 +17,8 @@ pub(super) struct Heidenhain {
     last: Option<u64>,
     /// CC, as written.
     pole: [Option<f64>; 3],
-    /// A jump over a message, and the label where it leads.
-    jump: Option<u32>,
+    /// The label where the last jump of a guard leads; only messages stand before it.
+    jump: Option<Vec<u8>>,
 }
 
 impl Heidenhain {
@@ -96,7 +96,7 @@ impl Heidenhain {
         } else if at.word(b"END") || at.word(b"BLK") {
             at.word(b"PGM") || at.word(b"FORM")
         } else if at.word(b"FN") {
-            self.function(at, draft)
+            self.function(at)
         } else if at.word(b"LBL") {
             at.blanks();
             at.number().is_some()
@@ -202,7 +202,9 @@ impl Heidenhain {
         self.pole = [None; 3];
         while !at.ended() && at.peek() != Some(b';') {
             let incremental = at.take(b'I');
-            let Some(axis) = [b'X', b'Y', b'Z'].iter().position(|letter| at.peek() == Some(*letter)) else { return false };
+            let Some(axis) = [b'X', b'Y', b'Z'].iter().position(|letter| at.peek() == Some(*letter)) else {
+                return false;
+            };
             at.at += 1;
             let Some(number) = at.number() else { return false };
             let from = match (incremental, machine.linear[axis].and_then(|index| machine.at(index))) {
@@ -276,32 +278,42 @@ impl Heidenhain {
     }
 
     /// `FN 18: SYSREAD ..`, and a jump over a message: `FN 12: IF +Q1 LT +0.01 GOTO LBL 5`.
-    fn function(&mut self, at: &mut Cursor<'_>, draft: &mut Draft) -> bool {
+    fn function(&mut self, at: &mut Cursor<'_>) -> bool {
         at.blanks();
         let Some(number) = at.number().and_then(whole) else { return false };
         match number {
             0..=5 | 18 => true,
-            9..=12 => {
-                let rest = at.rest();
-                let Some(label) = rest.windows(4).rposition(|word| word == b"LBL ") else { return false };
-                self.jump = Cursor::new(&rest[label + 4..]).number().and_then(whole);
-                draft.guard = Some(f64::NAN).filter(|_| self.jump.is_some());
-                self.jump.is_some()
-            }
+            9..=12 => self.leap(at),
             _ => false,
         }
     }
 
-    /// What a guard jumps over: messages and a stop.
+    /// `.. GOTO LBL 5`, `.. GOTO LBL "FITS1"`.
+    fn leap(&mut self, at: &mut Cursor<'_>) -> bool {
+        let rest = at.rest();
+        let Some(label) = rest.windows(4).rposition(|word| word == b"LBL ") else { return false };
+        self.jump = Some(rest[label + 4..].trim_ascii().to_vec());
+        at.at += rest.len();
+        true
+    }
+
+    /// What a guard jumps over: other jumps, labels, messages and a stop.
     fn jumped(&mut self, at: &mut Cursor<'_>) -> bool {
         if at.word(b"LBL") {
-            at.blanks();
-            if at.number().and_then(whole) == self.jump {
+            if self.jump.as_deref() == Some(at.rest().trim_ascii()) {
                 self.jump = None;
             }
             return true;
         }
-        at.word(b"FN") || at.word(b"STOP")
+        if at.word(b"FN") {
+            at.blanks();
+            return match at.number().and_then(whole) {
+                Some(9..=12) => self.leap(at),
+                Some(14) => true,
+                _ => false,
+            };
+        }
+        at.word(b"STOP")
     }
 }
 
@@ -314,10 +326,7 @@ impl Parameters<'_> {
     fn value(&self, number: u32) -> Option<f64> {
         let mut at = Cursor::new(self.text);
         while at.at < self.text.len() {
-            if at.take(b'Q')
-                && at.number().and_then(whole) == Some(number)
-                && at.take(b'=')
-            {
+            if at.take(b'Q') && at.number().and_then(whole) == Some(number) && at.take(b'=') {
                 at.blanks();
                 return at.number().map(|number| number.value);
             }
@@ -422,7 +431,8 @@ fn plane(at: &mut Cursor<'_>, draft: &mut Draft) -> bool {
     let [Some(a), Some(b), Some(c)] = angles else { return false };
     let oriented = at.word(b"TURN") || at.word(b"MOVE");
     let stays = !oriented && at.word(b"STAY");
-    draft.tilt = Some(TiltCode::On { rotation: frames::spatial([a, b, c]), origin: nalgebra::Vector3::zeros(), oriented });
+    draft.tilt =
+        Some(TiltCode::On { rotation: frames::spatial([a, b, c]), origin: nalgebra::Vector3::zeros(), oriented });
     (oriented || stays) && positioning(at)
 }
 
@@ -456,8 +466,7 @@ fn m(number: u32, draft: &mut Draft) -> bool {
         9 => draft.coolant_off |= coolant::FLOOD | coolant::MIST,
         13 | 14 => {
             draft.coolant_on |= coolant::FLOOD;
-            draft.spindle =
-                Some(Some(if number == 13 { Rotation::Clockwise } else { Rotation::CounterClockwise }));
+            draft.spindle = Some(Some(if number == 13 { Rotation::Clockwise } else { Rotation::CounterClockwise }));
         }
         91 => draft.machine = true,
         99 => draft.call = true,

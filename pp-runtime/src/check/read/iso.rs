@@ -130,7 +130,17 @@ impl Iso {
                     match at.number() {
                         Some(number) => {
                             let text = &line[start..at.at];
-                            self.word(letter.to_ascii_uppercase(), number, text, start, machine, draft, &mut loose, block, known);
+                            self.word(
+                                letter.to_ascii_uppercase(),
+                                number,
+                                text,
+                                start,
+                                machine,
+                                draft,
+                                &mut loose,
+                                block,
+                                known,
+                            );
                         }
                         None => {
                             fault(&mut block.faults, start, format!("`{}` is no word", shown(&line[start..])));

@@ -7,7 +7,9 @@
 use std::f64::consts::TAU;
 
 use super::arc;
-use super::block::{Action, Block, CycleMove, Fault, FeedMode, Length, MAX_AXES, State, TipControl, Tilt, coolant, stated};
+use super::block::{
+    Action, Block, CycleMove, Fault, FeedMode, Length, MAX_AXES, State, Tilt, TipControl, coolant, stated,
+};
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, fault};
 use crate::config::Wrap;
 use crate::program::Units;
@@ -83,7 +85,8 @@ impl Interpreter {
         self.state_bits(draft, block.restart);
         block.stated = self.stated;
         self.act(draft, block);
-        let round = matches!(block.action, Action::Arc(_)) || matches!(self.modal, Some(Code::Clockwise | Code::CounterClockwise));
+        let round = matches!(block.action, Action::Arc(_))
+            || matches!(self.modal, Some(Code::Clockwise | Code::CounterClockwise));
         if draft.centre_written != 0 && !round {
             fault(&mut block.faults, 0, "I J K stand beside no arc");
         }
@@ -190,11 +193,13 @@ impl Interpreter {
                 }
             }
             Some(LengthCode::Off) => state.length = Some(Length::Off),
-            Some(LengthCode::On | LengthCode::TipControl | LengthCode::TipVector) => match with(draft.register, state) {
-                Some(0) => state.length = Some(Length::Off),
-                Some(register) => state.length = Some(Length::Register(register)),
-                None => fault(faults, 0, "a length compensation without a register"),
-            },
+            Some(LengthCode::On | LengthCode::TipControl | LengthCode::TipVector) => {
+                match with(draft.register, state) {
+                    Some(0) => state.length = Some(Length::Off),
+                    Some(register) => state.length = Some(Length::Register(register)),
+                    None => fault(faults, 0, "a length compensation without a register"),
+                }
+            }
         }
     }
 
@@ -304,15 +309,13 @@ impl Interpreter {
             Code::Rapid => Action::Rapid,
             Code::Feed => Action::Feed,
             Code::RigidTap => self.rigid_tap(draft, from.0, &mut block.faults),
-            Code::Clockwise | Code::CounterClockwise => {
-                match arc::of(draft, self, from, code == Code::Clockwise) {
-                    Ok(arc) => Action::Arc(arc),
-                    Err(text) => {
-                        fault(&mut block.faults, 0, text);
-                        Action::Feed
-                    }
+            Code::Clockwise | Code::CounterClockwise => match arc::of(draft, self, from, code == Code::Clockwise) {
+                Ok(arc) => Action::Arc(arc),
+                Err(text) => {
+                    fault(&mut block.faults, 0, text);
+                    Action::Feed
                 }
-            }
+            },
         }
     }
 
@@ -388,8 +391,8 @@ impl Interpreter {
             let bit = 1 << index;
             let rotary = self.axes[index].rotary;
             let value = if rotary { draft.axes[index].to_radians() } else { draft.axes[index] * unit };
-            let incremental = draft.incremental & bit != 0
-                || (self.state.incremental == Some(true) && draft.absolute & bit == 0);
+            let incremental =
+                draft.incremental & bit != 0 || (self.state.incremental == Some(true) && draft.absolute & bit == 0);
             if incremental {
                 if self.known & bit == 0 {
                     fault(faults, 0, "a distance from a place that is not known");

@@ -109,8 +109,7 @@ impl<R: Read> Reader<R> {
             Family::Siemens => Syntax::Siemens(Siemens::default()),
             Family::Heidenhain => Syntax::Heidenhain(Heidenhain::default()),
         };
-        let machine =
-            Interpreter::new(vocabulary.axes.clone(), family != Family::Heidenhain, vocabulary.rounding);
+        let machine = Interpreter::new(vocabulary.axes.clone(), family != Family::Heidenhain, vocabulary.rounding);
         Self {
             input: BufReader::with_capacity(1 << 16, input),
             vocabulary,

@@ -79,7 +79,8 @@ impl Siemens {
             }
         }
         if loose.dwell {
-            draft.dwell = draft.feed.take().or(draft.speed.take().zip(machine.state.speed).map(|(s, speed)| s / speed * 60.0));
+            draft.dwell =
+                draft.feed.take().or(draft.speed.take().zip(machine.state.speed).map(|(s, speed)| s / speed * 60.0));
             if draft.dwell.is_none() {
                 fault(&mut block.faults, 0, "a dwell without its time");
             }
@@ -286,7 +287,9 @@ impl Siemens {
                 draft.call = true;
                 return draft.define.is_some();
             }
-            None => return [&b"MSG"[..], b"FGROUP", b"SETAL", b"WRITE"].iter().any(|word| name.eq_ignore_ascii_case(word)),
+            None => {
+                return [&b"MSG"[..], b"FGROUP", b"SETAL", b"WRITE"].iter().any(|word| name.eq_ignore_ascii_case(word));
+            }
         }
         true
     }

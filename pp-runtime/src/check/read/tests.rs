@@ -6,11 +6,7 @@ use super::*;
 use crate::program::{Rotation, Units};
 
 fn vocabulary(family: Family) -> Vocabulary {
-    let name = |letter: &str| AxisName {
-        name: letter.as_bytes().to_vec(),
-        rotary: "ABC".contains(letter),
-        wrap: None,
-    };
+    let name = |letter: &str| AxisName { name: letter.as_bytes().to_vec(), rotary: "ABC".contains(letter), wrap: None };
     Vocabulary {
         family,
         axes: ["C", "B", "X", "Y", "Z"].map(name).to_vec(),
@@ -88,7 +84,10 @@ fn a_dwell_is_seconds_or_milliseconds() {
     assert_eq!(last(Family::Fanuc, "G4 P500").action, Action::Dwell(0.5));
     assert_eq!(last(Family::Haas, "G04 P0.5").action, Action::Dwell(0.5));
     assert_eq!(last(Family::Siemens, "G4 F0.5").action, Action::Dwell(0.5));
-    assert_eq!(last(Family::Heidenhain, "1 CYCL DEF 9.0 DWELL TIME\n2 CYCL DEF 9.1 DWELL 0.5").action, Action::Dwell(0.5));
+    assert_eq!(
+        last(Family::Heidenhain, "1 CYCL DEF 9.0 DWELL TIME\n2 CYCL DEF 9.1 DWELL 0.5").action,
+        Action::Dwell(0.5)
+    );
 }
 
 #[test]
@@ -176,7 +175,8 @@ fn circles_know_sense_long_ways_turns_and_planes() {
     assert!((arc(&block).sweep - PI / 2.0).abs() < 1e-9);
     let turn = last(Family::Siemens, &format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X10 Y0 Z-4 I-10 J0 TURN=1 F9"));
     assert!((arc(&turn).sweep - 2.0 * TAU).abs() < 1e-9);
-    let polar = last(Family::Heidenhain, &format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CC X+0 Y+0\n4 CP IPA-720 IZ-6 DR- F9"));
+    let polar =
+        last(Family::Heidenhain, &format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CC X+0 Y+0\n4 CP IPA-720 IZ-6 DR- F9"));
     assert!((arc(&polar).sweep + 2.0 * TAU).abs() < 1e-9 && near(xyz(&polar), [10.0, 0.0, -6.0]));
 }
 
@@ -196,14 +196,21 @@ fn hole(block: &Block) -> CycleMove {
 
 #[test]
 fn cycles_make_the_same_hole_on_each_control() {
-    let peck = CycleMove { kind: CycleKind::Peck(3.0), reference: 2.0, bottom: -10.0, back_to: 25.0, dwell: 0.0, feed: None };
+    let peck =
+        CycleMove { kind: CycleKind::Peck(3.0), reference: 2.0, bottom: -10.0, back_to: 25.0, dwell: 0.0, feed: None };
     let texts = [
         (Family::LinuxCnc, format!("{LINUXCNC}G0 X0 Y0 Z25\nG98 G83 X1 Y2 Z-10 R2 Q3 F100"), None),
-        (Family::Fanuc, format!("{}G0 X0. Y0. Z25.\nG98 G83 X1. Y2. Z-10. R2. Q3. F100.", LINUXCNC.replace(" G64 P0.01", "")), None),
+        (
+            Family::Fanuc,
+            format!("{}G0 X0. Y0. Z25.\nG98 G83 X1. Y2. Z-10. R2. Q3. F100.", LINUXCNC.replace(" G64 P0.01", "")),
+            None,
+        ),
         (Family::Siemens, format!("{SIEMENS}F100\nMCALL CYCLE83(25,0,2,-10,,,3,0,0,,1,1)\nG0 X1 Y2"), None),
         (
             Family::Heidenhain,
-            format!("{TNC}2 L X+0 Y+0 Z+25 R0 FMAX\n3 CYCL DEF 200 DRILLING ~\n Q200=+2 ;A ~\n Q201=-10 ;B ~\n Q206=+100 ;C ~\n Q202=+3 ;D ~\n Q203=+0 ;E ~\n Q204=+25 ;F\n4 L X+1 Y+2 R0 FMAX M99"),
+            format!(
+                "{TNC}2 L X+0 Y+0 Z+25 R0 FMAX\n3 CYCL DEF 200 DRILLING ~\n Q200=+2 ;A ~\n Q201=-10 ;B ~\n Q206=+100 ;C ~\n Q202=+3 ;D ~\n Q203=+0 ;E ~\n Q204=+25 ;F\n4 L X+1 Y+2 R0 FMAX M99"
+            ),
             Some(100.0),
         ),
     ];
@@ -239,7 +246,8 @@ fn tilt(block: &Block) -> Tilt {
 /// by 45 degrees towards the old X.
 #[test]
 fn plane_spatial_is_that_of_the_manual() {
-    let block = last(Family::Heidenhain, &format!("{TNC}2 PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- TABLE ROT"));
+    let block =
+        last(Family::Heidenhain, &format!("{TNC}2 PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- TABLE ROT"));
     let (plane, half) = (tilt(&block), 0.5_f64.sqrt());
     assert!(near(column(&plane, 0), [0.0, 1.0, 0.0]), "{plane:?}");
     assert!(near(column(&plane, 2), [half, 0.0, half]), "{plane:?}");
