@@ -219,7 +219,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         self.tally.outcome.blocks += 1;
         self.take_tool();
         match block.action {
-            Action::Machine => self.to_machine(block, shown),
+            Action::Machine => self.machine_block(block, shown),
             Action::Reference => {
                 self.phase = Phase::Clear(0);
                 self.here = None;

@@ -69,7 +69,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// A block in machine coordinates.
-    pub(super) fn to_machine(&mut self, block: &Block, shown: Shown<'_>) {
+    pub(super) fn machine_block(&mut self, block: &Block, shown: Shown<'_>) {
         self.pass_needless();
         let retract = 1 << self.words.retract;
         let position = self.config.retract.position;
@@ -188,7 +188,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             _ => 0,
         };
         if self.expect.get(0).is_none() || (self.parks && step == 1 && self.parks_rotary(block)) {
-            return Ok(self.park(block, shown));
+            self.park(block, shown);
+            return Ok(());
         }
         if let Phase::Clear(before) = self.phase
             && (step == 0 || step < before)

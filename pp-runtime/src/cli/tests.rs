@@ -9,6 +9,8 @@ use super::*;
 use crate::config::Units;
 use crate::config::sample::Sample;
 use crate::diag::Diagnostic;
+use crate::kinematics::Machine;
+use crate::motion::machines::Cb;
 use crate::program::Location;
 
 /// What a run leaves on the streams.
@@ -19,10 +21,15 @@ struct Outcome {
 }
 
 fn run_with(args: &[&str], input: &[u8], post: Post<'_>) -> Outcome {
+    run_on::<Sample>(args, input, post)
+}
+
+/// On a machine of its own.
+fn run_on<M: Machine>(args: &[&str], input: &[u8], post: Post<'_>) -> Outcome {
     let args: Vec<OsString> = ["/bin/sample_post.exe"].iter().chain(args).map(OsString::from).collect();
     let (mut output, mut errors) = (Vec::new(), Vec::new());
     let streams = Streams { input: &mut &*input, output: &mut output, errors: &mut errors, terminal: false };
-    let status = execute::<Sample>(&args, streams, post);
+    let status = execute::<M>(&args, streams, post);
     let text = |bytes| String::from_utf8(bytes).expect("messages are text");
     Outcome { status, output: text(output), errors: text(errors) }
 }
@@ -197,7 +204,7 @@ fn tampered(
 ) -> impl Fn(&Job<'_>, &mut Source, &mut Sink<'_>) -> Result<Report, PostError> {
     move |job, source, sink| {
         let mut program = Vec::new();
-        let report = crate::post::post::<Sample>(job, source, &mut program)?;
+        let report = crate::post::post::<Cb>(job, source, &mut program)?;
         let text = String::from_utf8(program).expect("ASCII").replace(from, to);
         sink.write_all(text.as_bytes()).map_err(PostError::Output)?;
         Ok(report)
@@ -207,7 +214,7 @@ fn tampered(
 /// Posts a part without `--no-check`, to a file.
 fn posted(shop: &Shop, post: Post<'_>) -> Outcome {
     shop.write("part.cls", PART);
-    run_with(&["post", &shop.arg("part.cls"), "-o", &shop.arg("part.ngc")], b"", post)
+    run_on::<Cb>(&["post", &shop.arg("part.cls"), "-o", &shop.arg("part.ngc")], b"", post)
 }
 
 #[test]
@@ -248,7 +255,7 @@ fn a_program_that_does_not_pass_its_check_is_not_handed_over() {
 
 #[test]
 fn a_rejected_program_on_standard_output_has_no_end_code() {
-    let outcome = run_with(&["post", "-"], PART.as_bytes(), &tampered("X40", "X41"));
+    let outcome = run_on::<Cb>(&["post", "-"], PART.as_bytes(), &tampered("X40", "X41"));
     assert_eq!(outcome.status, Status::Rejected);
     assert!(outcome.output.ends_with("(the program ends here: do not run it)\n"), "{}", outcome.output);
     assert!(!outcome.output.contains("\nM2\n"));
@@ -262,7 +269,7 @@ fn check_names_both_lines_and_has_its_status() {
         let (input, program) = (shop.arg("part.cls"), shop.arg("part.ngc"));
         let mut args = vec!["check", &input, &program];
         args.extend(extra);
-        run_with(&args, b"", &never)
+        run_on::<Cb>(&args, b"", &never)
     };
     assert_eq!(check(&[]).status, Status::Done);
     shop.write("part.ngc", &shop.text("part.ngc").replace("X40", "X41"));

@@ -288,7 +288,7 @@ impl Interpreter {
             return self.still(draft, &mut block.faults);
         }
         if draft.machine || draft.reference {
-            return self.to_machine(draft, block);
+            return self.machine_block(draft, block);
         }
         let Some(code) = self.modal else {
             fault(&mut block.faults, 0, "axes without a motion code in force");
@@ -341,7 +341,7 @@ impl Interpreter {
         draft.written & !normal
     }
 
-    fn to_machine(&mut self, draft: &Draft, block: &mut Block) -> Action {
+    fn machine_block(&mut self, draft: &Draft, block: &mut Block) -> Action {
         let unit = self.unit();
         for index in (0..self.axes.len()).filter(|index| draft.written & (1 << index) != 0) {
             let value = draft.axes[index];

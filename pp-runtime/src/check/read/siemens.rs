@@ -331,7 +331,7 @@ fn cycle(code: &[u8], number: impl Fn(usize) -> Option<f64>) -> Option<Cycle> {
 /// CYCLE800(_FR,"_TC",_ST,_MODE,_X0,_Y0,_Z0,_A,_B,_C,_X1,_Y1,_Z1,_DIR,..) with a new plane, axis by axis.
 fn swivel(arguments: &[Option<f64>; ARGUMENTS]) -> Option<TiltCode> {
     let number = |index: usize| arguments[index].unwrap_or(0.0);
-    if (number(2) as u32) % 10 != 0 {
+    if !(number(2) as u32).is_multiple_of(10) {
         return None;
     }
     let rotation = frames::axis_by_axis(number(3) as u32, [number(7), number(8), number(9)])?;
