@@ -102,7 +102,7 @@ fn what_is_not_known_is_a_fault_and_never_passed_over() {
         assert!(!faults(Family::Heidenhain, &format!("{TNC}{text}")).is_empty(), "{text}");
     }
     // What the shop brings in is the shop's to know.
-    assert_eq!(faults(Family::Fanuc, "M10"), [String::new(); 0]);
+    assert!(faults(Family::Fanuc, "M10").is_empty());
 }
 
 #[test]
@@ -320,11 +320,11 @@ fn a_guard_is_known_and_nothing_moves_in_it() {
     let guard = "o1 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]\n(abort, no)\no1 endif";
     let blocks = read(Family::LinuxCnc, guard);
     assert_eq!(blocks[0].guard, Some(101.5));
-    assert_eq!(faults(Family::LinuxCnc, guard), [String::new(); 0]);
+    assert!(faults(Family::LinuxCnc, guard).is_empty());
     assert!(!faults(Family::LinuxCnc, &guard.replace("(abort, no)", "G0 X1")).is_empty());
     let fanuc = "IF [ABS[#11001-101.5] LT 0.01] GOTO 5\n#3000=1 (LENGTH)\nN5 G0";
     assert_eq!(read(Family::Fanuc, fanuc)[0].guard, Some(101.5));
-    assert_eq!(faults(Family::Fanuc, fanuc), [String::new(); 0]);
+    assert!(faults(Family::Fanuc, fanuc).is_empty());
     assert!(!faults(Family::Fanuc, "#3000=1 (LENGTH)").is_empty());
 }
 
