@@ -161,7 +161,7 @@ fn harm<M: Machine>(config: &Config, whole: &[Block], damaged: &[Block]) -> Opti
         // What stands twice goes nowhere.
         moving.dedup_by(|again, first| {
             again.action == first.action
-                && again.values == first.values
+                && again.values.iter().zip(&first.values).all(|(a, b)| (a - b).abs() < 1e-12)
                 && again.known == first.known
                 && state(&first.state, &again.state).is_none()
         });

@@ -226,6 +226,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             }
             Action::Orient => self.orient(shown),
             Action::Rapid if matches!(self.phase, Phase::Clear(_)) => self.approach(block, shown)?,
+            Action::Cycle(cycle) => self.cycle(block, &cycle, shown)?,
             _ => self.part(block, shown)?,
         }
         self.before = (block.values, block.known);
@@ -238,7 +239,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
     }
 
     /// Whether the axes stay within their travel.
-    fn limits(&mut self, block: &Block, shown: Shown<'_>) {
+    pub(super) fn limits(&mut self, block: &Block, shown: Shown<'_>) {
         let solved = self.words.linear_mask | self.words.rotary_mask;
         let direct = block.state.tip_control == TipControl::Off && block.state.tilt.is_none();
         if !self.travel.limited() || (!direct && block.known & solved != solved) {

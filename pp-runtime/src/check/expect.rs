@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, VecDeque};
 use std::io::{self, Read};
 
 use super::chain::Placed;
+use super::hole::{self, Step, unfolded};
 use super::path::{Round, Shape, bezier, placed};
 use super::read::{Family, Side, coolant};
 use crate::cl;
@@ -60,6 +61,8 @@ pub(super) struct Motion {
 pub(super) struct Item {
     pub(super) at: Location,
     pub(super) wanted: Wanted,
+    /// The hole that it belongs to, which a cycle of the control may make.
+    pub(super) hole: Option<hole::Wanted>,
     pub(super) kind: Kind,
 }
 
@@ -113,6 +116,9 @@ struct Follow<'a> {
     named: bool,
     reached: bool,
     fresh_arc: bool,
+    /// The hole that is being unfolded, and how many there were.
+    hole: Option<hole::Wanted>,
+    holes: u64,
     out: VecDeque<Item>,
     fault: Option<Diagnostic>,
 }
@@ -206,6 +212,8 @@ impl<'a> Follow<'a> {
             named: false,
             reached: false,
             fresh_arc: true,
+            hole: None,
+            holes: 0,
             out: VecDeque::new(),
             fault: None,
         }
@@ -248,17 +256,20 @@ impl<'a> Follow<'a> {
                 let end = Move { pose: pose(*last), rapid: false, feed: spline.feed };
                 expand(expander, at, &Event::Move(end), |_, _| ());
             }
-            Event::Hole(_) => {
+            Event::Hole(hole) => {
                 self.arm(at);
-                let mut fault = None;
-                let done = expander.event(at, event, &mut |at, event| -> Result<(), Diagnostic> {
-                    self.plain(at, event);
-                    Ok(())
-                });
-                if let Err(found) = done {
-                    fault = Some(found);
+                self.holes += 1;
+                self.hole = Some(hole::Wanted { number: self.holes, hole });
+                let here = self.here.filter(|_| !self.start);
+                for step in unfolded(&hole, here.as_ref(), self.config.defaults.peck_gap) {
+                    match step {
+                        Step::Go(motion) => self.line(at, &motion),
+                        Step::Wait(dwell) => self.delay(at, dwell),
+                    }
                 }
-                self.fault = self.fault.take().or(fault);
+                self.hole = None;
+                let behind = Pose { tip: hole.top.tip + hole.top.axis.into_inner() * hole.back_to, ..hole.top };
+                expand(expander, at, &Event::Move(Move { pose: behind, rapid: true, feed: hole.feed }), |_, _| ());
             }
             Event::Tolerance(stated) => {
                 let stated = stated.filter(|stated| self.config.allow_lintol || *stated <= self.config.tolerance);
@@ -444,7 +455,7 @@ impl<'a> Follow<'a> {
             Some(Operations::From(_)) => self.reached,
         };
         if shown {
-            self.out.push_back(Item { at, wanted: self.wanted, kind });
+            self.out.push_back(Item { at, wanted: self.wanted, hole: self.hole, kind });
         }
     }
 }

@@ -36,7 +36,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         loop {
             self.expect.fill(2)?;
             let Some(item) = self.expect.get(0) else { return Ok(false) };
-            let (at, wanted) = (item.at, item.wanted);
+            let (at, wanted, in_hole) = (item.at, item.wanted, item.hole.is_some());
             let motion = match item.kind {
                 Kind::Motion(motion) => motion,
                 Kind::Dwell(seconds) => {
@@ -50,7 +50,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 return Ok(false);
             }
             let segment = self.segment(&motion, end);
-            if let Some(share) = self.fits(&segment, &motion, block, end) {
+            let share = self.fits(&segment, &motion, block, end);
+            let share = share.or_else(|| if in_hole { self.stops_on_way(&segment, &motion, end) } else { None });
+            if let Some(share) = share {
                 self.travelled(block, end, &segment, &motion, share, (at, wanted), shown);
                 return Ok(true);
             }
@@ -125,6 +127,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let (length, turn) = (segment.length(), segment.turn());
         let near = |part: f64| part * length <= self.slack.tip && part * turn <= self.slack.axis;
         near(back.max(over))
+    }
+
+    /// A rapid that leads down to a hole may stop on its way: a cycle of the control goes back to where it began.
+    fn stops_on_way(&self, segment: &Segment, motion: &Motion, end: &Placed) -> Option<f64> {
+        let near = motion.rapid && segment.distance(end, 0.0) <= BOTH * self.slack.tip;
+        (near && segment.axis_distance(&end.axis) <= BOTH * self.slack.axis).then_some(0.0)
     }
 
     /// A rapid in two blocks, along the tool axis and across it.

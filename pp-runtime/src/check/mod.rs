@@ -10,6 +10,7 @@ mod compare;
 mod expect;
 mod feed;
 mod follow;
+mod hole;
 mod path;
 pub mod read;
 mod report;

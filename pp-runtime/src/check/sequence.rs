@@ -39,7 +39,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// An item ahead that needs no block.
-    fn needless(&self, index: usize) -> bool {
+    pub(super) fn needless(&self, index: usize) -> bool {
         let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(index) else { return false };
         self.here.is_some_and(|here| {
             !motion.starts && self.needs_no_block(&Segment { from: here, to: motion.to, shape: motion.shape })
