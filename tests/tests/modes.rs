@@ -430,6 +430,46 @@ fn one_rotary_in_the_table_and_one_in_the_head() {
     assert!(compare::<HeadTable>(6) > 300);
 }
 
+/// One operation, a rapid and a cut, for each pair of rotary values in steps of 10°; axes with nine digits, as CAM writes them.
+fn round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
+    let mut events = vec![
+        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+    ];
+    let rotaries: Vec<usize> =
+        (0..M::AXES.len()).filter(|index| M::AXES[*index].kind == AxisKind::Rotary && !M::AXES[*index].held).collect();
+    for step in 0..64 {
+        let mut values = vec![0.0; M::AXES.len()];
+        values[rotaries[0]] = f64::from(10 * (step % 8)).to_radians();
+        values[rotaries[1]] = f64::from(10 * (step / 8)).to_radians();
+        let axis = Oracle::of(machine).forward(&values).axis.map(|part| (part * 1e9).round() / 1e9);
+        events.push(Event::Operation(b"OPERATION"));
+        for rapid in [true, false] {
+            let tip = Point3::new(10.0, 20.0, if rapid { 30.0 } else { 5.0 });
+            let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
+            events.push(Event::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(750.0)) }));
+        }
+    }
+    events
+}
+
+fn tilts_round_angles<M: Machine>() {
+    for control in control::CONTROLS.iter().filter(|control| control.spellings().plane.is_some()) {
+        let config = set_up(Mode::Plane, None, *control, &mut Random::new(11));
+        let machine = config.machine::<M>().expect("valid");
+        let events = round_angles(&machine);
+        let said = posted::<M>(&config, *control, &events).map(|said| said.len());
+        assert_eq!(said, Ok(128), "{} {}", M::NAME, control.spellings().name);
+    }
+}
+
+#[test]
+fn a_plane_is_tilted_where_the_axes_stand_exactly_as_well() {
+    tilts_round_angles::<LolaXoyzba>();
+    tilts_round_angles::<SpinnerU5620>();
+    tilts_round_angles::<HeadTable>();
+}
+
 #[test]
 fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
     let mut random = Random::new(9);
