@@ -698,6 +698,28 @@ fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
     );
 }
 
+/// A helix ends at an angle: where X and Y stand behind it is right but for rounding. To `C` the end of a whole turn would be
+/// a point next to the start, or the start.
+#[test]
+fn behind_a_helix_heidenhain_counts_the_angle_of_a_whole_turn() {
+    let helix = round(Plane::Xy, [10_000, 0, 0], [0, 10_000, -2_500], [0, 0], false);
+    let whole = round(Plane::Xy, [0, 10_000, -2_500], [0, 10_000, -2_500], [0, 0], true);
+    let half = round(Plane::Xy, [0, 10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
+    let again = round(Plane::Xy, [0, -10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
+    let blocks = [
+        Step::Restart { number: 1 },
+        Step::Feed { words: linear([10_000, 0, 0]), feed: per_minute(500) },
+        Step::Arc { words: linear([0, 10_000, -2_500]), circle: &helix, feed: FEED },
+        Step::Arc { words: linear([0, 10_000, -2_500]), circle: &whole, feed: FEED },
+        Step::Arc { words: linear([0, -10_000, -2_500]), circle: &half, feed: FEED },
+        Step::Arc { words: linear([0, -10_000, -2_500]), circle: &again, feed: FEED },
+    ];
+    let lines = steps(&Heidenhain, &milling(), &blocks);
+    let arcs: Vec<&str> = lines.iter().filter(|line| line.contains("DR")).map(|line| &line[2..]).collect();
+    let arcs: Vec<&str> = arcs.iter().map(|line| line.trim_start()).collect();
+    assert_eq!(arcs, ["CP IPA+90 IZ-2.5 DR+", "CP IPA-360 DR-", "C X+0 Y-10 DR-", "C X+0 Y-10 DR-"]);
+}
+
 #[test]
 fn a_radius_takes_the_place_of_the_centre() {
     let quarter = |control, radius| some_arcs(control, ControlSetup::default(), Some(radius))[1].clone();
