@@ -23,7 +23,7 @@ use super::step::{MAX_AXES, VECTOR_DECIMALS, Words};
 use super::structure::{coordinates, counted, held_tool_axis, orthogonal, poles};
 use super::tilt::{PlaneAbility, PoseRule, Tilt};
 use super::travel::Travel;
-use super::way::angle_between;
+use super::way::{angle_between, turn_between};
 
 /// Word units that floating-point noise of a limit may amount to.
 const LIMIT_NOISE: f64 = 1e-6;
@@ -670,7 +670,7 @@ impl<M: Machine> Placer<M> {
         let stands = orientation(&self.machine, &place.axes);
         // The rotaries stand at rounded angles, the control computes its own: the plane is that of the tool axis.
         let rounded = UnitVector3::new_normalize(stands * self.machine.tool_axis().into_inner());
-        let correction = nalgebra::Rotation3::rotation_between(&rounded, &place.pose.axis).ok_or_else(no_plane)?;
+        let correction = turn_between(&rounded, &place.pose.axis);
         let tilt = self.frame.tilt(ability, &(correction * stands)).ok_or_else(no_plane)?;
         Ok((self.finish(place)?, tilt))
     }
