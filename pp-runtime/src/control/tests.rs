@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::template::{self, Field};
 use super::*;
-use crate::config::{Config, ControlSetup, PathNorm, Program, Smoothing, Units};
+use crate::config::{Config, ControlSetup, Mode, PathNorm, Program, Smoothing, Units};
 use crate::motion::{Circle, Feed, MAX_AXES, Plane, Sink as _, Step, Words};
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
@@ -608,6 +608,25 @@ proptest! {
         let said: Vec<Vec<Motion>> = said.collect();
         for other in &said[1..] {
             prop_assert_eq!(&said[0], other);
+        }
+    }
+}
+
+#[test]
+fn f_is_written_again_where_tip_control_or_a_plane_has_begun() {
+    let angles = [Decimal { units: 30, decimals: 0 }; 3];
+    let plane = Step::Plane { angles, pose: Some(true) };
+    let cut = |x| Step::Feed { words: only(0b1100, [0, 0, 0, x]), feed: per_minute(800) };
+    for (mode, on, off) in [
+        (Mode::Tcp, Step::TipControl { on: true }, Step::TipControl { on: false }),
+        (Mode::Plane, plane, Step::PlaneOff),
+    ] {
+        let blocks =
+            [Step::Restart { number: 1 }, Step::Length { offset: 6 }, on, cut(1), cut(2), off, on, cut(3), cut(4)];
+        for control in CONTROLS.iter().filter(|control| control.spellings().tip.is_some()) {
+            let lines = steps(*control, &Layout { mode, ..layout() }, &blocks);
+            let with_f = lines.iter().filter(|line| line.contains("F800")).count();
+            assert_eq!(with_f, 2, "{lines:#?}");
         }
     }
 }
