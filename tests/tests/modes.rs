@@ -470,6 +470,36 @@ fn a_plane_is_tilted_where_the_axes_stand_exactly_as_well() {
     tilts_round_angles::<HeadTable>();
 }
 
+/// Upright in a cut from a tilt about Y to one about X: the table turns by 90° about the tool axis.
+fn through_the_pole() -> Vec<Event<'static>> {
+    let axes = [[0.5, 0.0], [0.25, 0.0], [0.0, 0.0], [0.0, 0.25]];
+    let motion = |(index, [i, j]): (usize, [f64; 2])| {
+        let axis = UnitVector3::new_normalize(Vector3::new(i, j, 1.0));
+        let pose = Pose { tip: Point3::new(0.0, 5.0 * index as f64, 10.0), axis };
+        Event::Move(Move { pose, rapid: index == 0, feed: Some(Feed::PerMinute(750.0)) })
+    };
+    let mut events = vec![
+        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+    ];
+    events.extend(axes.into_iter().enumerate().map(motion));
+    events
+}
+
+#[test]
+fn a_turn_about_the_tool_axis_is_not_left_out_where_the_axis_is_a_vector() {
+    let said = |words: TcpWords, tool_posture: ToolPosture| {
+        let config = set_up(Mode::Tcp, None, &control::Siemens, &mut Random::new(12));
+        let config = Config { tcp_words: words, tool_posture, ..config };
+        posted::<SpinnerU5620>(&config, &control::Siemens, &through_the_pole()).map(|said| said.len())
+    };
+    assert_eq!(said(TcpWords::Angles, ToolPosture::Axes), Ok(4));
+    // The control turns the table as it needs to.
+    assert_eq!(said(TcpWords::Vectors, ToolPosture::Plane), Ok(4));
+    let fault = said(TcpWords::Vectors, ToolPosture::Axes).expect_err("the words do not say it");
+    assert!(fault.contains("here C has to turn by 90.000°"), "{fault}");
+}
+
 #[test]
 fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
     let mut random = Random::new(9);
@@ -492,6 +522,15 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
         config.tool_posture = ToolPosture::Plane;
     };
     assert!(refused(fanuc, Mode::Tcp, &fixed).contains("does not turn"));
+    let offset = |config: &mut Config| config.rotary_offset = [('C', 12.5_f64.to_radians())].into();
+    for mode in [Mode::Tcp, Mode::Plane] {
+        assert!(refused(haas, mode, &offset).contains("`part_rotation` instead of `rotary_offset`"));
+    }
+    let confirmed = |config: &mut Config| {
+        offset(config);
+        config.tcp_confirmed = true;
+    };
+    assert_eq!(refused(haas, Mode::Plane, &confirmed), "");
     let codes = |config: &mut Config| config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
     assert_eq!(refused(linuxcnc, Mode::Tcp, &codes), "");
     let config = set_up(Mode::Tcp, None, haas, &mut random);

@@ -336,6 +336,17 @@ impl<M: Machine> Placer<M> {
         Words { units, mask: mask & !self.rotary_mask, vector }
     }
 
+    /// Whether a block would turn rotary axes by more than an angle, rad, and could not say so: a tool axis as a vector is the
+    /// same before and behind a turn about it, or of whole turns. At the pole a control that turns the tool axis in the
+    /// plane of its ends needs no such turn.
+    pub(crate) fn hides_turn(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, angle: f64) -> bool {
+        let all = self.linear_mask | self.rotary_mask;
+        self.vectors
+            && !(to.pole && self.frame.turns_in_plane())
+            && self.rotary_travel(&from.words, &to.words) > angle
+            && self.words(from, all).vector == self.words(to, all).vector
+    }
+
     /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
     /// the rotaries where the course says so; an endless axis goes the short way to them.
     #[inline]
