@@ -212,6 +212,21 @@ mod tests {
         (nominal, at(from), at(from + sweep))
     }
 
+    /// Ends of a whole turn that are rounded apart, square to the way: on the line between them and the centre a loop of some
+    /// thousandths of a millimetre has the same ends and the same sweep, and nowhere leaves the nominal circle.
+    #[test]
+    fn a_whole_turn_is_no_loop_at_its_start() {
+        for radius in [0.05, 2.0, 10.000_5, 80.000_5] {
+            let nominal = Nominal { centre: [0.0; 2], radii: [radius; 2], clockwise: false, sweep: TAU };
+            let units = (radius * 1e3).floor() as i64;
+            for aside in 0..40 {
+                let fit = nominal.fit([units, aside], [units + 1, aside], GRID);
+                let off = fit.map(|fit| (fit.off, length(fit.centre.map(|units| units as f64 / 1e3))));
+                assert!(off.is_none_or(|(off, shift)| off > 0.8 * shift), "{radius} {aside}: {off:?}");
+            }
+        }
+    }
+
     #[test]
     fn a_whole_turn_stays_one_and_nothing_becomes_one() {
         let (nominal, start, end) = circle([1.0, 2.0], 10.0, 0.3, TAU);
