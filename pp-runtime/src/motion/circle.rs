@@ -123,14 +123,24 @@ impl Nominal {
             let distance = length([shift[0] + direction[0] * radii[0], shift[1] + direction[1] * radii[0]]);
             self.radii.iter().map(|radius| (distance - radius).abs()).fold(0.0, f64::max)
         };
+        let missed = |direction: [f64; 2]| {
+            let radius = self.radii[0];
+            (length([direction[0] * radius - shift[0], direction[1] * radius - shift[1]]) - radii[0]).abs()
+        };
         let unit = |vector: [f64; 2]| [vector[0] / length(vector), vector[1] / length(vector)];
-        // The distance from the nominal centre changes monotonously except along the shift.
+        // The distance from the nominal centre changes monotonously except along the shift, and so does that of the nominal
+        // circle from this centre.
         let mut off = far(unit(first)).max(far(unit(last)));
         if length(shift) > 0.0 {
             let along = unit(shift);
+            let begin = minus(start, self.centre);
             for direction in [along, [-along[0], -along[1]]] {
                 if self.turn(first, direction) <= sweep {
                     off = off.max(far(direction));
+                }
+                // The other way round: a small loop near the nominal circle leaves most of that uncut.
+                if self.turn(begin, direction) <= self.sweep {
+                    off = off.max(missed(direction));
                 }
             }
         }
