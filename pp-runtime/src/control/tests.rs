@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use super::template::{self, Field};
 use super::*;
-use crate::config::{Config, ControlSetup, Mode, PathNorm, Program, Smoothing, Units};
+use crate::config::{Config, ControlSetup, Mode, PathNorm, Program, Smoothing, TcpWords, Units};
 use crate::motion::{Circle, Feed, MAX_AXES, Plane, Sink as _, Step, Words};
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
@@ -693,7 +693,7 @@ fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
         "G53 G0 Z0",
     ];
     assert_eq!(arcs(&LinuxCnc), expected);
-    assert_eq!(arcs(&Siemens)[..6], expected[..6]);
+    assert_eq!(arcs(&Siemens), expected[..4]);
     assert_eq!(
         arcs(&Fanuc)[1..5],
         ["G3 X0. Y10. I-10. J0.", "G2 X0. Y10. I0. J-10.", "X10. Y0. Z-2.5 I0. J-10.", "G18 G3 X0. Z7.5 I-10. K0."]
@@ -715,6 +715,21 @@ fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
             "10 CP IPA-90 IZ-2.5 DR-",
         ]
     );
+}
+
+/// On Siemens another plane would give the length of the tool to another axis. In the words of G43.5 I J K are the tool axis.
+#[test]
+fn no_arc_is_said_where_its_plane_or_its_centre_means_something_else() {
+    let planes = |control: &dyn Control, mode, tcp_words| {
+        abilities(control, &Config { mode, tcp_words, ..starting_point(control) }).arc_planes
+    };
+    let (all, only) = ([true; 3], [false, false, true]);
+    assert_eq!(planes(&Siemens, Mode::Axes, TcpWords::Angles), only);
+    assert_eq!(planes(&Siemens, Mode::Tcp, TcpWords::Vectors), only);
+    assert_eq!(planes(&Fanuc, Mode::Tcp, TcpWords::Angles), all);
+    assert_eq!(planes(&Fanuc, Mode::Axes, TcpWords::Vectors), all);
+    assert_eq!(planes(&Fanuc, Mode::Tcp, TcpWords::Vectors), [false; 3]);
+    assert_eq!(planes(&Heidenhain, Mode::Tcp, TcpWords::Vectors), only);
 }
 
 /// A helix ends at an angle: where X and Y stand behind it is right but for rounding. To `C` the end of a whole turn would be
