@@ -66,20 +66,24 @@ fn interpreted(program: &str, off: f64) -> Result<String, String> {
     if output.status.success() { Ok(calls.into_owned()) } else { Err(errors.trim().to_owned()) }
 }
 
-/// Feed and rapid blocks of a program that move something.
-fn moving_blocks(program: &str) -> usize {
+/// Blocks of a program that move something, and whether a cycle is among them, which makes several motions of a block.
+fn moving_blocks(program: &str) -> (usize, bool) {
     let moves = |line: &&str| {
         let words = line.split(' ').filter(|word| word.len() > 1 && word.starts_with(['X', 'Y', 'Z', 'A', 'B', 'C']));
         !line.starts_with(['(', 'o']) && words.count() > 0
     };
-    program.lines().filter(moves).count()
+    let cycle = |word: &str| ["G73", "G81", "G82", "G83", "G85", "G89"].contains(&word);
+    let cycles = program.lines().filter(moves).any(|line| line.split(' ').any(cycle));
+    (program.lines().filter(moves).count(), cycles)
 }
 
 /// Runs a program that has to pass, every motion of it.
 fn assert_runs(name: &str, program: &str) {
     let calls = interpreted(program, 0.0).unwrap_or_else(|errors| panic!("{name}: {errors}"));
-    let motions = calls.lines().filter(|line| line.contains("STRAIGHT_") || line.contains("ARC_FEED")).count();
-    assert_eq!(motions, moving_blocks(program), "{name}: each block that moves is one motion");
+    let motion = |line: &&str| ["STRAIGHT_", "ARC_FEED", "RIGID_TAP"].iter().any(|call| line.contains(call));
+    let motions = calls.lines().filter(motion).count();
+    let (blocks, cycles) = moving_blocks(program);
+    assert!(motions == blocks || cycles && motions > blocks, "{name}: {motions} motions of {blocks} blocks");
 }
 
 fn printed(machine: &str, arguments: &[&str]) -> String {
@@ -115,6 +119,12 @@ fn every_sample_runs_on_every_machine_that_it_suits() {
     let four = ["concave_4axis.cls", "spiral_groove.cls"];
     let machines = ["dmu-70e", "lola-xoyzba", "spinner-u5-620"];
     let suited = machines.into_iter().flat_map(|machine| five.map(|part| (machine, part)));
+    let works = ["--config", "tests/data/works/works.toml"];
+    for machine in machines {
+        let program = printed(machine, &["post", "tests/data/works/works.cls", works[0], works[1]]);
+        assert!(program.contains("\nG33.1 Z-10 K1\n") && program.contains(" J"), "a thread and arcs: {program}");
+        assert_runs(&format!("{machine} works"), &program);
+    }
     for (machine, part) in suited.chain(four.map(|part| ("multiprodesk", part))) {
         let name = format!("examples/cl/{part}");
         assert_runs(&format!("{machine} {name}"), &printed(machine, &["post", &name]));

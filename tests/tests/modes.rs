@@ -272,81 +272,94 @@ fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Control, random
     config
 }
 
-/// Points compared.
-fn compare<M: Machine>(seed: u64) -> usize {
+/// A control in a mode, and how its program is asked for.
+#[derive(Clone, Copy)]
+struct Way {
+    control: &'static dyn Control,
+    mode: Mode,
+    words: TcpWords,
+    frame: Option<TcpFrame>,
+}
+
+/// Why a control or a machine does not suit a way; any other refusal is a fault.
+const REFUSED: [&str; 7] = [
+    "has no tip control",
+    "tilts no plane",
+    "give `tcp_frame`",
+    "counts the tip in",
+    "does not turn",
+    "no tool axis as a vector",
+    "has no meaning",
+];
+
+fn moves<'e>(events: &'e [Event<'_>]) -> Vec<&'e Move> {
+    let motion = |event: &'e Event<'_>| match event {
+        Event::Move(motion) => Some(motion),
+        _ => None,
+    };
+    events.iter().filter_map(motion).collect()
+}
+
+/// One way against mode `axes`; points compared, none where it is refused.
+fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
+    let Way { control, mode, words, frame } = way;
+    let name = control.spellings().name;
+    let (mut random, mut same) = (Random::new(seed), Random::new(seed));
+    let config = Config { tcp_words: words, ..set_up(mode, frame, control, &mut random) };
+    let axes = set_up(Mode::Axes, None, control, &mut same);
+    let mut machine = config.machine::<M>().expect("valid");
+    let events = events(&machine, &mut random, mode == Mode::Plane);
+    let plain = posted::<M>(&axes, control, &events).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+    let framed = match posted::<M>(&config, control, &events) {
+        Ok(framed) => framed,
+        Err(fault) => {
+            assert!(REFUSED.iter().any(|known| fault.contains(known)), "{name} {mode:?}: {fault}");
+            return 0;
+        }
+    };
+    machine.set_up(config.part_origin.into(), LENGTH);
     let mut compared = 0;
+    // The first motion of an operation, a rapid here, is written with the second.
+    let cuts = moves(&events).into_iter().zip(framed.iter().zip(&plain)).filter(|(motion, _)| !motion.rapid);
+    for (index, (motion, (framed, plain))) in cuts.enumerate() {
+        let context = format!("{} {name} {mode:?} {frame:?} cut {index}", M::NAME);
+        for (config, says) in [(&config, framed), (&axes, plain)] {
+            let off = (meant(&machine, config, name, says).0 - motion.pose.tip).norm();
+            assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode {:?}\n{says:?}", config.mode);
+        }
+        let off = angle_between(&meant(&machine, &config, name, framed).1, &motion.pose.axis);
+        match (mode, words) {
+            (Mode::Plane, _) => {
+                let decimals = control::abilities(control, &config).plane.expect("it tilts").decimals;
+                let half_unit = 0.5 * 10_f64.powi(-decimals.cast_signed()).to_radians();
+                assert!(off <= 3.0 * half_unit + 1e-12, "{context}: axis {off}");
+            }
+            (_, TcpWords::Vectors) => assert!(framed.vector.is_some() && off <= 1e-7, "{context}: axis {off}"),
+            (_, TcpWords::Angles) => {
+                assert_eq!(angles::<M>(framed), angles::<M>(plain), "{context}");
+                assert!(framed.turned_per_minute > 0 || index < 2, "F counts along the tip: {context}");
+            }
+        }
+        compared += 1;
+    }
+    compared
+}
+
+/// Words of the rotary axes.
+fn angles<M: Machine>(says: &Says) -> Vec<f64> {
+    let rotary = |index: &usize| M::AXES[*index].kind == AxisKind::Rotary;
+    (0..M::AXES.len()).filter(rotary).map(|index| says.words[index]).collect()
+}
+
+/// Every control in every mode and frame; points compared.
+fn compare<M: Machine>(seed: u64) -> usize {
     let frames = [None, Some(TcpFrame::TableAtZero), Some(TcpFrame::TableAtStart), Some(TcpFrame::NotTurning)];
     let modes = [(Mode::Tcp, TcpWords::Angles), (Mode::Tcp, TcpWords::Vectors), (Mode::Plane, TcpWords::Angles)];
-    for control in control::CONTROLS {
-        let name = control.spellings().name;
+    let mut compared = 0;
+    for &control in control::CONTROLS {
         for (mode, words) in modes {
             for (round, frame) in frames.into_iter().enumerate() {
-                let (mut random, mut same) = (Random::new(seed + round as u64), Random::new(seed + round as u64));
-                let config = Config { tcp_words: words, ..set_up(mode, frame, *control, &mut random) };
-                let axes = set_up(Mode::Axes, None, *control, &mut same);
-                let machine = config.machine::<M>().expect("valid");
-                let events = events(&machine, &mut random, mode == Mode::Plane);
-                let plain = match posted::<M>(&axes, *control, &events) {
-                    Ok(plain) => plain,
-                    Err(fault) => panic!("{name}: {fault}"),
-                };
-                let framed = match posted::<M>(&config, *control, &events) {
-                    Ok(framed) => framed,
-                    Err(fault) => {
-                        let known = [
-                            "has no tip control",
-                            "tilts no plane",
-                            "give `tcp_frame`",
-                            "counts the tip in",
-                            "does not turn",
-                            "no tool axis as a vector",
-                            "has no meaning",
-                        ];
-                        assert!(known.iter().any(|known| fault.contains(known)), "{name} {mode:?}: {fault}");
-                        continue;
-                    }
-                };
-                let moves = events.iter().filter_map(|event| match event {
-                    Event::Move(motion) => Some(motion),
-                    _ => None,
-                });
-                let mut machine = machine;
-                machine.set_up(config.part_origin.into(), LENGTH);
-                for (index, (motion, (framed, plain))) in moves.zip(framed.iter().zip(&plain)).enumerate() {
-                    // The first motion of an operation, a rapid here, is written with the second.
-                    if motion.rapid {
-                        continue;
-                    }
-                    let context = format!("{} {name} {mode:?} {frame:?} motion {index}", M::NAME);
-                    let (tip, axis) = meant(&machine, &config, name, framed);
-                    let off = (tip - motion.pose.tip).norm();
-                    assert!(off <= 2.0 * UNIT, "{context}: tip {off}\n{framed:?}\n{plain:?}");
-                    let (tip, _) = meant(&machine, &axes, name, plain);
-                    let off = (tip - motion.pose.tip).norm();
-                    assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode axes");
-                    match mode {
-                        Mode::Plane => {
-                            let abilities = control::abilities(*control, &config);
-                            let decimals = abilities.plane.expect("it tilts").decimals;
-                            let half_unit = 0.5 * 10_f64.powi(-decimals.cast_signed()).to_radians();
-                            let off = angle_between(&axis, &motion.pose.axis);
-                            assert!(off <= 3.0 * half_unit + 1e-12, "{context}: axis {off}");
-                        }
-                        _ if words == TcpWords::Vectors => {
-                            let off = angle_between(&axis, &motion.pose.axis);
-                            assert!(framed.vector.is_some() && off <= 1e-7, "{context}: axis {off}");
-                        }
-                        _ => {
-                            let angles = |says: &Says| -> Vec<f64> {
-                                let rotary = |index: &usize| M::AXES[*index].kind == AxisKind::Rotary;
-                                (0..M::AXES.len()).filter(rotary).map(|index| says.words[index]).collect()
-                            };
-                            assert_eq!(angles(framed), angles(plain), "{context}");
-                            assert!(framed.turned_per_minute > 0 || index < 2, "F counts along the tip: {context}");
-                        }
-                    }
-                    compared += 1;
-                }
+                compared += compare_way::<M>(Way { control, mode, words, frame }, seed + round as u64);
             }
         }
     }
@@ -361,13 +374,7 @@ fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
     let events = events(&machine, &mut random, false);
     let says = posted::<M>(&config, &control::Fanuc, &events).expect("posted");
     machine.set_up(config.part_origin.into(), LENGTH);
-    let motions: Vec<&Move> = events
-        .iter()
-        .filter_map(|event| match event {
-            Event::Move(motion) => Some(motion),
-            _ => None,
-        })
-        .collect();
+    let motions = moves(&events);
     let mut blocks = 0;
     for (index, pair) in motions.windows(2).enumerate().filter(|(_, pair)| !pair[0].rapid && !pair[1].rapid) {
         let (start, end) = (pair[0].pose, pair[1].pose);

@@ -10,6 +10,7 @@ mod cl;
 mod clearance;
 mod control;
 mod course;
+mod cycles;
 mod machine;
 mod mode;
 mod print;
@@ -34,6 +35,7 @@ pub use crate::program::Units;
 pub use arcs::{ArcForm, ArcOutput, Arcs};
 pub use control::{ControlSetup, PathNorm, Smoothing};
 pub(crate) use course::{preference, preferences};
+pub use cycles::{CycleOutput, Cycles};
 pub use machine::Travel;
 pub use mode::{Mode, TcpFrame, TcpWords, ToolPosture};
 pub use print::print;
@@ -67,6 +69,8 @@ pub struct Config {
     pub axis_tolerance_path: f64,
     /// Arcs of the control.
     pub arcs: Arcs,
+    /// Cycles of the control.
+    pub cycles: Cycles,
     /// LINTOL may be wider than that; default false.
     pub allow_lintol: bool,
     /// Unit of the posted program; `None` (default): that of the CL data.
@@ -397,6 +401,7 @@ impl Default for Config {
             tolerance: 0.01,
             axis_tolerance_path: 0.1_f64.to_radians(),
             arcs: Arcs::default(),
+            cycles: Cycles::default(),
             allow_lintol: false,
             output_units: None,
             part_origin: [0.0; 3],

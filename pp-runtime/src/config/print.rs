@@ -227,6 +227,13 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 #smallest_radius = {smallest_radius}
 #largest_radius = {largest_radius}
 
+# Cycles of the control: where the tool axis is Z of the program and a cycle means just what the CL data says.
+[cycles]
+# "native", or "expanded" into single motions throughout; a thread is never expanded.
+#output = "native"
+# Threads with the spindle under control of its angle, where that has a code of its own (M29 of Fanuc).
+#rigid = {rigid}
+
 [feed]
 # Blocks in which an axis would be faster than its speed run longer.
 #keep_speeds = {keep_speeds}
@@ -310,6 +317,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
         greedy = config.greedy,
         axis_tolerance = degrees(config.axis_tolerance),
         position = number(config.retract.position),
+        rigid = config.cycles.rigid,
         smallest_radius = number(config.arcs.smallest_radius),
         largest_radius = number(config.arcs.largest_radius),
         keep_speeds = config.feed.keep_speeds,

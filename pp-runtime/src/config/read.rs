@@ -82,7 +82,8 @@ impl Config {
         set(&mut r.units, named);
         self.read_top(r, &mut top);
         let sections = [
-            "defaults", "course", "retract", "approach", "arcs", "feed", "formats", "program", "control", "cl", "stock",
+            "defaults", "course", "retract", "approach", "arcs", "cycles", "feed", "formats", "program", "control",
+            "cl", "stock",
         ]
         .map(|name| (name, top.get(name)));
         let tools = top.get("tools");
@@ -108,6 +109,7 @@ impl Config {
                     set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
                 }
                 "arcs" => self.read_arcs(r, &mut section),
+                "cycles" => self.read_cycles(r, &mut section),
                 "feed" => self.read_feed(r, &mut section),
                 "formats" => self.read_formats(r, &mut section),
                 "control" => self.read_control::<M>(r, &mut section),

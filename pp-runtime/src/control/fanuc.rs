@@ -18,7 +18,7 @@ use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors, ascii_in_brackets,
+    ArcCentre, Arcs, Comments, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip, Vectors, ascii_in_brackets,
 };
 use super::{Control, LengthGuard, numbered};
 
@@ -66,6 +66,17 @@ static SPELLINGS: Spellings = Spellings {
         // Parameter 3410 is 0.01 mm or more on machines in use; a word is off by less than this.
         radius_tolerance: 0.002,
     },
+    cycles: Some(Cycles {
+        returns: ["G99", "G98"],
+        drill: ["G81", "G82"],
+        peck: "G83",
+        chip_break: "G73",
+        ream: ["G85", "G89"],
+        ream_higher: true,
+        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}", dwell: true },
+        dwell: "P{milliseconds}",
+        end: "G80",
+    }),
     motion_modal: true,
     centre: "",
     machine: ["G53 G0", ""],

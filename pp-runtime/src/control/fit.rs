@@ -2,11 +2,11 @@
 
 use crate::config::{Config, Mode, PathNorm, Smoothing, TcpWords};
 use crate::kinematics::Machine;
-use crate::motion::{Abilities, PlaneAbility, TipAbility};
+use crate::motion::{Abilities, CycleAbilities, PlaneAbility, TipAbility};
 use crate::program::Coolant;
 
-use super::Control;
 use super::spellings::{ArcCentre, coolant_index};
+use super::{Control, Cycles, Thread};
 
 /// The configuration of a control before anything else is said.
 #[must_use]
@@ -103,6 +103,8 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
         registers: codes.length.registers,
         path_norm: config.control.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
+        cycles: codes.cycles.as_ref().map_or_else(CycleAbilities::default, cycle_abilities),
+        tap_stops: codes.cycles.as_ref().is_some_and(|cycles| matches!(cycles.thread, Thread::Cycle { .. })),
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_is_axis(control, config)),
         arc_radius_tolerance: codes.arcs.radius_tolerance,
         tip: tip_ability(control, config),
@@ -112,5 +114,17 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
             pose: plane.pose,
             ends_behind_retract: plane.ends_behind_retract,
         }),
+    }
+}
+
+fn cycle_abilities(cycles: &Cycles) -> CycleAbilities {
+    CycleAbilities {
+        drill: true,
+        peck: true,
+        chip_break: true,
+        ream: true,
+        ream_higher: cycles.ream_higher,
+        tap: true,
+        tap_dwell: matches!(cycles.thread, Thread::Cycle { dwell: true, .. }),
     }
 }

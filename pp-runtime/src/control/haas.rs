@@ -14,7 +14,9 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::{PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
-use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, ascii_in_brackets};
+use super::spellings::{
+    ArcCentre, Arcs, Comments, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip, ascii_in_brackets,
+};
 use super::{Control, LengthGuard, numbered};
 
 /// The Haas dialect.
@@ -61,6 +63,17 @@ static SPELLINGS: Spellings = Spellings {
         // Less than the control lets pass.
         radius_tolerance: 0.002,
     },
+    cycles: Some(Cycles {
+        returns: ["G99", "G98"],
+        drill: ["G81", "G82"],
+        peck: "G83",
+        chip_break: "G73",
+        ream: ["G85", "G89"],
+        ream_higher: true,
+        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "", dwell: false },
+        dwell: "P{seconds}",
+        end: "G80",
+    }),
     motion_modal: true,
     centre: "",
     machine: ["G53 G00", ""],

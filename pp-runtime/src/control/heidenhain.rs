@@ -63,6 +63,7 @@ static SPELLINGS: Spellings = Spellings {
         // 0.016 mm as delivered.
         radius_tolerance: 0.01,
     },
+    cycles: None,
     motion_modal: false,
     centre: "R0",
     machine: ["L", "R0 FMAX M91"],

@@ -26,6 +26,8 @@ pub struct Layout {
     pub posture: Option<ToolPosture>,
     /// Blocks hold the tool axis in the place of rotary words.
     pub vectors: bool,
+    /// Threads are cut with the spindle under control of its angle.
+    pub rigid: bool,
     /// What the configuration says of the control.
     pub setup: ControlSetup,
     /// Blocks around the program.
@@ -49,6 +51,7 @@ impl Layout {
             mode: config.mode,
             posture: Some(config.tool_posture),
             vectors: config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors,
+            rigid: config.cycles.rigid,
             setup: config.control.clone(),
             program: config.program.clone(),
         }

@@ -9,7 +9,7 @@ use crate::config::{Formats, PathNorm};
 use crate::motion::Registers;
 use crate::nc::Numerals;
 
-use super::spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, ascii_in_brackets};
+use super::spellings::{ArcCentre, Arcs, Comments, Cycles, Length, LengthCall, Spellings, Thread, ascii_in_brackets};
 use super::{Control, LengthGuard, numbered};
 
 /// The LinuxCNC dialect.
@@ -49,6 +49,17 @@ static SPELLINGS: Spellings = Spellings {
         // Where the radii differ by more the interpreter of 2.9 looks at their ratio, too.
         radius_tolerance: 0.001_27,
     },
+    cycles: Some(Cycles {
+        returns: ["G99", "G98"],
+        drill: ["G81", "G82"],
+        peck: "G83",
+        chip_break: "G73",
+        ream: ["G85", "G89"],
+        ream_higher: false,
+        thread: Thread::Motion("G33.1"),
+        dwell: "P{seconds}",
+        end: "G80",
+    }),
     motion_modal: true,
     centre: "",
     machine: ["G53 G0", ""],

@@ -29,7 +29,7 @@ pub use heidenhain::Heidenhain;
 pub use layout::Layout;
 pub use linuxcnc::LinuxCnc;
 pub use siemens::Siemens;
-pub use spellings::{ArcCentre, Arcs, Comments, Length, LengthCall, Spellings, Tilting, Tip, Vectors};
+pub use spellings::{ArcCentre, Arcs, Comments, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip, Vectors};
 
 /// Every control there is, the default first.
 pub const CONTROLS: &[&dyn Control] = &[&LinuxCnc, &Fanuc, &Siemens, &Heidenhain, &Haas];

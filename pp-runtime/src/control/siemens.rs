@@ -58,6 +58,7 @@ static SPELLINGS: Spellings = Spellings {
         // MD21000, as delivered.
         radius_tolerance: 0.01,
     },
+    cycles: None,
     motion_modal: true,
     centre: "",
     machine: ["SUPA G0", "D0"],

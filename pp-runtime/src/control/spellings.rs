@@ -58,6 +58,8 @@ pub struct Spellings {
     pub feed: &'static str,
     /// Arcs.
     pub arcs: Arcs,
+    /// Cycles of holes.
+    pub cycles: Option<Cycles>,
     /// The motion code stays in force.
     pub motion_modal: bool,
     /// Path without compensation of the radius, behind the axis words; stays in force.
@@ -113,6 +115,45 @@ pub struct Arcs {
     pub radius: &'static str,
     /// By how much the distances of both ends from the centre may differ, mm.
     pub radius_tolerance: f64,
+}
+
+/// How cycles of holes look: a code with X Y Z R, and what belongs to it, in force until it is cancelled.
+#[derive(Debug)]
+pub struct Cycles {
+    /// Back to the clearance level, and to the level before.
+    pub returns: [&'static str; 2],
+    /// In and out; the same with a wait at the bottom.
+    pub drill: [&'static str; 2],
+    /// With a retreat to the clearance level after each step.
+    pub peck: &'static str,
+    /// With a short retreat after each step.
+    pub chip_break: &'static str,
+    /// Out at feed; the same with a wait at the bottom.
+    pub ream: [&'static str; 2],
+    /// From the clearance level it goes on at rapid to a higher one.
+    pub ream_higher: bool,
+    /// Threads.
+    pub thread: Thread,
+    /// The wait, as a template.
+    pub dwell: &'static str,
+    /// Cancels it.
+    pub end: &'static str,
+}
+
+/// How a thread is cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Thread {
+    /// By a cycle with F.
+    Cycle {
+        /// Right-hand and left-hand.
+        codes: [&'static str; 2],
+        /// Brings the spindle under control of its angle, as a template.
+        rigid: &'static str,
+        /// It can wait at the bottom.
+        dwell: bool,
+    },
+    /// By a motion with the pitch as K, which comes back to where it began.
+    Motion(&'static str),
 }
 
 /// Where the centre of an arc stands.

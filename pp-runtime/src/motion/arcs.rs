@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 use crate::config::{ArcForm, ArcOutput};
 use crate::kinematics::{Machine, Pose};
-use crate::nalgebra::{Matrix3, Vector3};
+use crate::nalgebra::Vector3;
 use crate::program::{Arc, Location, Move};
 
 use super::arc::Round;
@@ -21,9 +21,6 @@ use super::feed::{Feeds, Stroke};
 use super::place::Place;
 use super::planner::{Phase, Planned, Planner, Statistics, Stop, stop};
 use super::step::{Feed, Sink, Step, Words};
-
-/// How far the map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
-const ORTHOGONAL: f64 = 1e-9;
 
 /// More turns than this of one record are a fault of the file.
 const MOST_TURNS: f64 = 1e6;
@@ -137,6 +134,9 @@ impl<M: Machine> Planner<'_, M> {
             self.check_state(&Move { pose, ..motion }).map_err(fault)?;
         }
         let planned = self.changes(at, &motion, number, sink)?;
+        if std::mem::take(&mut self.tapped) {
+            self.turn_spindle(at, true, sink)?;
+        }
         let end = self.placer.place(&arc.end, &self.place, true, planned).map_err(fault)?;
         match self.round(at, arc, &round, &end, sink)? {
             Ok(()) => self.statistics.arcs += 1,
@@ -187,11 +187,7 @@ impl<M: Machine> Planner<'_, M> {
         if self.placer.rotary_travel(&self.place.words, &end.words) > 0.0 {
             return Err(NoArc::Frame);
         }
-        let (chain, map) = self.placer.program_map(end).ok_or(NoArc::Frame)?;
-        let off = map.transpose() * map - Matrix3::identity();
-        if off.iter().any(|part| part.is_nan() || part.abs() > ORTHOGONAL) {
-            return Err(NoArc::Frame);
-        }
+        let (chain, map) = self.placer.square_map(end).ok_or(NoArc::Frame)?;
         // Mirrored coordinates turn the other way round.
         let normal = map * arc.normal.into_inner() * map.determinant().signum();
         let square = normal.iamax();

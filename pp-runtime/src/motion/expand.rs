@@ -1,38 +1,30 @@
-//! Curves and holes into straight motions.
+//! Curves into straight motions.
 //!
 //! Planner, navigator and the survey of a file all see a program through an expander, so that they agree on its motions.
-//! Curves become chords that leave them by no more than the tolerance; their ends are exact. A hole becomes the rapids and
-//! feeds of its cycle, level by level along the tool axis. An arc stays one: its tool axis is held, and whether the control
-//! traces it is the planner's to find out. The tool stands where it begins.
+//! Curves become chords that leave them by no more than the tolerance; their ends are exact. An arc and a hole stay one
+//! motion: the tool axis is held, and whether the control makes them is the planner's to find out. The tool stands where
+//! an arc begins.
 
 use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
-use crate::program::{Drilling, Event, Feed, Hole, Location, Move, Spline, ToolCall};
+use crate::program::{Event, Feed, Location, Move, Spline, ToolCall};
 
 use super::fault::Fault;
-
-/// More steps than this are no drilling.
-const MOST_STEPS: u32 = 10_000;
 
 /// More chords than this in one piece of a curve are a fault of the file.
 const MOST_CHORDS: f64 = 1e6;
 
-/// Levels closer than this are the same, mm.
-const SAME_LEVEL: f64 = 1e-9;
-
-/// Turns events into events without curves and holes.
+/// Turns events into events without curves.
 #[derive(Debug, Clone, Default)]
 pub struct Expander {
     tolerance: f64,
     stated: Option<f64>,
     allow_stated: bool,
-    peck_gap: f64,
     default_tool: Option<u32>,
     /// A tool has been called, or none is assumed.
     armed: bool,
-    here: Option<Pose>,
     /// What follows begins with the safe sequence.
     fresh: bool,
     warnings: Vec<Diagnostic>,
@@ -48,7 +40,6 @@ impl Expander {
         Self {
             tolerance: config.tolerance,
             allow_stated: config.allow_lintol,
-            peck_gap: config.defaults.peck_gap,
             default_tool: config.defaults.tool,
             armed: config.defaults.tool.is_none(),
             fresh: true,
@@ -56,13 +47,10 @@ impl Expander {
         }
     }
 
-    /// Whether a motion needs nothing but to be remembered; remembers it then.
+    /// Whether a motion needs nothing but to be noted; notes it then.
     #[inline]
-    pub(super) fn passes(&mut self, motion: &Move) -> bool {
-        if self.armed {
-            self.here = Some(motion.pose);
-            self.fresh = false;
-        }
+    pub(super) fn passes(&mut self) -> bool {
+        self.fresh &= !self.armed;
         self.armed
     }
 
@@ -77,24 +65,24 @@ impl Expander {
     /// Those of `out`, and what cannot be expanded faithfully.
     pub fn event<E: From<Diagnostic>>(&mut self, at: Location, event: &Event<'_>, out: Out<'_, E>) -> Result<(), E> {
         match event {
-            Event::Move(motion) => {
+            Event::Move(_) => {
                 self.arm(at, out)?;
-                self.passes(motion);
+                self.passes();
                 return out(at, event);
             }
             Event::Arc(arc) => {
                 self.arm(at, out)?;
                 self.resume(at, arc.start, arc.feed, out)?;
-                self.here = Some(arc.end);
                 return out(at, event);
             }
             Event::Spline(spline) => {
                 self.arm(at, out)?;
                 return self.spline(at, spline, out);
             }
-            Event::Hole(hole) => {
+            Event::Hole(_) => {
                 self.arm(at, out)?;
-                return self.hole(at, hole, out);
+                self.fresh = false;
+                return out(at, event);
             }
             Event::Tolerance(tolerance) => {
                 self.state_tolerance(at, *tolerance);
@@ -106,7 +94,6 @@ impl Expander {
             }
             Event::Operation(_) => self.fresh = true,
             _ if event.interrupts() => self.fresh = true,
-            Event::From(pose) if self.fresh => self.here = Some(*pose),
             _ => {}
         }
         out(at, event)
@@ -142,7 +129,6 @@ impl Expander {
     }
 
     fn go<E>(&mut self, at: Location, pose: Pose, rapid: bool, feed: Option<Feed>, out: Out<'_, E>) -> Result<(), E> {
-        self.here = Some(pose);
         self.fresh = false;
         out(at, &Event::Move(Move { pose, rapid, feed }))
     }
@@ -185,78 +171,6 @@ impl Expander {
         }
         self.go(at, Pose { tip: last, axis }, false, feed, out)
     }
-
-    fn hole<E: From<Diagnostic>>(&mut self, at: Location, hole: &Hole, out: Out<'_, E>) -> Result<(), E> {
-        let refuse = |fault: Fault| Err(fault.at(at, Severity::Error).into());
-        if let Drilling::Tap { .. } = hole.drilling {
-            return refuse(
-                Fault::new("a thread needs spindle and feed in step, and no tapping cycle of a control is written yet")
-                    .help("take the tapping out of the CL data and program it at the control"),
-            );
-        }
-        let (tip, axis) = (hole.top.tip, hole.top.axis);
-        let level = |height: f64| Pose { tip: tip + axis.into_inner() * height, axis };
-        // Over to the hole at the level of the tool or at that of the clearance, whichever is higher.
-        let before = self.here.filter(|_| !self.fresh);
-        let before =
-            before.filter(|pose| (pose.axis.into_inner() - axis.into_inner()).norm() <= super::planner::SAME_AXIS);
-        if let Some(before) = before {
-            let height = (before.tip - tip).dot(&axis);
-            let lift = hole.clearance - height;
-            if lift > SAME_LEVEL {
-                let tip = before.tip + axis.into_inner() * lift;
-                self.go(at, Pose { tip, axis }, true, hole.feed, out)?;
-            } else if lift < -SAME_LEVEL {
-                self.go(at, level(height), true, hole.feed, out)?;
-            }
-        }
-        self.go(at, level(hole.clearance), true, hole.feed, out)?;
-        let mut done = 0.0;
-        let mut steps = 0;
-        while done < hole.depth {
-            let step = match hole.drilling {
-                Drilling::Peck { first, .. } if steps == 0 => first,
-                Drilling::Peck { later: step, .. } | Drilling::ChipBreak { step, .. } => step,
-                _ => hole.depth,
-            };
-            steps += 1;
-            if steps > MOST_STEPS {
-                let text =
-                    format!("a hole {} mm deep in steps of {step} mm takes more than {MOST_STEPS} steps", hole.depth);
-                return refuse(Fault::new(text).help("check the step of the cycle and its unit"));
-            }
-            if steps > 1 {
-                let approach = (self.peck_gap - done).min(hole.clearance);
-                match hole.drilling {
-                    Drilling::Peck { .. } => self.go(at, level(approach), true, hole.feed, out)?,
-                    Drilling::ChipBreak { back, .. } => {
-                        let height = (back.unwrap_or(self.peck_gap) - done).min(hole.clearance);
-                        self.go(at, level(height), true, hole.feed, out)?;
-                    }
-                    _ => {}
-                }
-            }
-            done += step;
-            // A last step of nothing but rounding is part of the one before.
-            if done > hole.depth - SAME_LEVEL {
-                done = hole.depth;
-            }
-            self.go(at, level(-done), false, hole.feed, out)?;
-            if done < hole.depth && matches!(hole.drilling, Drilling::Peck { .. }) {
-                self.go(at, level(hole.clearance), true, hole.feed, out)?;
-            }
-        }
-        if let Some(dwell) = hole.dwell {
-            out(at, &Event::Delay(dwell))?;
-        }
-        if hole.drilling == Drilling::Ream {
-            self.go(at, level(hole.clearance), false, hole.feed, out)?;
-            if hole.back_to - hole.clearance <= SAME_LEVEL {
-                return Ok(());
-            }
-        }
-        self.go(at, level(hole.back_to), true, hole.feed, out)
-    }
 }
 
 /// The polar form of a cubic B-spline over one span of its knots.
@@ -275,7 +189,7 @@ fn blossom(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::program::{Arc, Dwell};
+    use crate::program::Arc;
 
     const AT: Location = Location { line: 1, column: 1 };
 
@@ -349,72 +263,6 @@ mod tests {
             assert!(nearest <= 0.01, "{nearest} at {t}");
         }
         assert!(motions.len() < 100, "{}", motions.len());
-    }
-
-    fn hole(top: [f64; 3], drilling: Drilling, back_to: f64, dwell: Option<Dwell>) -> Event<'static> {
-        Event::Hole(Hole { top: up(top), depth: 5.0, clearance: 2.0, back_to, drilling, feed: None, dwell })
-    }
-
-    fn heights(motions: &[Motion]) -> Vec<(f64, bool)> {
-        motions.iter().map(|(tip, rapid)| ((tip[2] * 1e9).round() / 1e9, *rapid)).collect()
-    }
-
-    #[test]
-    fn a_hole_is_drilled_at_feed_and_left_at_rapid() {
-        let dwell = Some(Dwell::Seconds(1.0));
-        let events = [go([0.0, 0.0, 9.0]), hole([1.0, 0.0, 0.0], Drilling::Drill, 2.0, dwell)];
-        let (motions, others) = expanded(&Config::default(), &events).expect("faithful");
-        assert_eq!(heights(&motions[1..]), [(9.0, true), (2.0, true), (-5.0, false), (2.0, true)]);
-        assert_eq!(others, ["Delay(Seconds(1.0))"]);
-        let ream = [go([0.0, 0.0, 9.0]), hole([1.0, 0.0, 0.0], Drilling::Ream, 9.0, None)];
-        let (motions, _) = expanded(&Config::default(), &ream).expect("faithful");
-        assert_eq!(heights(&motions[1..]), [(9.0, true), (2.0, true), (-5.0, false), (2.0, false), (9.0, true)]);
-    }
-
-    #[test]
-    fn deep_holes_are_cleared_after_each_step_and_chips_broken_without() {
-        let peck = Drilling::Peck { first: 3.0, later: 1.5 };
-        let (motions, _) = expanded(&Config::default(), &[go([1.0, 0.0, 2.0]), hole([1.0, 0.0, 0.0], peck, 2.0, None)])
-            .expect("faithful");
-        let expected = [
-            (2.0, true),
-            (-3.0, false),
-            (2.0, true),
-            (-2.5, true),
-            (-4.5, false),
-            (2.0, true),
-            (-4.0, true),
-            (-5.0, false),
-            (2.0, true),
-        ];
-        assert_eq!(heights(&motions[1..]), expected);
-        let chip = Drilling::ChipBreak { step: 2.0, back: Some(0.3) };
-        let (motions, _) = expanded(&Config::default(), &[go([1.0, 0.0, 2.0]), hole([1.0, 0.0, 0.0], chip, 2.0, None)])
-            .expect("faithful");
-        let expected =
-            [(2.0, true), (-2.0, false), (-1.7, true), (-4.0, false), (-3.7, true), (-5.0, false), (2.0, true)];
-        assert_eq!(heights(&motions[1..]), expected);
-    }
-
-    #[test]
-    fn the_tool_lifts_before_it_goes_over_to_a_higher_hole() {
-        let events = [
-            go([0.0, 0.0, 1.0]),
-            hole([5.0, 0.0, 10.0], Drilling::Drill, 2.0, None),
-            hole([9.0, 0.0, 0.0], Drilling::Drill, 2.0, None),
-        ];
-        let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
-        let tips: Vec<[f64; 3]> = motions.iter().map(|(tip, _)| *tip).collect();
-        assert_eq!(tips[1..3], [[0.0, 0.0, 12.0], [5.0, 0.0, 12.0]]);
-        assert_eq!(tips[5..7], [[9.0, 0.0, 12.0], [9.0, 0.0, 2.0]]);
-    }
-
-    #[test]
-    fn what_only_a_cycle_of_the_control_can_do_is_refused() {
-        let tap = hole([0.0; 3], Drilling::Tap { pitch: Some(1.0) }, 2.0, None);
-        assert!(expanded(&Config::default(), &[tap]).expect_err("refused").text.contains("a thread needs"));
-        let dust = hole([0.0; 3], Drilling::Peck { first: 1e-6, later: 1e-6 }, 2.0, None);
-        assert!(expanded(&Config::default(), &[dust]).expect_err("refused").text.contains("more than 10000 steps"));
     }
 
     #[test]

@@ -85,6 +85,16 @@ impl Feeds {
         self.along_tip || matches!(self.norm, PathNorm::Xyz | PathNorm::XyzDegrees)
     }
 
+    /// mm in one unit of length of the program.
+    pub(crate) fn length_unit(&self) -> f64 {
+        self.length_unit
+    }
+
+    /// mm/min of an F per minute.
+    pub(crate) fn mm_per_minute(&self, word: Decimal) -> f64 {
+        word.value() * self.length_unit / self.per_length
+    }
+
     /// mm/min of a programmed feed; `speed`: rev/min of the spindle as written.
     pub(crate) fn per_minute(feed: program::Feed, speed: Option<f64>) -> Result<f64, Fault> {
         match feed {

@@ -88,6 +88,17 @@ impl<M: Machine> Planner<'_, M> {
         self.stop_spindle(sink)?;
         self.check_state(motion).map_err(fault)?;
         let planned = self.changes(at, motion, number, sink)?;
+        self.go(at, motion, planned, sink)
+    }
+
+    /// A motion inside an operation of which the course has been asked.
+    #[inline]
+    pub(super) fn go(&mut self, at: Location, motion: &Move, planned: Option<Target>, sink: &mut impl Sink) -> Planned {
+        let fault = |fault: Fault| stop(at, fault);
+        if self.tapped && !motion.rapid {
+            self.tapped = false;
+            self.turn_spindle(at, true, sink)?;
+        }
         let place = self.placer.place(&motion.pose, &self.place, !motion.rapid, planned).map_err(fault)?;
         let before = self.place.pose;
         if motion.rapid {
@@ -95,7 +106,7 @@ impl<M: Machine> Planner<'_, M> {
                 self.phase = Phase::First { at, motion: *motion, planned, operation: false };
                 return Ok(());
             }
-            self.watch_plunge(at, &motion.pose);
+            self.watch_plunge(at, &before, &motion.pose);
             self.rapid_to(at, motion, &place, sink)?;
         } else {
             self.feed_to(at, motion, &place, sink)?;
@@ -284,9 +295,9 @@ impl<M: Machine> Planner<'_, M> {
     }
 
     /// Says once in an operation that a rapid goes deeper than anything was cut.
-    pub(super) fn watch_plunge(&mut self, at: Location, to: &Pose) {
+    pub(super) fn watch_plunge(&mut self, at: Location, from: &Pose, to: &Pose) {
         let Some(lowest) = self.lowest else { return };
-        let step = to.tip - self.place.pose.tip;
+        let step = to.tip - from.tip;
         let down = -step.dot(&to.axis);
         let across = (step + to.axis.into_inner() * down).norm();
         let same = (lowest.axis.into_inner() - to.axis.into_inner()).norm() < SAME_AXIS;

@@ -25,6 +25,9 @@ use super::tilt::{PlaneAbility, PoseRule, Tilt};
 use super::travel::Travel;
 use super::way::{angle_between, turn_between};
 
+/// How far a map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
+const ORTHOGONAL: f64 = 1e-9;
+
 /// Word units that floating-point noise of a limit may amount to.
 const LIMIT_NOISE: f64 = 1e-6;
 
@@ -622,6 +625,14 @@ impl<M: Machine> Placer<M> {
     /// place: the rows belong to the words, the columns to the directions of the workpiece.
     pub(super) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
         Some((self.xyz?, differences(|tip| self.program_point(tip, at))?))
+    }
+
+    /// The same where the words are square to each other and as long as the ways of the tip.
+    pub(super) fn square_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        self.program_map(at).filter(|(_, map)| {
+            let off = map.transpose() * map - Matrix3::identity();
+            off.iter().all(|part| part.abs() <= ORTHOGONAL)
+        })
     }
 
     /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.

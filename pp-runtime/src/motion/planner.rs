@@ -22,6 +22,7 @@ use super::expand::Expander;
 use super::fault::Fault;
 use super::feed::Feeds;
 use super::frame::TipAbility;
+use super::hole::CycleAbilities;
 use super::linearise::Tolerance;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
@@ -80,6 +81,10 @@ pub struct Abilities {
     pub path_norm: PathNorm,
     /// Units of F in one unit of length of an inch program.
     pub feed_per_inch: f64,
+    /// Cycles that it has.
+    pub cycles: CycleAbilities,
+    /// The spindle stands behind a thread.
+    pub tap_stops: bool,
     /// Arcs are possible in the plane square to X, to Y and to Z.
     pub arc_planes: [bool; 3],
     /// By how much the distances of the ends of an arc from its centre may differ, mm.
@@ -135,6 +140,8 @@ pub struct Statistics {
     pub rewinds: u64,
     /// Blocks inserted into feed motions so that tip and tool axis stay within tolerance.
     pub inserted: u64,
+    /// Holes by cycles of the control.
+    pub cycles: u64,
     /// Arcs that the control traces.
     pub arcs: u64,
     /// Arcs that became chords.
@@ -232,6 +239,8 @@ pub struct Planner<'a, M: Machine> {
     pub(super) spindle: Option<(f64, Rotation)>,
     /// SPINDL/OFF stood behind the last motion: written before the next, or when the tool is out of the part.
     pub(super) spindle_stop: bool,
+    /// A cycle has left the spindle standing.
+    pub(super) tapped: bool,
     pub(super) coolant_request: Coolant,
     /// The coolant as written; `None` if nobody knows.
     pub(super) coolant: Option<Coolant>,
@@ -287,6 +296,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             request_in_start: SpindleRequest::default(),
             spindle: None,
             spindle_stop: false,
+            tapped: false,
             coolant_request: Coolant::Off,
             coolant: None,
             inverse_time: false,
@@ -388,7 +398,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             return Ok(());
         }
         if let Event::Move(motion) = event
-            && self.expander.passes(motion)
+            && self.expander.passes()
         {
             return self.motion(at, motion, sink);
         }
@@ -401,6 +411,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         let done = expander.event(at, event, &mut |at, event| match event {
             Event::Move(motion) => self.motion(at, motion, sink),
             Event::Arc(arc) => self.arc(at, arc, sink),
+            Event::Hole(hole) => self.hole(at, hole, sink),
             event => self.other(at, event, sink),
         });
         self.warnings.append(&mut expander.take_warnings());
@@ -442,19 +453,24 @@ impl<'a, M: Machine> Planner<'a, M> {
         let number = self.counted;
         self.counted += 1;
         if self.phase == Phase::Start {
-            if self.there && self.config.transition == Transition::Direct {
-                self.prepare_directly(at, motion, sink)?;
-            }
-            let planned = self.changes(at, motion, number, sink)?;
-            self.phase = Phase::First { at, motion: *motion, planned, operation: true };
-            return Ok(());
+            return self.first(at, motion, number, sink);
         }
         self.settle(Some(motion), sink)?;
         if self.selection.over { Ok(()) } else { self.run(at, motion, number, sink) }
     }
 
+    /// The first motion of an operation waits for the next.
+    pub(super) fn first(&mut self, at: Location, motion: &Move, number: u64, sink: &mut impl Sink) -> Planned {
+        if self.there && self.config.transition == Transition::Direct {
+            self.prepare_directly(at, motion, sink)?;
+        }
+        let planned = self.changes(at, motion, number, sink)?;
+        self.phase = Phase::First { at, motion: *motion, planned, operation: true };
+        Ok(())
+    }
+
     /// No tool has been called yet.
-    fn unarmed(&self) -> bool {
+    pub(super) fn unarmed(&self) -> bool {
         self.tool.is_none() && self.next_tool.is_none()
     }
 
@@ -573,7 +589,7 @@ impl<'a, M: Machine> Planner<'a, M> {
                 let text = format!("{}{number}", char::from(letter));
                 self.raw(at, text.as_bytes(), sink)?;
             }
-            // Arcs are motions of their own, and the expander takes the others apart.
+            // Arcs and holes are motions of their own, and the expander takes curves apart.
             Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) | Event::Tolerance(_) => {}
         }
         Ok(())
@@ -590,15 +606,8 @@ impl<'a, M: Machine> Planner<'a, M> {
     }
 
     /// DELAY, and the wait at the bottom of a hole.
-    fn delay(&mut self, at: Location, dwell: Dwell, sink: &mut impl Sink) -> Planned {
-        let seconds = match (dwell, self.spindle) {
-            (Dwell::Seconds(seconds), _) => seconds,
-            (Dwell::Revolutions(turns), Some((speed, _))) => turns / speed * 60.0,
-            (Dwell::Revolutions(_), None) => {
-                let fault = Fault::new("a wait of some turns of the spindle, and the spindle does not turn");
-                return Err(stop(at, fault.help("give SPINDL before it, or the wait in seconds")));
-            }
-        };
+    pub(super) fn delay(&mut self, at: Location, dwell: Dwell, sink: &mut impl Sink) -> Planned {
+        let seconds = self.seconds(dwell).map_err(|fault| stop(at, fault))?;
         if seconds <= 0.0 {
             return Ok(());
         }

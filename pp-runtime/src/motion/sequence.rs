@@ -203,6 +203,7 @@ impl<M: Machine> Planner<'_, M> {
             }
         }
         self.turn_spindle(at, true, sink)?;
+        self.tapped = false;
         self.check_state(first).map_err(|fault| stop(at, fault))?;
         self.approach(at, first, next, planned, sink)
     }

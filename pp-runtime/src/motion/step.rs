@@ -6,6 +6,7 @@ use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
 
 use super::circle::Circle;
+use super::hole::Cycle;
 
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;
@@ -60,6 +61,11 @@ pub enum Step<'a> {
         circle: &'a Circle,
         /// Units of the control's path per minute.
         feed: Decimal,
+    },
+    /// A hole by a cycle of the control.
+    Cycle {
+        /// The cycle.
+        cycle: &'a Cycle,
     },
     /// Rapid; words that do not change are left out.
     Rapid {

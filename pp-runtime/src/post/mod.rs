@@ -131,6 +131,9 @@ impl Report {
             ));
         }
         lines.extend(arcs_text(statistics));
+        if statistics.cycles > 0 {
+            lines.push(format!("holes by cycles of the control: {}", statistics.cycles));
+        }
         lines.push("rapids are not linearised".to_owned());
         lines
     }

@@ -10,7 +10,7 @@ use crate::cl::{ArcVote, Dialect, Options, Reader};
 use crate::config::{Config, Operations, list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Side};
-use crate::motion::{Course, Expander, Navigator, extent};
+use crate::motion::{Course, Expander, Navigator, extent, hole_extent};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
 use super::setting::Setting;
@@ -202,6 +202,12 @@ impl Survey {
             Event::Move(motion) => {
                 let at: [f64; 3] = motion.pose.tip.into();
                 self.moved(state, !motion.rapid, [at; 2], motion.pose.axis.dot(tool_axis) < 0.0);
+            }
+            Event::Hole(hole) => {
+                let down = hole.top.axis.dot(tool_axis) < 0.0;
+                let [over, inside] = hole_extent(&hole);
+                self.moved(state, false, over, down);
+                self.moved(state, true, inside, down);
             }
             Event::Arc(arc) => self.moved(state, true, extent(&arc), arc.end.axis.dot(tool_axis) < 0.0),
             _ => {}

@@ -167,8 +167,8 @@ impl<M: Machine> Navigator<M> {
 
     /// Follows one event.
     pub fn event(&mut self, event: &Event<'_>) {
-        if let Event::Move(motion) = event
-            && self.expander.passes(motion)
+        if let Event::Move(_) = event
+            && self.expander.passes()
         {
             return self.straight(event);
         }
@@ -204,6 +204,14 @@ impl<M: Machine> Navigator<M> {
             Event::Arc(arc) => {
                 // The tool has been led to its start.
                 self.go(&arc.end, false, false);
+                self.towards = None;
+                self.motion += 1;
+            }
+            Event::Hole(hole) => {
+                let begins = std::mem::take(&mut self.begun);
+                self.placed = true;
+                // The tool goes over to it at rapid.
+                self.go(&hole.top, true, begins);
                 self.towards = None;
                 self.motion += 1;
             }
