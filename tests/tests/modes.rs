@@ -437,6 +437,76 @@ fn one_rotary_in_the_table_and_one_in_the_head() {
     assert!(compare::<HeadTable>(6) > 300);
 }
 
+/// One operation, a rapid and a cut, for each pair of rotary values in steps of 10°; axes with nine digits, as CAM writes them.
+fn round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
+    let mut events = vec![
+        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+    ];
+    let rotaries: Vec<usize> =
+        (0..M::AXES.len()).filter(|index| M::AXES[*index].kind == AxisKind::Rotary && !M::AXES[*index].held).collect();
+    for step in 0..64 {
+        let mut values = vec![0.0; M::AXES.len()];
+        values[rotaries[0]] = f64::from(10 * (step % 8)).to_radians();
+        values[rotaries[1]] = f64::from(10 * (step / 8)).to_radians();
+        let axis = Oracle::of(machine).forward(&values).axis.map(|part| (part * 1e9).round() / 1e9);
+        events.push(Event::Operation(b"OPERATION"));
+        for rapid in [true, false] {
+            let tip = Point3::new(10.0, 20.0, if rapid { 30.0 } else { 5.0 });
+            let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
+            events.push(Event::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(750.0)) }));
+        }
+    }
+    events
+}
+
+fn tilts_round_angles<M: Machine>() {
+    for control in control::CONTROLS.iter().filter(|control| control.spellings().plane.is_some()) {
+        let config = set_up(Mode::Plane, None, *control, &mut Random::new(11));
+        let machine = config.machine::<M>().expect("valid");
+        let events = round_angles(&machine);
+        let said = posted::<M>(&config, *control, &events).map(|said| said.len());
+        assert_eq!(said, Ok(128), "{} {}", M::NAME, control.spellings().name);
+    }
+}
+
+#[test]
+fn a_plane_is_tilted_where_the_axes_stand_exactly_as_well() {
+    tilts_round_angles::<LolaXoyzba>();
+    tilts_round_angles::<SpinnerU5620>();
+    tilts_round_angles::<HeadTable>();
+}
+
+/// Upright in a cut from a tilt about Y to one about X: the table turns by 90° about the tool axis.
+fn through_the_pole() -> Vec<Event<'static>> {
+    let axes = [[0.5, 0.0], [0.25, 0.0], [0.0, 0.0], [0.0, 0.25]];
+    let motion = |(index, [i, j]): (usize, [f64; 2])| {
+        let axis = UnitVector3::new_normalize(Vector3::new(i, j, 1.0));
+        let pose = Pose { tip: Point3::new(0.0, 5.0 * index as f64, 10.0), axis };
+        Event::Move(Move { pose, rapid: index == 0, feed: Some(Feed::PerMinute(750.0)) })
+    };
+    let mut events = vec![
+        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+    ];
+    events.extend(axes.into_iter().enumerate().map(motion));
+    events
+}
+
+#[test]
+fn a_turn_about_the_tool_axis_is_not_left_out_where_the_axis_is_a_vector() {
+    let said = |words: TcpWords, tool_posture: ToolPosture| {
+        let config = set_up(Mode::Tcp, None, &control::Siemens, &mut Random::new(12));
+        let config = Config { tcp_words: words, tool_posture, ..config };
+        posted::<SpinnerU5620>(&config, &control::Siemens, &through_the_pole()).map(|said| said.len())
+    };
+    assert_eq!(said(TcpWords::Angles, ToolPosture::Axes), Ok(4));
+    // The control turns the table as it needs to.
+    assert_eq!(said(TcpWords::Vectors, ToolPosture::Plane), Ok(4));
+    let fault = said(TcpWords::Vectors, ToolPosture::Axes).expect_err("the words do not say it");
+    assert!(fault.contains("here C has to turn by 90.000°"), "{fault}");
+}
+
 #[test]
 fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
     let mut random = Random::new(9);
@@ -459,6 +529,15 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
         config.tool_posture = ToolPosture::Plane;
     };
     assert!(refused(fanuc, Mode::Tcp, &fixed).contains("does not turn"));
+    let offset = |config: &mut Config| config.rotary_offset = [('C', 12.5_f64.to_radians())].into();
+    for mode in [Mode::Tcp, Mode::Plane] {
+        assert!(refused(haas, mode, &offset).contains("`part_rotation` instead of `rotary_offset`"));
+    }
+    let confirmed = |config: &mut Config| {
+        offset(config);
+        config.tcp_confirmed = true;
+    };
+    assert_eq!(refused(haas, Mode::Plane, &confirmed), "");
     let codes = |config: &mut Config| config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
     assert_eq!(refused(linuxcnc, Mode::Tcp, &codes), "");
     let config = set_up(Mode::Tcp, None, haas, &mut random);

@@ -25,6 +25,9 @@ struct Address {
 /// Decimals of the angle of a helix, degrees: at 10 m from its axis they are a hundredth of a word.
 const POLAR_DECIMALS: u32 = 6;
 
+/// From this angle on the ends of an arc lie so near each other that the start has to be known to the digit, rad.
+const NEARLY_WHOLE: f64 = 1.9 * std::f64::consts::PI;
+
 /// Values of the fields of templates.
 #[derive(Debug, Default)]
 struct Values {
@@ -422,8 +425,7 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// Tip control on or off; where it comes with the length offset, with the next motion.
     fn tip_control(&mut self, on: bool) -> io::Result<()> {
         self.usual_plane()?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
+        self.frame_changes();
         if let Some(codes) = &self.setup.tip_control {
             let code = codes[usize::from(!on)].clone();
             return self.block(&code);
@@ -460,8 +462,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             None => "",
         };
         self.fill_all(plane.on)?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
+        self.frame_changes();
         Ok(())
     }
 
@@ -469,9 +470,15 @@ impl<'a, W: Write> Encoder<'a, W> {
         let Some(plane) = &self.codes.plane else { return Ok(()) };
         self.smooth(false)?;
         self.fill_all(plane.off)?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
+        self.frame_changes();
         Ok(())
+    }
+
+    /// Words mean something else from here on, F too: it may count along another path.
+    fn frame_changes(&mut self) {
+        self.belief.forget_axes();
+        self.belief.forget_feed();
+        self.belief.motion = "";
     }
 
     fn smooth(&mut self, on: bool) -> io::Result<()> {
@@ -557,13 +564,16 @@ impl<'a, W: Write> Encoder<'a, W> {
             self.call_length(words)?;
         }
         self.feed_mode(self.codes.per_minute);
+        let [first, second, _] = circle.plane.axes().map(|axis| circle.chain[axis]);
+        let known =
+            !self.belief.axis_changes(first, circle.start[0]) && !self.belief.axis_changes(second, circle.start[1]);
         // Its words are complete: what is left out of an arc means something else on each control.
         for axis in &circle.plane.axes()[..2] {
             self.belief.forget_axis(circle.chain[*axis]);
         }
         match self.codes.arcs.centre {
             ArcCentre::Offsets => self.arc_with_offsets(words, circle),
-            ArcCentre::Pole => self.arc_about_pole(words, circle)?,
+            ArcCentre::Pole => self.arc_about_pole(words, circle, known)?,
         }
         self.centre_word(false);
         self.changed_feed(feed);
@@ -590,8 +600,10 @@ impl<'a, W: Write> Encoder<'a, W> {
         }
     }
 
-    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`.
-    fn arc_about_pole(&mut self, words: &Words, circle: &Circle) -> io::Result<()> {
+    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`. `known`: the axes stand where the words of the arc say
+    /// that it begins; behind a helix, whose end is an angle, they stand there but for rounding, and to `C` a whole turn
+    /// from there might be no turn at all.
+    fn arc_about_pole(&mut self, words: &Words, circle: &Circle, known: bool) -> io::Result<()> {
         let arcs = &self.codes.arcs;
         let [first, second, square] = circle.plane.axes().map(|axis| circle.chain[axis]);
         let decimals = self.decimals(first);
@@ -610,7 +622,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             self.writer.word(word, Decimal { units, decimals }, self.numerals);
         }
         self.writer.end()?;
-        if circle.rise == 0 {
+        if circle.rise == 0 && (known || circle.sweep < NEARLY_WHOLE) {
             self.writer.code("C");
             self.axis_words(words, false);
         } else {
@@ -619,10 +631,12 @@ impl<'a, W: Write> Encoder<'a, W> {
             // At most a turn in six decimals.
             let angle = Decimal::fixed(degrees, POLAR_DECIMALS).unwrap_or_default();
             self.writer.word("IPA", angle, self.numerals);
-            let word = self.axes.iter().find(|address| address.index == square).map_or("", |address| &address.word);
-            let rise = Decimal { units: circle.rise, decimals: self.decimals(square) };
-            self.writer.word(&format!("I{word}"), rise, self.numerals);
-            self.belief.set_axis(square, words.units[square]);
+            if circle.rise != 0 {
+                let word = self.axes.iter().find(|address| address.index == square).map_or("", |address| &address.word);
+                let rise = Decimal { units: circle.rise, decimals: self.decimals(square) };
+                self.writer.word(&format!("I{word}"), rise, self.numerals);
+                self.belief.set_axis(square, words.units[square]);
+            }
         }
         self.writer.code(sense);
         Ok(())
