@@ -9,7 +9,7 @@ use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use pp_runtime::check::read::{Action, Block, Length};
+use pp_runtime::check::read::{Action, Block, CycleMove, Length};
 use pp_runtime::check::{Job, blocks};
 use pp_runtime::config::{Config, Units};
 use pp_runtime::control;
@@ -98,13 +98,17 @@ fn compare<M: Machine>(part: &str, machine: &str) {
     let tools = blocks.iter().flat_map(|block| [block.state.tool, register(block)]).flatten().collect();
     let guards: Vec<_> = blocks.iter().filter_map(|block| Some((block.state.tool?, block.guard?))).collect();
     let theirs = motions(&canonical(&path, &tools, &guards));
-    let ours: Vec<&Block> = blocks
-        .iter()
-        .filter(|block| matches!(block.action, Action::Rapid | Action::Feed | Action::Machine) && block.written != 0)
-        .collect();
-    assert_eq!(theirs.len(), ours.len(), "{part} {machine}");
-    for (block, (name, numbers)) in ours.iter().zip(&theirs) {
-        assert_eq!(name == "STRAIGHT_FEED", block.action == Action::Feed, "{part} {machine} line {}", block.line);
+    let mut theirs = theirs.iter();
+    let straight =
+        |action: &Action| matches!(action, Action::Rapid | Action::Feed | Action::Machine | Action::Cycle(_));
+    for block in blocks.iter().filter(|block| straight(&block.action) && block.written != 0) {
+        let context = format!("{part} {machine} line {}", block.line);
+        if let Action::Cycle(cycle) = &block.action {
+            assert_hole(cycle, &mut theirs, units, &context);
+            continue;
+        }
+        let (name, numbers) = theirs.next().unwrap_or_else(|| panic!("{context}: there is no motion"));
+        assert_eq!(name == "STRAIGHT_FEED", block.action == Action::Feed, "{context}");
         if block.action == Action::Machine {
             continue;
         }
@@ -114,16 +118,31 @@ fn compare<M: Machine>(part: &str, machine: &str) {
                 AxisKind::Linear => block.values[index] / units.in_mm(),
                 AxisKind::Rotary => block.values[index].to_degrees(),
             };
-            let off = (ours - numbers[place]).abs();
-            assert!(
-                off <= PRINTED,
-                "{part} {machine} line {}: {} is {ours} here and {} there",
-                block.line,
-                axis.letter,
-                numbers[place]
-            );
+            let there = numbers[place];
+            assert!((ours - there).abs() <= PRINTED, "{context}: {} is {ours} here and {there} there", axis.letter);
         }
     }
+    assert_eq!(theirs.next(), None, "{part} {machine}: a motion that no block asks for");
+}
+
+/// The motions of one cycle: down to its bottom and no deeper, and back to where it ends.
+fn assert_hole<'m>(
+    cycle: &CycleMove,
+    theirs: &mut impl Iterator<Item = &'m (String, Vec<f64>)>,
+    units: Units,
+    context: &str,
+) {
+    let [bottom, back_to] = [cycle.bottom, cycle.back_to].map(|level| level / units.in_mm());
+    let mut deep = false;
+    for (_, numbers) in theirs {
+        let z = numbers[2];
+        assert!(z >= bottom - PRINTED, "{context}: Z{z} is below the bottom of the hole, Z{bottom}");
+        deep |= z <= bottom + PRINTED;
+        if deep && (z - back_to).abs() <= PRINTED {
+            return;
+        }
+    }
+    panic!("{context}: the hole does not end at Z{back_to}, or is not Z{bottom} deep");
 }
 
 #[test]
