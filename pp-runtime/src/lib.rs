@@ -18,6 +18,8 @@ pub use serde;
 pub mod kinematics;
 
 #[cfg(feature = "std")]
+pub mod check;
+#[cfg(feature = "std")]
 pub mod cl;
 #[cfg(feature = "std")]
 pub mod cli;

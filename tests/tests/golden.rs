@@ -14,6 +14,7 @@
 //! | `pocket` | NX: circles in both senses, a helix, a curve, deep holes, GOHOME |
 //! | `plate` | Creo in inches: circles, a list of points, GODLTA, chips broken |
 //! | `nest` | SolidWorks CAM: full circles, two CSYS, INSERT as a comment |
+//! | `works`, `works_4axis` | arcs, a helix, 3+2, every cycle, simultaneous motion, a rewind, a thread, stops; in each mode |
 //! | `pads` | a set-up with tool lengths, part origin, retract along the axis, limits, parking |
 
 use std::env;
@@ -56,45 +57,76 @@ const OTHERS: &[(&str, &str, &[&str])] = &[
     ("tests/data/pads/pads.cls", "lola-xoyzba", &["fanuc", "siemens", "haas"]),
 ];
 
+/// The part with everything in it, for every control in every mode that it has: CL file, configuration, machine.
+const WORKS: &[(&str, &str, &str)] = &[
+    ("tests/data/works/works.cls", "tests/data/works/table.toml", "dmu-70e"),
+    ("tests/data/works/works.cls", "tests/data/works/works.toml", "lola-xoyzba"),
+    ("tests/data/works_4axis/works_4axis.cls", "tests/data/works_4axis/works_4axis.toml", "multiprodesk"),
+    ("tests/data/works/works.cls", "tests/data/works/table.toml", "spinner-u5-620"),
+];
+
+/// Modes, the controls that have them, and the operations that these take: the fifth is a thread, which no control cuts
+/// under tip control, in the fourth the tool axis turns.
+const MODES: &[(&str, &[&str], &str)] = &[
+    ("axes", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..4"),
+    ("tcp", &["fanuc", "siemens", "heidenhain", "haas"], "1..4"),
+    ("plane", &["fanuc", "siemens", "heidenhain", "haas"], "1..3"),
+];
+
 /// One golden program.
 struct Golden {
     cl: &'static str,
     config: Option<&'static str>,
     machine: &'static str,
     control: &'static str,
+    /// Mode and operations where they are not the default.
+    mode: Option<(&'static str, &'static str)>,
 }
 
 impl Golden {
-    /// `tests/data/<part>/<machine>.<control>.nc`.
+    /// `tests/data/<part>/<machine>.<control>.nc`, in a folder of the mode where that is not `axes`.
     fn path(&self) -> PathBuf {
         let part = Path::new(self.cl).file_stem().expect("a part has a name");
-        workspace().join("tests/data").join(part).join(format!("{}.{}.nc", self.machine, self.control))
+        let folder = workspace().join("tests/data").join(part);
+        let folder = match self.mode {
+            None | Some(("axes", _)) => folder,
+            Some((mode, _)) => folder.join(mode),
+        };
+        folder.join(format!("{}.{}.nc", self.machine, self.control))
     }
 
     fn posted(&self) -> String {
-        posted_for(self.control, self.cl, self.config, self.machine)
+        let mode = self.mode.map_or(vec![], |(mode, operations)| vec!["--mode", mode, "--ops", operations]);
+        posted_with(&mode, self.control, self.cl, self.config, self.machine)
     }
 }
 
 /// Every golden program.
 fn goldens() -> Vec<Golden> {
     let linuxcnc = PARTS.iter().flat_map(|&(cl, config, machines)| {
-        machines.iter().map(move |&machine| Golden { cl, config, machine, control: "linuxcnc" })
+        machines.iter().map(move |&machine| Golden { cl, config, machine, control: "linuxcnc", mode: None })
     });
     let others = OTHERS.iter().flat_map(|&(cl, machine, controls)| {
         let config = PARTS.iter().find(|part| part.0 == cl).expect("a part").1;
-        controls.iter().map(move |&control| Golden { cl, config, machine, control })
+        controls.iter().map(move |&control| Golden { cl, config, machine, control, mode: None })
     });
-    linuxcnc.chain(others).collect()
+    let works = WORKS.iter().flat_map(|&(cl, config, machine)| {
+        MODES.iter().flat_map(move |&(mode, controls, operations)| {
+            let config = Some(config);
+            let mode = Some((mode, operations));
+            controls.iter().map(move |&control| Golden { cl, config, machine, control, mode })
+        })
+    });
+    linuxcnc.chain(others).chain(works).collect()
 }
 
 fn posted(cl: &str, config: Option<&str>, machine: &str) -> String {
-    posted_for("linuxcnc", cl, config, machine)
+    posted_with(&[], "linuxcnc", cl, config, machine)
 }
 
-fn posted_for(control: &str, cl: &str, config: Option<&str>, machine: &str) -> String {
+fn posted_with(arguments: &[&str], control: &str, cl: &str, config: Option<&str>, machine: &str) -> String {
     let mut command = binary(machine);
-    command.current_dir(workspace()).args(["post", cl, "--control", control]);
+    command.current_dir(workspace()).args(["post", cl, "--control", control]).args(arguments);
     if let Some(config) = config {
         command.args(["--config", config]);
     }
@@ -134,10 +166,15 @@ fn every_golden_program_has_its_part() {
     let mut known: Vec<PathBuf> = goldens().iter().map(Golden::path).collect();
     known.sort();
     let mut found = Vec::new();
-    for part in fs::read_dir(workspace().join("tests/data")).expect("the folder of the parts") {
-        for file in fs::read_dir(part.expect("a part").path()).expect("the folder of a part") {
-            let path = file.expect("a file").path();
-            found.extend(path.extension().is_some_and(|extension| extension == "nc").then_some(path));
+    let mut folders = vec![workspace().join("tests/data")];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder).expect("a folder of the parts") {
+            let path = entry.expect("an entry").path();
+            match path.extension() {
+                _ if path.is_dir() => folders.push(path),
+                Some(extension) if extension == "nc" => found.push(path),
+                _ => {}
+            }
         }
     }
     found.sort();

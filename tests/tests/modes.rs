@@ -272,81 +272,94 @@ fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Control, random
     config
 }
 
-/// Points compared.
-fn compare<M: Machine>(seed: u64) -> usize {
+/// A control in a mode, and how its program is asked for.
+#[derive(Clone, Copy)]
+struct Way {
+    control: &'static dyn Control,
+    mode: Mode,
+    words: TcpWords,
+    frame: Option<TcpFrame>,
+}
+
+/// Why a control or a machine does not suit a way; any other refusal is a fault.
+const REFUSED: [&str; 7] = [
+    "has no tip control",
+    "tilts no plane",
+    "give `tcp_frame`",
+    "counts the tip in",
+    "does not turn",
+    "no tool axis as a vector",
+    "has no meaning",
+];
+
+fn moves<'e>(events: &'e [Event<'_>]) -> Vec<&'e Move> {
+    let motion = |event: &'e Event<'_>| match event {
+        Event::Move(motion) => Some(motion),
+        _ => None,
+    };
+    events.iter().filter_map(motion).collect()
+}
+
+/// One way against mode `axes`; points compared, none where it is refused.
+fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
+    let Way { control, mode, words, frame } = way;
+    let name = control.spellings().name;
+    let (mut random, mut same) = (Random::new(seed), Random::new(seed));
+    let config = Config { tcp_words: words, ..set_up(mode, frame, control, &mut random) };
+    let axes = set_up(Mode::Axes, None, control, &mut same);
+    let mut machine = config.machine::<M>().expect("valid");
+    let events = events(&machine, &mut random, mode == Mode::Plane);
+    let plain = posted::<M>(&axes, control, &events).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+    let framed = match posted::<M>(&config, control, &events) {
+        Ok(framed) => framed,
+        Err(fault) => {
+            assert!(REFUSED.iter().any(|known| fault.contains(known)), "{name} {mode:?}: {fault}");
+            return 0;
+        }
+    };
+    machine.set_up(config.part_origin.into(), LENGTH);
     let mut compared = 0;
+    // The first motion of an operation, a rapid here, is written with the second.
+    let cuts = moves(&events).into_iter().zip(framed.iter().zip(&plain)).filter(|(motion, _)| !motion.rapid);
+    for (index, (motion, (framed, plain))) in cuts.enumerate() {
+        let context = format!("{} {name} {mode:?} {frame:?} cut {index}", M::NAME);
+        for (config, says) in [(&config, framed), (&axes, plain)] {
+            let off = (meant(&machine, config, name, says).0 - motion.pose.tip).norm();
+            assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode {:?}\n{says:?}", config.mode);
+        }
+        let off = angle_between(&meant(&machine, &config, name, framed).1, &motion.pose.axis);
+        match (mode, words) {
+            (Mode::Plane, _) => {
+                let decimals = control::abilities(control, &config).plane.expect("it tilts").decimals;
+                let half_unit = 0.5 * 10_f64.powi(-decimals.cast_signed()).to_radians();
+                assert!(off <= 3.0 * half_unit + 1e-12, "{context}: axis {off}");
+            }
+            (_, TcpWords::Vectors) => assert!(framed.vector.is_some() && off <= 1e-7, "{context}: axis {off}"),
+            (_, TcpWords::Angles) => {
+                assert_eq!(angles::<M>(framed), angles::<M>(plain), "{context}");
+                assert!(framed.turned_per_minute > 0 || index < 2, "F counts along the tip: {context}");
+            }
+        }
+        compared += 1;
+    }
+    compared
+}
+
+/// Words of the rotary axes.
+fn angles<M: Machine>(says: &Says) -> Vec<f64> {
+    let rotary = |index: &usize| M::AXES[*index].kind == AxisKind::Rotary;
+    (0..M::AXES.len()).filter(rotary).map(|index| says.words[index]).collect()
+}
+
+/// Every control in every mode and frame; points compared.
+fn compare<M: Machine>(seed: u64) -> usize {
     let frames = [None, Some(TcpFrame::TableAtZero), Some(TcpFrame::TableAtStart), Some(TcpFrame::NotTurning)];
     let modes = [(Mode::Tcp, TcpWords::Angles), (Mode::Tcp, TcpWords::Vectors), (Mode::Plane, TcpWords::Angles)];
-    for control in control::CONTROLS {
-        let name = control.spellings().name;
+    let mut compared = 0;
+    for &control in control::CONTROLS {
         for (mode, words) in modes {
             for (round, frame) in frames.into_iter().enumerate() {
-                let (mut random, mut same) = (Random::new(seed + round as u64), Random::new(seed + round as u64));
-                let config = Config { tcp_words: words, ..set_up(mode, frame, *control, &mut random) };
-                let axes = set_up(Mode::Axes, None, *control, &mut same);
-                let machine = config.machine::<M>().expect("valid");
-                let events = events(&machine, &mut random, mode == Mode::Plane);
-                let plain = match posted::<M>(&axes, *control, &events) {
-                    Ok(plain) => plain,
-                    Err(fault) => panic!("{name}: {fault}"),
-                };
-                let framed = match posted::<M>(&config, *control, &events) {
-                    Ok(framed) => framed,
-                    Err(fault) => {
-                        let known = [
-                            "has no tip control",
-                            "tilts no plane",
-                            "give `tcp_frame`",
-                            "counts the tip in",
-                            "does not turn",
-                            "no tool axis as a vector",
-                            "has no meaning",
-                        ];
-                        assert!(known.iter().any(|known| fault.contains(known)), "{name} {mode:?}: {fault}");
-                        continue;
-                    }
-                };
-                let moves = events.iter().filter_map(|event| match event {
-                    Event::Move(motion) => Some(motion),
-                    _ => None,
-                });
-                let mut machine = machine;
-                machine.set_up(config.part_origin.into(), LENGTH);
-                for (index, (motion, (framed, plain))) in moves.zip(framed.iter().zip(&plain)).enumerate() {
-                    // The first motion of an operation, a rapid here, is written with the second.
-                    if motion.rapid {
-                        continue;
-                    }
-                    let context = format!("{} {name} {mode:?} {frame:?} motion {index}", M::NAME);
-                    let (tip, axis) = meant(&machine, &config, name, framed);
-                    let off = (tip - motion.pose.tip).norm();
-                    assert!(off <= 2.0 * UNIT, "{context}: tip {off}\n{framed:?}\n{plain:?}");
-                    let (tip, _) = meant(&machine, &axes, name, plain);
-                    let off = (tip - motion.pose.tip).norm();
-                    assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode axes");
-                    match mode {
-                        Mode::Plane => {
-                            let abilities = control::abilities(*control, &config);
-                            let decimals = abilities.plane.expect("it tilts").decimals;
-                            let half_unit = 0.5 * 10_f64.powi(-decimals.cast_signed()).to_radians();
-                            let off = angle_between(&axis, &motion.pose.axis);
-                            assert!(off <= 3.0 * half_unit + 1e-12, "{context}: axis {off}");
-                        }
-                        _ if words == TcpWords::Vectors => {
-                            let off = angle_between(&axis, &motion.pose.axis);
-                            assert!(framed.vector.is_some() && off <= 1e-7, "{context}: axis {off}");
-                        }
-                        _ => {
-                            let angles = |says: &Says| -> Vec<f64> {
-                                let rotary = |index: &usize| M::AXES[*index].kind == AxisKind::Rotary;
-                                (0..M::AXES.len()).filter(rotary).map(|index| says.words[index]).collect()
-                            };
-                            assert_eq!(angles(framed), angles(plain), "{context}");
-                            assert!(framed.turned_per_minute > 0 || index < 2, "F counts along the tip: {context}");
-                        }
-                    }
-                    compared += 1;
-                }
+                compared += compare_way::<M>(Way { control, mode, words, frame }, seed + round as u64);
             }
         }
     }
@@ -361,13 +374,7 @@ fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
     let events = events(&machine, &mut random, false);
     let says = posted::<M>(&config, &control::Fanuc, &events).expect("posted");
     machine.set_up(config.part_origin.into(), LENGTH);
-    let motions: Vec<&Move> = events
-        .iter()
-        .filter_map(|event| match event {
-            Event::Move(motion) => Some(motion),
-            _ => None,
-        })
-        .collect();
+    let motions = moves(&events);
     let mut blocks = 0;
     for (index, pair) in motions.windows(2).enumerate().filter(|(_, pair)| !pair[0].rapid && !pair[1].rapid) {
         let (start, end) = (pair[0].pose, pair[1].pose);
@@ -430,6 +437,76 @@ fn one_rotary_in_the_table_and_one_in_the_head() {
     assert!(compare::<HeadTable>(6) > 300);
 }
 
+/// One operation, a rapid and a cut, for each pair of rotary values in steps of 10°; axes with nine digits, as CAM writes them.
+fn round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
+    let mut events = vec![
+        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+    ];
+    let rotaries: Vec<usize> =
+        (0..M::AXES.len()).filter(|index| M::AXES[*index].kind == AxisKind::Rotary && !M::AXES[*index].held).collect();
+    for step in 0..64 {
+        let mut values = vec![0.0; M::AXES.len()];
+        values[rotaries[0]] = f64::from(10 * (step % 8)).to_radians();
+        values[rotaries[1]] = f64::from(10 * (step / 8)).to_radians();
+        let axis = Oracle::of(machine).forward(&values).axis.map(|part| (part * 1e9).round() / 1e9);
+        events.push(Event::Operation(b"OPERATION"));
+        for rapid in [true, false] {
+            let tip = Point3::new(10.0, 20.0, if rapid { 30.0 } else { 5.0 });
+            let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
+            events.push(Event::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(750.0)) }));
+        }
+    }
+    events
+}
+
+fn tilts_round_angles<M: Machine>() {
+    for control in control::CONTROLS.iter().filter(|control| control.spellings().plane.is_some()) {
+        let config = set_up(Mode::Plane, None, *control, &mut Random::new(11));
+        let machine = config.machine::<M>().expect("valid");
+        let events = round_angles(&machine);
+        let said = posted::<M>(&config, *control, &events).map(|said| said.len());
+        assert_eq!(said, Ok(128), "{} {}", M::NAME, control.spellings().name);
+    }
+}
+
+#[test]
+fn a_plane_is_tilted_where_the_axes_stand_exactly_as_well() {
+    tilts_round_angles::<LolaXoyzba>();
+    tilts_round_angles::<SpinnerU5620>();
+    tilts_round_angles::<HeadTable>();
+}
+
+/// Upright in a cut from a tilt about Y to one about X: the table turns by 90° about the tool axis.
+fn through_the_pole() -> Vec<Event<'static>> {
+    let axes = [[0.5, 0.0], [0.25, 0.0], [0.0, 0.0], [0.0, 0.25]];
+    let motion = |(index, [i, j]): (usize, [f64; 2])| {
+        let axis = UnitVector3::new_normalize(Vector3::new(i, j, 1.0));
+        let pose = Pose { tip: Point3::new(0.0, 5.0 * index as f64, 10.0), axis };
+        Event::Move(Move { pose, rapid: index == 0, feed: Some(Feed::PerMinute(750.0)) })
+    };
+    let mut events = vec![
+        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+    ];
+    events.extend(axes.into_iter().enumerate().map(motion));
+    events
+}
+
+#[test]
+fn a_turn_about_the_tool_axis_is_not_left_out_where_the_axis_is_a_vector() {
+    let said = |words: TcpWords, tool_posture: ToolPosture| {
+        let config = set_up(Mode::Tcp, None, &control::Siemens, &mut Random::new(12));
+        let config = Config { tcp_words: words, tool_posture, ..config };
+        posted::<SpinnerU5620>(&config, &control::Siemens, &through_the_pole()).map(|said| said.len())
+    };
+    assert_eq!(said(TcpWords::Angles, ToolPosture::Axes), Ok(4));
+    // The control turns the table as it needs to.
+    assert_eq!(said(TcpWords::Vectors, ToolPosture::Plane), Ok(4));
+    let fault = said(TcpWords::Vectors, ToolPosture::Axes).expect_err("the words do not say it");
+    assert!(fault.contains("here C has to turn by 90.000°"), "{fault}");
+}
+
 #[test]
 fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
     let mut random = Random::new(9);
@@ -452,6 +529,15 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
         config.tool_posture = ToolPosture::Plane;
     };
     assert!(refused(fanuc, Mode::Tcp, &fixed).contains("does not turn"));
+    let offset = |config: &mut Config| config.rotary_offset = [('C', 12.5_f64.to_radians())].into();
+    for mode in [Mode::Tcp, Mode::Plane] {
+        assert!(refused(haas, mode, &offset).contains("`part_rotation` instead of `rotary_offset`"));
+    }
+    let confirmed = |config: &mut Config| {
+        offset(config);
+        config.tcp_confirmed = true;
+    };
+    assert_eq!(refused(haas, Mode::Plane, &confirmed), "");
     let codes = |config: &mut Config| config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
     assert_eq!(refused(linuxcnc, Mode::Tcp, &codes), "");
     let config = set_up(Mode::Tcp, None, haas, &mut random);

@@ -25,6 +25,8 @@ pub(super) struct Cli {
 pub(super) enum Command {
     /// Post CL data: write the program for this machine
     Post(Box<PostArgs>),
+    /// Compare a program with its CL data: path, feed, state and safe sequences
+    Check(Box<CheckArgs>),
     /// Print a configuration file that holds every default
     Config(ConfigArgs),
     /// Print how the kinematics of this machine were derived, and a jog sheet
@@ -103,6 +105,39 @@ pub(super) struct PostArgs {
     /// Program to write; `-` is standard output
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     pub(super) output: PathBuf,
+    /// Do not read the program back and compare it with the CL data
+    #[arg(long)]
+    pub(super) no_check: bool,
+    #[command(flatten)]
+    pub(super) set_up: SetUpArgs,
+}
+
+/// Arguments of `check`.
+#[derive(Debug, Args)]
+pub(super) struct CheckArgs {
+    /// CL data; `-` is standard input
+    #[arg(value_name = "IN.cls")]
+    pub(super) input: PathBuf,
+    /// Program to compare with it
+    #[arg(value_name = "OUT.nc")]
+    pub(super) program: PathBuf,
+    /// Messages as JSON, and the figures as an object on standard output
+    #[arg(long)]
+    pub(super) json: bool,
+    #[command(flatten)]
+    pub(super) set_up: SetUpArgs,
+}
+
+impl CheckArgs {
+    /// How messages are written.
+    pub(super) fn format(&self) -> MessageFormat {
+        if self.json { MessageFormat::Json } else { self.set_up.message_format }
+    }
+}
+
+/// How CL data becomes a program: what posting and checking have to agree on.
+#[derive(Debug, Args)]
+pub(super) struct SetUpArgs {
     /// Control that will run the program
     #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
     pub(super) control: String,
@@ -180,7 +215,7 @@ pub(super) struct PostArgs {
     pub(super) message_format: MessageFormat,
 }
 
-impl PostArgs {
+impl SetUpArgs {
     /// The control that was asked for.
     pub(super) fn control(&self) -> &'static dyn Control {
         named(&self.control)

@@ -4,9 +4,11 @@
 //! status 2 without a message. The program goes to standard output or a file, everything else to standard error.
 
 mod args;
+mod check;
 mod excerpt;
 mod explain;
 mod messages;
+mod self_check;
 mod source;
 mod target;
 #[cfg(test)]
@@ -25,8 +27,9 @@ use crate::diag::Severity;
 use crate::kinematics::Machine;
 use crate::post::{Job, PostError, Proof, Report, post, prove};
 
-use args::{Command, MessageFormat, PostArgs, ProofArgs};
+use args::{Command, MessageFormat, PostArgs, ProofArgs, SetUpArgs};
 use messages::{Messages, headline};
+use self_check::{Checking, SelfCheck};
 use source::{Source, same_file};
 use target::{Rejected, Target, rejected_path};
 
@@ -105,11 +108,13 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
         Err(error) => return usage(&error, &mut streams),
     };
     let format = match &command {
-        Command::Post(args) => args.message_format,
+        Command::Post(args) => args.set_up.message_format,
+        Command::Check(args) => args.format(),
         Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
         Command::Post(args) => post_file::<M>(&args, &mut streams, post),
+        Command::Check(args) => check::run::<M>(&args, &mut streams),
         Command::Config(args) => {
             let config = control::starting_point(args.control());
             let text = if args.schema { config::schema::<M>(&config) } else { config::print::<M>(&config) };
@@ -159,8 +164,8 @@ fn prove_machine<M: Machine>(args: &ProofArgs, streams: &mut Streams<'_>) -> Res
 }
 
 fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
-    let mut messages = Messages::new(streams.errors, args.message_format);
-    let config = read_config::<M>(args, &mut messages)?;
+    let mut messages = Messages::new(streams.errors, args.set_up.message_format);
+    let config = read_config::<M>(&args.set_up, &mut messages)?;
     refuse_overwriting(args)?;
     let mut source =
         if is_standard(&args.input) { Source::spool(streams.input, "<stdin>") } else { Source::open(&args.input) }
@@ -176,15 +181,22 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
         true => "standard input".into(),
         false => args.input.file_name().unwrap_or_default().to_string_lossy(),
     };
-    let control = args.control();
+    let control = args.set_up.control();
     let job = Job { cl_name: &cl_name, config: &config, control, units: config.cl_units };
-    if streams.terminal && args.message_format == MessageFormat::Human {
+    if streams.terminal && args.set_up.message_format == MessageFormat::Human {
         source.show_progress();
     }
-    let mut sink = Sink::new(match &mut target {
-        Some(target) => target.writer(),
-        None => &mut *streams.output,
-    });
+    let check = (!args.no_check).then(|| SelfCheck::start::<M>(&config, control, &source)).transpose();
+    let check = check.map_err(|error| Failure::Unreadable(name.clone(), error))?;
+    let mut checking = Checking::new(
+        match &mut target {
+            Some(target) => target.writer(),
+            None => &mut *streams.output,
+        },
+        check,
+        1 + control.spellings().closing.len(),
+    );
+    let mut sink = Sink::new(&mut checking);
     let posted = post(&job, &mut source, &mut sink);
     let written = sink.flush();
     // What could not be written is not tried again.
@@ -200,6 +212,7 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
         Err(PostError::Output(error)) => return Err(Failure::unwritable(&args.output, error)),
     };
     written.map_err(|error| Failure::unwritable(&args.output, error))?;
+    let unwritable = |error| Failure::unwritable(&args.output, error);
 
     if !report.diagnostics.is_empty() {
         source.rewind().map_err(|error| Failure::Unreadable(name.clone(), error))?;
@@ -209,20 +222,28 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
     let first_error = first_error.min_by_key(|found| found.location);
     // A program with an error in its CL data is never handed over, whatever the report says.
     if report.failed || first_error.is_some() {
+        checking.close().map_err(unwritable)?;
         let reason = first_error.map_or_else(|| "the CL data has errors".to_owned(), |found| headline(&name, found));
         reject(args, target, &reason, &mut messages)?;
         return Ok(Status::Rejected);
     }
+    let checked = checking.verdict().transpose().map_err(|error| check::failure(error, &name, &args.output))?;
+    if let Some(reason) = self_check::against(checked.as_ref(), &name, &mut source, &mut messages) {
+        let lines = [format!("ERROR: {reason}"), "the program ends here: do not run it".to_owned()];
+        checking.close_with(&lines.map(|line| comment(control, &line))).map_err(unwritable)?;
+        reject(args, target, &reason, &mut messages)?;
+        return Ok(Status::Rejected);
+    }
+    checking.close().map_err(unwritable)?;
     if config.file_units_assumed {
         messages.note("assumed: lengths of the configuration file are in mm (`units` is not set there)");
     }
     for line in report.summary() {
         messages.note(&line);
     }
+    messages.note(&checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary()));
     if let Some(target) = target {
-        let removed = target
-            .finish(|line| is_rejected(control, line))
-            .map_err(|error| Failure::unwritable(&args.output, error))?;
+        let removed = target.finish(|line| is_rejected(control, line)).map_err(unwritable)?;
         if removed {
             messages.note(&format!("removed {} of an earlier run", rejected_path(&args.output).display()));
         }
@@ -237,7 +258,7 @@ fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut 
         messages.note("rejected: the program on standard output is not complete and must not be run");
         return Ok(());
     };
-    let first_line = comment(args.control(), &format!("{REJECTED}{reason}"));
+    let first_line = comment(args.set_up.control(), &format!("{REJECTED}{reason}"));
     let rejected = target.reject(&first_line).map_err(|error| Failure::unwritable(&args.output, error))?;
     let out = args.output.display();
     messages.note(&match rejected {
@@ -250,7 +271,7 @@ fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut 
     Ok(())
 }
 
-fn read_config<M: Machine>(args: &PostArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
+fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
     let mut config = read_file::<M>(args.config.as_deref(), args.control(), messages)?;
     args.apply::<M>(&mut config).map_err(Failure::Argument)?;
     fit::<M>(args.control(), &config)?;
@@ -292,8 +313,10 @@ fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
     if is_standard(&args.output) {
         return Ok(());
     }
-    let sources: [(Option<&PathBuf>, &str); 2] =
-        [(Some(&args.input).filter(|path| !is_standard(path)), "CL data"), (args.config.as_ref(), "configuration")];
+    let sources: [(Option<&PathBuf>, &str); 2] = [
+        (Some(&args.input).filter(|path| !is_standard(path)), "CL data"),
+        (args.set_up.config.as_ref(), "configuration"),
+    ];
     for written in [args.output.clone(), rejected_path(&args.output)] {
         for (read, what) in sources {
             if let Some(read) = read

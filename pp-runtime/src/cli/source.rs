@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
 use indicatif::{ProgressBar, ProgressStyle};
+use tempfile::NamedTempFile;
 
 /// Input above this size shows a progress bar on a terminal, bytes.
 const LONG_INPUT: u64 = 8 << 20;
@@ -19,6 +20,8 @@ pub(super) struct Source {
     name: String,
     /// Path and state of a regular file when it was opened; a spooled stream has none.
     watched: Option<(PathBuf, State)>,
+    /// Where a stream is kept.
+    spooled: Option<NamedTempFile>,
     progress: ProgressBar,
 }
 
@@ -49,15 +52,25 @@ impl Source {
             return Self::spool(&mut file, name);
         }
         let watched = Some((path.to_owned(), State::of(&metadata)));
-        Ok(Self { file, name, watched, progress: ProgressBar::hidden() })
+        Ok(Self { file, name, watched, spooled: None, progress: ProgressBar::hidden() })
     }
 
-    /// Keeps a stream in a temporary file without a name.
+    /// Keeps a stream in a temporary file.
     pub(super) fn spool(stream: &mut dyn Read, name: impl Into<String>) -> io::Result<Self> {
-        let mut file = tempfile::tempfile()?;
-        io::copy(stream, &mut file)?;
-        file.rewind()?;
-        Ok(Self { file, name: name.into(), watched: None, progress: ProgressBar::hidden() })
+        let mut spooled = NamedTempFile::new()?;
+        io::copy(stream, &mut spooled)?;
+        let file = spooled.reopen()?;
+        let spooled = Some(spooled);
+        Ok(Self { file, name: name.into(), watched: None, spooled, progress: ProgressBar::hidden() })
+    }
+
+    /// The same data from its beginning, read on its own.
+    pub(super) fn again(&self) -> io::Result<File> {
+        match (&self.spooled, &self.watched) {
+            (Some(spooled), _) => spooled.reopen(),
+            (None, Some((path, _))) => File::open(path),
+            (None, None) => Err(io::Error::other("it cannot be read twice at once")),
+        }
     }
 
     /// The name that messages use.

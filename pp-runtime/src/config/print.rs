@@ -70,7 +70,8 @@ units = "mm"
 #tcp_words = "angles"
 # How the control moves the tool axis in mode "tcp": rotary "axes" evenly, or in the "plane" of its ends.
 #tool_posture = "axes"
-# In mode "tcp" the control knows held axes and linear axes between rotary ones.
+# In mode "tcp" the control knows held axes and linear axes between rotary ones; in modes "tcp" and "plane" its frame stays
+# where `rotary_offset` has entries in the work offset.
 #tcp_confirmed = {tcp_confirmed}
 # Compare the posted length of a tool with the control's tool table at the tool call, where the control can. Without it
 # where a rotary axis in the head makes the length matter.

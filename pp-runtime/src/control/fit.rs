@@ -1,12 +1,12 @@
 //! Whether a configuration fits a control, and what the planner may ask of the two.
 
-use crate::config::{Config, PathNorm, Smoothing};
+use crate::config::{Config, Mode, PathNorm, Smoothing, TcpWords};
 use crate::kinematics::Machine;
 use crate::motion::{Abilities, CycleAbilities, PlaneAbility, TipAbility};
 use crate::program::Coolant;
 
 use super::Control;
-use super::spellings::coolant_index;
+use super::spellings::{ArcCentre, coolant_index};
 
 /// The configuration of a control before anything else is said.
 #[must_use]
@@ -78,6 +78,14 @@ pub fn unsuited<M: Machine>(control: &dyn Control, config: &Config) -> Vec<Strin
     crate::motion::unsuited::<M>(config, control.spellings().title, tip, plane)
 }
 
+/// The letters of a centre mean the tool axis, and no arc can be said.
+fn centre_is_axis(control: &dyn Control, config: &Config) -> bool {
+    let codes = control.spellings();
+    let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref());
+    let used = config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors;
+    used && codes.arcs.centre == ArcCentre::Offsets && vectors.is_some_and(|vectors| vectors.words[0] == "I")
+}
+
 /// What the planner may ask for.
 #[must_use]
 pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
@@ -97,7 +105,7 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
         feed_per_inch: codes.feed_per_inch,
         cycles: codes.cycles.as_ref().map_or_else(CycleAbilities::default, |cycles| cycles.can),
         radius_registers: codes.beside[1].contains("{radius}"),
-        arc_planes: codes.arcs.planes.map(|plane| plane.is_some()),
+        arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_is_axis(control, config)),
         arc_radius_tolerance: codes.arcs.radius_tolerance,
         tip: tip_ability(control, config),
         plane: codes.plane.as_ref().map(|plane| PlaneAbility {

@@ -61,7 +61,9 @@ static SPELLINGS: Spellings = Spellings {
     feed: "G1",
     arcs: Arcs {
         senses: ["G2", "G3"],
-        planes: [Some("G19"), Some("G18"), Some("G17")],
+        // In another plane the length of the tool counts along X or Y, at once, unless SD42940 says that it stays
+        // (6FC5398-1BP10-2BA0, 8.17.4).
+        planes: [None, None, Some("G17")],
         centre: ArcCentre::Offsets,
         radius: "CR=",
         // MD21000, as delivered.

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 
 use super::template::{self, Field};
 use super::*;
-use crate::config::{Config, ControlSetup, PathNorm, Program, Smoothing, Units};
+use crate::config::{Config, ControlSetup, Mode, PathNorm, Program, Smoothing, TcpWords, Units};
 use crate::motion::{Circle, Feed, MAX_AXES, Plane, Sink as _, Step, Words};
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
@@ -621,6 +621,25 @@ proptest! {
     }
 }
 
+#[test]
+fn f_is_written_again_where_tip_control_or_a_plane_has_begun() {
+    let angles = [Decimal { units: 30, decimals: 0 }; 3];
+    let plane = Step::Plane { angles, pose: Some(true) };
+    let cut = |x| Step::Feed { words: only(0b1100, [0, 0, 0, x]), feed: per_minute(800) };
+    for (mode, on, off) in [
+        (Mode::Tcp, Step::TipControl { on: true }, Step::TipControl { on: false }),
+        (Mode::Plane, plane, Step::PlaneOff),
+    ] {
+        let blocks =
+            [Step::Restart { number: 1 }, Step::Length { offset: 6 }, on, cut(1), cut(2), off, on, cut(3), cut(4)];
+        for control in CONTROLS.iter().filter(|control| control.spellings().tip.is_some()) {
+            let lines = steps(*control, &Layout { mode, ..layout() }, &blocks);
+            let with_f = lines.iter().filter(|line| line.contains("F800")).count();
+            assert_eq!(with_f, 2, "{lines:#?}");
+        }
+    }
+}
+
 /// X Y Z, millimetres.
 fn milling() -> Layout {
     Layout { axes: vec![('X', 3), ('Y', 3), ('Z', 3)], ..layout() }
@@ -683,7 +702,7 @@ fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
         "G53 G0 Z0",
     ];
     assert_eq!(arcs(&LinuxCnc), expected);
-    assert_eq!(arcs(&Siemens)[..6], expected[..6]);
+    assert_eq!(arcs(&Siemens), expected[..4]);
     assert_eq!(
         arcs(&Fanuc)[1..5],
         ["G3 X0. Y10. I-10. J0.", "G2 X0. Y10. I0. J-10.", "X10. Y0. Z-2.5 I0. J-10.", "G18 G3 X0. Z7.5 I-10. K0."]
@@ -705,6 +724,43 @@ fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
             "10 CP IPA-90 IZ-2.5 DR-",
         ]
     );
+}
+
+/// On Siemens another plane would give the length of the tool to another axis. In the words of G43.5 I J K are the tool axis.
+#[test]
+fn no_arc_is_said_where_its_plane_or_its_centre_means_something_else() {
+    let planes = |control: &dyn Control, mode, tcp_words| {
+        abilities(control, &Config { mode, tcp_words, ..starting_point(control) }).arc_planes
+    };
+    let (all, only) = ([true; 3], [false, false, true]);
+    assert_eq!(planes(&Siemens, Mode::Axes, TcpWords::Angles), only);
+    assert_eq!(planes(&Siemens, Mode::Tcp, TcpWords::Vectors), only);
+    assert_eq!(planes(&Fanuc, Mode::Tcp, TcpWords::Angles), all);
+    assert_eq!(planes(&Fanuc, Mode::Axes, TcpWords::Vectors), all);
+    assert_eq!(planes(&Fanuc, Mode::Tcp, TcpWords::Vectors), [false; 3]);
+    assert_eq!(planes(&Heidenhain, Mode::Tcp, TcpWords::Vectors), only);
+}
+
+/// A helix ends at an angle: where X and Y stand behind it is right but for rounding. To `C` the end of a whole turn would be
+/// a point next to the start, or the start.
+#[test]
+fn behind_a_helix_heidenhain_counts_the_angle_of_a_whole_turn() {
+    let helix = round(Plane::Xy, [10_000, 0, 0], [0, 10_000, -2_500], [0, 0], false);
+    let whole = round(Plane::Xy, [0, 10_000, -2_500], [0, 10_000, -2_500], [0, 0], true);
+    let half = round(Plane::Xy, [0, 10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
+    let again = round(Plane::Xy, [0, -10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
+    let blocks = [
+        Step::Restart { number: 1 },
+        Step::Feed { words: linear([10_000, 0, 0]), feed: per_minute(500) },
+        Step::Arc { words: linear([0, 10_000, -2_500]), circle: &helix, feed: FEED },
+        Step::Arc { words: linear([0, 10_000, -2_500]), circle: &whole, feed: FEED },
+        Step::Arc { words: linear([0, -10_000, -2_500]), circle: &half, feed: FEED },
+        Step::Arc { words: linear([0, -10_000, -2_500]), circle: &again, feed: FEED },
+    ];
+    let lines = steps(&Heidenhain, &milling(), &blocks);
+    let arcs: Vec<&str> = lines.iter().filter(|line| line.contains("DR")).map(|line| &line[2..]).collect();
+    let arcs: Vec<&str> = arcs.iter().map(|line| line.trim_start()).collect();
+    assert_eq!(arcs, ["CP IPA+90 IZ-2.5 DR+", "CP IPA-360 DR-", "C X+0 Y-10 DR-", "C X+0 Y-10 DR-"]);
 }
 
 #[test]

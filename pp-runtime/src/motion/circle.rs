@@ -123,14 +123,24 @@ impl Nominal {
             let distance = length([shift[0] + direction[0] * radii[0], shift[1] + direction[1] * radii[0]]);
             self.radii.iter().map(|radius| (distance - radius).abs()).fold(0.0, f64::max)
         };
+        let missed = |direction: [f64; 2]| {
+            let radius = self.radii[0];
+            (length([direction[0] * radius - shift[0], direction[1] * radius - shift[1]]) - radii[0]).abs()
+        };
         let unit = |vector: [f64; 2]| [vector[0] / length(vector), vector[1] / length(vector)];
-        // The distance from the nominal centre changes monotonously except along the shift.
+        // The distance from the nominal centre changes monotonously except along the shift, and so does that of the nominal
+        // circle from this centre.
         let mut off = far(unit(first)).max(far(unit(last)));
         if length(shift) > 0.0 {
             let along = unit(shift);
+            let begin = minus(start, self.centre);
             for direction in [along, [-along[0], -along[1]]] {
                 if self.turn(first, direction) <= sweep {
                     off = off.max(far(direction));
+                }
+                // The other way round: a small loop near the nominal circle leaves most of that uncut.
+                if self.turn(begin, direction) <= self.sweep {
+                    off = off.max(missed(direction));
                 }
             }
         }
@@ -210,6 +220,21 @@ mod tests {
                 .map(|value| (value * GRID.per_mm).round() as i64)
         };
         (nominal, at(from), at(from + sweep))
+    }
+
+    /// Ends of a whole turn that are rounded apart, square to the way: on the line between them and the centre a loop of some
+    /// thousandths of a millimetre has the same ends and the same sweep, and nowhere leaves the nominal circle.
+    #[test]
+    fn a_whole_turn_is_no_loop_at_its_start() {
+        for radius in [0.05, 2.0, 10.000_5, 80.000_5] {
+            let nominal = Nominal { centre: [0.0; 2], radii: [radius; 2], clockwise: false, sweep: TAU };
+            let units = (radius * 1e3).floor() as i64;
+            for aside in 0..40 {
+                let fit = nominal.fit([units, aside], [units + 1, aside], GRID);
+                let off = fit.map(|fit| (fit.off, length(fit.centre.map(|units| units as f64 / 1e3))));
+                assert!(off.is_none_or(|(off, shift)| off > 0.8 * shift), "{radius} {aside}: {off:?}");
+            }
+        }
     }
 
     #[test]

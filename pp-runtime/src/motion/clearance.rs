@@ -8,7 +8,7 @@ use crate::program::Clearance;
 const ALONG: f64 = 1e-3;
 
 /// mm along `axis` until the tool is outside and stays there, 0 if it is; `None` if it never leaves.
-pub(super) fn way_out(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
+pub(crate) fn way_out(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
     match *clearance {
         Clearance::Plane(plane) => {
             let along = axis.dot(&plane.normal);

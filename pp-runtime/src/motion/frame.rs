@@ -115,6 +115,11 @@ impl Frame {
         self.counting != Counting::Axes
     }
 
+    /// The control turns the tool axis in the plane of its ends, whatever the rotary axes do for it.
+    pub(super) fn turns_in_plane(&self) -> bool {
+        self.posture == ToolPosture::Plane
+    }
+
     /// Whether the frame has to be set where the rotaries have turned.
     pub(super) fn is_set_anew(&self) -> bool {
         self.mode == Mode::Plane || self.mode == Mode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
@@ -214,6 +219,15 @@ pub fn unsuited<M: Machine>(
         let text =
             format!("{letter} of this machine does not run along its own direction, and the control counts along it");
         other(text, "use mode axes");
+    }
+    let offset = config.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
+    if let Some((letter, _)) = offset.filter(|_| !config.tcp_confirmed) {
+        let text = format!(
+            "the frame of the control may turn with the entry of {letter} in its work offset, the words count as if it did not"
+        );
+        let instead =
+            "turn the part with `part_rotation` instead of `rotary_offset`, or `tcp_confirmed = true` if it stays";
+        other(text, instead);
     }
     match mode {
         Mode::Tcp => tcp_faults::<M>(config, control, tip, &mut other),

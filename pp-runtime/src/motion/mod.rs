@@ -47,6 +47,7 @@ pub(crate) use arc::extent;
 pub use arcs::Chorded;
 pub use circle::{Circle, Plane};
 pub use clamps::{Moving, Nowhere};
+pub(crate) use clearance::way_out;
 pub use course::{Cost, Course, Navigator};
 pub use expand::Expander;
 pub use frame::{TipAbility, unsuited};

@@ -244,8 +244,22 @@ impl<M: Machine> Planner<'_, M> {
                 return self.feed_to(at, &Move { feed, ..*motion }, place, sink);
             }
         }
+        self.say_turn(place).map_err(|fault| stop(at, fault))?;
         self.cancel_inverse_time(sink)?;
         self.rapid(place, self.all(), sink)
+    }
+
+    /// What a block does has to stand in it: the control would go on with rotary axes that stand elsewhere.
+    fn say_turn(&self, to: &Place<M::Axes>) -> Result<(), Fault> {
+        if !self.placer.hides_turn(&self.place, to, self.config.axis_tolerance_path) {
+            return Ok(());
+        }
+        let (letter, turn) = self.placer.largest_turn(&self.place.words, &to.words).unwrap_or_default();
+        Err(Fault::new(format_args!(
+            "here {letter} has to turn by {:.3}° while the tool axis stays, and a tool axis as a vector cannot say that",
+            turn.to_degrees()
+        ))
+        .help("give `tcp_words = \"angles\"`"))
     }
 
     /// The rotaries would turn while the plane is tilted.
@@ -313,6 +327,7 @@ impl<M: Machine> Planner<'_, M> {
         sink: &mut impl Sink,
     ) -> Planned {
         if place.words != self.place.words {
+            self.say_turn(place).map_err(|fault| stop(at, fault))?;
             self.clamps.note(&self.place.words, &place.words);
             self.times.cut(minutes);
             if let Some((letter, turn)) = self.placer.largest_turn(&self.place.words, &place.words) {

@@ -23,7 +23,7 @@ use super::step::{MAX_AXES, VECTOR_DECIMALS, Words};
 use super::structure::{coordinates, counted, held_tool_axis, orthogonal, poles};
 use super::tilt::{PlaneAbility, PoseRule, Tilt};
 use super::travel::Travel;
-use super::way::angle_between;
+use super::way::{angle_between, turn_between};
 
 /// How far a map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
 const ORTHOGONAL: f64 = 1e-9;
@@ -337,6 +337,17 @@ impl<M: Machine> Placer<M> {
         let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
         let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
         Words { units, mask: mask & !self.rotary_mask, vector }
+    }
+
+    /// Whether a block would turn rotary axes by more than an angle, rad, and could not say so: a tool axis as a vector is the
+    /// same before and behind a turn about it, or of whole turns. At the pole a control that turns the tool axis in the
+    /// plane of its ends needs no such turn.
+    pub(crate) fn hides_turn(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, angle: f64) -> bool {
+        let all = self.linear_mask | self.rotary_mask;
+        self.vectors
+            && !(to.pole && self.frame.turns_in_plane())
+            && self.rotary_travel(&from.words, &to.words) > angle
+            && self.words(from, all).vector == self.words(to, all).vector
     }
 
     /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
@@ -681,7 +692,7 @@ impl<M: Machine> Placer<M> {
         let stands = orientation(&self.machine, &place.axes);
         // The rotaries stand at rounded angles, the control computes its own: the plane is that of the tool axis.
         let rounded = UnitVector3::new_normalize(stands * self.machine.tool_axis().into_inner());
-        let correction = nalgebra::Rotation3::rotation_between(&rounded, &place.pose.axis).ok_or_else(no_plane)?;
+        let correction = turn_between(&rounded, &place.pose.axis);
         let tilt = self.frame.tilt(ability, &(correction * stands)).ok_or_else(no_plane)?;
         Ok((self.finish(place)?, tilt))
     }

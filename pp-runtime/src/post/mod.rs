@@ -25,8 +25,7 @@ use crate::motion::{Chorded, Cost, Course, Gate, Moving, Navigator, Nowhere, Pla
 use crate::program::Location;
 
 pub use proof::{Proof, prove};
-
-use setting::Setting;
+pub(crate) use setting::Setting;
 use survey::Survey;
 
 /// What is to be posted, and how.

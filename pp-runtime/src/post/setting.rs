@@ -15,7 +15,7 @@ use crate::program::{Arc, Event, Hole, Move, Plane, Spline};
 
 /// Turns the events of a program.
 #[derive(Debug, Clone)]
-pub(super) struct Setting {
+pub(crate) struct Setting {
     rotation: Rotation3<f64>,
     /// mm along the tool axis.
     lift: f64,
@@ -26,7 +26,7 @@ pub(super) struct Setting {
 }
 
 impl Setting {
-    pub(super) fn new(config: &Config) -> Self {
+    pub(crate) fn new(config: &Config) -> Self {
         let rotation = config.part_rotation;
         let lift = config.lift.unwrap_or(0.0);
         Self { rotation, lift, plain: rotation == Rotation3::identity() && config.lift.is_none(), points: Vec::new() }
@@ -34,7 +34,7 @@ impl Setting {
 
     /// An event of the CL data as it is run; `None` if nothing changes.
     #[inline]
-    pub(super) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
+    pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
         if self.plain { None } else { Some(self.turned(event)) }
     }
 

@@ -11,6 +11,9 @@ use super::Encoder;
 /// Decimals of the angle of a helix, degrees: at 10 m from its axis they are a hundredth of a word.
 const POLAR_DECIMALS: u32 = 6;
 
+/// From this angle on the ends of an arc lie so near each other that the start has to be known to the digit, rad.
+const NEARLY_WHOLE: f64 = 1.9 * std::f64::consts::PI;
+
 impl<W: Write> Encoder<'_, W> {
     /// A plane of arcs that is to be in force.
     pub(super) fn plane(&mut self, code: &'static str) {
@@ -36,13 +39,16 @@ impl<W: Write> Encoder<'_, W> {
             self.call_length(words)?;
         }
         self.feed_mode(self.codes.per_minute);
+        let [first, second, _] = circle.plane.axes().map(|axis| circle.chain[axis]);
+        let known =
+            !self.belief.axis_changes(first, circle.start[0]) && !self.belief.axis_changes(second, circle.start[1]);
         // Its words are complete: what is left out of an arc means something else on each control.
         for axis in &circle.plane.axes()[..2] {
             self.belief.forget_axis(circle.chain[*axis]);
         }
         match self.codes.arcs.centre {
             ArcCentre::Offsets => self.arc_with_offsets(words, circle),
-            ArcCentre::Pole => self.arc_about_pole(words, circle)?,
+            ArcCentre::Pole => self.arc_about_pole(words, circle, known)?,
         }
         self.centre_word(false);
         self.changed_feed(feed);
@@ -69,8 +75,10 @@ impl<W: Write> Encoder<'_, W> {
         }
     }
 
-    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`.
-    pub(super) fn arc_about_pole(&mut self, words: &Words, circle: &Circle) -> io::Result<()> {
+    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`. `known`: the axes stand where the words of the arc say
+    /// that it begins; behind a helix, whose end is an angle, they stand there but for rounding, and to `C` a whole turn
+    /// from there might be no turn at all.
+    pub(super) fn arc_about_pole(&mut self, words: &Words, circle: &Circle, known: bool) -> io::Result<()> {
         let arcs = &self.codes.arcs;
         let [first, second, square] = circle.plane.axes().map(|axis| circle.chain[axis]);
         let decimals = self.decimals(first);
@@ -89,7 +97,7 @@ impl<W: Write> Encoder<'_, W> {
             self.writer.word(word, Decimal { units, decimals }, self.numerals);
         }
         self.writer.end()?;
-        if circle.rise == 0 {
+        if circle.rise == 0 && (known || circle.sweep < NEARLY_WHOLE) {
             self.writer.code("C");
             self.axis_words(words, false);
         } else {
@@ -98,10 +106,12 @@ impl<W: Write> Encoder<'_, W> {
             // At most a turn in six decimals.
             let angle = Decimal::fixed(degrees, POLAR_DECIMALS).unwrap_or_default();
             self.writer.word("IPA", angle, self.numerals);
-            let word = self.axes.iter().find(|address| address.index == square).map_or("", |address| &address.word);
-            let rise = Decimal { units: circle.rise, decimals: self.decimals(square) };
-            self.writer.word(&format!("I{word}"), rise, self.numerals);
-            self.belief.set_axis(square, words.units[square]);
+            if circle.rise != 0 {
+                let word = self.axes.iter().find(|address| address.index == square).map_or("", |address| &address.word);
+                let rise = Decimal { units: circle.rise, decimals: self.decimals(square) };
+                self.writer.word(&format!("I{word}"), rise, self.numerals);
+                self.belief.set_axis(square, words.units[square]);
+            }
         }
         self.writer.code(sense);
         Ok(())

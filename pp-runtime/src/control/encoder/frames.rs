@@ -43,8 +43,7 @@ impl<W: Write> Encoder<'_, W> {
     /// Tip control on or off; where it comes with the length offset, with the next motion.
     pub(super) fn tip_control(&mut self, on: bool) -> io::Result<()> {
         self.usual_plane()?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
+        self.frame_changes();
         if let Some(codes) = &self.setup.tip_control {
             let code = codes[usize::from(!on)].clone();
             return self.block(&code);
@@ -81,8 +80,7 @@ impl<W: Write> Encoder<'_, W> {
             None => "",
         };
         self.fill_all(plane.on)?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
+        self.frame_changes();
         Ok(())
     }
 
@@ -90,9 +88,15 @@ impl<W: Write> Encoder<'_, W> {
         let Some(plane) = &self.codes.plane else { return Ok(()) };
         self.smooth(false)?;
         self.fill_all(plane.off)?;
-        self.belief.forget_axes();
-        self.belief.motion = "";
+        self.frame_changes();
         Ok(())
+    }
+
+    /// Words mean something else from here on, F too: it may count along another path.
+    fn frame_changes(&mut self) {
+        self.belief.forget_axes();
+        self.belief.forget_feed();
+        self.belief.motion = "";
     }
 
     /// A rapid in machine coordinates. Not every control keeps its motion code in force, and some end the length offset.

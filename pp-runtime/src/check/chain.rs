@@ -1,0 +1,144 @@
+//! Axis values into tip and tool axis: the chain of the declaration as a product of matrices, at run time.
+//!
+//! `T(q) = Π J_i(q_i)` from the workpiece to the tool, `J = Trans(q·u)` for a linear axis, `Trans(c)·Rot(n, q)·Trans(-c)` for
+//! a rotary one, `q` with its sign. The tip is `T·(0,0,0,1)`, the tool axis `T·(t,0)`. Nothing of the generated functions
+//! is used: the joints are those that the declaration states. The product is applied to tip and axis from the tool
+//! outwards, which costs a rotation of two vectors for each rotary axis.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::read::MAX_AXES;
+use crate::kinematics::{AxisKind, Machine, Side};
+
+/// One factor of the product.
+#[derive(Debug, Clone, Copy)]
+struct Link {
+    rotary: bool,
+    workpiece: bool,
+    /// Direction, with the sign of the axis.
+    direction: Vector3<f64>,
+    /// A point of the centre line, mm.
+    point: Vector3<f64>,
+}
+
+/// The chain of a machine for one part and one tool.
+#[derive(Debug, Clone)]
+pub(super) struct Chain {
+    links: Vec<Link>,
+    tool_axis: Vector3<f64>,
+}
+
+/// Tip and tool axis in the workpiece frame, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Placed {
+    pub(super) tip: Vector3<f64>,
+    pub(super) axis: Vector3<f64>,
+}
+
+impl Chain {
+    pub(super) fn of<M: Machine>(machine: &M) -> Self {
+        let link = |index: usize| {
+            let joint = machine.joint(index);
+            Link {
+                rotary: M::AXES[index].kind == AxisKind::Rotary,
+                workpiece: M::AXES[index].side == Side::Workpiece,
+                direction: joint.direction.into_inner() * joint.sign,
+                point: joint.point.coords,
+            }
+        };
+        Self { links: (0..M::AXES.len()).map(link).collect(), tool_axis: machine.tool_axis().into_inner() }
+    }
+
+    /// Tip and tool axis for axis values in mm and rad.
+    pub(super) fn place(&self, values: &[f64; MAX_AXES]) -> Placed {
+        let (mut tip, mut axis) = (Vector3::zeros(), self.tool_axis);
+        for (link, value) in self.links.iter().zip(values).rev() {
+            if link.rotary {
+                let (sine, cosine) = value.sin_cos();
+                tip = link.point + link.turned(tip - link.point, sine, cosine);
+                axis = link.turned(axis, sine, cosine);
+            } else {
+                tip += link.direction * *value;
+            }
+        }
+        Placed { tip, axis }
+    }
+
+    /// What the rotary axes of the table make of a point that stands in the room, mm: where it is on the workpiece.
+    pub(super) fn onto_workpiece(&self, point: Vector3<f64>, values: &[f64; MAX_AXES]) -> Vector3<f64> {
+        let mut point = point;
+        for (link, value) in self.links.iter().zip(values).rev().filter(|(link, _)| link.rotary && link.workpiece) {
+            let (sine, cosine) = value.sin_cos();
+            point = link.point + link.turned(point - link.point, sine, cosine);
+        }
+        point
+    }
+
+    /// Where the linear axes take the tip with all rotary axes at zero, mm.
+    pub(super) fn at_zero(&self, values: &[f64; MAX_AXES]) -> Vector3<f64> {
+        let linear = self.links.iter().zip(values).filter(|(link, _)| !link.rotary);
+        linear.fold(Vector3::zeros(), |tip, (link, value)| tip + link.direction * *value)
+    }
+
+    /// Values of these three linear axes whose motion together, at the zero position, is a vector.
+    pub(super) fn along(&self, axes: [usize; 3], vector: &Vector3<f64>) -> [f64; 3] {
+        let columns = axes.map(|index| self.links[index].direction);
+        let inverse = Matrix3::from_columns(&columns).try_inverse();
+        inverse.map_or([0.0; 3], |inverse| (inverse * vector).into())
+    }
+}
+
+impl Link {
+    /// Rodrigues: the part along the direction stays, the rest turns.
+    fn turned(&self, v: Vector3<f64>, sine: f64, cosine: f64) -> Vector3<f64> {
+        let along = self.direction * self.direction.dot(&v);
+        along + (v - along) * cosine + self.direction.cross(&v) * sine
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::machines::{Cb, Head};
+
+    /// The same product with 4 × 4 matrices, written out.
+    fn product<M: Machine>(machine: &M, values: &[f64]) -> (Vector3<f64>, Vector3<f64>) {
+        use nalgebra::{Matrix4, Vector4};
+        let mut all = Matrix4::identity();
+        for (index, value) in values.iter().enumerate() {
+            let joint = machine.joint(index);
+            let n = joint.direction.into_inner();
+            let step = n * (joint.sign * value);
+            all *= match M::AXES[index].kind {
+                AxisKind::Linear => Matrix4::new_translation(&step),
+                AxisKind::Rotary => {
+                    let there = Matrix4::new_translation(&joint.point.coords);
+                    let back = Matrix4::new_translation(&-joint.point.coords);
+                    there * Matrix4::from_axis_angle(&joint.direction, joint.sign * value) * back
+                }
+            };
+        }
+        let t = machine.tool_axis().into_inner();
+        let (tip, axis) = (all * Vector4::new(0.0, 0.0, 0.0, 1.0), all * Vector4::new(t.x, t.y, t.z, 0.0));
+        (tip.xyz(), axis.xyz())
+    }
+
+    fn agrees<M: Machine>(values: [f64; 5]) {
+        let mut machine = M::default();
+        machine.set_up(Vector3::new(3.0, -4.0, 25.0), 120.0);
+        let mut all = [0.0; MAX_AXES];
+        all[..5].copy_from_slice(&values);
+        let placed = Chain::of(&machine).place(&all);
+        let (tip, axis) = product(&machine, &values);
+        assert!((placed.tip - tip).norm() < 1e-10 && (placed.axis - axis).norm() < 1e-13, "{placed:?} {tip} {axis}");
+    }
+
+    #[test]
+    fn tip_and_axis_are_those_of_the_product_of_matrices() {
+        for turn in 0..40 {
+            let at = f64::from(turn);
+            agrees::<Cb>([0.31 * at, 0.17 * at - 2.0, at, -2.0 * at, 50.0 - at]);
+            agrees::<Head>([at, 3.0 - at, 100.0, 0.05 * at, 0.3 - 0.04 * at]);
+        }
+    }
+}

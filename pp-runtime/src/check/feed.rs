@@ -1,0 +1,190 @@
+//! The F that a feed block has to have.
+//!
+//! The tip keeps the programmed feed: a block takes the length of its tip path over the feed; longer only where an axis
+//! would be faster than it can, or the control asks for a largest F or a shortest block. While no rotary word changes and
+//! the linear axes are square F is the feed of the tip; else it says what the control counts.
+
+use super::read::{Family, FeedMode, MAX_AXES, State};
+use crate::config::{Config, Mode, PathNorm, Units};
+use crate::kinematics::{AxisKind, Machine};
+use crate::program::Feed;
+
+/// Share by which sums of floating-point numbers may differ.
+const NOISE: f64 = 1e-9;
+
+/// A block that goes nowhere may take any time; this much is written, minutes.
+const NOTHING: f64 = 1e-3;
+
+/// One block as the comparison has placed it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stroke {
+    /// Length of the programmed tip path, mm.
+    pub(super) length: f64,
+    /// Change of the axis values, mm and rad.
+    pub(super) change: [f64; MAX_AXES],
+    pub(super) feed: Option<Feed>,
+    /// rev/min.
+    pub(super) speed: Option<f64>,
+}
+
+/// The law of one machine, control and set-up.
+#[derive(Debug, Clone)]
+pub(super) struct FeedLaw {
+    norm: PathNorm,
+    /// The linear axes are square and of one unit each.
+    square: bool,
+    rotary_mask: u16,
+    linear_mask: u16,
+    speeds: Vec<Option<f64>>,
+    largest: f64,
+    shortest: f64,
+    reorient: f64,
+    /// One unit of linear and of rotary words, mm and rad.
+    unit: f64,
+    angle: f64,
+    decimals: u32,
+    digits: u32,
+    /// F counts along the tip path, whatever the axes do.
+    along_tip: bool,
+    /// F of one mm/min.
+    per_mm: f64,
+}
+
+/// Expected F and how far it may be off.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Expected {
+    pub(super) mode: FeedMode,
+    pub(super) value: f64,
+    pub(super) slack: f64,
+}
+
+impl FeedLaw {
+    pub(super) fn new<M: Machine>(
+        machine: &M,
+        config: &Config,
+        family: Family,
+        units: Units,
+        masks: (u16, u16),
+        (unit, angle): (f64, f64),
+    ) -> Self {
+        let usual = if family == Family::Heidenhain { PathNorm::XyzDegrees } else { PathNorm::G93Minutes };
+        // Heidenhain counts tenths of an inch.
+        let in_tenths = if family == Family::Heidenhain && units == Units::Inches { 10.0 } else { 1.0 };
+        let keeps = config.feed.keep_speeds;
+        let travel = config.travel::<M>();
+        Self {
+            norm: config.control.path_norm.unwrap_or(usual),
+            square: square(machine),
+            linear_mask: masks.0,
+            rotary_mask: masks.1,
+            speeds: travel.speeds.iter().map(|speed| speed.filter(|_| keeps)).collect(),
+            largest: config.feed.largest.unwrap_or(f64::INFINITY),
+            shortest: config.feed.shortest_block / 60.0,
+            reorient: config.reorient_speed,
+            unit,
+            angle,
+            decimals: config.formats.feed,
+            digits: config.formats.inverse_time,
+            along_tip: config.mode == Mode::Tcp,
+            per_mm: in_tenths / units.in_mm(),
+        }
+    }
+
+    /// The largest speeds of the axes count.
+    pub(super) fn needs_axes(&self) -> bool {
+        self.speeds.iter().any(Option::is_some)
+    }
+
+    /// The F of a block; `None` where no feed is known.
+    pub(super) fn expected(&self, stroke: &Stroke) -> Option<Expected> {
+        let feed = match stroke.feed? {
+            Feed::PerMinute(feed) => feed,
+            Feed::PerRevolution(feed) => feed * stroke.speed?,
+        };
+        let (mut linear, mut degrees, mut turn, mut least) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+        for (index, change) in stroke.change.iter().enumerate() {
+            if self.linear_mask & (1 << index) != 0 {
+                linear += change * change;
+            } else if self.rotary_mask & (1 << index) != 0 {
+                degrees += change.to_degrees().powi(2);
+                turn = turn.max(change.abs());
+            }
+            if let Some(Some(speed)) = self.speeds.get(index) {
+                least = least.max(change.abs() / speed);
+            }
+        }
+        let (linear, degrees) = (linear.sqrt(), degrees.sqrt());
+        let still = stroke.length < self.unit;
+        let mut programmed = stroke.length / feed;
+        if still {
+            programmed = programmed.max(turn / self.reorient);
+        }
+        if programmed <= 0.0 {
+            programmed = NOTHING;
+        }
+        let minutes = programmed.max(least).max(self.shortest).max(stroke.length / self.largest);
+        // Ends of the tip path are known to a unit, and those of the axes to half a unit each.
+        let way = if still { turn } else { stroke.length };
+        let known = if still { self.angle } else { 2.0 * self.unit };
+        let mut rough = if way > 0.0 { known / way } else { 1.0 };
+        if least > 0.0 && minutes > programmed {
+            rough = rough.max(2.0 * self.unit / linear.max(self.unit)).max(self.angle / turn.max(self.angle));
+        }
+        let step = 0.5 * 10_f64.powi(-(self.decimals as i32));
+        let along = |path: f64, rough: f64| {
+            let value = path / minutes;
+            Expected { mode: FeedMode::PerMinute, value, slack: step + value * (rough + NOISE) }
+        };
+        if turn < self.angle * 0.25 && self.square {
+            let slowed = minutes > programmed * (1.0 + NOISE);
+            let value = if slowed { stroke.length / minutes } else { feed } * self.per_mm;
+            let rough = if slowed { rough } else { 0.0 };
+            return Some(Expected { mode: FeedMode::PerMinute, value, slack: step + value * (rough + NOISE) });
+        }
+        let inverse = |per_minute: f64| {
+            let value = 1.0 / (minutes * per_minute);
+            // The last of its significant digits.
+            let digit = 10_f64.powi(value.abs().log10().floor() as i32 + 1 - self.digits as i32);
+            Expected { mode: FeedMode::InverseTime, value, slack: digit + value * (rough + NOISE) }
+        };
+        if self.along_tip {
+            return Some(if still { along(degrees, rough) } else { along(stroke.length * self.per_mm, rough) });
+        }
+        Some(match self.norm {
+            PathNorm::G93Minutes => inverse(1.0),
+            PathNorm::G93Seconds => inverse(60.0),
+            PathNorm::Xyz if linear > 0.25 * self.unit => along(linear * self.per_mm, rough + 2.0 * self.unit / linear),
+            PathNorm::XyzDegrees if linear > 0.25 * self.unit => along(linear.hypot(degrees) * self.per_mm, rough),
+            PathNorm::Xyz | PathNorm::XyzDegrees => along(degrees, rough),
+        })
+    }
+
+    /// Whether a block runs as it should: `None`, or what it should be.
+    pub(super) fn wrong(&self, stroke: &Stroke, state: &State) -> Option<String> {
+        let expected = self.expected(stroke)?;
+        let written = state.feed.unwrap_or(0.0);
+        if state.feed_mode == Some(expected.mode) && (written - expected.value).abs() <= expected.slack {
+            return None;
+        }
+        let (name, unit) = match expected.mode {
+            FeedMode::InverseTime => ("inverse time", "1/min"),
+            _ => ("feed per minute", "a minute"),
+        };
+        Some(match state.feed {
+            _ if state.feed_mode != Some(expected.mode) => {
+                format!("F is to be {:.6} {unit} in {name}, and that is not in force", expected.value)
+            }
+            None => format!("there is no F, it is to be {:.6} {unit}", expected.value),
+            Some(written) => format!("F is {written} {unit}, it is to be {:.6}", expected.value),
+        })
+    }
+}
+
+/// Whether the linear axes are square to each other, so that the way of the words is the way of the tip.
+fn square<M: Machine>(machine: &M) -> bool {
+    let linear = (0..M::AXES.len()).filter(|&index| M::AXES[index].kind == AxisKind::Linear && !M::AXES[index].held);
+    let directions: Vec<_> = linear.map(|index| machine.joint(index).direction).collect();
+    let pairs = directions.iter().enumerate().flat_map(|(index, a)| directions[..index].iter().map(move |b| (a, b)));
+    let mut pairs = pairs;
+    pairs.all(|(a, b)| a.dot(b).abs() < 1e-12)
+}

@@ -1,0 +1,367 @@
+//! Blocks at the part: which motion of the CL data each serves, and how well.
+
+use std::io::{self, Read};
+
+use super::chain::Placed;
+use super::compare::{Checker, Phase};
+use super::expect::{Kind, Motion, Wanted};
+use super::feed::Stroke;
+use super::path::{Segment, Shape, angle_between};
+use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
+use super::report::Shown;
+use crate::config::{Rapid, Rewind, ToolPosture, Transition};
+use crate::kinematics::Machine;
+use crate::program::Location;
+
+/// A motion within this angle of the tool axis leads along it, rad.
+const ALONG: f64 = 1e-3;
+
+/// Places of a block that are looked at besides its ends, and one more for each of these angles that it turns, rad.
+const PLACES: f64 = 3.0;
+const PLACE: f64 = 0.02;
+const MOST_PLACES: f64 = 400.0;
+
+/// A share that suits both tip and axis leaves each of them this much farther off than its own best would.
+const BOTH: f64 = std::f64::consts::SQRT_2;
+
+/// Shares that differ by rounding.
+const SHARE: f64 = 1e-9;
+
+impl<M: Machine, R: Read> Checker<'_, M, R> {
+    /// Lets the block serve the motion ahead, passing over motions that need no block; `false` if it does not fit.
+    pub(super) fn serve(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<bool> {
+        if let Some(back) = self.back {
+            return Ok(self.serve_back(&back, block, end, shown));
+        }
+        loop {
+            self.expect.fill(2)?;
+            let Some(item) = self.expect.get(0) else { return Ok(false) };
+            let (at, wanted, in_hole) = (item.at, item.wanted, item.hole.is_some());
+            let motion = match item.kind {
+                Kind::Motion(motion) => motion,
+                Kind::Dwell(seconds) => {
+                    self.found(shown, &format!("the wait of {seconds} s before this block is missing"));
+                    self.expect.pop();
+                    continue;
+                }
+                _ => return Ok(false),
+            };
+            if motion.starts && !self.approached {
+                return Ok(false);
+            }
+            let segment = self.segment(&motion, end);
+            let share = self.fits(&segment, &motion, block, end);
+            let share = share.or_else(|| if in_hole { self.stops_on_way(&segment, &motion, end) } else { None });
+            if let Some(share) = share {
+                self.travelled(block, end, &segment, &motion, share, (at, wanted), shown);
+                return Ok(true);
+            }
+            if !self.needs_no_block(&segment) {
+                return Ok(false);
+            }
+            self.pass();
+        }
+    }
+
+    /// The motion ahead from where the last one ended.
+    pub(super) fn segment(&self, motion: &Motion, end: &Placed) -> Segment {
+        let from = self.reached.or(self.here).unwrap_or(*end);
+        Segment { from, to: motion.to, shape: motion.shape }
+    }
+
+    /// Rounded words of its end are those in force already.
+    pub(super) fn needs_no_block(&self, segment: &Segment) -> bool {
+        let here = self.here.filter(|_| matches!(segment.shape, Shape::Line));
+        here.is_some_and(|here| self.is_at(&here, &segment.to))
+    }
+
+    /// The motion ahead is done.
+    pub(super) fn pass(&mut self) {
+        if let Some(item) = self.expect.pop() {
+            self.last = Some((item.at, item.wanted));
+            if let Kind::Motion(motion) = item.kind {
+                self.reached = Some(motion.to);
+            }
+        }
+        self.along = 0.0;
+        self.approached = false;
+    }
+
+    pub(super) fn is_at(&self, here: &Placed, there: &Placed) -> bool {
+        (here.tip - there.tip).norm() <= self.slack.tip && angle_between(&here.axis, &there.axis) <= self.slack.axis
+    }
+
+    /// The share of a motion that is done when a block ends there; `None` if it ends elsewhere.
+    fn fits(&self, segment: &Segment, motion: &Motion, block: &Block, end: &Placed) -> Option<f64> {
+        let by_angle = match (&block.action, &segment.shape) {
+            (Action::Arc(arc), Shape::Arc(round)) => Some(self.along + round.share_of(arc.sweep.abs())),
+            _ => None,
+        };
+        let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip / self.slack.axis));
+        let whole =
+            !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.length() <= 2.0 * self.slack.tip;
+        if whole && self.is_at(end, &segment.to) {
+            return Some(1.0);
+        }
+        if motion.rapid && self.config.rapid != Rapid::Feed {
+            return self.corner(segment, end);
+        }
+        if !(self.along - SHARE..=1.0 + SHARE).contains(&share) && !self.just_before(segment, share) {
+            return None;
+        }
+        let on = segment.at(share.clamp(0.0, 1.0));
+        let near = (end.tip - on.tip).norm() <= BOTH * self.slack.tip
+            && angle_between(&end.axis, &on.axis) <= BOTH * self.slack.axis;
+        if near {
+            return Some(share.clamp(self.along, 1.0));
+        }
+        let swings = self.config.retract.rewind == Rewind::Follow
+            && self.here.is_some_and(|here| (here.tip - end.tip).norm() <= 2.0 * self.slack.tip);
+        swings.then_some(self.along)
+    }
+
+    /// Rounding may put an end a little before the place where the last block ended.
+    fn just_before(&self, segment: &Segment, share: f64) -> bool {
+        let back = self.along - share;
+        let over = share - 1.0;
+        let (length, turn) = (segment.length(), segment.turn());
+        let near = |part: f64| part * length <= self.slack.tip && part * turn <= self.slack.axis;
+        near(back.max(over))
+    }
+
+    /// A rapid that leads down to a hole may stop on its way: a cycle of the control goes back to where it began.
+    fn stops_on_way(&self, segment: &Segment, motion: &Motion, end: &Placed) -> Option<f64> {
+        let near = motion.rapid && segment.distance(end, 0.0) <= BOTH * self.slack.tip;
+        (near && segment.axis_distance(&end.axis) <= BOTH * self.slack.axis).then_some(0.0)
+    }
+
+    /// A rapid in two blocks, along the tool axis and across it.
+    fn corner(&self, segment: &Segment, end: &Placed) -> Option<f64> {
+        let here = self.here.filter(|_| self.config.rapid == Rapid::Split)?;
+        let step = segment.to.tip - here.tip;
+        let along = segment.to.axis * step.dot(&segment.to.axis);
+        let corner = if step.dot(&segment.to.axis) > 0.0 { here.tip + along } else { segment.to.tip - along };
+        ((end.tip - corner).norm() <= 2.0 * self.slack.tip).then_some(0.0)
+    }
+
+    /// A block that serves a motion: its state, its way, its feed.
+    #[expect(clippy::too_many_arguments, reason = "both sides of one comparison")]
+    fn travelled(
+        &mut self,
+        block: &Block,
+        end: &Placed,
+        segment: &Segment,
+        motion: &Motion,
+        share: f64,
+        (at, wanted): (Location, Wanted),
+        shown: Shown<'_>,
+    ) {
+        let on = segment.at(share);
+        let outcome = &mut self.tally.outcome;
+        if !motion.rapid || share >= 1.0 {
+            outcome.tip = outcome.tip.max((end.tip - on.tip).norm());
+            outcome.axis = outcome.axis.max(angle_between(&end.axis, &on.axis));
+        }
+        self.state_at_path(block, &wanted, shown);
+        let feeds = block.action != Action::Rapid;
+        let as_feed = !motion.rapid || (self.config.rapid == Rapid::Feed && !self.turns(block));
+        if feeds != as_feed {
+            let text =
+                if feeds { "a rapid of the CL data is run at feed" } else { "a cut of the CL data is run at rapid" };
+            self.found(shown, text);
+        } else if feeds {
+            self.way(block, segment, &wanted, shown);
+            self.feed(block, segment, motion, share, &wanted, shown);
+        } else if self.turns(block) && self.config.transition == Transition::Safe {
+            self.found(shown, "a rapid turns the rotary axes at the part: the retract before it is missing");
+        }
+        self.follow_out(&on);
+        self.along = share;
+        self.lost = false;
+        self.restarted = false;
+        self.last = Some((at, wanted));
+        if share >= 1.0 {
+            self.pass();
+        } else if motion.rapid {
+            self.reached = Some(*end);
+        }
+    }
+
+    /// A rotary axis turns by more than the index angle.
+    fn turns(&self, block: &Block) -> bool {
+        let (before, known) = self.before;
+        let rotary = self.words.rotary_mask & known;
+        let largest = self.config.index_angle + 1.5 * self.slack.angle;
+        (0..MAX_AXES).any(|index| rotary & (1 << index) != 0 && (block.values[index] - before[index]).abs() > largest)
+    }
+
+    /// How far the motions lead out along the tool axis.
+    fn follow_out(&mut self, to: &Placed) {
+        let from = self.out_from.replace(*to).unwrap_or(*to);
+        let step = to.tip - from.tip;
+        let along = step.dot(&to.axis);
+        let across = (step - to.axis * along).norm();
+        if angle_between(&from.axis, &to.axis) > ALONG {
+            self.led_out = 0.0;
+        } else if along > SHARE && across <= ALONG * along {
+            self.led_out += along;
+        } else if along.abs() > SHARE || across > SHARE {
+            self.led_out = 0.0;
+        }
+    }
+
+    /// The way of a block between its ends.
+    fn way(&mut self, block: &Block, segment: &Segment, wanted: &Wanted, shown: Shown<'_>) {
+        let (before, known) = self.before;
+        let solved = self.solved(block);
+        // The control itself turns the axis evenly.
+        let evenly = block.state.tip_control != TipControl::Off
+            && (block.state.vector.is_some() || self.config.tool_posture == ToolPosture::Plane);
+        if self.lost || known & solved != solved || (evenly && block.action == Action::Feed) {
+            return;
+        }
+        let turned = self.rotary_way(&before, &block.values);
+        let straight = matches!(block.action, Action::Feed);
+        if straight && turned <= 0.0 && matches!(segment.shape, Shape::Line) {
+            return;
+        }
+        let sweep = if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 };
+        let places = (PLACES + ((turned + sweep) / PLACE).floor()).min(MOST_PLACES);
+        let (mut tip, mut axis) = (0.0_f64, 0.0_f64);
+        let mut after = self.along;
+        let mut place = 1.0;
+        while place <= places {
+            let share = place / (places + 1.0);
+            let words = between(&before, block, share, self.words.linear_places());
+            let on = self.words.place(&words, &block.state);
+            tip = tip.max(segment.distance(&on, after));
+            if turned > 0.0 {
+                axis = axis.max(segment.axis_distance(&on.axis));
+            }
+            if sweep > 0.0 {
+                after = self.along + (sweep / segment.angle()) * share * 0.999;
+            }
+            place += 1.0;
+        }
+        let outcome = &mut self.tally.outcome;
+        outcome.path = outcome.path.max(tip);
+        let swings = self.config.retract.rewind == Rewind::Follow;
+        let largest = wanted.tolerance + self.slack.tip;
+        if tip > largest {
+            let text = format!("along this block the tip leaves its path by {tip:.4} mm, {largest:.4} mm are allowed");
+            self.found(shown, &text);
+        }
+        let largest = self.config.axis_tolerance_path + self.slack.axis;
+        if axis > largest && !swings {
+            let (axis, largest) = (axis.to_degrees(), largest.to_degrees());
+            let text =
+                format!("along this block the tool axis leaves its turn by {axis:.4} deg, {largest:.4} are allowed");
+            self.found(shown, &text);
+        }
+    }
+
+    /// Largest turn of a rotary axis in a block, rad.
+    fn rotary_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
+        let turned = |index: &usize| self.words.rotary_mask & (1 << index) != 0;
+        (0..MAX_AXES).filter(turned).map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
+    }
+
+    /// F of a block.
+    fn feed(
+        &mut self,
+        block: &Block,
+        segment: &Segment,
+        motion: &Motion,
+        share: f64,
+        wanted: &Wanted,
+        shown: Shown<'_>,
+    ) {
+        let (before, known) = self.before;
+        let solved = self.solved(block);
+        if self.lost || known & solved != solved {
+            return;
+        }
+        let feed = if motion.rapid { self.config.rapid_feed.map(crate::program::Feed::PerMinute) } else { motion.feed };
+        let part = match segment.shape {
+            Shape::Line => (share - self.along) * segment.length(),
+            _ if matches!(block.action, Action::Arc(_)) => (share - self.along) * segment.length(),
+            _ => (segment.at(share).tip - segment.at(self.along).tip).norm(),
+        };
+        let axes = |words: &[f64; MAX_AXES]| match self.law.needs_axes() {
+            true => self.words.axes(words, &block.state).unwrap_or_else(|| self.words.values(words)),
+            false => self.words.values(words),
+        };
+        let (from, to) = (axes(&before), axes(&block.values));
+        let stroke = Stroke {
+            length: part,
+            change: std::array::from_fn(|index| to[index] - from[index]),
+            feed,
+            speed: wanted.spindle.map(|(speed, _)| speed),
+        };
+        if let Some(text) = self.law.wrong(&stroke, &block.state) {
+            self.found(shown, &text);
+        }
+    }
+
+    /// The way back to where the rotary axes were rewound.
+    fn serve_back(&mut self, back: &Segment, block: &Block, end: &Placed, shown: Shown<'_>) -> bool {
+        if block.action == Action::Rapid || !self.is_at(end, &back.to) {
+            return false;
+        }
+        let wanted = self.expect.get(0).map(|item| item.wanted);
+        if let Some(wanted) = wanted {
+            self.state_at_path(block, &wanted, shown);
+        }
+        self.back = None;
+        self.phase = Phase::Path;
+        true
+    }
+
+    /// A block that serves nothing: says so, and seeks among the motions ahead where the program goes on.
+    pub(super) fn resume(&mut self, end: &Placed, shown: Shown<'_>) -> io::Result<()> {
+        let next = self.expect.get(0).map(|item| &item.kind);
+        let text = match next {
+            Some(Kind::Motion(motion)) => {
+                let segment = self.segment(motion, end);
+                let off = segment.distance(end, self.along);
+                let turn = angle_between(&end.axis, &motion.to.axis).to_degrees();
+                format!(
+                    "this block serves no motion of the CL data: its end is {off:.4} mm off the next one and {turn:.4} deg off its axis"
+                )
+            }
+            Some(Kind::Stop { .. }) => "the program moves on before the stop of the CL data".to_owned(),
+            Some(Kind::Raw(_)) => "the program moves on before the block that INSERT asks for".to_owned(),
+            Some(Kind::Home) => "the program moves on before GOHOME".to_owned(),
+            Some(Kind::Dwell(_)) | None => "this block serves no motion of the CL data".to_owned(),
+        };
+        self.found(shown, &text);
+        self.back = None;
+        let queue = self.expect.ahead()?;
+        let goes_on = queue.iter().position(|item| matches!(&item.kind, Kind::Motion(motion) if {
+            (motion.to.tip - end.tip).norm() <= self.slack.tip && angle_between(&motion.to.axis, &end.axis) <= self.slack.axis
+        }));
+        if let Some(count) = goes_on {
+            (0..=count).for_each(|_| self.pass());
+        }
+        self.lost = goes_on.is_none();
+        self.out_from = Some(*end);
+        self.led_out = 0.0;
+        Ok(())
+    }
+}
+
+/// Words at a share of a block.
+fn between(before: &[f64; MAX_AXES], block: &Block, share: f64, linear: [Option<usize>; 3]) -> [f64; MAX_AXES] {
+    let mut words: [f64; MAX_AXES] =
+        std::array::from_fn(|index| before[index] + (block.values[index] - before[index]) * share);
+    if let (Action::Arc(ArcMove { centre, sweep }), Some(plane)) = (&block.action, block.state.plane) {
+        let [u, v, _] = plane.axes();
+        if let (Some(first), Some(second)) = (linear[u], linear[v]) {
+            let (x, y) = (before[first] - centre[u], before[second] - centre[v]);
+            let (sine, cosine) = (sweep * share).sin_cos();
+            words[first] = centre[u] + x * cosine - y * sine;
+            words[second] = centre[v] + x * sine + y * cosine;
+        }
+    }
+    words
+}

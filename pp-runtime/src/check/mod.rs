@@ -1,0 +1,113 @@
+//! Programs checked before anyone cuts: read back, put through the chain of the machine, compared with the CL data.
+//!
+//! `read` makes blocks of a program, knowing the control and nothing else. `chain` and `words` make tip and tool axis of
+//! them: matrices at run time, not the generated functions. `expect` says what the CL data asks for, `path` where the tool
+//! is on its way, `feed` how fast. `compare` brings the two together, with `follow` at the part, `sequence` between cuts
+//! and `state` for everything modal. Memory is constant in the length of the program.
+
+mod chain;
+mod compare;
+mod expect;
+mod feed;
+mod follow;
+mod hole;
+mod path;
+pub mod read;
+mod report;
+mod sequence;
+mod set_up;
+mod state;
+mod travel;
+mod words;
+
+use std::io::{self, Read, Seek};
+
+pub use report::Outcome;
+
+use crate::cl;
+use crate::config::{Config, Units};
+use crate::control::Control;
+use crate::diag::Diagnostic;
+use crate::kinematics::Machine;
+use compare::Checker;
+use read::{Family, Reader};
+
+/// What a program is compared with.
+#[derive(Clone, Copy)]
+pub struct Job<'a> {
+    /// The set-up it was posted with.
+    pub config: &'a Config,
+    /// The control that reads it.
+    pub control: &'a dyn Control,
+    /// Unit of the CL data where it does not say so itself.
+    pub units: Option<Units>,
+}
+
+/// Why a program could not be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum CheckError {
+    /// The CL data cannot be read.
+    #[error("cannot read the CL data: {0}")]
+    Input(#[source] io::Error),
+    /// The program cannot be read.
+    #[error("cannot read the program: {0}")]
+    Program(#[source] io::Error),
+    /// Nothing is known of this control or machine.
+    #[error("{0}")]
+    Impossible(String),
+}
+
+/// What a comparison gives.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Checked {
+    /// The program beside the CL data.
+    pub outcome: Outcome,
+    /// The first error of the CL data itself.
+    pub fault: Option<Diagnostic>,
+}
+
+/// Compares a program with the CL data it was posted from.
+///
+/// # Errors
+/// [`CheckError`] if there is nothing to compare; what is wrong with the program is in the outcome.
+pub fn check<M: Machine>(
+    job: &Job<'_>,
+    mut input: impl Read + Seek,
+    program: impl Read,
+) -> Result<Checked, CheckError> {
+    let family = family(job)?;
+    let machine = job.config.machine::<M>().map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
+    let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
+    let units = match job.config.output_units {
+        Some(units) => units,
+        None => set_up::units_of(&mut input, &options).map_err(CheckError::Input)?.unwrap_or(Units::Millimetres),
+    };
+    let vocabulary = set_up::vocabulary::<M>(family, job.config, units);
+    let offsets = set_up::offsets(job.config, family);
+    let mut reader = Reader::new(program, vocabulary);
+    let mut checker = Checker::new(machine, job.config, family, units, offsets, cl::Reader::new(input, options));
+    while let Some((block, text)) = reader.next_block().map_err(CheckError::Program)? {
+        checker.block(block, text).map_err(CheckError::Input)?;
+    }
+    Ok(checker.conclude(reader.lines()))
+}
+
+/// The blocks of a program as a control of this set-up reads them, comments left out.
+///
+/// # Errors
+/// [`CheckError`] if the control is not known or the program cannot be read.
+pub fn blocks<M: Machine>(job: &Job<'_>, program: impl Read) -> Result<Vec<read::Block>, CheckError> {
+    let family = family(job)?;
+    let units = job.config.output_units.or(job.units).unwrap_or_default();
+    let mut reader = Reader::new(program, set_up::vocabulary::<M>(family, job.config, units));
+    let mut blocks = Vec::new();
+    while let Some((block, _)) = reader.next_block().map_err(CheckError::Program)? {
+        blocks.push(block.clone());
+    }
+    Ok(blocks)
+}
+
+fn family(job: &Job<'_>) -> Result<Family, CheckError> {
+    Family::of_control(job.control.spellings().name)
+        .ok_or_else(|| CheckError::Impossible("programs of this control cannot be read back".to_owned()))
+}

@@ -1,0 +1,224 @@
+//! The path that the CL data asks for, one motion at a time: where tip and tool axis are at each share of it.
+//!
+//! A straight motion turns its axis evenly along the great circle between its ends; arcs and curves hold theirs. Shares
+//! run from 0 to 1.
+
+use nalgebra::{Point3, Vector3};
+
+use super::chain::Placed;
+use crate::kinematics::Pose;
+use crate::program::Arc;
+
+/// Angle below which the chord of an arc of axes is the arc, rad.
+const NARROW: f64 = 1e-7;
+
+/// A motion whose square is shorter than this has no direction, mm².
+const POINT: f64 = 1e-18;
+
+/// Steps of the search for the nearest place of a curve.
+const STEPS: usize = 32;
+
+/// What the tip follows.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Shape {
+    Line,
+    Arc(Round),
+    Cubic([Vector3<f64>; 4]),
+}
+
+/// A circle or a helix, seen from its centre.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Round {
+    centre: Vector3<f64>,
+    normal: Vector3<f64>,
+    /// Towards the start, and a quarter turn on.
+    u: Vector3<f64>,
+    v: Vector3<f64>,
+    radii: [f64; 2],
+    heights: [f64; 2],
+    angle: f64,
+}
+
+/// One motion.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Segment {
+    pub(super) from: Placed,
+    pub(super) to: Placed,
+    pub(super) shape: Shape,
+}
+
+pub(super) fn placed(pose: &Pose) -> Placed {
+    Placed { tip: pose.tip.coords, axis: pose.axis.into_inner() }
+}
+
+/// Angle between two unit vectors, exact for small ones.
+pub(super) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    2.0 * ((a - b).norm() / 2.0).min(1.0).asin()
+}
+
+impl Round {
+    pub(super) fn of(arc: &Arc) -> Self {
+        let normal = arc.normal.into_inner();
+        let centre = arc.centre.coords;
+        let height = |tip: &Point3<f64>| (tip.coords - centre).dot(&normal);
+        let heights = [height(&arc.start.tip), height(&arc.end.tip)];
+        let first = arc.start.tip.coords - centre - normal * heights[0];
+        let last = arc.end.tip.coords - centre - normal * heights[1];
+        let radius = first.norm();
+        let u = if radius > 0.0 { first / radius } else { Vector3::zeros() };
+        Self { centre, normal, u, v: normal.cross(&u), radii: [radius, last.norm()], heights, angle: arc.angle }
+    }
+
+    fn at(&self, share: f64) -> Vector3<f64> {
+        let (sine, cosine) = (self.angle * share).sin_cos();
+        let between = |[a, b]: [f64; 2]| a + (b - a) * share;
+        self.centre + (self.u * cosine + self.v * sine) * between(self.radii) + self.normal * between(self.heights)
+    }
+
+    /// The share of the motion that an angle is.
+    pub(super) fn share_of(&self, angle: f64) -> f64 {
+        angle / self.angle
+    }
+
+    /// The share whose angle is that of a point, as near behind `after` as a turn lets it be.
+    fn share(&self, point: &Vector3<f64>, after: f64) -> f64 {
+        use std::f64::consts::TAU;
+        let from = point - self.centre;
+        let angle = from.dot(&self.v).atan2(from.dot(&self.u));
+        let turns = ((after * self.angle - angle) / TAU).ceil();
+        let on = angle + turns * TAU;
+        // Rounding may have put the point a little before the place where the last block ended.
+        let back = on - TAU;
+        let slack = 1e-3 / self.radii[0].max(1.0) + 1e-9;
+        let chosen = if after * self.angle - back < slack { back } else { on };
+        (chosen / self.angle).clamp(0.0, 1.0 + TAU / self.angle)
+    }
+}
+
+impl Segment {
+    /// Tip and axis at a share.
+    pub(super) fn at(&self, share: f64) -> Placed {
+        let tip = match &self.shape {
+            Shape::Line => self.from.tip + (self.to.tip - self.from.tip) * share,
+            Shape::Arc(round) if share < 1.0 => round.at(share),
+            Shape::Arc(_) => self.to.tip,
+            Shape::Cubic(points) => cubic(points, share),
+        };
+        Placed { tip, axis: self.axis_at(share) }
+    }
+
+    fn axis_at(&self, share: f64) -> Vector3<f64> {
+        let (a, b) = (&self.from.axis, &self.to.axis);
+        let normal = a.cross(b);
+        let sine = normal.norm();
+        if sine < NARROW {
+            return a + (b - a) * share;
+        }
+        let angle = sine.atan2(a.dot(b));
+        let across = normal.cross(a) / sine;
+        let (s, c) = (angle * share).sin_cos();
+        a * c + across * s
+    }
+
+    /// Length of the tip path, mm.
+    pub(super) fn length(&self) -> f64 {
+        match &self.shape {
+            Shape::Line => (self.to.tip - self.from.tip).norm(),
+            Shape::Arc(round) => {
+                let radius = f64::midpoint(round.radii[0], round.radii[1]);
+                (radius * round.angle).hypot(round.heights[1] - round.heights[0])
+            }
+            Shape::Cubic(points) => points.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum(),
+        }
+    }
+
+    /// Angle by which the tip goes round, rad; a whole turn for what is no arc.
+    pub(super) fn angle(&self) -> f64 {
+        match &self.shape {
+            Shape::Arc(round) => round.angle,
+            Shape::Line | Shape::Cubic(_) => std::f64::consts::TAU,
+        }
+    }
+
+    /// Angle by which the axis turns, rad.
+    pub(super) fn turn(&self) -> f64 {
+        angle_between(&self.from.axis, &self.to.axis)
+    }
+
+    /// The share at which the motion is nearest to a pose, not before `after`. `per_rad`: so many mm of the tip count as
+    /// much as one rad of the axis.
+    pub(super) fn share(&self, pose: &Placed, after: f64, per_rad: f64) -> f64 {
+        match &self.shape {
+            Shape::Line => {
+                let line = self.to.tip - self.from.tip;
+                let turn = self.turn();
+                let weight = per_rad * per_rad;
+                let along = (pose.tip - self.from.tip).dot(&line);
+                let turned = turn * angle_between(&pose.axis, &self.from.axis);
+                let whole = line.norm_squared() + weight * turn * turn;
+                if whole > POINT { (along + weight * turned) / whole } else { 1.0 }
+            }
+            Shape::Arc(round) => round.share(&pose.tip, after),
+            Shape::Cubic(points) => nearest(points, &pose.tip, after),
+        }
+    }
+
+    /// How far a tip is from the motion, mm.
+    pub(super) fn distance(&self, pose: &Placed, after: f64) -> f64 {
+        let share = self.share(pose, after, 0.0).clamp(0.0, 1.0);
+        (pose.tip - self.at(share).tip).norm()
+    }
+
+    /// How far an axis is from the arc between the axes of both ends, rad.
+    pub(super) fn axis_distance(&self, axis: &Vector3<f64>) -> f64 {
+        let (a, b) = (&self.from.axis, &self.to.axis);
+        let normal = a.cross(b);
+        let sine = normal.norm();
+        if sine < NARROW {
+            return angle_between(axis, &self.axis_at(0.5)) - 0.5 * self.turn();
+        }
+        let normal = normal / sine;
+        let (before, behind) = (normal.cross(a).dot(axis) < 0.0, b.cross(&normal).dot(axis) < 0.0);
+        match (before, behind) {
+            (false, false) => normal.dot(axis).abs().min(1.0).asin(),
+            _ => angle_between(axis, a).min(angle_between(axis, b)),
+        }
+    }
+}
+
+fn cubic(points: &[Vector3<f64>; 4], t: f64) -> Vector3<f64> {
+    let s = 1.0 - t;
+    points[0] * (s * s * s) + points[1] * (3.0 * s * s * t) + points[2] * (3.0 * s * t * t) + points[3] * (t * t * t)
+}
+
+/// The nearest place of a cubic: the best of some, made better by sections.
+fn nearest(points: &[Vector3<f64>; 4], tip: &Vector3<f64>, after: f64) -> f64 {
+    let distance = |t: f64| (cubic(points, t) - tip).norm_squared();
+    let step = (1.0 - after).max(0.0) / STEPS as f64;
+    let place = |index: usize| after + step * index as f64;
+    let best = (0..=STEPS).min_by(|a, b| distance(place(*a)).total_cmp(&distance(place(*b)))).unwrap_or(0);
+    let (mut low, mut high) = (place(best.saturating_sub(1)), place((best + 1).min(STEPS)));
+    for _ in 0..60 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if distance(a) < distance(b) { high = b } else { low = a }
+    }
+    f64::midpoint(low, high)
+}
+
+/// The polynomial pieces of a cubic B-spline, as Bézier points.
+pub(super) fn bezier(knots: &[f64], points: &[Point3<f64>], span: usize) -> [Vector3<f64>; 4] {
+    let (from, to) = (knots[span], knots[span + 1]);
+    [[from; 3], [from, from, to], [from, to, to], [to; 3]].map(|at| polar(knots, points, span, at))
+}
+
+/// Value of the polar form at three parameters, by repeated interpolation (de Boor).
+fn polar(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> Vector3<f64> {
+    let mut d: [Vector3<f64>; 4] = std::array::from_fn(|index| points[span - 3 + index].coords);
+    for (level, parameter) in at.into_iter().enumerate() {
+        for index in 0..3 - level {
+            let (left, right) = (knots[span - 2 + level + index], knots[span + 1 + index]);
+            d[index] = d[index].lerp(&d[index + 1], (parameter - left) / (right - left));
+        }
+    }
+    d[0]
+}

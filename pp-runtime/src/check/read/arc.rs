@@ -1,0 +1,100 @@
+//! Circles and helices as a block says them: centre and angle from I J K, from a radius, or from a polar angle.
+//!
+//! In the plane the first axis turns towards the second about the normal: X to Y (G17), Z to X (G18), Y to Z (G19).
+
+use std::f64::consts::TAU;
+
+use super::block::{ArcMove, MAX_AXES};
+use super::draft::Draft;
+use super::machine::Interpreter;
+
+/// Radii at both ends may differ by so much more than rounding, mm.
+const SAME_RADIUS: f64 = 0.002;
+
+/// Ends nearer than this are one point: a full circle, mm.
+const ONE_POINT: f64 = 1e-9;
+
+/// The arc of a block from where the axes stood to where the interpreter has put them.
+pub(super) fn of(
+    draft: &Draft,
+    machine: &Interpreter,
+    (from, known): ([f64; MAX_AXES], u16),
+    clockwise: bool,
+) -> Result<ArcMove, String> {
+    let Some(plane) = machine.state.plane else { return Err("an arc without a plane".to_owned()) };
+    let [u, v, w] = plane.axes();
+    let (Some(first), Some(second)) = (machine.linear[u], machine.linear[v]) else {
+        return Err("an arc in a plane that the machine does not have".to_owned());
+    };
+    let (end, bits) = (machine.position(), 1 << first | 1 << second);
+    if known & bits != bits {
+        return Err("an arc from a place that is not known".to_owned());
+    }
+    let start = [from[first], from[second]];
+    let stop = [end[first], end[second]];
+    let centre = match draft.radius {
+        Some(radius) if draft.centre_written == 0 => by_radius(start, stop, radius * machine.unit(), clockwise)?,
+        Some(_) => return Err("an arc with a radius and a centre".to_owned()),
+        None => by_centre(draft, machine.unit(), start, [u, v, w])?,
+    };
+    let mut sweep = match draft.sweep {
+        Some(sweep) => sweep,
+        None => turn(start, stop, centre, clockwise),
+    };
+    let radii = [start, stop].map(|[x, y]| (x - centre[0]).hypot(y - centre[1]));
+    let largest = SAME_RADIUS + 3.0 * machine.rounding;
+    if (radii[0] - radii[1]).abs() > largest || radii[0] < ONE_POINT {
+        return Err(format!("the ends of the arc are {:.4} and {:.4} mm from its centre", radii[0], radii[1]));
+    }
+    sweep += f64::from(draft.turns) * TAU.copysign(sweep);
+    let mut all = [0.0; 3];
+    all[u] = centre[0];
+    all[v] = centre[1];
+    Ok(ArcMove { centre: all, sweep })
+}
+
+fn by_centre(draft: &Draft, unit: f64, start: [f64; 2], [u, v, w]: [usize; 3]) -> Result<[f64; 2], String> {
+    if draft.centre_written & (1 << w) != 0 {
+        return Err("an arc with a centre outside its plane".to_owned());
+    }
+    if draft.centre_written == 0 {
+        return Err("an arc without centre and radius".to_owned());
+    }
+    let coordinate = |axis: usize, from: f64| {
+        if draft.centre_absolute & (1 << axis) == 0 {
+            from + draft.centre[axis] * unit
+        } else {
+            draft.centre[axis] * unit
+        }
+    };
+    Ok([coordinate(u, start[0]), coordinate(v, start[1])])
+}
+
+/// A negative radius is that of the longer way round.
+fn by_radius(start: [f64; 2], stop: [f64; 2], radius: f64, clockwise: bool) -> Result<[f64; 2], String> {
+    let (dx, dy) = (stop[0] - start[0], stop[1] - start[1]);
+    let chord = dx.hypot(dy);
+    if chord < ONE_POINT {
+        return Err("a full circle cannot be written with its radius".to_owned());
+    }
+    let square = radius * radius - chord * chord / 4.0;
+    if square < -1e-3 * radius.abs() {
+        return Err(format!("a radius of {:.4} mm is too small for a chord of {chord:.4} mm", radius.abs()));
+    }
+    // To the left of the chord the centre of a short counter-clockwise arc.
+    let height = square.max(0.0).sqrt() * if clockwise == (radius > 0.0) { -1.0 } else { 1.0 };
+    Ok([(start[0] + stop[0]) / 2.0 - height * dy / chord, (start[1] + stop[1]) / 2.0 + height * dx / chord])
+}
+
+/// Angle from start to stop, a whole turn where they are one point.
+fn turn(start: [f64; 2], stop: [f64; 2], centre: [f64; 2], clockwise: bool) -> f64 {
+    let (a, b) = ([start[0] - centre[0], start[1] - centre[1]], [stop[0] - centre[0], stop[1] - centre[1]]);
+    let left = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]).rem_euclid(TAU);
+    let whole = (start[0] - stop[0]).hypot(start[1] - stop[1]) < ONE_POINT;
+    match (whole, clockwise) {
+        (true, false) => TAU,
+        (true, true) => -TAU,
+        (false, false) => left,
+        (false, true) => left - TAU,
+    }
+}

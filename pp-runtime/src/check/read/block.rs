@@ -1,0 +1,346 @@
+//! What a reader makes of a program: one [`Block`] after the other, each with the state in which it acts.
+//!
+//! Lengths are mm and angles rad, whatever the unit of the program; levels and centres count as the words of the program
+//! do. Nothing in here knows a machine or CL data.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::program::{Rotation, Units};
+
+/// Most axes a chain can have: X Y Z U V W A B C.
+pub const MAX_AXES: usize = 9;
+
+/// What F means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FeedMode {
+    /// mm/min.
+    PerMinute,
+    /// 1/min.
+    InverseTime,
+    /// mm per revolution.
+    PerRevolution,
+}
+
+/// Plane of arcs, cycles and cutter compensation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WorkPlane {
+    /// G17.
+    Xy,
+    /// G18.
+    Zx,
+    /// G19.
+    Yz,
+}
+
+impl WorkPlane {
+    /// First and second axis of the plane and its normal, as positions in X Y Z; right-handed.
+    #[must_use]
+    pub const fn axes(self) -> [usize; 3] {
+        match self {
+            Self::Xy => [0, 1, 2],
+            Self::Zx => [2, 0, 1],
+            Self::Yz => [1, 2, 0],
+        }
+    }
+}
+
+/// On which side of the path the cutter runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Side {
+    /// On it.
+    #[default]
+    None,
+    /// G41.
+    Left,
+    /// G42.
+    Right,
+}
+
+impl Side {
+    /// The other side.
+    #[must_use]
+    pub fn across(self) -> Self {
+        match self {
+            Self::None => Self::None,
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
+/// A settable offset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WorkOffset {
+    /// `G54`, `G59.1`, `G505`: the code in tenths.
+    Code(u32),
+    /// `G54.1 P`, `G154 P`.
+    Further(u32),
+    /// A row of the datum table.
+    Row(u32),
+}
+
+/// Length compensation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Length {
+    /// None is in force.
+    Off,
+    /// That of a register, of a cutting edge, or of the tool's row.
+    Register(u32),
+}
+
+/// A control that keeps the tip on its path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TipControl {
+    /// Words are axis positions.
+    Off,
+    /// Words are tip coordinates; the rotary axes stood here when it was switched on, rad.
+    On {
+        /// By position of the axis.
+        start: [f64; MAX_AXES],
+    },
+}
+
+/// A tilted plane: words count in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tilt {
+    /// Plane to program coordinates.
+    pub rotation: Matrix3<f64>,
+    /// Where it counts from, mm.
+    pub origin: Vector3<f64>,
+    /// The rotary axes have been told to follow.
+    pub oriented: bool,
+}
+
+/// Coolant that is on: bits.
+pub mod coolant {
+    /// M8.
+    pub const FLOOD: u8 = 1;
+    /// M7.
+    pub const MIST: u8 = 2;
+    /// Through the spindle.
+    pub const THROUGH: u8 = 4;
+    /// Air.
+    pub const AIR: u8 = 8;
+}
+
+/// What has been said since a complete state began: bits.
+pub mod stated {
+    /// Spindle on or off.
+    pub const SPINDLE: u8 = 1;
+    /// Coolant.
+    pub const COOLANT: u8 = 2;
+    /// Length compensation.
+    pub const LENGTH: u8 = 4;
+    /// Work offset.
+    pub const OFFSET: u8 = 8;
+    /// Unit, plane, feed mode, distances and sides.
+    pub const MODES: u8 = 16;
+}
+
+/// What is in force; `None` where the program has not said it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// In the spindle.
+    pub tool: Option<u32>,
+    /// Called up for the next change.
+    pub selected: Option<u32>,
+    /// Length compensation.
+    pub length: Option<Length>,
+    /// Register of the diameter.
+    pub diameter: Option<u32>,
+    /// Work offset.
+    pub work_offset: Option<WorkOffset>,
+    /// Unit of lengths.
+    pub units: Option<Units>,
+    /// Words are distances.
+    pub incremental: Option<bool>,
+    /// Plane of arcs and cycles.
+    pub plane: Option<WorkPlane>,
+    /// Sense of the spindle; `Some(None)` if it stands.
+    pub spindle: Option<Option<Rotation>>,
+    /// S, rev/min.
+    pub speed: Option<f64>,
+    /// Bits of [`coolant`].
+    pub coolant: Option<u8>,
+    /// Cutter compensation.
+    pub side: Option<Side>,
+    /// What F means.
+    pub feed_mode: Option<FeedMode>,
+    /// F in force: units of length of the program per minute or per revolution, or 1/min.
+    pub feed: Option<f64>,
+    /// Tip control.
+    pub tip_control: TipControl,
+    /// The tool axis as the program says it under tip control, in the place of angles.
+    pub vector: Option<Vector3<f64>>,
+    /// Tilted plane.
+    pub tilt: Option<Tilt>,
+    /// G98: cycles go back to the level before them.
+    pub to_initial: bool,
+    /// Rotary words name the nearest such angle.
+    pub shortest: bool,
+}
+
+impl Default for State {
+    fn default() -> Self {
+        Self {
+            tool: None,
+            selected: None,
+            length: None,
+            diameter: None,
+            work_offset: None,
+            units: None,
+            incremental: None,
+            plane: None,
+            spindle: None,
+            speed: None,
+            coolant: None,
+            side: None,
+            feed_mode: None,
+            feed: None,
+            tip_control: TipControl::Off,
+            vector: None,
+            tilt: None,
+            to_initial: true,
+            shortest: false,
+        }
+    }
+}
+
+/// A circle or a helix in the plane of the state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ArcMove {
+    /// Of X Y Z; the component along the normal means nothing, mm.
+    pub centre: [f64; 3],
+    /// Angle, + counter-clockwise about the normal of the plane, rad; never 0.
+    pub sweep: f64,
+}
+
+/// How a cycle makes a hole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CycleKind {
+    /// G81, G82: in at feed, out at rapid.
+    Drill,
+    /// G85, G89: in and out at feed.
+    Ream,
+    /// G83: out to the reference level after each step, mm.
+    Peck(f64),
+    /// G73: back a little after each step, mm.
+    ChipBreak(f64),
+    /// G84: a thread, mm per turn, + right-hand; synchronised.
+    Tap(f64),
+    /// G86, G76: in at feed, out with the spindle still or turned.
+    Bore,
+}
+
+/// One hole of a cycle; levels count along the normal of the plane as program words do, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleMove {
+    /// How.
+    pub kind: CycleKind,
+    /// Where the tool comes down to at rapid.
+    pub reference: f64,
+    /// Bottom.
+    pub bottom: f64,
+    /// Where it stands afterwards.
+    pub back_to: f64,
+    /// Wait at the bottom, seconds.
+    pub dwell: f64,
+    /// A feed of its own, as the F of the state is counted.
+    pub feed: Option<f64>,
+}
+
+/// What a block does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Action {
+    /// State, comments, frame.
+    Nothing,
+    /// Axes go to their values, each as fast as it can.
+    Rapid,
+    /// Axes go to their values together.
+    Feed,
+    /// An arc in the plane of the state.
+    Arc(ArcMove),
+    /// A hole.
+    Cycle(CycleMove),
+    /// At rapid to machine coordinates; where the axes stand in the program is not known behind it.
+    Machine,
+    /// To the reference point of the axes written; as above.
+    Reference,
+    /// A code that turns the rotary axes into the tilted plane.
+    Orient,
+    /// A wait, seconds.
+    Dwell(f64),
+    /// A tool change.
+    ToolChange,
+    /// M0.
+    Stop,
+    /// M1.
+    OptionalStop,
+    /// M2, M30.
+    End,
+}
+
+impl Action {
+    /// Whether an axis moves.
+    #[must_use]
+    pub const fn moves(&self) -> bool {
+        matches!(
+            self,
+            Self::Rapid | Self::Feed | Self::Arc(_) | Self::Cycle(_) | Self::Machine | Self::Reference | Self::Orient
+        )
+    }
+}
+
+/// What a control would stumble over.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    /// Column from 1, bytes.
+    pub column: usize,
+    /// One sentence, no final stop.
+    pub text: String,
+}
+
+/// What one line of a program does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// Line, from 1.
+    pub line: u64,
+    /// Block number.
+    pub number: Option<u64>,
+    /// What it does.
+    pub action: Action,
+    /// The state in which it does so.
+    pub state: State,
+    /// Value of each axis behind the block, as written: no offsets. mm and rad.
+    pub values: [f64; MAX_AXES],
+    /// Axes whose value is known: bits by position.
+    pub known: u16,
+    /// Axes whose words stand in the block.
+    pub written: u16,
+    /// A complete state begins here: the block names the unit, or what stands for it.
+    pub restart: bool,
+    /// Bits of [`stated`].
+    pub stated: u8,
+    /// A guard that compares a tool length with this, mm.
+    pub guard: Option<f64>,
+    /// What is wrong with it.
+    pub faults: Vec<Fault>,
+}
+
+impl Default for Block {
+    fn default() -> Self {
+        Self {
+            line: 0,
+            number: None,
+            action: Action::Nothing,
+            state: State::default(),
+            values: [0.0; MAX_AXES],
+            known: 0,
+            written: 0,
+            restart: false,
+            stated: 0,
+            guard: None,
+            faults: Vec::new(),
+        }
+    }
+}

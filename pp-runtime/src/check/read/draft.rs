@@ -1,0 +1,167 @@
+//! The words of one block, before anything is done with them.
+//!
+//! Each family of controls fills a draft from its own text; what the words bring about is said once, in `machine`.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::block::{CycleKind, Fault, FeedMode, MAX_AXES, Side, WorkOffset, WorkPlane};
+use crate::program::{Rotation, Units};
+
+/// A motion code.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Code {
+    Rapid,
+    Feed,
+    Clockwise,
+    CounterClockwise,
+    /// The cycle of the draft, at each point from here on.
+    Cycle,
+    /// G33.1: in step with the spindle to a point and back.
+    RigidTap,
+    /// G80.
+    None,
+}
+
+/// Length compensation of a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum LengthCode {
+    Off,
+    /// With the register of the block.
+    On,
+    /// Tip control with the register of the block.
+    TipControl,
+    /// The same, I J K being the tool axis.
+    TipVector,
+}
+
+/// A tilted plane.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum TiltCode {
+    Off,
+    On {
+        rotation: Matrix3<f64>,
+        origin: Vector3<f64>,
+        oriented: bool,
+    },
+    /// The rotary axes follow.
+    Orient,
+}
+
+/// A cycle as it is defined, mm, rad, seconds; levels that are missing stay as they were.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cycle {
+    pub(super) kind: CycleKind,
+    pub(super) reference: f64,
+    pub(super) bottom: f64,
+    /// `None`: as G98 and G99 say.
+    pub(super) back_to: Option<f64>,
+    pub(super) dwell: f64,
+    /// A feed of its own, as F is written.
+    pub(super) feed: Option<f64>,
+}
+
+impl Cycle {
+    /// Its lengths times the unit in which they are written, mm.
+    pub(super) fn in_unit(self, unit: f64) -> Self {
+        let kind = match self.kind {
+            CycleKind::Peck(step) => CycleKind::Peck(step * unit),
+            CycleKind::ChipBreak(step) => CycleKind::ChipBreak(step * unit),
+            CycleKind::Tap(pitch) => CycleKind::Tap(pitch * unit),
+            kind => kind,
+        };
+        let back_to = self.back_to.map(|level| level * unit);
+        Self { kind, reference: self.reference * unit, bottom: self.bottom * unit, back_to, ..self }
+    }
+}
+
+/// Everything that a block says.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Draft {
+    pub(super) number: Option<u64>,
+    /// mm and rad, once the unit is known; until then as written.
+    pub(super) axes: [f64; MAX_AXES],
+    pub(super) written: u16,
+    /// Words that are distances, and words that are places, whatever is in force.
+    pub(super) incremental: u16,
+    pub(super) absolute: u16,
+    /// Words with the sign `-`, -0 included.
+    pub(super) negative: u16,
+    /// I J K.
+    pub(super) centre: [f64; 3],
+    pub(super) centre_written: u8,
+    pub(super) centre_absolute: u8,
+    /// Components of the tool axis.
+    pub(super) vector: [f64; 3],
+    pub(super) vector_written: u8,
+    /// Radius of an arc, R of a cycle.
+    pub(super) radius: Option<f64>,
+    /// More whole turns of a helix.
+    pub(super) turns: u32,
+    /// Angle of a polar arc, rad, + counter-clockwise.
+    pub(super) sweep: Option<f64>,
+    /// As written.
+    pub(super) feed: Option<f64>,
+    pub(super) speed: Option<f64>,
+    pub(super) tool: Option<u32>,
+    pub(super) register: Option<u32>,
+    pub(super) diameter: Option<u32>,
+    pub(super) change: bool,
+    /// The tool's own row gives its length, as the call does.
+    pub(super) length_with_tool: bool,
+    pub(super) code: Option<Code>,
+    /// A cycle is defined; nothing is drilled by that.
+    pub(super) define: Option<Cycle>,
+    /// The cycle defined is run where the block ends.
+    pub(super) call: bool,
+    /// A wait, seconds.
+    pub(super) dwell: Option<f64>,
+    pub(super) pitch: Option<f64>,
+    pub(super) machine: bool,
+    pub(super) reference: bool,
+    pub(super) units: Option<Units>,
+    pub(super) distances: Option<bool>,
+    pub(super) plane: Option<WorkPlane>,
+    pub(super) feed_mode: Option<FeedMode>,
+    pub(super) side: Option<Side>,
+    pub(super) length: Option<LengthCode>,
+    pub(super) work_offset: Option<WorkOffset>,
+    pub(super) tip_control: Option<bool>,
+    pub(super) tilt: Option<TiltCode>,
+    pub(super) to_initial: Option<bool>,
+    pub(super) shortest: Option<bool>,
+    pub(super) spindle: Option<Option<Rotation>>,
+    pub(super) coolant_on: u8,
+    pub(super) coolant_off: u8,
+    pub(super) stop: Option<bool>,
+    pub(super) end: bool,
+    pub(super) restart: bool,
+    pub(super) guard: Option<f64>,
+    /// Modal groups that have spoken.
+    pub(super) groups: u32,
+}
+
+impl Draft {
+    /// Notes that a modal group speaks; `false` if it has spoken already.
+    pub(super) fn group(&mut self, group: u32) -> bool {
+        let first = self.groups & (1 << group) == 0;
+        self.groups |= 1 << group;
+        first
+    }
+
+    /// Takes the word of an axis; `false` if it stands there already.
+    pub(super) fn axis(&mut self, index: usize, value: f64, negative: bool) -> bool {
+        let bit = 1 << index;
+        let first = self.written & bit == 0;
+        self.axes[index] = value;
+        self.written |= bit;
+        if negative {
+            self.negative |= bit;
+        }
+        first
+    }
+}
+
+/// Collects what is wrong with a line.
+pub(super) fn fault(faults: &mut Vec<Fault>, column: usize, text: impl Into<String>) {
+    faults.push(Fault { column: column + 1, text: text.into() });
+}

@@ -1,0 +1,225 @@
+//! Programs read back: text into what each block does, and the state in which it does so.
+//!
+//! Written from what controls do, independent of what writes programs: no table is shared with `control`. A program is
+//! read as it streams by, and nothing is allocated for a block unless something is wrong with it. What is not known is a
+//! fault of its block, never passed over.
+
+mod arc;
+mod block;
+mod draft;
+mod frames;
+mod heidenhain;
+mod iso;
+mod machine;
+mod siemens;
+mod text;
+
+#[cfg(test)]
+mod tests;
+
+use std::io::{self, BufRead, BufReader, Read};
+
+pub use block::{
+    Action, ArcMove, Block, CycleKind, CycleMove, Fault, FeedMode, Length, MAX_AXES, Side, State, Tilt, TipControl,
+    WorkOffset, WorkPlane, coolant, stated,
+};
+pub(crate) use machine::AxisName;
+
+use draft::{Draft, fault};
+use heidenhain::Heidenhain;
+use iso::Iso;
+use machine::Interpreter;
+use siemens::Siemens;
+
+/// A line longer than this is no line of a program, bytes.
+const LONGEST: usize = 1 << 16;
+
+/// Kinds of programs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Family {
+    /// LinuxCNC.
+    LinuxCnc,
+    /// Fanuc 30i and its kin.
+    Fanuc,
+    /// Haas NGC.
+    Haas,
+    /// Siemens 840D.
+    Siemens,
+    /// Heidenhain conversational.
+    Heidenhain,
+}
+
+impl Family {
+    /// That of a control, by its name on the command line.
+    #[must_use]
+    pub fn of_control(name: &str) -> Option<Self> {
+        Some(match name {
+            "linuxcnc" => Self::LinuxCnc,
+            "fanuc" => Self::Fanuc,
+            "haas" => Self::Haas,
+            "siemens" => Self::Siemens,
+            "heidenhain" => Self::Heidenhain,
+            _ => return None,
+        })
+    }
+}
+
+/// What a reader has to know of the set-up.
+#[derive(Debug, Clone)]
+pub(crate) struct Vocabulary {
+    pub(crate) family: Family,
+    /// Axes in chain order.
+    pub(crate) axes: Vec<AxisName>,
+    /// Words that the configuration brings into a program and that move nothing.
+    pub(crate) known: Vec<Vec<u8>>,
+    /// Codes that switch coolant, and the bits they switch on and off.
+    pub(crate) coolant: Vec<(Vec<u8>, u8, bool)>,
+    /// Tools by name.
+    pub(crate) tools: Vec<(String, u32)>,
+    /// Half a unit of a linear word, mm.
+    pub(crate) rounding: f64,
+}
+
+/// The family's own part.
+#[derive(Debug)]
+enum Syntax {
+    Iso(Iso),
+    Siemens(Siemens),
+    Heidenhain(Heidenhain),
+}
+
+/// Reads a program block by block.
+#[derive(Debug)]
+pub(crate) struct Reader<R> {
+    input: BufReader<R>,
+    vocabulary: Vocabulary,
+    syntax: Syntax,
+    machine: Interpreter,
+    line: Vec<u8>,
+    number: u64,
+    draft: Draft,
+    block: Block,
+}
+
+impl<R: Read> Reader<R> {
+    pub(crate) fn new(input: R, vocabulary: Vocabulary) -> Self {
+        let family = vocabulary.family;
+        let syntax = match family {
+            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::new(family)),
+            Family::Siemens => Syntax::Siemens(Siemens::default()),
+            Family::Heidenhain => Syntax::Heidenhain(Heidenhain::default()),
+        };
+        let machine = Interpreter::new(vocabulary.axes.clone(), family != Family::Heidenhain, vocabulary.rounding);
+        Self {
+            input: BufReader::with_capacity(1 << 16, input),
+            vocabulary,
+            syntax,
+            machine,
+            line: Vec::new(),
+            number: 0,
+            draft: Draft::default(),
+            block: Block::default(),
+        }
+    }
+
+    /// The next line that is more than a comment, and its text.
+    pub(crate) fn next_block(&mut self) -> io::Result<Option<(&Block, &[u8])>> {
+        loop {
+            let Some(long) = self.next_line()? else { return Ok(None) };
+            self.block.faults.clear();
+            self.draft = Draft::default();
+            if long {
+                fault(&mut self.block.faults, 0, "this line is too long");
+            }
+            if self.read_line() || !self.block.faults.is_empty() {
+                self.block.line = self.number;
+                self.machine.execute(&self.draft, &mut self.block);
+                return Ok(Some((&self.block, &self.line)));
+            }
+        }
+    }
+
+    /// Lines read so far.
+    pub(crate) fn lines(&self) -> u64 {
+        self.number
+    }
+
+    fn read_line(&mut self) -> bool {
+        let (draft, block, machine) = (&mut self.draft, &mut self.block, &self.machine);
+        let Vocabulary { known, tools, coolant, .. } = &self.vocabulary;
+        // Codes of the configuration are lines of their own.
+        if let Some((_, bits, on)) = coolant.iter().find(|(code, _, _)| is_line(code, &self.line)) {
+            draft.groups = 1 << 31;
+            if *on {
+                draft.coolant_on = *bits;
+            } else {
+                draft.coolant_off = *bits;
+            }
+            return true;
+        }
+        let is_block = match &mut self.syntax {
+            Syntax::Iso(iso) => iso.line(&self.line, machine, draft, block, known),
+            Syntax::Siemens(siemens) => siemens.line(&self.line, machine, draft, block, known, tools),
+            Syntax::Heidenhain(heidenhain) => heidenhain.line(&self.line, machine, draft, block, known),
+        };
+        // What the shop writes into its programs is the shop's to know.
+        if !block.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {
+            block.faults.clear();
+        }
+        is_block
+    }
+
+    /// Reads a line, with those that continue it; says whether it was cut off.
+    fn next_line(&mut self) -> io::Result<Option<bool>> {
+        self.line.clear();
+        let mut long = false;
+        loop {
+            let before = self.line.len();
+            let read = (&mut self.input).take(LONGEST as u64).read_until(b'\n', &mut self.line)?;
+            if read == 0 {
+                return Ok(if before == 0 { None } else { Some(long) });
+            }
+            self.number += 1;
+            if self.line.last() == Some(&b'\n') {
+                self.line.pop();
+            } else if read == LONGEST {
+                long = true;
+                self.skip_line()?;
+            }
+            while self.line.last().is_some_and(u8::is_ascii_whitespace) {
+                self.line.pop();
+            }
+            let goes_on = matches!(self.syntax, Syntax::Heidenhain(_)) && self.line.last() == Some(&b'~');
+            if !goes_on || self.line.len() > LONGEST {
+                return Ok(Some(long));
+            }
+            self.line.pop();
+        }
+    }
+
+    fn skip_line(&mut self) -> io::Result<()> {
+        loop {
+            let buffer = self.input.fill_buf()?;
+            if buffer.is_empty() {
+                return Ok(());
+            }
+            match memchr::memchr(b'\n', buffer) {
+                Some(end) => {
+                    self.input.consume(end + 1);
+                    return Ok(());
+                }
+                None => {
+                    let length = buffer.len();
+                    self.input.consume(length);
+                }
+            }
+        }
+    }
+}
+
+/// Whether a line is a text of the configuration, block numbers aside.
+fn is_line(text: &[u8], line: &[u8]) -> bool {
+    let numbered = line.strip_prefix(b"N").unwrap_or(line);
+    let digits = numbered.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    text == line || (digits > 0 && numbered[digits..].strip_prefix(b" ") == Some(text))
+}

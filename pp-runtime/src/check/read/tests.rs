@@ -1,0 +1,348 @@
+//! What blocks mean, control by control.
+
+use std::f64::consts::{PI, TAU};
+
+use super::*;
+use crate::program::{Rotation, Units};
+
+fn vocabulary(family: Family) -> Vocabulary {
+    let name = |letter: &str| AxisName { name: letter.as_bytes().to_vec(), rotary: "ABC".contains(letter), wrap: None };
+    Vocabulary {
+        family,
+        axes: ["C", "B", "X", "Y", "Z"].map(name).to_vec(),
+        known: vec![b"M10".to_vec()],
+        coolant: Vec::new(),
+        tools: vec![("MILL 10".to_owned(), 7)],
+        rounding: 0.5e-3,
+    }
+}
+
+/// Every block of a program.
+fn read(family: Family, text: &str) -> Vec<Block> {
+    let mut reader = Reader::new(text.as_bytes(), vocabulary(family));
+    let mut blocks = Vec::new();
+    while let Some((block, _)) = reader.next_block().expect("text in memory") {
+        blocks.push(block.clone());
+    }
+    blocks
+}
+
+/// The last block of a program in which nothing is wrong.
+fn last(family: Family, text: &str) -> Block {
+    let blocks = read(family, text);
+    for block in &blocks {
+        assert_eq!(block.faults, [], "line {} of {text}", block.line);
+    }
+    blocks.last().cloned().expect("a block")
+}
+
+fn faults(family: Family, text: &str) -> Vec<String> {
+    read(family, text).into_iter().flat_map(|block| block.faults).map(|fault| fault.text).collect()
+}
+
+const LINUXCNC: &str = "G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01\n";
+const SIEMENS: &str = "G710 G17 G40 G64 G90 G94 G54\n";
+const TNC: &str = "0 BEGIN PGM A MM\n1 TOOL CALL 3 Z S5000\n";
+
+fn xyz(block: &Block) -> [f64; 3] {
+    [block.values[2], block.values[3], block.values[4]]
+}
+
+fn near(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-9)
+}
+
+#[test]
+fn words_stay_in_force_and_are_mm_and_rad() {
+    let block = last(Family::LinuxCnc, &format!("{LINUXCNC}G0 X1 Y2 Z3 B90 C-720\nG1 X-4.5 F250\nZ.5"));
+    assert_eq!(block.action, Action::Feed);
+    assert!(near(xyz(&block), [-4.5, 2.0, 0.5]));
+    assert_eq!((block.values[1], block.values[0], block.state.feed), (PI / 2.0, -2.0 * TAU, Some(250.0)));
+    let inch = last(Family::LinuxCnc, "G20 G90 G94 G17\nG1 X1 Y0 Z0 F10");
+    assert!(near(xyz(&inch), [25.4, 0.0, 0.0]));
+    assert_eq!(inch.state.units, Some(Units::Inches));
+}
+
+#[test]
+fn distances_add_up_and_are_known_only_from_a_known_place() {
+    let block = last(Family::LinuxCnc, &format!("{LINUXCNC}G0 X1 Y2 Z3\nG91\nG1 X5 F100"));
+    assert!(near(xyz(&block), [6.0, 2.0, 3.0]));
+    assert!(faults(Family::LinuxCnc, &format!("{LINUXCNC}G91\nG1 X5 F100"))[0].contains("a place that is not known"));
+}
+
+#[test]
+fn a_number_without_a_point_is_least_increments_on_fanuc_and_haas() {
+    let fanuc = last(Family::Fanuc, &format!("{}G1 X10 Y10. Z0. F100.\n", &LINUXCNC.replace(" G64 P0.01", "")));
+    assert!(near(xyz(&fanuc), [0.01, 10.0, 0.0]));
+    let haas = format!("{}G1 X1. Y0. Z0. F100\n", &LINUXCNC.replace(" G64 P0.01", ""));
+    assert!(faults(Family::Haas, &haas)[0].contains("a setting says"));
+}
+
+#[test]
+fn a_dwell_is_seconds_or_milliseconds() {
+    assert_eq!(last(Family::LinuxCnc, "G4 P500").action, Action::Dwell(500.0));
+    assert_eq!(last(Family::Fanuc, "G4 P500").action, Action::Dwell(0.5));
+    assert_eq!(last(Family::Haas, "G04 P0.5").action, Action::Dwell(0.5));
+    assert_eq!(last(Family::Siemens, "G4 F0.5").action, Action::Dwell(0.5));
+    assert_eq!(
+        last(Family::Heidenhain, "1 CYCL DEF 9.0 DWELL TIME\n2 CYCL DEF 9.1 DWELL 0.5").action,
+        Action::Dwell(0.5)
+    );
+}
+
+#[test]
+fn what_is_not_known_is_a_fault_and_never_passed_over() {
+    for text in ["G77", "X1 @", "M55", "G1 X1 X2", "G0 G1 X1", "(open", "E5", "Q3", "G1 X1e5", "G43", "#1=5"] {
+        assert!(!faults(Family::LinuxCnc, &format!("{LINUXCNC}{text}")).is_empty(), "{text}");
+    }
+    for text in ["FOO", "G1 X=A", "CYCLE99(1)", "R1=5", "G0 G1 X1", "IF R1>0 GOTOF A"] {
+        assert!(!faults(Family::Siemens, &format!("{SIEMENS}{text}")).is_empty(), "{text}");
+    }
+    for text in ["2 FOO", "2 L X+1 W+2", "3 L X+1", "L X+1", "2 PLANE VECTOR BX1", "2 CYCL DEF 19.0"] {
+        assert!(!faults(Family::Heidenhain, &format!("{TNC}{text}")).is_empty(), "{text}");
+    }
+    // What the shop brings in is the shop's to know.
+    assert!(faults(Family::Fanuc, "M10").is_empty());
+}
+
+#[test]
+fn machine_coordinates_leave_the_place_unknown() {
+    for (family, text) in [
+        (Family::LinuxCnc, format!("{LINUXCNC}G0 X1 Y1 Z1 B0 C0\nG53 G0 Z0")),
+        (Family::Siemens, format!("{SIEMENS}G0 X1 Y1 Z1 B0 C0\nSUPA G0 Z0 D0")),
+        (Family::Heidenhain, format!("{TNC}2 L X+1 Y+1 Z+1 B+0 C+0 R0 FMAX\n3 L Z+0 R0 FMAX M91")),
+    ] {
+        let block = last(family, &text);
+        assert_eq!((block.action, block.written, block.values[4]), (Action::Machine, 1 << 4, 0.0), "{text}");
+        assert_eq!(block.known & (1 << 4), 0, "{text}");
+    }
+}
+
+#[test]
+fn tool_spindle_and_coolant_are_kept() {
+    for (family, text) in [
+        (Family::LinuxCnc, "T7 M6\nG43 H7\nS5000 M4\nM8"),
+        (Family::Fanuc, "T7 M6\nT8\nS5000 M4\nM8\nG0 G43 H7 Z5."),
+        (Family::Siemens, "T=\"MILL 10\"\nM6\nD7\nS5000 M4\nM8"),
+        (Family::Heidenhain, "0 TOOL CALL 7 Z S5000\n1 TOOL DEF 8\n2 M4\n3 M8"),
+    ] {
+        let state = last(family, text).state;
+        assert_eq!(state.tool, Some(7), "{text}");
+        assert_eq!(state.length, Some(Length::Register(7)), "{text}");
+        assert_eq!((state.spindle, state.speed), (Some(Some(Rotation::CounterClockwise)), Some(5000.0)), "{text}");
+        assert_eq!(state.coolant, Some(coolant::FLOOD), "{text}");
+    }
+}
+
+fn arc(block: &Block) -> ArcMove {
+    match block.action {
+        Action::Arc(arc) => arc,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn circles_by_centre_radius_and_angle_are_the_same() {
+    let texts = [
+        (Family::LinuxCnc, format!("{LINUXCNC}G0 X10 Y0 Z0\nG3 X0 Y10 I-10 J0 F100")),
+        (Family::LinuxCnc, format!("{LINUXCNC}G0 X10 Y0 Z0\nG3 X0 Y10 R10 F100")),
+        (Family::Siemens, format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X0 Y10 I-10 J0 F100")),
+        (Family::Siemens, format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X0 Y10 CR=10 F100")),
+        (Family::Siemens, format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X0 Y10 I=AC(0) J=AC(0) F100")),
+        (Family::Heidenhain, format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CC X+0 Y+0\n4 C X+0 Y+10 DR+ F100")),
+        (Family::Heidenhain, format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CR X+0 Y+10 R+10 DR+ F100")),
+        (Family::Heidenhain, format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CC X+0 Y+0\n4 CP IPA+90 DR+ F100")),
+    ];
+    for (family, text) in texts {
+        let block = last(family, &text);
+        let found = arc(&block);
+        assert!(near([found.centre[0], found.centre[1], 0.0], [0.0; 3]), "{text}: {found:?}");
+        assert!((found.sweep - PI / 2.0).abs() < 1e-9, "{text}: {found:?}");
+        assert!(near(xyz(&block), [0.0, 10.0, 0.0]), "{text}");
+    }
+}
+
+#[test]
+fn circles_know_sense_long_ways_turns_and_planes() {
+    let arc_of = |text: &str| arc(&last(Family::LinuxCnc, &format!("{LINUXCNC}G0 X10 Y0 Z0\n{text}")));
+    assert!((arc_of("G2 X0 Y10 I-10 F9").sweep + 1.5 * PI).abs() < 1e-9);
+    let long = arc_of("G3 X0 Y10 R-10 F9");
+    assert!((long.sweep - 1.5 * PI).abs() < 1e-9 && near([long.centre[0], long.centre[1], 0.0], [10.0, 10.0, 0.0]));
+    assert!((arc_of("G3 I-10 F9").sweep - TAU).abs() < 1e-9);
+    assert!((arc_of("G2 X10 Y0 Z-5 I-10 P3 F9").sweep + 3.0 * TAU).abs() < 1e-9);
+    // In G18 Z turns towards X.
+    let block = last(Family::LinuxCnc, &format!("{LINUXCNC}G18\nG0 X0 Y0 Z10\nG3 X10 Z0 I0 K-10 F9"));
+    assert!((arc(&block).sweep - PI / 2.0).abs() < 1e-9);
+    let turn = last(Family::Siemens, &format!("{SIEMENS}G0 X10 Y0 Z0\nG3 X10 Y0 Z-4 I-10 J0 TURN=1 F9"));
+    assert!((arc(&turn).sweep - 2.0 * TAU).abs() < 1e-9);
+    let polar =
+        last(Family::Heidenhain, &format!("{TNC}2 L X+10 Y+0 Z+0 R0 FMAX\n3 CC X+0 Y+0\n4 CP IPA-720 IZ-6 DR- F9"));
+    assert!((arc(&polar).sweep + 2.0 * TAU).abs() < 1e-9 && near(xyz(&polar), [10.0, 0.0, -6.0]));
+}
+
+#[test]
+fn circles_that_do_not_close_are_faults() {
+    for text in ["G3 X0 Y10 I-9 F9", "G3 X10 Y0 R5 F9", "G3 X0 Y10 R1 F9", "G3 X0 Y10 F9", "G3 X0 Y10 I-10 K1 F9"] {
+        assert!(!faults(Family::LinuxCnc, &format!("{LINUXCNC}G0 X10 Y0 Z0\n{text}")).is_empty(), "{text}");
+    }
+}
+
+fn hole(block: &Block) -> CycleMove {
+    match block.action {
+        Action::Cycle(cycle) => cycle,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn cycles_make_the_same_hole_on_each_control() {
+    let peck =
+        CycleMove { kind: CycleKind::Peck(3.0), reference: 2.0, bottom: -10.0, back_to: 25.0, dwell: 0.0, feed: None };
+    let texts = [
+        (Family::LinuxCnc, format!("{LINUXCNC}G0 X0 Y0 Z25\nG98 G83 X1 Y2 Z-10 R2 Q3 F100"), None),
+        (
+            Family::Fanuc,
+            format!("{}G0 X0. Y0. Z25.\nG98 G83 X1. Y2. Z-10. R2. Q3. F100.", LINUXCNC.replace(" G64 P0.01", "")),
+            None,
+        ),
+        (Family::Siemens, format!("{SIEMENS}F100\nMCALL CYCLE83(25,0,2,-10,,,3,0,0,,1,1)\nG0 X1 Y2"), None),
+        (
+            Family::Heidenhain,
+            format!(
+                "{TNC}2 L X+0 Y+0 Z+25 R0 FMAX\n3 CYCL DEF 200 DRILLING ~\n Q200=+2 ;A ~\n Q201=-10 ;B ~\n Q206=+100 ;C ~\n Q202=+3 ;D ~\n Q203=+0 ;E ~\n Q204=+25 ;F\n4 L X+1 Y+2 R0 FMAX M99"
+            ),
+            Some(100.0),
+        ),
+    ];
+    for (family, text, feed) in texts {
+        let block = last(family, &text);
+        assert_eq!(hole(&block), CycleMove { feed, ..peck }, "{text}");
+        assert!(near(xyz(&block), [1.0, 2.0, 25.0]), "{text}");
+    }
+}
+
+#[test]
+fn a_cycle_goes_on_at_each_point_until_it_is_cancelled() {
+    let blocks = read(Family::LinuxCnc, &format!("{LINUXCNC}G0 X0 Y0 Z25\nG99 G81 X1 Y2 Z-10 R2 F100\nX5\nG80\nG0 X9"));
+    let holes: Vec<_> = blocks.iter().filter(|block| matches!(block.action, Action::Cycle(_))).collect();
+    assert_eq!(holes.len(), 2);
+    assert!(near(xyz(holes[1]), [5.0, 2.0, 2.0]));
+    assert_eq!(blocks.last().map(|block| block.action), Some(Action::Rapid));
+    let called = read(Family::Siemens, &format!("{SIEMENS}MCALL CYCLE81(25,0,2,-10)\nG0 X1 Y2\nX5\nMCALL\nX9"));
+    assert_eq!(called.iter().filter(|block| matches!(block.action, Action::Cycle(_))).count(), 2);
+    assert_eq!(called.last().map(|block| block.action), Some(Action::Rapid));
+}
+
+fn column(tilt: &Tilt, index: usize) -> [f64; 3] {
+    tilt.rotation.column(index).into_owned().into()
+}
+
+fn tilt(block: &Block) -> Tilt {
+    block.state.tilt.expect("a plane")
+}
+
+/// HEIDENHAIN TNC 620 user's manual 10/2017, page 540: `PLANE SPATIAL SPA+45 SPB+0 SPC+90` is A+45, B+0, C+90 about the
+/// axes that stay, and C+90, B+0, A+45 about those that turn: both leave the new X along the old Y, and the new Z leaning
+/// by 45 degrees towards the old X.
+#[test]
+fn plane_spatial_is_that_of_the_manual() {
+    let block =
+        last(Family::Heidenhain, &format!("{TNC}2 PLANE SPATIAL SPA+45 SPB+0 SPC+90 TURN MB MAX FMAX SEQ- TABLE ROT"));
+    let (plane, half) = (tilt(&block), 0.5_f64.sqrt());
+    assert!(near(column(&plane, 0), [0.0, 1.0, 0.0]), "{plane:?}");
+    assert!(near(column(&plane, 2), [half, 0.0, half]), "{plane:?}");
+    assert_eq!(block.action, Action::Orient);
+    assert!(plane.oriented);
+}
+
+/// G68.2 turns about Z by I, about the new X by J, about the new Z by K: with I 90 and J 45 the new X is the old Y, and the
+/// new Z leans towards the old X; K turns X and Y in the plane.
+#[test]
+fn g68_2_turns_about_z_x_z_as_they_go_along() {
+    let text = format!("{}G68.2 X1. Y2. Z3. I90. J45. K0.\nG53.1", LINUXCNC.replace(" G64 P0.01", ""));
+    let (plane, half) = (tilt(&last(Family::Fanuc, &text)), 0.5_f64.sqrt());
+    assert!(near(column(&plane, 0), [0.0, 1.0, 0.0]) && near(column(&plane, 2), [half, 0.0, half]), "{plane:?}");
+    assert!(plane.oriented && near(plane.origin.into(), [1.0, 2.0, 3.0]));
+    let turned = tilt(&last(Family::Fanuc, &text.replace("K0.", "K90.")));
+    assert!(near(column(&turned, 0), [-half, 0.0, half]), "{turned:?}");
+}
+
+/// CYCLE800 axis by axis: mode 57 is X, new Y, new Z (its bits 01, 10, 11 name the axes of A, B and C in this order), 27 is
+/// Z, new Y, new X.
+#[test]
+fn cycle800_turns_in_the_order_of_its_mode() {
+    let plane = |mode: u32, angles: &str| {
+        tilt(&last(Family::Siemens, &format!("{SIEMENS}CYCLE800(0,\"TC\",0,{mode},1,0,0,{angles},0,0,5,-1,0)")))
+    };
+    let half = 0.5_f64.sqrt();
+    // X by 90 puts the new Y along Z; the new Y then turns Z from -Y towards X.
+    let moving = plane(57, "90,45,0");
+    assert!(near(column(&moving, 2), [half, -half, 0.0]), "{moving:?}");
+    // Z by 90, then the new Y, which is -X.
+    let backwards = plane(27, "90,45,0");
+    assert!(near(column(&backwards, 2), [0.0, half, half]), "{backwards:?}");
+    assert!(near(moving.origin.into(), [1.0 + 5.0 * half, -5.0 * half, 0.0]), "{moving:?}");
+    assert!(moving.oriented);
+}
+
+#[test]
+fn tip_control_is_switched_on_and_off() {
+    for (family, on, off) in [
+        (Family::Fanuc, "G43.4 H1", "G49"),
+        (Family::Haas, "G234 H1", "G49"),
+        (Family::Siemens, "TRAORI", "TRAFOOF"),
+        (Family::LinuxCnc, "M428", "M429"),
+        (Family::Heidenhain, "1 FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS", "2 FUNCTION RESET TCPM"),
+        (Family::Heidenhain, "1 M128", "2 M129"),
+    ] {
+        assert_ne!(last(family, on).state.tip_control, TipControl::Off, "{on}");
+        assert_eq!(last(family, &format!("{on}\n{off}")).state.tip_control, TipControl::Off, "{off}");
+    }
+}
+
+#[test]
+fn words_of_axes_that_roll_over_are_turned_the_way_the_control_turns_them() {
+    let mut vocabulary = vocabulary(Family::LinuxCnc);
+    vocabulary.axes[0].wrap = Some(crate::config::Wrap::Sign);
+    vocabulary.axes[1].wrap = Some(crate::config::Wrap::Positive);
+    let text = format!("{LINUXCNC}G0 B350 C350\nB10 C10\nC-350\nC-360");
+    let mut reader = Reader::new(text.as_bytes(), vocabulary);
+    let mut seen = Vec::new();
+    while let Some((block, _)) = reader.next_block().expect("text in memory") {
+        assert_eq!(block.faults, []);
+        seen.push([block.values[1].to_degrees().round(), block.values[0].to_degrees().round()]);
+    }
+    assert_eq!(seen[1..], [[350.0, 350.0], [370.0, 370.0], [370.0, 350.0], [370.0, 0.0]]);
+}
+
+#[test]
+fn a_guard_is_known_and_nothing_moves_in_it() {
+    let guard = "o1 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]\n(abort, no)\no1 endif";
+    let blocks = read(Family::LinuxCnc, guard);
+    assert_eq!(blocks[0].guard, Some(101.5));
+    assert!(faults(Family::LinuxCnc, guard).is_empty());
+    assert!(!faults(Family::LinuxCnc, &guard.replace("(abort, no)", "G0 X1")).is_empty());
+    let fanuc = "IF [ABS[#11001-101.5] LT 0.01] GOTO 5\n#3000=1 (LENGTH)\nN5 G0";
+    assert_eq!(read(Family::Fanuc, fanuc)[0].guard, Some(101.5));
+    assert!(faults(Family::Fanuc, fanuc).is_empty());
+    assert!(!faults(Family::Fanuc, "#3000=1 (LENGTH)").is_empty());
+}
+
+#[test]
+fn lines_of_any_length_and_any_bytes_are_read_without_harm() {
+    let long = format!("G0 X1\n({})\nG0 X2\n", "a".repeat(1 << 18));
+    assert!(faults(Family::LinuxCnc, &long).iter().any(|text| text.contains("too long")));
+    let mut state = 0x2545_f491_4f6c_dd1d_u64;
+    let bytes: Vec<u8> = (0..200_000)
+        .map(|_| {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            b"GXYZBCMTFSHDPQRLIJKNO0123456789.-+=()[]; \n~\"#%CYCLE"[(state % 51) as usize]
+        })
+        .collect();
+    for family in [Family::LinuxCnc, Family::Fanuc, Family::Haas, Family::Siemens, Family::Heidenhain] {
+        let mut reader = Reader::new(&bytes[..], vocabulary(family));
+        while reader.next_block().expect("memory").is_some() {}
+    }
+}

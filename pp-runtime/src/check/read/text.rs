@@ -1,0 +1,131 @@
+//! Bytes of a line: numbers, names, blanks.
+
+/// A number as it is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Number {
+    pub(super) value: f64,
+    /// A decimal point stands in it.
+    pub(super) point: bool,
+    /// It begins with `-`.
+    pub(super) negative: bool,
+}
+
+/// A place in a line.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cursor<'a> {
+    line: &'a [u8],
+    pub(super) at: usize,
+}
+
+/// Powers of ten that are exact.
+const TENS: [f64; 20] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19];
+
+/// More digits than this are no word of a program.
+const MOST_DIGITS: usize = 18;
+
+impl<'a> Cursor<'a> {
+    pub(super) fn new(line: &'a [u8]) -> Self {
+        Self { line, at: 0 }
+    }
+
+    pub(super) fn rest(&self) -> &'a [u8] {
+        &self.line[self.at.min(self.line.len())..]
+    }
+
+    pub(super) fn peek(&self) -> Option<u8> {
+        self.line.get(self.at).copied()
+    }
+
+    pub(super) fn blanks(&mut self) {
+        while matches!(self.peek(), Some(b' ' | b'\t' | b'\r')) {
+            self.at += 1;
+        }
+    }
+
+    pub(super) fn ended(&mut self) -> bool {
+        self.blanks();
+        self.at >= self.line.len()
+    }
+
+    /// Takes a byte if it comes next.
+    pub(super) fn take(&mut self, byte: u8) -> bool {
+        let found = self.peek() == Some(byte);
+        self.at += usize::from(found);
+        found
+    }
+
+    /// Takes a word if it comes next, whatever its case, and no letter or digit follows it.
+    pub(super) fn word(&mut self, word: &[u8]) -> bool {
+        self.blanks();
+        let rest = self.rest();
+        let found = rest.len() >= word.len()
+            && rest[..word.len()].eq_ignore_ascii_case(word)
+            && !rest.get(word.len()).is_some_and(|next| next.is_ascii_alphanumeric() || *next == b'_');
+        if found {
+            self.at += word.len();
+        }
+        found
+    }
+
+    /// Takes letters, digits and underscores.
+    pub(super) fn name(&mut self) -> &'a [u8] {
+        let rest = self.rest();
+        let end = rest.iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_').unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    /// Takes letters only.
+    pub(super) fn letters(&mut self) -> &'a [u8] {
+        let rest = self.rest();
+        let end = rest.iter().position(|byte| !byte.is_ascii_alphabetic()).unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    /// Takes a number: sign, digits, a point; no exponent, at least one digit.
+    pub(super) fn number(&mut self) -> Option<Number> {
+        let (start, mut at) = (self.at, self.at);
+        let negative = self.line.get(at) == Some(&b'-');
+        at += usize::from(negative || self.line.get(at) == Some(&b'+'));
+        let (mut mantissa, mut digits, mut decimals, mut point) = (0_u64, 0, 0, false);
+        while let Some(&byte) = self.line.get(at) {
+            match byte {
+                b'0'..=b'9' if digits < MOST_DIGITS => {
+                    mantissa = mantissa * 10 + u64::from(byte - b'0');
+                    digits += 1;
+                    decimals += usize::from(point);
+                }
+                b'.' if !point => point = true,
+                _ => break,
+            }
+            at += 1;
+        }
+        if digits == 0 || self.line.get(at).is_some_and(|next| next.is_ascii_digit() || *next == b'.') {
+            self.at = start;
+            return None;
+        }
+        self.at = at;
+        let value = mantissa as f64 / TENS[decimals];
+        Some(Number { value: if negative { -value } else { value }, point, negative })
+    }
+}
+
+/// A whole number that is not negative.
+pub(super) fn whole(number: Number) -> Option<u32> {
+    let value = number.value;
+    (value >= 0.0 && value.fract() == 0.0 && value <= f64::from(u32::MAX)).then_some(value as u32)
+}
+
+/// A code in tenths: 91.1 is 911.
+pub(super) fn tenths(number: Number) -> Option<u32> {
+    let tenths = (number.value * 10.0).round();
+    let exact = (number.value * 10.0 - tenths).abs() < 1e-6;
+    (exact && !number.negative && tenths <= 100_000.0).then_some(tenths as u32)
+}
+
+/// Bytes as text for a message.
+pub(super) fn shown(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(&bytes[..bytes.len().min(60)]).into_owned()
+}

@@ -1,0 +1,472 @@
+//! What leads from one cut to the next: retract, tool, approach, stop and end, as the specification has them.
+
+use std::io::{self, Read};
+
+use super::chain::Placed;
+use super::compare::{Checker, Phase};
+use super::expect::{Item, Kind, Motion};
+use super::path::{Segment, Shape, angle_between};
+use super::read::{Action, Block, Family, Length, MAX_AXES, stated};
+use super::report::Shown;
+use crate::config::Mode;
+use crate::kinematics::Machine;
+use crate::motion::way_out;
+
+/// A point this near to a line lies on it, mm.
+const ON_LINE: f64 = 1e-3;
+
+/// The same tool axis, rad.
+const SAME_AXIS: f64 = 1e-6;
+
+/// Seconds that three decimals of a wait do not hold.
+const WAIT: f64 = 6e-4;
+
+impl<M: Machine, R: Read> Checker<'_, M, R> {
+    /// INSERT and codes of the CL data: a block as it stands, whatever it says.
+    pub(super) fn raw(&mut self, block: &Block, shown: Shown<'_>) -> bool {
+        let mut index = 0;
+        while self.needless(index) {
+            index += 1;
+        }
+        let Some(Item { kind: Kind::Raw(text), .. }) = self.expect.get(index) else { return false };
+        let numbered = shown.text.iter().position(|byte| *byte == b' ').map_or(shown.text, |at| &shown.text[at + 1..]);
+        if shown.text != text.trim_ascii_end() && !(block.number.is_some() && numbered == text.trim_ascii_end()) {
+            return false;
+        }
+        (0..=index).for_each(|_| self.pass());
+        self.forget();
+        true
+    }
+
+    /// An item ahead that needs no block.
+    pub(super) fn needless(&self, index: usize) -> bool {
+        let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(index) else { return false };
+        self.here.is_some_and(|here| {
+            !motion.starts && self.needs_no_block(&Segment { from: here, to: motion.to, shape: motion.shape })
+        })
+    }
+
+    /// Nobody knows where the machine stands.
+    fn forget(&mut self) {
+        self.phase = Phase::Unknown;
+        self.here = None;
+        self.retracted = false;
+        self.reached = None;
+    }
+
+    /// Passes over motions that need no block.
+    fn pass_needless(&mut self) {
+        while self.needless(0) {
+            self.pass();
+        }
+    }
+
+    /// An approach that has begun has to end at the approach point.
+    fn broken_off(&mut self, shown: Shown<'_>) {
+        if matches!(self.phase, Phase::Clear(1..)) && !self.parks {
+            self.found(shown, "an approach has begun before this block and does not end at an approach point");
+        }
+    }
+
+    /// A block in machine coordinates.
+    pub(super) fn machine_block(&mut self, block: &Block, shown: Shown<'_>) {
+        self.pass_needless();
+        let retract = 1 << self.words.retract;
+        let position = self.config.retract.position;
+        let there = (block.values[self.words.retract] - position).abs() <= 0.6 * self.slack.unit;
+        if block.written != retract || !there {
+            let parked = matches!(self.phase, Phase::Clear(_)) && self.parks_linear(block);
+            if parked {
+                self.parked |= block.written;
+            }
+            if !parked {
+                self.found(
+                    shown,
+                    &format!("machine coordinates are not those of the retract, {position} mm of its axis alone"),
+                );
+            }
+            return;
+        }
+        if let Some(text) = self.travel.check_machine(self.words.retract, block.values[self.words.retract]) {
+            self.tally.outcome.limits += 1;
+            self.found(shown, &text);
+        }
+        self.broken_off(shown);
+        let rewinds = self.rewinds();
+        if self.phase == Phase::Path {
+            self.leaves(rewinds, shown);
+        }
+        let dry = !rewinds || self.config.retract.rewind_dry;
+        self.state_at_retract(block, dry, shown);
+        self.phase = Phase::Clear(0);
+        self.retracted = true;
+        self.here = None;
+        self.led_out = 0.0;
+        self.out_from = None;
+        if matches!(self.expect.get(0), Some(Item { kind: Kind::Home, .. })) {
+            self.expect.pop();
+            self.parks = true;
+        }
+    }
+
+    /// The motion ahead is a cut that goes on where the tool stands.
+    fn rewinds(&self) -> bool {
+        let Some(item) = self.expect.get(0) else { return false };
+        matches!(item.kind, Kind::Motion(motion) if !motion.rapid && !motion.starts)
+    }
+
+    /// The tool has to have left the part along its axis.
+    fn leaves(&mut self, rewinds: bool, shown: Shown<'_>) {
+        if rewinds {
+            self.rewound = self.here_on_path();
+        }
+        let enough = match self.distance_out() {
+            Some(distance) => self.led_out + 2.0 * self.slack.tip >= distance,
+            None => self.straight || self.led_out > ON_LINE,
+        };
+        if !enough {
+            self.found(shown, "the machine retract does not begin with the way out along the tool axis");
+        }
+    }
+
+    /// Where the tool stands on the path of the CL data.
+    fn here_on_path(&self) -> Option<Placed> {
+        let here = self.here?;
+        let reached = self.reached.unwrap_or(here);
+        match self.expect.get(0) {
+            Some(Item { kind: Kind::Motion(motion), .. }) => Some(self.segment(motion, &here).at(self.along)),
+            _ => Some(reached),
+        }
+    }
+
+    /// How far out along its axis the tool has to go, from where it stood before it was led out.
+    fn distance_out(&self) -> Option<f64> {
+        let here = self.here?;
+        let clearance = self.last.map_or(self.config.retract.clearance, |(_, wanted)| wanted.clearance);
+        let axis = nalgebra::UnitVector3::new_normalize(here.axis);
+        let out = clearance.and_then(|clearance| way_out(&clearance, &here.tip.into(), &axis));
+        self.config.retract.distance.or(out.map(|out| out + self.led_out))
+    }
+
+    /// Out along the tool axis, before the machine retract; `false` if the block is no such way.
+    pub(super) fn leads_out(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> bool {
+        let Some(here) = self.here.filter(|_| self.phase == Phase::Path) else { return false };
+        let Some(distance) = self.distance_out() else { return false };
+        self.pass_needless();
+        let Some(from) = self.here_on_path() else { return false };
+        let rest = if self.config.retract.distance.is_some() { distance } else { distance - self.led_out };
+        let out = Placed { tip: from.tip + from.axis * rest, axis: from.axis };
+        let still = angle_between(&here.axis, &end.axis) <= SAME_AXIS;
+        if !still || !self.is_at(end, &out) {
+            return false;
+        }
+        let rewinds = self.rewinds();
+        if rewinds {
+            self.rewound = self.here_on_path();
+        }
+        self.state_at_leave(block, !rewinds || self.config.retract.rewind_dry, shown);
+        self.phase = Phase::Out;
+        self.led_out += rest;
+        true
+    }
+
+    /// A rapid from the retract position: one of the steps to the approach point.
+    pub(super) fn approach(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
+        self.expect.fill(8)?;
+        let retract = 1 << self.words.retract;
+        let (rotary, linear) = (self.words.rotary_mask, self.words.linear_mask);
+        // Under tip control all linear axes come down together; in a plane its own Z comes last.
+        let last = match self.config.mode {
+            Mode::Axes => retract,
+            Mode::Tcp => linear,
+            Mode::Plane => self.words.linear_places()[2].map_or(retract, |z| 1 << z),
+        };
+        let step = match block.written {
+            written if written & !rotary == 0 => 1,
+            written if written & !last == 0 => 3,
+            written if written & (rotary | last) == 0 => 2,
+            _ => 0,
+        };
+        if self.expect.get(0).is_none() || (self.parks && step == 1 && self.parks_rotary(block)) {
+            self.park(block, shown);
+            return Ok(());
+        }
+        if let Phase::Clear(before) = self.phase
+            && (step == 0 || step < before)
+        {
+            self.found(
+                shown,
+                "from the retract the rotary axes turn first, then the other linear axes move, the retract axis last",
+            );
+        }
+        self.state_at_approach(block, step, shown);
+        self.phase = Phase::Clear(step);
+        if step == 3 || step == 0 && block.written & retract != 0 {
+            let solved = self.solved(block);
+            if block.known & solved != solved {
+                self.found(shown, "where the axes stand at the approach point is not known");
+                self.phase = Phase::Path;
+                self.lost = true;
+                return Ok(());
+            }
+            let end = self.words.place(&block.values, &block.state);
+            self.stands_in_plane(block, &end, shown);
+            self.arrive(block, &end, shown);
+            self.here = Some(end);
+        }
+        Ok(())
+    }
+
+    /// In a tilted plane the rotary axes stand where the plane has them.
+    fn stands_in_plane(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) {
+        if block.state.tilt.is_none() {
+            return;
+        }
+        let stands = self.words.chain.place(&self.words.values(&block.values)).axis;
+        let off = angle_between(&stands, &end.axis);
+        if off > self.slack.axis {
+            let off = off.to_degrees();
+            self.found(shown, &format!("the rotary axes stand {off:.4} deg off the plane that the control tilts"));
+        }
+    }
+
+    /// The retract axis has come down to the approach point.
+    fn arrive(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) {
+        self.phase = Phase::Path;
+        self.parks = false;
+        self.along = if self.rewound.is_some() { self.along } else { 0.0 };
+        if let Some(pose) = self.rewound.take() {
+            self.come_back(pose, end, shown);
+            return;
+        }
+        while let Some(Item { kind: Kind::Dwell(_), .. }) = self.expect.get(0) {
+            self.found(shown, "a wait of the CL data is missing before this approach");
+            self.expect.pop();
+        }
+        let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) else {
+            self.found(shown, "an approach, and the CL data has no motion here");
+            return;
+        };
+        let motion = *motion;
+        if motion.starts {
+            self.complete_state(block, shown);
+        }
+        let above = self.approach_point(&motion);
+        if !self.is_at(end, &above) {
+            let (off, turn) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis).to_degrees());
+            self.found(
+                shown,
+                &format!("the approach ends {off:.4} mm from the approach point, its tool axis {turn:.4} deg off"),
+            );
+        } else {
+            let outcome = &mut self.tally.outcome;
+            outcome.tip = outcome.tip.max((end.tip - above.tip).norm());
+            outcome.axis = outcome.axis.max(angle_between(&end.axis, &above.axis));
+        }
+        self.approached = true;
+        self.reached = Some(above);
+        self.led_out = 0.0;
+        self.lost = false;
+        self.arc_plane = None;
+        self.out_from = Some(motion.to);
+        if above == motion.to {
+            self.pass();
+        }
+    }
+
+    /// Above the place where the rotary axes were rewound.
+    fn come_back(&mut self, pose: Placed, end: &Placed, shown: Shown<'_>) {
+        let along = (end.tip - pose.tip).dot(&pose.axis);
+        let above = Placed { tip: pose.tip + pose.axis * along, axis: pose.axis };
+        if along < -self.slack.tip || !self.is_at(end, &above) {
+            self.found(shown, "behind a rewind the tool does not come back above the place that it left");
+        }
+        self.back = Some(Segment { from: above, to: pose, shape: Shape::Line });
+        self.led_out = 0.0;
+    }
+
+    /// Above the first point by the approach distance, or that point itself where the next lies straight below it.
+    fn approach_point(&self, first: &Motion) -> Placed {
+        let next = (1..).map_while(|index| self.expect.get(index)).find_map(|item| match &item.kind {
+            Kind::Motion(motion) => Some((!motion.starts).then_some(motion)),
+            Kind::Dwell(_) => None,
+            _ => Some(None),
+        });
+        let below = next.flatten().is_some_and(|next| {
+            let step = next.to.tip - first.to.tip;
+            let along = step.dot(&first.to.axis);
+            let across = (step - first.to.axis * along).norm();
+            let line = matches!(next.shape, Shape::Line);
+            line && along < 0.0 && across <= ON_LINE && (next.to.axis - first.to.axis).norm() <= SAME_AXIS
+        });
+        if first.rapid && below {
+            return first.to;
+        }
+        Placed { tip: first.to.tip + first.to.axis * self.config.approach.distance, axis: first.to.axis }
+    }
+
+    /// An operation can be entered where it begins: everything has been said, and the retract stands there, too.
+    fn complete_state(&mut self, block: &Block, shown: Shown<'_>) {
+        let mut needed = stated::COOLANT;
+        let wanted = self.expect.get(0).map(|item| item.wanted);
+        if self.config.control.safety.is_none() {
+            needed |= stated::OFFSET;
+        }
+        if wanted.is_some_and(|wanted| wanted.spindle.is_some()) {
+            needed |= stated::SPINDLE;
+        }
+        let missing = needed & !block.stated;
+        for (bit, what) in
+            [(stated::COOLANT, "coolant"), (stated::OFFSET, "the work offset"), (stated::SPINDLE, "the spindle")]
+        {
+            if missing & bit != 0 {
+                self.found(
+                    shown,
+                    &format!("an operation begins here, and {what} has not been stated since its first block"),
+                );
+            }
+        }
+        if self.config.control.safety.is_none() && !self.restarted {
+            self.found(shown, "an operation begins here without the blocks that state everything");
+        }
+        if !self.retracted {
+            self.found(shown, "an operation begins here without the machine retract behind its first block");
+        }
+    }
+
+    /// Rotary axes at their parking places.
+    fn park(&mut self, block: &Block, shown: Shown<'_>) {
+        self.parks = true;
+        self.state_at_park(block, shown);
+        if !self.parks_rotary(block) {
+            self.found(shown, "the CL data has no motion here, and this is no parking place of the configuration");
+        }
+    }
+
+    fn parks_rotary(&self, block: &Block) -> bool {
+        self.parked(block, &self.words.values(&block.values), self.words.rotary_mask, 0.6 * self.slack.angle)
+    }
+
+    fn parks_linear(&self, block: &Block) -> bool {
+        self.parked(block, &block.values, self.words.linear_mask, 0.6 * self.slack.unit)
+    }
+
+    fn parked(&self, block: &Block, values: &[f64; MAX_AXES], mask: u16, slack: f64) -> bool {
+        let at = |(index, axis): (usize, &crate::kinematics::Axis)| {
+            let place = self.config.park.get(&axis.letter);
+            block.written & (1 << index) == 0
+                || place.is_some_and(|place| self.same_place(index, values[index], *place, slack))
+        };
+        block.written & !mask == 0 && M::AXES.iter().enumerate().all(at)
+    }
+
+    /// A rotary axis without limits may stand whole turns away.
+    fn same_place(&self, index: usize, value: f64, place: f64, slack: f64) -> bool {
+        use std::f64::consts::TAU;
+        let off = value - place;
+        let rotary = self.words.rotary_mask & (1 << index) != 0;
+        (if rotary { off - (off / TAU).round() * TAU } else { off }).abs() <= slack
+    }
+
+    /// A tool change.
+    pub(super) fn change(&mut self, shown: Shown<'_>) {
+        if !matches!(self.phase, Phase::Clear(_)) || !self.retracted {
+            self.found(shown, "the tool is changed where the machine has not retracted");
+        }
+        self.broken_off(shown);
+        self.forget();
+    }
+
+    /// A wait.
+    pub(super) fn dwell(&mut self, seconds: f64, shown: Shown<'_>) {
+        self.pass_needless();
+        if let Some(Item { kind: Kind::Dwell(wanted), .. }) = self.expect.get(0)
+            && (wanted - seconds).abs() <= WAIT
+        {
+            self.expect.pop();
+            return;
+        }
+        let spindle = self.config.spindle_dwell;
+        if spindle <= 0.0 || (spindle - seconds).abs() > WAIT {
+            self.found(shown, &format!("a wait of {seconds} s that nothing asks for"));
+        }
+    }
+
+    /// M0 and M1.
+    pub(super) fn stop(&mut self, block: &Block, optional: bool, shown: Shown<'_>) {
+        self.pass_needless();
+        match self.expect.get(0) {
+            Some(Item { kind: Kind::Stop { optional: wanted }, .. }) if *wanted == optional => {
+                self.expect.pop();
+            }
+            _ => self.found(shown, "a stop that the CL data does not ask for here"),
+        }
+        if self.config.stop_retract && !matches!(self.phase, Phase::Clear(_)) {
+            self.found(shown, "the program stops where the tool has not been retracted");
+        }
+        if self.config.stop_retract {
+            self.state_at_end(block, shown);
+        }
+        self.broken_off(shown);
+        self.forget();
+    }
+
+    /// The end code.
+    pub(super) fn end(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
+        self.expect.fill(1)?;
+        while self.needless(0) {
+            self.pass();
+            self.expect.fill(1)?;
+        }
+        if self.expect.get(0).is_some() {
+            self.found(shown, "the program ends before the CL data does");
+        }
+        if !matches!(self.phase, Phase::Clear(_)) {
+            self.found(shown, "the program ends where the tool has not been retracted");
+        }
+        self.state_at_end(block, shown);
+        self.broken_off(shown);
+        self.all_parked(block, shown);
+        self.ended = true;
+        Ok(())
+    }
+
+    /// Every axis that has a parking place stands there.
+    fn all_parked(&mut self, block: &Block, shown: Shown<'_>) {
+        let values = self.words.values(&block.values);
+        for (index, axis) in M::AXES.iter().enumerate().filter(|(_, axis)| !axis.held) {
+            let Some(place) = self.config.park.get(&axis.letter) else { continue };
+            let rotary = self.words.rotary_mask & (1 << index) != 0;
+            let turned = rotary && self.same_place(index, values[index], *place, 0.6 * self.slack.angle);
+            let retracted =
+                index == self.words.retract && (place - self.config.retract.position).abs() < self.slack.unit;
+            if !turned && !retracted && self.parked & (1 << index) == 0 {
+                self.found(shown, &format!("{} has not been parked", axis.letter));
+            }
+        }
+    }
+
+    /// What moves the tool by its length on some controls stands where nothing is in the way.
+    pub(super) fn length_given_up(&mut self, block: &Block, shown: Shown<'_>) {
+        let before = std::mem::replace(&mut self.length, block.state.length);
+        // Tip control is given up with it before the retract: the manuals have it so.
+        let moves = matches!(self.family, Family::Fanuc | Family::Haas) && self.config.mode != Mode::Tcp;
+        let at_part = matches!(self.phase, Phase::Path | Phase::Out);
+        let changed = matches!(before, Some(Length::Register(_))) && before != block.state.length;
+        if moves && at_part && changed && block.action != Action::Machine {
+            self.found(shown, "the length compensation is given up where the machine has not retracted: the tool may move by its length");
+        }
+    }
+
+    /// A guard of a tool length; where it does not say which, it is known that there is one.
+    pub(super) fn guard(&mut self, length: f64, shown: Shown<'_>) {
+        let wanted = self.expect.get(0).and_then(|item| item.wanted.length);
+        let in_mm = matches!(self.family, Family::LinuxCnc | Family::Heidenhain);
+        let length = if in_mm { length } else { length * self.units.in_mm() };
+        if let Some(wanted) = wanted
+            && (wanted - length).abs() > 1e-3
+        {
+            self.found(shown, &format!("the guard compares with {length} mm, the tool is {wanted} mm long"));
+        }
+    }
+}

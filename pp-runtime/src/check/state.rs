@@ -1,0 +1,211 @@
+//! The state in which a block moves, beside the one that it should move in.
+
+use std::io::Read;
+
+use super::compare::{Checker, Phase};
+use super::expect::Wanted;
+use super::read::{Action, Block, Family, FeedMode, Length, MAX_AXES, Side, State, TipControl, WorkPlane};
+use super::report::Shown;
+use crate::config::{LengthMode, Mode};
+use crate::kinematics::Machine;
+use crate::program::Rotation;
+
+impl<M: Machine, R: Read> Checker<'_, M, R> {
+    /// At the part, on the path of the CL data.
+    pub(super) fn state_at_path(&mut self, block: &Block, wanted: &Wanted, shown: Shown<'_>) {
+        let state = &block.state;
+        if matches!(block.action, Action::Arc(_)) {
+            self.arc_plane = state.plane;
+        }
+        let beside = wanted.side != Side::None;
+        let side = if beside && self.mirrored(block) { wanted.side.across() } else { wanted.side };
+        let found = self
+            .everywhere(state, side)
+            .or_else(|| if block.action == Action::Rapid { inverse(state) } else { None })
+            .or_else(|| self.frame(state, true))
+            .or_else(|| self.tool(state, wanted, true))
+            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
+            .or_else(|| coolant(state, wanted.coolant));
+        self.say(found, shown);
+    }
+
+    /// Left of the words is right of the path.
+    fn mirrored(&self, block: &Block) -> bool {
+        let tip = |values: &[f64; MAX_AXES]| self.words.place(values, &block.state).tip;
+        let here = tip(&block.values);
+        let steps = self.words.linear_places().map(|place| {
+            let mut values = block.values;
+            values[place?] += 1.0;
+            Some(tip(&values) - here)
+        });
+        matches!(steps, [Some(x), Some(y), Some(z)] if x.cross(&y).dot(&z) < 0.0)
+    }
+
+    /// On the way to the approach point; `last`: down to it.
+    pub(super) fn state_at_approach(&mut self, block: &Block, step: u8, shown: Shown<'_>) {
+        let last = step == 3;
+        let Some(wanted) = self.expect.get(0).map(|item| item.wanted) else { return };
+        let state = &block.state;
+        let moves_z = matches!(self.family, Family::Fanuc | Family::Haas);
+        let found = self
+            .everywhere(state, Side::None)
+            .or_else(|| inverse(state))
+            .or_else(|| self.frame(state, step > 1))
+            .or_else(|| self.tool(state, &wanted, last || !moves_z))
+            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
+            .or_else(|| if self.rewound.is_some() { None } else { coolant(state, 0) });
+        self.say(found, shown);
+    }
+
+    /// Out along the tool axis.
+    pub(super) fn state_at_leave(&mut self, block: &Block, dry: bool, shown: Shown<'_>) {
+        let state = &block.state;
+        let wanted = self.last.map(|(_, wanted)| wanted);
+        let found = self
+            .everywhere(state, Side::None)
+            .or_else(|| inverse(state))
+            .or_else(|| self.frame(state, true))
+            .or_else(|| wanted.and_then(|wanted| self.tool(state, &wanted, true)))
+            .or_else(|| if dry { coolant(state, 0) } else { None });
+        self.say(found, shown);
+    }
+
+    /// In machine coordinates.
+    pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, shown: Shown<'_>) {
+        let state = &block.state;
+        let tips =
+            (state.tip_control != TipControl::Off).then(|| "machine coordinates while tip control is on".to_owned());
+        // Where the block itself takes the length away.
+        let ends = matches!(self.family, Family::Fanuc | Family::Haas | Family::Siemens);
+        let length = (ends && state.length != Some(Length::Off))
+            .then(|| "machine coordinates, and the length compensation has not been switched off".to_owned());
+        // It may turn on as it did in the cut, or stand.
+        let turns = self.last.and_then(|(_, wanted)| wanted.spindle).filter(|_| state.spindle.flatten().is_some());
+        let found = self
+            .everywhere(state, Side::None)
+            .or_else(|| inverse(state))
+            .or(tips)
+            .or(length)
+            .or_else(|| spindle(state, turns))
+            .or_else(|| if dry { coolant(state, 0) } else { None });
+        self.say(found, shown);
+    }
+
+    /// Rotary axes to their parking places.
+    pub(super) fn state_at_park(&mut self, block: &Block, shown: Shown<'_>) {
+        let state = &block.state;
+        let found = self
+            .everywhere(state, Side::None)
+            .or_else(|| self.frame(state, false))
+            .or_else(|| spindle(state, None))
+            .or_else(|| coolant(state, 0));
+        self.say(found, shown);
+    }
+
+    /// At a stop that retracts, and at the end code.
+    pub(super) fn state_at_end(&mut self, block: &Block, shown: Shown<'_>) {
+        let found = spindle(&block.state, None).or_else(|| coolant(&block.state, 0));
+        self.say(found, shown);
+    }
+
+    fn say(&mut self, found: Option<String>, shown: Shown<'_>) {
+        if let Some(text) = found {
+            self.found(shown, &text);
+        }
+    }
+
+    /// What holds for every block that moves.
+    fn everywhere(&self, state: &State, side: Side) -> Option<String> {
+        if state.units != Some(self.units) {
+            return Some(format!("lengths are not in {} here", self.units.name()));
+        }
+        if state.incremental != Some(false) {
+            return Some("words are distances here, or nobody has said that they are places".to_owned());
+        }
+        // Heidenhain says the plane with the tool.
+        let unsaid = self.family == Family::Heidenhain && state.plane.is_none() && self.phase == Phase::Unknown;
+        let of_arc = self.phase == Phase::Path && state.plane.is_some() && state.plane == self.arc_plane;
+        if state.plane != Some(WorkPlane::Xy) && !unsaid && !of_arc {
+            return Some("the plane is not that of X and Y".to_owned());
+        }
+        if state.side.unwrap_or_default() != side {
+            return Some(format!("cutter compensation is {:?} here, the CL data asks for {side:?}", state.side));
+        }
+        if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
+            return Some("F does not count a minute here".to_owned());
+        }
+        None
+    }
+
+    /// Tip control and tilted plane; `framed`: those of the mode.
+    fn frame(&self, state: &State, framed: bool) -> Option<String> {
+        let tips = state.tip_control != TipControl::Off;
+        let tilted = state.tilt.is_some();
+        match (self.config.mode, framed) {
+            (Mode::Tcp, true) if !tips => Some("tip control is off, and the words are those of the tip".to_owned()),
+            (Mode::Plane, true) if !tilted => Some("no plane is tilted, and the words count in one".to_owned()),
+            (Mode::Plane, true) if state.tilt.is_some_and(|tilt| !tilt.oriented) => {
+                Some("the plane is tilted, and the rotary axes have not been told to follow".to_owned())
+            }
+            (mode, framed) if tips && !(framed && mode == Mode::Tcp) => {
+                Some("tip control is on, and the words are axis positions".to_owned())
+            }
+            (mode, framed) if tilted && !(framed && mode == Mode::Plane) => {
+                Some("a plane is tilted, and the words are axis positions".to_owned())
+            }
+            _ => None,
+        }
+    }
+
+    fn tool(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {
+        if state.tool != wanted.tool {
+            let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
+            return Some(format!("{} is in the spindle, it is to be {}", name(state.tool), name(wanted.tool)));
+        }
+        let offset = self.offsets.iter().find(|(frame, _)| *frame == wanted.frame).map(|(_, offset)| *offset);
+        if state.work_offset != offset {
+            return Some(format!("the work offset is {:?}, it is to be {offset:?}", state.work_offset));
+        }
+        if !length {
+            return None;
+        }
+        let register = match (self.config.length_mode, wanted.tool) {
+            (LengthMode::Gauge, _) => Length::Off,
+            (LengthMode::Tip, Some(_)) => Length::Register(wanted.register),
+            (LengthMode::Tip, None) => return None,
+        };
+        if state.length.unwrap_or(Length::Off) != register {
+            return Some(format!("the length compensation is {:?}, it is to be {register:?}", state.length));
+        }
+        None
+    }
+}
+
+/// Inverse time belongs to feed blocks.
+fn inverse(state: &State) -> Option<String> {
+    (state.feed_mode == Some(FeedMode::InverseTime)).then(|| "a rapid while F is inverse time".to_owned())
+}
+
+fn spindle(state: &State, wanted: Option<(f64, Rotation)>) -> Option<String> {
+    let turns = state.spindle.flatten();
+    match wanted {
+        None => turns.map(|_| "the spindle turns, and it is to stand".to_owned()),
+        Some((_, sense)) if turns != Some(sense) => Some(match turns {
+            None => "the spindle stands, and it is to turn".to_owned(),
+            Some(_) => "the spindle turns the other way round".to_owned(),
+        }),
+        Some((speed, _)) => match state.speed {
+            Some(written) if (written - speed).abs() <= 1e-6 * speed => None,
+            written => Some(format!("S is {written:?}, it is to be {speed}")),
+        },
+    }
+}
+
+fn coolant(state: &State, wanted: u8) -> Option<String> {
+    match state.coolant {
+        Some(bits) if bits == wanted => None,
+        Some(_) if wanted == 0 => Some("coolant is on, and it is to be off".to_owned()),
+        None => Some("nobody has said whether coolant is on".to_owned()),
+        Some(_) => Some("coolant is not what the CL data asks for".to_owned()),
+    }
+}

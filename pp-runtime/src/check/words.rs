@@ -1,0 +1,219 @@
+//! Words of a program into tip and tool axis on the workpiece: what the set-up and the mode did to them is undone.
+//!
+//! In `axes` mode a linear word is the axis value plus what `program_zero` and `length_mode` add, a rotary word the axis
+//! value minus its offset; tip and axis follow through the chain. Under tip control the linear words are the tip itself, in
+//! a frame that the control keeps with the table, or not. In a tilted plane they are the tip in that plane.
+
+use nalgebra::{Matrix3, Vector3};
+
+use super::chain::{Chain, Placed};
+use super::read::{MAX_AXES, State, TipControl};
+use crate::config::{Config, LengthMode, ProgramZero, TcpFrame};
+use crate::kinematics::{AxisKind, Machine};
+
+/// What stands between words and axis values, by position in the chain.
+#[derive(Debug, Clone)]
+pub(super) struct Words {
+    pub(super) chain: Chain,
+    /// Solved linear axes.
+    pub(super) linear: Vec<usize>,
+    pub(super) linear_mask: u16,
+    pub(super) rotary_mask: u16,
+    /// The linear axis that retracts.
+    pub(super) retract: usize,
+    /// What a linear word is more than the axis value without tool, mm.
+    zero: [f64; MAX_AXES],
+    /// What 1 mm of gauge length adds to it.
+    share: [f64; MAX_AXES],
+    gauge: bool,
+    /// What a rotary axis value is more than its word, rad.
+    offset: [f64; MAX_AXES],
+    held: [f64; MAX_AXES],
+    xyz: [Option<usize>; 3],
+    /// Tool axis with all axes at zero.
+    tool: Vector3<f64>,
+    length: f64,
+    pub(super) frame: TcpFrame,
+}
+
+impl Words {
+    pub(super) fn new<M: Machine>(machine: &M, config: &Config) -> Self {
+        let solved = |kind: AxisKind| {
+            let axes = M::AXES.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held);
+            axes.map(|(index, _)| index).collect::<Vec<usize>>()
+        };
+        let (linear, rotary) = (solved(AxisKind::Linear), solved(AxisKind::Rotary));
+        let chain = Chain::of(machine);
+        let tool = machine.tool_axis().into_inner();
+        let mut words = Self {
+            retract: retract_axis(machine, &linear, &tool),
+            linear_mask: mask(&linear),
+            rotary_mask: mask(&rotary),
+            zero: [0.0; MAX_AXES],
+            share: [0.0; MAX_AXES],
+            gauge: config.length_mode == LengthMode::Gauge,
+            offset: [0.0; MAX_AXES],
+            held: [0.0; MAX_AXES],
+            xyz: ['X', 'Y', 'Z'].map(|letter| M::AXES.iter().position(|axis| axis.letter == letter)),
+            length: 0.0,
+            frame: config.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
+            linear,
+            chain,
+            tool,
+        };
+        let origin = if config.program_zero == ProgramZero::Table { config.part_origin } else { [0.0; 3] };
+        words.zero = words.along(&origin.into());
+        words.share = words.along(&tool);
+        for (index, axis) in M::AXES.iter().enumerate() {
+            words.offset[index] = config.rotary_offset.get(&axis.letter).copied().unwrap_or(0.0);
+        }
+        words.held[..M::AXES.len()].copy_from_slice(M::HELD.as_ref());
+        words
+    }
+
+    /// Words of the linear axes whose motion together is a vector, at the zero position.
+    fn along(&self, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
+        let mut words = [0.0; MAX_AXES];
+        if let [x, y, z] = self.linear[..] {
+            for (index, value) in [x, y, z].into_iter().zip(self.chain.along([x, y, z], vector)) {
+                words[index] = value;
+            }
+        }
+        words
+    }
+
+    /// Positions of X Y Z, in which arcs turn.
+    pub(super) fn linear_places(&self) -> [Option<usize>; 3] {
+        self.xyz
+    }
+
+    /// With another tool in the spindle, mm.
+    pub(super) fn set_tool<M: Machine>(&mut self, machine: &mut M, config: &Config, length: f64) {
+        machine.set_up(config.part_origin.into(), length);
+        self.chain = Chain::of(machine);
+        self.length = length;
+    }
+
+    /// Whether the tool in the spindle has another length.
+    pub(super) fn length_differs(&self, length: f64) -> bool {
+        (self.length - length).abs() > 0.0
+    }
+
+    /// Axis values for words, mm and rad.
+    pub(super) fn values(&self, words: &[f64; MAX_AXES]) -> [f64; MAX_AXES] {
+        let length = if self.gauge { self.length } else { 0.0 };
+        std::array::from_fn(|index| {
+            let bit = 1 << index;
+            if self.linear_mask & bit != 0 {
+                words[index] - self.zero[index] - length * self.share[index]
+            } else if self.rotary_mask & bit != 0 {
+                words[index] + self.offset[index]
+            } else {
+                self.held[index]
+            }
+        })
+    }
+
+    /// What the gauge length adds to the machine coordinate of a linear axis, mm.
+    pub(super) fn gauge_of(&self, index: usize) -> f64 {
+        self.length * self.share[index]
+    }
+
+    /// Tip and tool axis on the workpiece.
+    pub(super) fn place(&self, words: &[f64; MAX_AXES], state: &State) -> Placed {
+        match (&state.tip_control, &state.tilt) {
+            (TipControl::Off, None) => self.chain.place(&self.values(words)),
+            (TipControl::On { start }, _) => {
+                let values = self.values(words);
+                let tip = self.program_point(words);
+                let tip = match self.frame {
+                    TcpFrame::TableAtZero => tip,
+                    TcpFrame::TableAtStart => self.chain.onto_workpiece(tip, &self.values(start)),
+                    TcpFrame::NotTurning => self.chain.onto_workpiece(tip, &values),
+                };
+                let axis = match &state.vector {
+                    Some(vector) => self.direction(vector, &values, start),
+                    None => self.chain.place(&values).axis,
+                };
+                Placed { tip, axis }
+            }
+            (TipControl::Off, Some(tilt)) => {
+                let words = self.turned(words, &tilt.rotation, &tilt.origin);
+                let up = self.turned(&self.along(&self.tool), &tilt.rotation, &Vector3::zeros());
+                Placed { tip: self.program_point(&words), axis: self.chain.at_zero(&up) }
+            }
+        }
+    }
+
+    /// A tool axis that the program names, on the workpiece.
+    fn direction(&self, vector: &Vector3<f64>, values: &[f64; MAX_AXES], start: &[f64; MAX_AXES]) -> Vector3<f64> {
+        let mut words = [0.0; MAX_AXES];
+        if let [Some(x), Some(y), Some(z)] = self.xyz {
+            (words[x], words[y], words[z]) = (vector.x, vector.y, vector.z);
+        }
+        let named = self.chain.at_zero(&words);
+        let turned = |values: &[f64; MAX_AXES]| {
+            self.chain.onto_workpiece(named, values) - self.chain.onto_workpiece(Vector3::zeros(), values)
+        };
+        match self.frame {
+            TcpFrame::TableAtZero => named,
+            TcpFrame::TableAtStart => turned(&self.values(start)),
+            TcpFrame::NotTurning => turned(values),
+        }
+    }
+
+    /// Axis values behind a block, whatever its words count; `None` where the control chooses the rotary axes.
+    pub(super) fn axes(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
+        let mut values = self.values(words);
+        if state.tip_control == TipControl::Off && state.tilt.is_none() {
+            return Some(values);
+        }
+        let ([x, y, z], None) = (self.linear_three()?, state.vector) else { return None };
+        let tip = self.place(words, state).tip;
+        for index in [x, y, z] {
+            values[index] = 0.0;
+        }
+        let from = self.chain.place(&values).tip;
+        let column = |index: usize| {
+            let mut moved = values;
+            moved[index] = 1.0;
+            self.chain.place(&moved).tip - from
+        };
+        let solved = Matrix3::from_columns(&[column(x), column(y), column(z)]).try_inverse()? * (tip - from);
+        (values[x], values[y], values[z]) = (solved.x, solved.y, solved.z);
+        Some(values)
+    }
+
+    fn linear_three(&self) -> Option<[usize; 3]> {
+        self.linear[..].try_into().ok()
+    }
+
+    /// Words of a plane as words of the program.
+    fn turned(&self, words: &[f64; MAX_AXES], rotation: &Matrix3<f64>, origin: &Vector3<f64>) -> [f64; MAX_AXES] {
+        let mut turned = *words;
+        if let [Some(x), Some(y), Some(z)] = self.xyz {
+            let point = origin + rotation * Vector3::new(words[x], words[y], words[z]);
+            (turned[x], turned[y], turned[z]) = (point.x, point.y, point.z);
+        }
+        turned
+    }
+
+    /// The point that linear words name, workpiece frame, mm.
+    fn program_point(&self, words: &[f64; MAX_AXES]) -> Vector3<f64> {
+        let mut values = [0.0; MAX_AXES];
+        for &index in &self.linear {
+            values[index] = words[index] - self.zero[index];
+        }
+        self.chain.at_zero(&values)
+    }
+}
+
+fn mask(axes: &[usize]) -> u16 {
+    axes.iter().fold(0, |mask, index| mask | 1 << index)
+}
+
+/// The linear axis most along the tool; of two alike the one nearer the tool.
+fn retract_axis<M: Machine>(machine: &M, linear: &[usize], tool: &Vector3<f64>) -> usize {
+    let share = |index: &usize| (machine.joint(*index).direction.dot(tool).abs() * 1e9).round();
+    linear.iter().copied().max_by(|a, b| share(a).total_cmp(&share(b))).unwrap_or(0)
+}

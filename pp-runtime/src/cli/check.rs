@@ -1,0 +1,87 @@
+//! `check IN.cls OUT.nc`: a program that was posted earlier, or edited by hand, beside its CL data.
+
+use std::fs::File;
+use std::io::Seek as _;
+use std::path::Path;
+
+use serde::Serialize;
+
+use crate::check::{CheckError, Checked, Job, check};
+use crate::diag::Diagnostic;
+use crate::kinematics::Machine;
+
+use super::args::{CheckArgs, MessageFormat};
+use super::messages::Messages;
+use super::source::Source;
+use super::{Failure, Status, Streams, is_standard, print, read_config};
+
+/// The figures for programs.
+#[derive(Serialize)]
+struct Figures {
+    passed: bool,
+    findings: u64,
+    blocks: u64,
+    tip_mm: f64,
+    axis_deg: f64,
+    path_mm: f64,
+    tolerance_mm: f64,
+    outside_limits: u64,
+}
+
+pub(super) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+    let mut messages = Messages::new(streams.errors, args.format());
+    let config = read_config::<M>(&args.set_up, &mut messages)?;
+    let mut source =
+        if is_standard(&args.input) { Source::spool(streams.input, "<stdin>") } else { Source::open(&args.input) }
+            .map_err(|error| Failure::unreadable(&args.input, error))?;
+    let name = source.name().to_owned();
+    let program = File::open(&args.program).map_err(|error| Failure::unreadable(&args.program, error))?;
+    let job = Job { config: &config, control: args.set_up.control(), units: config.cl_units };
+    let checked = check::<M>(&job, &mut source, program).map_err(|error| failure(error, &name, &args.program))?;
+    if let Some(what) = source.disturbed() {
+        return Err(Failure::Disturbed(name, what));
+    }
+    let found = findings(&checked);
+    if !found.is_empty() {
+        source.rewind().map_err(|error| Failure::Unreadable(name.clone(), error))?;
+        messages.diagnostics(&name, &mut source, &found);
+    }
+    messages.note(&checked.outcome.summary());
+    let passed = found.is_empty() && checked.outcome.passed();
+    if args.format() == MessageFormat::Json {
+        let figures = figures(&checked, passed);
+        print(streams, |out| {
+            serde_json::to_writer(&mut *out, &figures)?;
+            out.write_all(b"\n")
+        })?;
+    }
+    Ok(if passed { Status::Done } else { Status::Rejected })
+}
+
+/// Why there is no comparison.
+pub(super) fn failure(error: CheckError, name: &str, program: &Path) -> Failure {
+    match error {
+        CheckError::Input(error) => Failure::Unreadable(name.to_owned(), error),
+        CheckError::Program(error) => Failure::unreadable(program, error),
+        CheckError::Impossible(text) => Failure::Argument(text),
+    }
+}
+
+/// Everything that speaks against a program.
+pub(super) fn findings(checked: &Checked) -> Vec<Diagnostic> {
+    checked.fault.iter().chain(&checked.outcome.findings).cloned().collect()
+}
+
+fn figures(checked: &Checked, passed: bool) -> Figures {
+    let outcome = &checked.outcome;
+    Figures {
+        passed,
+        findings: outcome.count,
+        blocks: outcome.blocks,
+        tip_mm: outcome.tip,
+        axis_deg: outcome.axis.to_degrees(),
+        path_mm: outcome.path,
+        tolerance_mm: outcome.tolerance,
+        outside_limits: outcome.limits,
+    }
+}

@@ -1,0 +1,153 @@
+; PROGRAM without name
+; CL FILE works.cls
+; MACHINE LolaXoyzba, CONTROL Siemens 840D, MODE plane
+; UNITS mm, WORK OFFSET G54
+; PART ORIGIN X10 Y-20 Z35 from the table reference
+; PROGRAMMED POINT tool tip
+; ARCS AND CURVES left by at most 0.01
+; operations 1 to 3 of 6 only, entered as at their restart points
+; CL data of NX, by its own evidence
+; 5 arcs, 4 of 4 decided arcs agree with their form
+; AXIS X + moves the table against +X: word as in ISO 841
+; AXIS Y + moves the tool along +Y: word as in ISO 841
+; AXIS Z + moves the tool along +Z: word as in ISO 841
+; AXIS B + turns the tool right-handed about +Y: word as in ISO 841
+; AXIS A + turns the tool right-handed about +X: word as in ISO 841
+; LINEAR WORDS are coordinates of the tip in the tilted plane, about the same zero
+; MODE plane takes for granted: the direction reference of the swivel data must be the rotary axis nearest the tool
+; linear limits not checked: no travel declared (X Y Z)
+; T1 D10 R0 L110 D1, 2 operations, tip Z -7.398 to 36.793
+; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+; ASSUMED work offset G54
+; ASSUMED retract to machine coordinate 0 mm
+; ASSUMED approach from 50 mm along the tool axis
+MSG("ARCS")
+N1 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T1
+M6
+T2
+SUPA G0 Z0 D0
+D1
+S4000 M3
+G0 A0 B0
+CYCLE800(0,"",0,57,0,0,0,0,0,0,0,0,0,1,0)
+G0 X12 Y0
+Z20
+M8
+Z2
+G3 X12 Y0 Z-0.4 I-12 J0 F200
+X0 Y12 Z-1 I-12 J0
+G1 X-20 F600
+G3 X-20 Y-12 I0 J-12
+G1 X0
+G2 X8 Y-20 I0 J-8
+X8 Y-20 I-8 J0
+G1 Z20
+M9
+G0 Z80
+SUPA G0 Z0 D0
+CYCLE800()
+M5
+M1
+MSG("TILTED")
+N2 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+; T1 stays in the spindle
+D1
+S4000 M3
+G0 A-15.7987 B19.6289
+CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,5.546121,0,0,0,1,0)
+G0 X-11.904 Y-5.105
+Z34.739
+M8
+G1 Z2.739 F300
+X13.096 F700
+G3 X13.096 Y14.895 I0 J10
+G1 X-11.904
+Y-5.105
+Z34.739
+M9
+G0 Z94.739
+MSG("HOLES")
+SUPA G0 Z0 D0
+CYCLE800()
+N3 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T2
+M6
+T1
+SUPA G0 Z0 D0
+D1
+S2500 M3
+G0 A-15.7987 B19.6289
+CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,5.546121,0,0,0,1,0)
+G0 X-8.904 Y4.895
+Z29.739
+M8
+F150
+MCALL CYCLE81(29.739,4.739,2,-1.261)
+G0 X-8.904 Y4.895
+X3.096
+MCALL
+F150
+MCALL CYCLE82(29.739,4.739,2,-1.261,,0.5)
+G0 X15.096 Y4.895
+MCALL
+G0 X-8.904 Y16.895 Z29.739
+Z6.739
+G1 Z0.739 F150
+G0 Z6.739
+Z1.239
+G1 Z-3.261
+G0 Z6.739
+Z-2.761
+G1 Z-7.261
+G0 Z6.739
+Z-6.761
+G1 Z-10.261
+G0 Z29.739
+X3.096
+Z10.739
+G1 Z4.739
+G0 Z10.739
+Z5.239
+G1 Z0.739
+G0 Z10.739
+Z1.239
+G1 Z-3.261
+G0 Z10.739
+Z-2.761
+G1 Z-6.261
+G0 Z29.739
+X15.096
+Z6.739
+G1 Z0.739
+G0 Z1.239
+G1 Z-3.261
+G0 Z-2.761
+G1 Z-6.261
+G0 Z29.739
+MCALL CYCLE85(29.739,4.739,2,-1.261,,0,80,80)
+G0 X3.096 Y-7.105
+MCALL
+M9
+G0 Z89.739
+SUPA G0 Z0 D0
+CYCLE800()
+M5
+M0
+M9
+SUPA G0 Z0 D0
+M5
+M30

@@ -1,0 +1,126 @@
+%
+O00001 (NONAME)
+(PROGRAM without name)
+(CL FILE works.cls)
+(MACHINE SpinnerU5620, CONTROL Haas, MODE plane)
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X10 Y-20 Z35 from the table reference)
+(PROGRAMMED POINT tool tip)
+(ARCS AND CURVES left by at most 0.01)
+(operations 1 to 3 of 6 only, entered as at their restart points)
+(CL data of NX, by its own evidence)
+(5 arcs, 4 of 4 decided arcs agree with their form)
+(AXIS C + turns the table left-handed about +Z: word as in ISO 841)
+(AXIS B + turns the table left-handed about +Y: word as in ISO 841)
+(AXIS X + moves the tool along +X: word as in ISO 841)
+(AXIS Y + moves the tool along +Y: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(LINEAR WORDS are coordinates of the tip in the tilted plane, about the same)
+(zero)
+(MODE plane takes for granted: G268 turns about X, then Y, then Z of the work)
+(offset, and G253 takes the pose where the axes stand)
+(linear limits not checked: no travel declared [X Y Z])
+(the entries of C and B in G54 must be zero)
+(T1 D10 R0 L110 H1, 2 operations, tip Z -7.398 to 36.793)
+(T2 D5 L130 H2, 1 operation, tip Z -15.078 to 28.689)
+(ASSUMED the unit of the CL data, which does not state one, is mm as given)
+(with the job)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+(OPERATION ARCS)
+N1 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+T1 M06
+T2
+G49 G53 G00 Z0.
+S4000 M03
+G00 B0. C0.
+G43 H1
+G268 X0. Y0. Z0. I0. J0. K0. Q123
+G253
+G00 X12. Y0.
+Z20.
+M08
+Z2.
+G03 X12. Y0. Z-0.4 I-12. J0. F200.
+X0. Y12. Z-1. I-12. J0.
+G01 X-20. F600.
+G03 X-20. Y-12. I0. J-12.
+G01 X0.
+G02 X8. Y-20. I0. J-8.
+X8. Y-20. I-8. J0.
+G01 Z20.
+M09
+G00 Z80.
+G49 G53 G00 Z0.
+G269
+M05
+M01
+(OPERATION TILTED)
+G49 G53 G00 Z0.
+N2 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+(T1 stays in the spindle)
+S4000 M03
+G00 B25. C40.107
+G43 H1
+G268 X0. Y0. Z0. I0. J25. K40.107 Q123
+G253
+G00 X-12.56 Y3.165
+Z34.739
+M08
+G01 Z2.739 F300.
+X7.312 Y-12.004 F700.
+G03 X19.447 Y3.893 I6.067 J7.949
+G01 X-0.425 Y19.063
+X-12.56 Y3.165
+Z34.739
+M09
+G00 Z94.739
+(OPERATION HOLES)
+G49 G53 G00 Z0.
+G269
+N3 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+T2 M06
+T1
+G49 G53 G00 Z0.
+S2500 M03
+G00 B25. C40.107
+G43 H2
+G268 X0. Y0. Z0. I0. J25. K40.107 Q123
+G253
+G00 X-4.108 Y9.294
+Z29.739
+M08
+G98 G81 X-4.108 Y9.294 Z-1.261 R6.739 F150.
+X5.431 Y2.012
+G80
+G98 G82 X14.969 Y-5.269 Z-1.261 R6.739 P0.5 F150.
+G80
+G98 G83 X3.174 Y18.832 Z-10.261 R6.739 Q4. F150.
+G80
+G98 G83 X12.712 Y11.551 Z-6.261 R10.739 Q4. F150.
+G80
+G98 G73 X22.251 Y4.269 Z-6.261 R6.739 Q4. F150.
+G80
+G98 G85 X-1.851 Y-7.526 Z-1.261 R6.739 F80.
+G80
+M09
+G00 Z89.739
+G49 G53 G00 Z0.
+G269
+M05
+M00
+M09
+G49 G53 G00 Z0.
+M05
+M30
+%

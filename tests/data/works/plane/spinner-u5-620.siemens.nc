@@ -1,0 +1,154 @@
+; PROGRAM without name
+; CL FILE works.cls
+; MACHINE SpinnerU5620, CONTROL Siemens 840D, MODE plane
+; UNITS mm, WORK OFFSET G54
+; PART ORIGIN X10 Y-20 Z35 from the table reference
+; PROGRAMMED POINT tool tip
+; ARCS AND CURVES left by at most 0.01
+; operations 1 to 3 of 6 only, entered as at their restart points
+; CL data of NX, by its own evidence
+; 5 arcs, 4 of 4 decided arcs agree with their form
+; AXIS C + turns the table left-handed about +Z: word as in ISO 841
+; AXIS B + turns the table left-handed about +Y: word as in ISO 841
+; AXIS X + moves the tool along +X: word as in ISO 841
+; AXIS Y + moves the tool along +Y: word as in ISO 841
+; AXIS Z + moves the tool along +Z: word as in ISO 841
+; LINEAR WORDS are coordinates of the tip in the tilted plane, about the same zero
+; MODE plane takes for granted: the direction reference of the swivel data must be the rotary axis nearest the tool
+; linear limits not checked: no travel declared (X Y Z)
+; the entries of C and B in G54 must be zero
+; T1 D10 R0 L110 D1, 2 operations, tip Z -7.398 to 36.793
+; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
+; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+; ASSUMED work offset G54
+; ASSUMED retract to machine coordinate 0 mm
+; ASSUMED approach from 50 mm along the tool axis
+MSG("ARCS")
+N1 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T1
+M6
+T2
+SUPA G0 Z0 D0
+D1
+S4000 M3
+G0 B0 C0
+CYCLE800(0,"",0,57,0,0,0,0,0,0,0,0,0,1,0)
+G0 X12 Y0
+Z20
+M8
+Z2
+G3 X12 Y0 Z-0.4 I-12 J0 F200
+X0 Y12 Z-1 I-12 J0
+G1 X-20 F600
+G3 X-20 Y-12 I0 J-12
+G1 X0
+G2 X8 Y-20 I0 J-8
+X8 Y-20 I-8 J0
+G1 Z20
+M9
+G0 Z80
+SUPA G0 Z0 D0
+CYCLE800()
+M5
+M1
+MSG("TILTED")
+N2 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+; T1 stays in the spindle
+D1
+S4000 M3
+G0 B25 C40.107
+CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,42.903189,0,0,0,1,0)
+G0 X-12.56 Y3.165
+Z34.739
+M8
+G1 Z2.739 F300
+X7.312 Y-12.004 F700
+G3 X19.447 Y3.893 I6.067 J7.949
+G1 X-0.425 Y19.063
+X-12.56 Y3.165
+Z34.739
+M9
+G0 Z94.739
+MSG("HOLES")
+SUPA G0 Z0 D0
+CYCLE800()
+N3 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T2
+M6
+T1
+SUPA G0 Z0 D0
+D1
+S2500 M3
+G0 B25 C40.107
+CYCLE800(0,"",0,57,0,0,0,-16.720461,18.858755,42.903189,0,0,0,1,0)
+G0 X-4.108 Y9.294
+Z29.739
+M8
+F150
+MCALL CYCLE81(29.739,4.739,2,-1.261)
+G0 X-4.108 Y9.294
+X5.431 Y2.012
+MCALL
+F150
+MCALL CYCLE82(29.739,4.739,2,-1.261,,0.5)
+G0 X14.969 Y-5.269
+MCALL
+G0 X3.174 Y18.832 Z29.739
+Z6.739
+G1 Z0.739 F150
+G0 Z6.739
+Z1.239
+G1 Z-3.261
+G0 Z6.739
+Z-2.761
+G1 Z-7.261
+G0 Z6.739
+Z-6.761
+G1 Z-10.261
+G0 Z29.739
+X12.712 Y11.551
+Z10.739
+G1 Z4.739
+G0 Z10.739
+Z5.239
+G1 Z0.739
+G0 Z10.739
+Z1.239
+G1 Z-3.261
+G0 Z10.739
+Z-2.761
+G1 Z-6.261
+G0 Z29.739
+X22.251 Y4.269
+Z6.739
+G1 Z0.739
+G0 Z1.239
+G1 Z-3.261
+G0 Z-2.761
+G1 Z-6.261
+G0 Z29.739
+MCALL CYCLE85(29.739,4.739,2,-1.261,,0,80,80)
+G0 X-1.851 Y-7.526
+MCALL
+M9
+G0 Z89.739
+SUPA G0 Z0 D0
+CYCLE800()
+M5
+M0
+M9
+SUPA G0 Z0 D0
+M5
+M30

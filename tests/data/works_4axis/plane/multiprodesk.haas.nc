@@ -1,0 +1,125 @@
+%
+O00001 (NONAME)
+(PROGRAM without name)
+(CL FILE works_4axis.cls)
+(MACHINE MultiProDesk, CONTROL Haas, MODE plane)
+(UNITS mm, WORK OFFSET G54)
+(PART ORIGIN X10 Y-20 Z35 from the table reference)
+(PROGRAMMED POINT tool tip)
+(ARCS AND CURVES left by at most 0.01)
+(operations 1 to 3 of 6 only, entered as at their restart points)
+(CL data of NX, by its own evidence)
+(5 arcs, 4 of 4 decided arcs agree with their form)
+(AXIS A + turns the table right-handed about +X: word backwards)
+(AXIS Y + moves the table along +Y: word backwards)
+(AXIS X + moves the tool along +X: word as in ISO 841)
+(AXIS Z + moves the tool along +Z: word as in ISO 841)
+(LINEAR WORDS are coordinates of the tip in the tilted plane, about the same)
+(zero)
+(MODE plane takes for granted: G268 turns about X, then Y, then Z of the work)
+(offset, and G253 takes the pose where the axes stand)
+(linear limits not checked: no travel declared [Y X Z])
+(the entries of A in G54 must be zero)
+(T1 D10 R0 L110 H1, 2 operations, tip Z -4.039 to 24.963)
+(T2 D5 L130 H2, 1 operation, tip Z -8.509 to 29.729)
+(ASSUMED the unit of the CL data, which does not state one, is mm as given)
+(with the job)
+(ASSUMED work offset G54)
+(ASSUMED retract to machine coordinate 0 mm)
+(ASSUMED approach from 50 mm along the tool axis)
+(OPERATION ARCS)
+N1 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+T1 M06
+T2
+G49 G53 G00 Z0.
+S4000 M03
+G00 A0.
+G43 H1
+G268 X0. Y0. Z0. I0. J0. K0. Q123
+G253
+G00 X12. Y0.
+Z20.
+M08
+Z2.
+G02 X12. Y0. Z-0.4 I-12. J0. F200.
+X0. Y-12. Z-1. I-12. J0.
+G01 X-20. F600.
+G02 X-20. Y12. I0. J12.
+G01 X0.
+G03 X8. Y20. I0. J8.
+X8. Y20. I-8. J0.
+G01 Z20.
+M09
+G00 Z80.
+G49 G53 G00 Z0.
+G269
+M05
+M01
+(OPERATION TILTED)
+G49 G53 G00 Z0.
+N2 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+(T1 stays in the spindle)
+S4000 M03
+G00 A-25.
+G43 H1
+G268 X0. Y0. Z0. I-25. J0. K0. Q123
+G253
+G00 X-11. Y3.717
+Z29.277
+M08
+G01 Z-2.723 F300.
+X14. F700.
+G02 X14. Y-16.283 I0. J-10.
+G01 X-11.
+Y3.717
+Z29.277
+M09
+G00 Z89.277
+(OPERATION HOLES)
+G49 G53 G00 Z0.
+G269
+N3 G21 G17 G40 G49 G80 G90 G94 G54
+G269
+M09
+G53 G00 Z0.
+T2 M06
+T1
+G49 G53 G00 Z0.
+S2500 M03
+G00 A-25.
+G43 H2
+G268 X0. Y0. Z0. I-25. J0. K0. Q123
+G253
+G00 X-8. Y-6.283
+Z24.277
+M08
+G98 G81 X-8. Y-6.283 Z-6.723 R1.277 F150.
+X4.
+G80
+G98 G82 X16. Y-6.283 Z-6.723 R1.277 P0.5 F150.
+G80
+G98 G83 X-8. Y-18.283 Z-15.723 R1.277 Q4. F150.
+G80
+G98 G83 X4. Y-18.283 Z-11.723 R5.277 Q4. F150.
+G80
+G98 G73 X16. Y-18.283 Z-11.723 R1.277 Q4. F150.
+G80
+G98 G85 X4. Y5.717 Z-6.723 R1.277 F80.
+G80
+M09
+G00 Z84.277
+G49 G53 G00 Z0.
+G269
+M05
+M00
+M09
+G49 G53 G00 Z0.
+M05
+M30
+%

@@ -1,0 +1,153 @@
+; PROGRAM without name
+; CL FILE works_4axis.cls
+; MACHINE MultiProDesk, CONTROL Siemens 840D, MODE plane
+; UNITS mm, WORK OFFSET G54
+; PART ORIGIN X10 Y-20 Z35 from the table reference
+; PROGRAMMED POINT tool tip
+; ARCS AND CURVES left by at most 0.01
+; operations 1 to 3 of 6 only, entered as at their restart points
+; CL data of NX, by its own evidence
+; 5 arcs, 4 of 4 decided arcs agree with their form
+; AXIS A + turns the table right-handed about +X: word backwards
+; AXIS Y + moves the table along +Y: word backwards
+; AXIS X + moves the tool along +X: word as in ISO 841
+; AXIS Z + moves the tool along +Z: word as in ISO 841
+; LINEAR WORDS are coordinates of the tip in the tilted plane, about the same zero
+; MODE plane takes for granted: the direction reference of the swivel data must be the rotary axis nearest the tool
+; linear limits not checked: no travel declared (Y X Z)
+; the entries of A in G54 must be zero
+; T1 D10 R0 L110 D1, 2 operations, tip Z -4.039 to 24.963
+; T2 D5 L130 D1, 1 operation, tip Z -8.509 to 29.729
+; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+; ASSUMED work offset G54
+; ASSUMED retract to machine coordinate 0 mm
+; ASSUMED approach from 50 mm along the tool axis
+MSG("ARCS")
+N1 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T1
+M6
+T2
+SUPA G0 Z0 D0
+D1
+S4000 M3
+G0 A0
+CYCLE800(0,"",0,57,0,0,0,0,0,0,0,0,0,1,0)
+G0 X12 Y0
+Z20
+M8
+Z2
+G2 X12 Y0 Z-0.4 I-12 J0 F200
+X0 Y-12 Z-1 I-12 J0
+G1 X-20 F600
+G2 X-20 Y12 I0 J12
+G1 X0
+G3 X8 Y20 I0 J8
+X8 Y20 I-8 J0
+G1 Z20
+M9
+G0 Z80
+SUPA G0 Z0 D0
+CYCLE800()
+M5
+M1
+MSG("TILTED")
+N2 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+; T1 stays in the spindle
+D1
+S4000 M3
+G0 A-25
+CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+G0 X-11 Y3.717
+Z29.277
+M8
+G1 Z-2.723 F300
+X14 F700
+G2 X14 Y-16.283 I0 J-10
+G1 X-11
+Y3.717
+Z29.277
+M9
+G0 Z89.277
+MSG("HOLES")
+SUPA G0 Z0 D0
+CYCLE800()
+N3 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T2
+M6
+T1
+SUPA G0 Z0 D0
+D1
+S2500 M3
+G0 A-25
+CYCLE800(0,"",0,57,0,0,0,-25.000002,0,0,0,0,0,1,0)
+G0 X-8 Y-6.283
+Z24.277
+M8
+F150
+MCALL CYCLE81(24.277,-0.723,2,-6.723)
+G0 X-8 Y-6.283
+X4
+MCALL
+F150
+MCALL CYCLE82(24.277,-0.723,2,-6.723,,0.5)
+G0 X16 Y-6.283
+MCALL
+G0 X-8 Y-18.283 Z24.277
+Z1.277
+G1 Z-4.723 F150
+G0 Z1.277
+Z-4.223
+G1 Z-8.723
+G0 Z1.277
+Z-8.223
+G1 Z-12.723
+G0 Z1.277
+Z-12.223
+G1 Z-15.723
+G0 Z24.277
+X4
+Z5.277
+G1 Z-0.723
+G0 Z5.277
+Z-0.223
+G1 Z-4.723
+G0 Z5.277
+Z-4.223
+G1 Z-8.723
+G0 Z5.277
+Z-8.223
+G1 Z-11.723
+G0 Z24.277
+X16
+Z1.277
+G1 Z-4.723
+G0 Z-4.223
+G1 Z-8.723
+G0 Z-8.223
+G1 Z-11.723
+G0 Z24.277
+MCALL CYCLE85(24.277,-0.723,2,-6.723,,0,80,80)
+G0 X4 Y5.717
+MCALL
+M9
+G0 Z84.277
+SUPA G0 Z0 D0
+CYCLE800()
+M5
+M0
+M9
+SUPA G0 Z0 D0
+M5
+M30
