@@ -68,7 +68,7 @@ const WORKS: &[(&str, &str, &str)] = &[
 /// Modes, the controls that have them, and the operations that these take: the fifth is a thread, which no control cuts
 /// under tip control, in the fourth the tool axis turns.
 const MODES: &[(&str, &[&str], &str)] = &[
-    ("axes", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..4"),
+    ("axes", &["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"], "1..5"),
     ("tcp", &["fanuc", "siemens", "heidenhain", "haas"], "1..4"),
     ("plane", &["fanuc", "siemens", "heidenhain", "haas"], "1..3"),
 ];

@@ -7,7 +7,7 @@ O00001 (NONAME)
 (PART ORIGIN X10 Y-20 Z35 from the table reference)
 (PROGRAMMED POINT tool tip)
 (ARCS AND CURVES left by at most 0.01)
-(operations 1 to 4 of 6 only, entered as at their restart points)
+(operations 1 to 5 of 6 only, entered as at their restart points)
 (CL data of NX, by its own evidence)
 (5 arcs, 4 of 4 decided arcs agree with their form)
 (AXIS X + moves the table against +X: word as in ISO 841)
@@ -24,6 +24,8 @@ O00001 (NONAME)
 (T1 posted with L = 110: H1 must hold exactly this)
 (T2 D5 L130 H2, 1 operation, tip Z -15.078 to 28.689)
 (T2 posted with L = 130: H2 must hold exactly this)
+(T3 D6 L95 H3, 1 operation, tip Z -10 to 25)
+(T3 posted with L = 95: H3 must hold exactly this)
 (ASSUMED the unit of the CL data, which does not state one, is mm as given)
 (with the job)
 (ASSUMED work offset G54)
@@ -344,6 +346,24 @@ G94
 G00 X77.845 Y46.926 Z11.063
 M09
 X100.196 Y60.399 Z65.089
+(OPERATION THREAD)
+G49 G53 G00 Z0.
+N5 G21 G17 G40 G49 G80 G90 G94 G54
+M09
+G53 G00 Z0.
+T3 M06
+G49 G53 G00 Z0.
+IF [ABS[#2003 + #2203 - 95] GT 0.01] THEN #3000= 101 (T3 IS NOT 95 LONG)
+S500 M03
+G00 A0. B0.
+X-30. Y20.
+G43 H3 Z25.
+M08
+G98 G84 X-30. Y20. Z-10. R4. F500.
+X30.
+G80
+M09
+G00 Z85.
 G49 G53 G00 Z0.
 M05
 M30

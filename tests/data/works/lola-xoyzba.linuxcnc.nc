@@ -5,7 +5,7 @@
 (PART ORIGIN X10 Y-20 Z35 from the table reference)
 (PROGRAMMED POINT tool tip)
 (ARCS AND CURVES left by at most 0.01)
-(operations 1 to 4 of 6 only, entered as at their restart points)
+(operations 1 to 5 of 6 only, entered as at their restart points)
 (CL data of NX, by its own evidence)
 (5 arcs, 4 of 4 decided arcs agree with their form)
 (AXIS X + moves the table against +X: word as in ISO 841)
@@ -20,6 +20,8 @@
 (T1 posted with L = 110: H1 must hold exactly this)
 (T2 D5 L130 H2, 1 operation, tip Z -15.078 to 28.689)
 (T2 posted with L = 130: H2 must hold exactly this)
+(T3 D6 L95 H3, 1 operation, tip Z -10 to 25)
+(T3 posted with L = 95: H3 must hold exactly this)
 (ASSUMED the unit of the CL data, which does not state one, is mm as given with the job)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -343,6 +345,30 @@ G94
 G0 X77.846 Y46.925 Z11.063
 M9
 X100.197 Y60.399 Z65.089
+(OPERATION THREAD)
+N5 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T3 M6
+G53 G0 Z0
+G43 H3
+o5 if [[ABS[#5403 - 95] GT 0.01] AND [ABS[[#5403 * 25.4] - 95] GT 0.01]]
+(abort, T3 was posted with L = 95 mm: the tool table says something else)
+o5 endif
+S500 M3
+G0 A0 B0
+X-30 Y20
+Z25
+M8
+Z4
+G33.1 Z-10 K1
+G0 Z25
+X30
+Z4
+G33.1 Z-10 K1
+G0 Z25
+M9
+Z85
 G53 G0 Z0
 M5
 M2

@@ -5,7 +5,7 @@
 ; PART ORIGIN X10 Y-20 Z35 from the table reference
 ; PROGRAMMED POINT tool tip
 ; ARCS AND CURVES left by at most 0.01
-; operations 1 to 4 of 6 only, entered as at their restart points
+; operations 1 to 5 of 6 only, entered as at their restart points
 ; CL data of NX, by its own evidence
 ; 5 arcs, 4 of 4 decided arcs agree with their form
 ; AXIS X + moves the table against +X: word as in ISO 841
@@ -20,6 +20,8 @@
 ; T1 posted with L = 110: D1 must hold exactly this
 ; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
 ; T2 posted with L = 130: D1 must hold exactly this
+; T3 D6 L95 D1, 1 operation, tip Z -10 to 25
+; T3 posted with L = 95: D1 must hold exactly this
 ; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
@@ -365,6 +367,32 @@ G94
 G0 X77.846 Y46.925 Z11.063
 M9
 X100.197 Y60.399 Z65.089
+MSG("THREAD")
+N5 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T3
+M6
+SUPA G0 Z0 D0
+D1
+IF ABS($P_TOOLL[1]-95)>0.01
+MSG("T3 was posted with L = 95: the tool data say something else")
+M0
+M30
+ENDIF
+S500 M3
+G0 A0 B0
+X-30 Y20
+Z25
+M8
+MCALL CYCLE84(25,0,4,-10,,0,3,,1,0,500,500,,1)
+G0 X-30 Y20
+X30
+MCALL
+M9
+G0 Z85
 SUPA G0 Z0 D0
 M5
 M30

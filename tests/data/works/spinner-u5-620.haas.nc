@@ -7,7 +7,7 @@ O00001 (NONAME)
 (PART ORIGIN X10 Y-20 Z35 from the table reference)
 (PROGRAMMED POINT tool tip)
 (ARCS AND CURVES left by at most 0.01)
-(operations 1 to 4 of 6 only, entered as at their restart points)
+(operations 1 to 5 of 6 only, entered as at their restart points)
 (CL data of NX, by its own evidence)
 (5 arcs, 4 of 4 decided arcs agree with their form)
 (AXIS C + turns the table left-handed about +Z: word as in ISO 841)
@@ -25,6 +25,7 @@ O00001 (NONAME)
 (the entries of C and B in G54 must be zero)
 (T1 D10 R0 L110 H1, 3 operations, tip Z -7.398 to 36.793)
 (T2 D5 L130 H2, 1 operation, tip Z -15.078 to 28.689)
+(T3 D6 L95 H3, 1 operation, tip Z -10 to 25)
 (ASSUMED the unit of the CL data, which does not state one, is mm as given)
 (with the job)
 (ASSUMED work offset G54)
@@ -282,6 +283,23 @@ G94
 G00 Z49.229
 M09
 X67.624 Y-2.292 Z109.229
+(OPERATION THREAD)
+G49 G53 G00 Z0.
+N5 G21 G17 G40 G49 G80 G90 G94 G54
+M09
+G53 G00 Z0.
+T3 M06
+G49 G53 G00 Z0.
+S500 M03
+G00 B0. C31.082
+X-27.129 Y30.325
+G43 H3 Z25.
+M08
+G98 G84 X-27.129 Y30.325 Z-10. R4. F500.
+X24.257 Y-0.651
+G80
+M09
+G00 Z85.
 G49 G53 G00 Z0.
 M05
 M30

@@ -5,7 +5,7 @@
 (PART ORIGIN X10 Y-20 Z35 from the table reference)
 (PROGRAMMED POINT tool tip)
 (ARCS AND CURVES left by at most 0.01)
-(operations 1 to 4 of 6 only, entered as at their restart points)
+(operations 1 to 5 of 6 only, entered as at their restart points)
 (CL data of NX, by its own evidence)
 (5 arcs, 4 of 4 decided arcs agree with their form)
 (AXIS C + turns the table left-handed about +Z: word as in ISO 841)
@@ -20,6 +20,7 @@
 (the entries of C and B in G54 must be zero)
 (T1 D10 R0 L110 H1, 3 operations, tip Z -7.398 to 36.793)
 (T2 D5 L130 H2, 1 operation, tip Z -15.078 to 28.689)
+(T3 D6 L95 H3, 1 operation, tip Z -10 to 25)
 (ASSUMED the unit of the CL data, which does not state one, is mm as given with the job)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
@@ -277,6 +278,27 @@ G94
 G0 Z49.229
 M9
 Z109.229
+(OPERATION THREAD)
+N5 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
+M9
+G53 G0 Z0
+T3 M6
+G53 G0 Z0
+G43 H3
+S500 M3
+G0 B0 C31.0817
+X-27.129 Y30.325
+Z25
+M8
+Z4
+G33.1 Z-10 K1
+G0 Z25
+X24.257 Y-0.65
+Z4
+G33.1 Z-10 K1
+G0 Z25
+M9
+Z85
 G53 G0 Z0
 M5
 M2

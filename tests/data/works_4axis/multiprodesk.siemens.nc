@@ -5,7 +5,7 @@
 ; PART ORIGIN X10 Y-20 Z35 from the table reference
 ; PROGRAMMED POINT tool tip
 ; ARCS AND CURVES left by at most 0.01
-; operations 1 to 4 of 6 only, entered as at their restart points
+; operations 1 to 5 of 6 only, entered as at their restart points
 ; CL data of NX, by its own evidence
 ; 5 arcs, 4 of 4 decided arcs agree with their form
 ; AXIS A + turns the table right-handed about +X: word backwards
@@ -19,6 +19,7 @@
 ; the entries of A in G54 must be zero
 ; T1 D10 R0 L110 D1, 3 operations, tip Z -35.818 to 45.394
 ; T2 D5 L130 D1, 1 operation, tip Z -8.509 to 29.729
+; T3 D6 L95 D1, 1 operation, tip Z -10 to 25
 ; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
@@ -213,6 +214,27 @@ G94
 G0 Z12.385
 M9
 Z72.385
+MSG("THREAD")
+N5 TRAFOOF
+CYCLE800()
+G710 G17 G40 G64 G90 G94 G54
+M9
+SUPA G0 Z0 D0
+T3
+M6
+SUPA G0 Z0 D0
+D1
+S500 M3
+G0 A0
+X-30 Y-20
+Z25
+M8
+MCALL CYCLE84(25,0,4,-10,,0,3,,1,0,500,500,,1)
+G0 X-30 Y-20
+X30
+MCALL
+M9
+G0 Z85
 SUPA G0 Z0 D0
 M5
 M30
