@@ -93,7 +93,10 @@ impl Tally {
     #[cold]
     pub(super) fn found(&mut self, at: Location, shown: Shown<'_>, text: &str, help: Option<&str>) {
         let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN)]);
-        let text = format!("{text}; line {} of the program is `{block}`", shown.line);
+        let text = match block.is_empty() {
+            true => text.to_owned(),
+            false => format!("{text}; line {} of the program is `{block}`", shown.line),
+        };
         self.outcome.count += 1;
         // In front of everything that the CL data asks for.
         let at = if at == Location::default() { Location { line: 1, column: 1 } } else { at };

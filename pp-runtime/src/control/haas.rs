@@ -124,7 +124,8 @@ static SPELLINGS: Spellings = Spellings {
         decimals: None,
         pose: PoseRule::Nearest,
         ends_behind_retract: true,
-        note: "G268 turns about X, then Y, then Z of the work offset, and G253 takes the pose where the axes stand",
+        note: "G43 H moves nothing by itself, G268 turns about X, then Y, then Z of the work offset, and G253 takes the \
+               pose where the axes stand",
     }),
     rotary_note: "the axes must not take the shortest way to an angle of another turn",
 };
