@@ -122,7 +122,21 @@ impl FeedLaw {
         if programmed <= 0.0 {
             programmed = NOTHING;
         }
-        let minutes = programmed.max(least).max(self.shortest).max(stroke.length / self.largest);
+        let moves = turn >= self.angle * 0.25;
+        let counted = match self.norm {
+            _ if !moves && self.square || self.along_tip => {
+                if moves && still {
+                    degrees
+                } else {
+                    stroke.length
+                }
+            }
+            PathNorm::Xyz if linear > 0.25 * self.unit => linear,
+            PathNorm::XyzDegrees if linear > 0.25 * self.unit => linear.hypot(degrees),
+            PathNorm::Xyz | PathNorm::XyzDegrees => degrees,
+            PathNorm::G93Minutes | PathNorm::G93Seconds => stroke.length,
+        };
+        let minutes = programmed.max(least).max(self.shortest).max(counted / self.largest);
         // Ends of the tip path are known to a unit, and those of the axes to half a unit each.
         let way = if still { turn } else { stroke.length };
         let known = if still { self.angle } else { 2.0 * self.unit };
@@ -159,10 +173,25 @@ impl FeedLaw {
         })
     }
 
+    /// Whether F suits a way of just less, or of just more than a unit.
+    fn fits_shorter_or_longer(&self, stroke: &Stroke, state: &State) -> bool {
+        [0.5, 1.0].into_iter().any(|units| {
+            let expected = self.expected(&Stroke { length: units * self.unit, ..*stroke });
+            expected.is_some_and(|expected| {
+                let off = (state.feed.unwrap_or(0.0) - expected.value).abs();
+                state.feed_mode == Some(expected.mode) && off <= expected.slack
+            })
+        })
+    }
+
     /// Whether a block runs as it should: `None`, or what it should be.
     pub(super) fn wrong(&self, stroke: &Stroke, state: &State) -> Option<String> {
         let expected = self.expected(stroke)?;
         let written = state.feed.unwrap_or(0.0);
+        // Whether so short a way stands still, its ends do not tell.
+        if stroke.length < 2.5 * self.unit && self.fits_shorter_or_longer(stroke, state) {
+            return None;
+        }
         if state.feed_mode == Some(expected.mode) && (written - expected.value).abs() <= expected.slack {
             return None;
         }

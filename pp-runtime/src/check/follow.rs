@@ -24,6 +24,9 @@ const MOST_PLACES: f64 = 400.0;
 /// A share that suits both tip and axis leaves each of them this much farther off than its own best would.
 const BOTH: f64 = std::f64::consts::SQRT_2;
 
+/// Rounding of both ends and of the centre may make an arc longer or shorter by so many times what an end may be off.
+const SWEEP: f64 = 4.0;
+
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
 
@@ -99,7 +102,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         };
         let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip / self.slack.axis));
         let whole =
-            !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.length() <= 2.0 * self.slack.tip;
+            !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.length() <= SWEEP * self.slack.tip;
         if whole && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
@@ -164,7 +167,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         self.state_at_path(block, &wanted, shown);
         let feeds = block.action != Action::Rapid;
-        let as_feed = !motion.rapid || (self.config.rapid == Rapid::Feed && !self.turns(block));
+        // The way down from the approach point is a rapid if the CL data has it so.
+        let as_feed = !motion.rapid || (self.config.rapid == Rapid::Feed && !motion.starts && !self.turns(block));
         if feeds != as_feed {
             let text =
                 if feeds { "a rapid of the CL data is run at feed" } else { "a cut of the CL data is run at rapid" };

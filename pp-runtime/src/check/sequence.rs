@@ -96,7 +96,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if self.phase == Phase::Path {
             self.leaves(rewinds, shown);
         }
-        let dry = !rewinds || self.config.retract.rewind_dry;
+        // Where nobody knows where the tool is, behind a stop, the operator has the coolant in hand.
+        let dry = self.phase != Phase::Unknown && (!rewinds || self.config.retract.rewind_dry);
         self.state_at_retract(block, dry, shown);
         self.phase = Phase::Clear(0);
         self.retracted = true;

@@ -1,12 +1,12 @@
 //! Whether a configuration fits a control, and what the planner may ask of the two.
 
-use crate::config::{Config, Mode, PathNorm, Smoothing, TcpWords};
+use crate::config::{Config, LengthMode, Mode, PathNorm, Smoothing, TcpWords};
 use crate::kinematics::Machine;
 use crate::motion::{Abilities, CycleAbilities, PlaneAbility, TipAbility};
 use crate::program::Coolant;
 
 use super::Control;
-use super::spellings::{ArcCentre, coolant_index};
+use super::spellings::{ArcCentre, LengthCall, coolant_index};
 
 /// The configuration of a control before anything else is said.
 #[must_use]
@@ -38,6 +38,9 @@ pub fn check(control: &dyn Control, config: &Config) -> Vec<String> {
     }
     if setup.file_header && control.file_header("NAME").is_empty() {
         faults.push(format!("programs of {title} do not begin with the name of their file: leave `file_header` out"));
+    }
+    if codes.length.call == LengthCall::WithTool && config.length_mode == LengthMode::Gauge {
+        faults.push(format!("{title} takes the length with every tool call: leave `length_mode` at \"tip\""));
     }
     if codes.counted && config.program.line_numbers.is_some() {
         faults.push(format!("{title} counts every line by itself: leave `line_numbers` out"));

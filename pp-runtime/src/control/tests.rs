@@ -420,6 +420,10 @@ fn what_a_control_does_not_have_is_told_before_anything_is_posted() {
     assert_eq!(faults(&Heidenhain, inverse).len(), 1);
     assert_eq!(faults(&Heidenhain, |config| config.program.line_numbers = Some(10)).len(), 1);
     assert_eq!(faults(&LinuxCnc, |config| config.control.smoothing = Smoothing::Rough).len(), 1);
+    let gauge: fn(&mut Config) = |config| config.length_mode = crate::config::LengthMode::Gauge;
+    let length = "Heidenhain TNC takes the length with every tool call: leave `length_mode` at \"tip\"";
+    assert_eq!(faults(&Heidenhain, gauge), [length]);
+    assert_eq!(faults(&Fanuc, gauge), Vec::<String>::new());
 }
 
 #[test]

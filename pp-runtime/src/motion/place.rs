@@ -3,45 +3,31 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
-use std::collections::BTreeMap;
-use std::f64::consts::TAU;
+mod tip;
+mod turn;
 
-use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
+use std::collections::BTreeMap;
+
+use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::config::{Config, LengthMode, Mode, TcpWords, Units};
-use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side, Solution};
+use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side};
 use crate::nc::whole_units;
-use crate::program::{Rotation, Turning};
 
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
-use super::course::{Metric, Target, Towards};
+use super::course::{Metric, Target};
 use super::fault::Fault;
-use super::frame::{Frame, Map, no_plane, orientation};
-use super::linearise::Tolerance;
+use super::frame::Frame;
 use super::origin::Origin;
 use super::step::{MAX_AXES, VECTOR_DECIMALS, Words};
 use super::structure::{coordinates, counted, held_tool_axis, orthogonal, poles};
-use super::tilt::{PlaneAbility, PoseRule, Tilt};
 use super::travel::Travel;
-use super::way::{angle_between, turn_between};
-
-/// How far a map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
-const ORTHOGONAL: f64 = 1e-9;
 
 /// Word units that floating-point noise of a limit may amount to.
 const LIMIT_NOISE: f64 = 1e-6;
 
 /// Cosine between tool axis and retract axis from which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
-
-/// Between two points of a block that are compared with the travel an axis leaves its chord by less than this, mm.
-const UNSEEN: f64 = 0.01;
-
-/// Most points of a block that are compared with the travel.
-const MOST_SEEN: f64 = 1000.0;
-
-/// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
-const SWING: f64 = 1_f64.to_radians();
 
 /// Where the machine stands: axis values and the words that put it there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -370,198 +356,6 @@ impl<M: Machine> Placer<M> {
         self.finish(place)
     }
 
-    /// What ROTABL/NEXT asks of the table's rotary, the one nearest the workpiece where there are two. Seen against its
-    /// axis a table turns clockwise while its word grows, unless the word runs backwards.
-    pub(crate) fn towards(&self, turning: Turning) -> Option<Towards> {
-        let Turning::Next(rotation) = turning else { return None };
-        let table = |rotary: &Rotary| M::AXES[rotary.index].side == Side::Workpiece;
-        let axis = self.rotaries.iter().position(table)?;
-        let forwards = self.machine.joint(self.rotaries[axis].index).sign > 0.0;
-        Some(Towards { axis, positive: (rotation == Rotation::Clockwise) == forwards })
-    }
-
-    /// Indexed axes stand on one of their steps, and do not turn in a cut.
-    #[cold]
-    fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
-        for &(rotary, step) in &self.grid {
-            let index = rotary.index;
-            let word = place.words[index];
-            let snapped = (2 * word + step).div_euclid(2 * step) * step;
-            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
-            place.words[index] = snapped;
-            place.axes.as_mut()[index] = rotary.angle(snapped, self.scale);
-            let reached = self.machine.forward_kinematics(&place.axes).axis;
-            let deviation = angle_between(&reached, &place.pose.axis);
-            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !rotary.holds(snapped) {
-                return Err(Fault::new(format_args!(
-                    "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
-                    degrees(word),
-                    self.scale.degrees(step)
-                ))
-                .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
-            }
-            place.deviation = place.deviation.max(deviation);
-            if feed && snapped != from.words[index] {
-                return Err(Fault::new(format_args!(
-                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed",
-                    degrees(from.words[index]),
-                    degrees(snapped)
-                ))
-                .help("program this operation with a fixed tool axis"));
-            }
-        }
-        Ok(())
-    }
-
-    /// On the way of a cut an indexed axis stays where it is, and the tool axis leaves its even turn by what that takes.
-    #[inline]
-    pub(super) fn hold_indexed(
-        &self,
-        place: &mut Place<M::Axes>,
-        from: &Place<M::Axes>,
-        allowed: Tolerance,
-    ) -> Result<(), Fault> {
-        for &(rotary, step) in &self.grid {
-            let index = rotary.index;
-            let (wanted, held) = (place.words[index], from.words[index]);
-            place.words[index] = held;
-            place.axes.as_mut()[index] = from.axes.as_ref()[index];
-            let reached = self.machine.forward_kinematics(&place.axes).axis;
-            place.deviation = place.deviation.max(angle_between(&reached, &place.pose.axis));
-            // What an end is off counts twice: see `certify`.
-            if 2.0 * place.deviation >= allowed.axis {
-                let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
-                return Err(Fault::new(format_args!(
-                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed in steps of {}°",
-                    degrees(held),
-                    degrees(wanted),
-                    self.scale.degrees(step)
-                ))
-                .help("program this operation with a fixed tool axis, or with points closer together"));
-            }
-        }
-        Ok(())
-    }
-
-    /// The pole at which a tool axis stands.
-    #[inline]
-    pub(crate) fn pole(&self, axis: &UnitVector3<f64>) -> Option<UnitVector3<f64>> {
-        let near = |pole: &&UnitVector3<f64>| {
-            (pole.into_inner() - axis.into_inner()).norm_squared() <= self.pole_tolerance * self.pole_tolerance
-        };
-        self.poles.iter().find(near).copied()
-    }
-
-    /// The rotaries of a pose, chosen from where they stand: a feed motion stays on its branch, a rapid turns least. A
-    /// feed motion is refused if only the limits make it take another turn than the nearest: the tool is in the cut.
-    #[inline]
-    pub(crate) fn turn(&self, pose: &Pose, from: &Place<M::Axes>, feed: bool) -> Result<Place<M::Axes>, Fault> {
-        if let Some(pole) = self.pole(&pose.axis) {
-            return self.turn_to_pole(pose, pole, from);
-        }
-        let solutions = self.machine.inverse_kinematics(pose, &from.axes);
-        if solutions.is_empty() {
-            return Err(self.unreachable(pose, &from.axes));
-        }
-        let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.pole);
-        let branch = same.map_or(&*solutions, |same| &solutions[same..=same]);
-        let choice = choose(branch, &self.rotaries, &from.words, self.scale).map_err(|outside| {
-            choose(&solutions, &self.rotaries, &from.words, self.scale)
-                .map_or_else(|outside| self.outside_limits(&outside), |_| self.outside_limits(&outside))
-        })?;
-        let solution = &branch[choice.solution];
-        let mut place = self.at(pose, from, &choice.words);
-        place.axes = merged(solution.axes, &place.axes, self.rotary_mask);
-        place.deviation = solution.deviation;
-        place.branch = solution.branch;
-        if feed && self.limited && self.rotary_travel(&from.words, &place.words) > SWING {
-            let nearest = choose(branch, &self.endless, &from.words, self.scale);
-            if let Ok(nearest) = nearest
-                && nearest.words != choice.words
-            {
-                return Err(self.jump(&from.words, &choice.words, &nearest.words));
-            }
-        }
-        Ok(place)
-    }
-
-    /// At the pole the first rotary keeps its value: what CL data says of it there is rounding.
-    fn turn_to_pole(
-        &self,
-        pose: &Pose,
-        pole: UnitVector3<f64>,
-        from: &Place<M::Axes>,
-    ) -> Result<Place<M::Axes>, Fault> {
-        let there = Pose { axis: pole, ..*pose };
-        let solutions = self.machine.inverse_kinematics(&there, &from.axes);
-        if solutions.is_empty() {
-            return Err(self.unreachable(&there, &from.axes));
-        }
-        // The rotary that is free stands in the solutions as it stood before.
-        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
-            .map_err(|outside| self.outside_limits(&outside))?;
-        let mut place = self.at(&there, from, &choice.words);
-        place.branch = from.branch;
-        place.pole = true;
-        place.deviation = angle_between(&pole, &pose.axis);
-        Ok(place)
-    }
-
-    /// A pose with these rotary words; the linear axes are not computed.
-    #[inline]
-    pub(super) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
-        let mut place = Place {
-            pose: *pose,
-            branch: from.branch,
-            axes: from.axes,
-            words: *words,
-            deviation: 0.0,
-            pole: false,
-            rounding: 0.0,
-        };
-        for rotary in &self.rotaries {
-            place.axes.as_mut()[rotary.index] = rotary.angle(words[rotary.index], self.scale);
-        }
-        place
-    }
-
-    /// A pose with the rotary words of the course.
-    fn planned(&self, pose: &Pose, from: &Place<M::Axes>, target: &Target) -> Result<Place<M::Axes>, Fault> {
-        let pole = self.pole(&pose.axis);
-        let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
-        let mut words = self.all_words(&target.words);
-        for (axis, rotary) in self.rotaries.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
-            let (word, before) = (&mut words[rotary.index], from.words[rotary.index]);
-            *word = rotary.nearest(*word, before, self.scale.turn).unwrap_or(*word);
-            if let Some(Towards { positive, .. }) = target.towards.filter(|towards| towards.axis == axis) {
-                match *word - before {
-                    change if change > 0 && !positive => *word -= self.scale.turn,
-                    change if change < 0 && positive => *word += self.scale.turn,
-                    _ => {}
-                }
-            }
-        }
-        let mut place = self.at(&there, from, &words);
-        let reached = self.machine.forward_kinematics(&place.axes).axis;
-        if angle_between(&reached, &there.axis) > 2.0 * self.scale.angle(1) + REACH_TOLERANCE {
-            return Err(Fault::new("the course of the rotary axes does not hold this pose")
-                .help("this is a fault of the postprocessor, not of the CL data"));
-        }
-        let solutions = self.machine.inverse_kinematics(&there, &place.axes);
-        let off = |solution: &Solution<M::Axes>| -> f64 {
-            let turned = |rotary: &Rotary| solution.axes.as_ref()[rotary.index] - place.axes.as_ref()[rotary.index];
-            self.rotaries.iter().map(|rotary| 1.0 - turned(rotary).cos()).sum()
-        };
-        let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-        place.branch = nearest.map_or(from.branch, |solution| solution.branch);
-        place.pole = pole.is_some();
-        place.deviation = match pole {
-            Some(pole) => angle_between(&pole, &pose.axis),
-            None => nearest.map_or(0.0, |solution| solution.deviation),
-        };
-        Ok(place)
-    }
-
     /// The place of another tip with the rotaries of `at`.
     pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
         let mut place = *at;
@@ -610,42 +404,6 @@ impl<M: Machine> Placer<M> {
         Ok(place)
     }
 
-    /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
-    /// where the program has no such words.
-    pub(super) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
-        if let Some(map) = self.frame.map(&self.machine, &at.axes) {
-            return Some(map.words(tip));
-        }
-        let axes = self.machine.linear_axes(tip, &at.axes)?;
-        let word = |index: usize| axes.as_ref()[index] + self.origin.linear(index);
-        Some(Vector3::from(self.xyz?.map(word)))
-    }
-
-    /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
-    /// place: the rows belong to the words, the columns to the directions of the workpiece.
-    pub(super) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
-        Some((self.xyz?, differences(|tip| self.program_point(tip, at))?))
-    }
-
-    /// The same where the words are square to each other and as long as the ways of the tip.
-    pub(super) fn square_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
-        self.program_map(at).filter(|(_, map)| {
-            let off = map.transpose() * map - Matrix3::identity();
-            off.iter().all(|part| part.abs() <= ORTHOGONAL)
-        })
-    }
-
-    /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.
-    pub(super) fn axis_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
-        let mut linear = (0..M::AXES.len().min(MAX_AXES)).filter(|index| self.linear_mask & (1 << index) != 0);
-        let solved = [linear.next()?, linear.next()?, linear.next()?];
-        let values = |tip: &Point3<f64>| {
-            let axes = self.machine.linear_axes(tip, &at.axes)?;
-            Some(Vector3::from(solved.map(|index| axes.as_ref()[index])))
-        };
-        Some((solved, differences(values)?))
-    }
-
     /// Whether offsets along two axes have more digits than their words.
     pub(super) fn too_large(&self, units: [i64; 2], axes: [usize; 2]) -> bool {
         units.iter().zip(axes).any(|(units, axis)| units.abs() >= self.bounds[axis])
@@ -658,78 +416,6 @@ impl<M: Machine> Placer<M> {
         let minutes =
             |(row, axis): (usize, usize)| self.speeds[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed);
         solved.into_iter().enumerate().map(minutes).fold(0.0, f64::max)
-    }
-
-    /// The words of a tip that the control counts in a frame of its own.
-    fn set_tip(&self, mut place: Place<M::Axes>, map: &Map) -> Result<Place<M::Axes>, Fault> {
-        let mut written = map.words(&place.pose.tip);
-        let letters = self.frame.letters();
-        for (index, value) in letters.into_iter().zip(written.iter_mut()) {
-            let units = whole_units(*value, self.per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
-            let units = units.ok_or_else(|| too_large(M::AXES[index].letter))?;
-            place.words[index] = units;
-            *value = units as f64 / self.per_mm;
-        }
-        let reached = map.tip(&written);
-        let axes = self.machine.linear_axes(&reached, &place.axes);
-        place.axes = axes.ok_or_else(|| self.unreachable(&place.pose, &place.axes))?;
-        place.rounding = (reached - place.pose.tip).norm();
-        Ok(place)
-    }
-
-    /// The place in the frame that counts once its rotaries have been turned to.
-    pub(crate) fn started(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
-        self.frame.start(&self.machine, &place.axes);
-        self.finish(place)
-    }
-
-    /// The place in the plane whose Z is its tool axis, and that plane in the words of the control.
-    pub(crate) fn tilted(
-        &mut self,
-        place: Place<M::Axes>,
-        ability: &PlaneAbility,
-    ) -> Result<(Place<M::Axes>, Tilt), Fault> {
-        let stands = orientation(&self.machine, &place.axes);
-        // The rotaries stand at rounded angles, the control computes its own: the plane is that of the tool axis.
-        let rounded = UnitVector3::new_normalize(stands * self.machine.tool_axis().into_inner());
-        let correction = turn_between(&rounded, &place.pose.axis);
-        let tilt = self.frame.tilt(ability, &(correction * stands)).ok_or_else(no_plane)?;
-        Ok((self.finish(place)?, tilt))
-    }
-
-    /// Which of the poses of a plane this is, in the words of a rule: see [`PoseRule::choose`].
-    pub(crate) fn pose_of_plane(&self, place: &Place<M::Axes>, rule: PoseRule) -> Option<bool> {
-        let rotary = self.rotaries.last()?;
-        let within_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
-        let value = |axes: &M::Axes| within_a_turn(axes.as_ref()[rotary.index]);
-        let here = value(&place.axes);
-        let solutions = self.machine.inverse_kinematics(&place.pose, &place.axes);
-        let others = solutions.iter().map(|solution| value(&solution.axes));
-        // This pose is among them, rounded.
-        let others: Vec<f64> = others.filter(|other| within_a_turn(other - here).abs() > self.scale.angle(1)).collect();
-        rule.choose(here, &others)
-    }
-
-    /// Checks the travel inside a block in which the control moves the linear axes so that the tip keeps to its line.
-    pub(crate) fn check_between(&mut self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Result<(), Fault> {
-        if !self.frame.counts_tip() || !self.travel.limited() {
-            return Ok(());
-        }
-        // Between two of these points an axis leaves its chord by less than `UNSEEN`: deviations fall with the square.
-        let steps = (self.machine.motion(&from.axes, &to.axes).tip / UNSEEN).sqrt().ceil().clamp(1.0, MOST_SEEN);
-        let mut step = 1.0;
-        while step < steps {
-            let part = step / steps;
-            let mut axes = from.axes;
-            for (value, end) in axes.as_mut().iter_mut().zip(to.axes.as_ref()) {
-                *value += (end - *value) * part;
-            }
-            let tip = from.pose.tip + (to.pose.tip - from.pose.tip) * part;
-            let axes = self.machine.linear_axes(&tip, &axes).ok_or_else(|| self.unreachable(&to.pose, &to.axes))?;
-            self.travel.check(axes.as_ref())?;
-            step += 1.0;
-        }
-        Ok(())
     }
 
     /// How far rounding of the linear words can take the tip, mm.
@@ -837,26 +523,6 @@ impl<M: Machine> Placer<M> {
         let there = self.travel.value_at(self.retract_axis, retract)?;
         Some((there - place.axes.as_ref()[self.retract_axis]) * self.retract_share.signum())
     }
-}
-
-/// What the values of an affine map change by with the point.
-fn differences(map: impl Fn(&Point3<f64>) -> Option<Vector3<f64>>) -> Option<Matrix3<f64>> {
-    // A wide step leaves no more than the rounding of the arithmetic.
-    const STEP: f64 = 1024.0;
-    let origin = map(&Point3::origin())?;
-    let column = |direction: Vector3<f64>| Some((map(&Point3::from(direction * STEP))? - origin) / STEP);
-    Some(Matrix3::from_columns(&[column(Vector3::x())?, column(Vector3::y())?, column(Vector3::z())?]))
-}
-
-/// The axes of `base`, and those of `mask` from `chosen`.
-#[inline]
-fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) -> A {
-    for (index, value) in base.as_mut().iter_mut().enumerate().take(MAX_AXES) {
-        if mask & (1 << index) != 0 {
-            *value = chosen.as_ref()[index];
-        }
-    }
-    base
 }
 
 /// The steps of indexed rotaries in whole units.

@@ -409,7 +409,10 @@ impl Interpreter {
 
     /// Where a rotary axis ends whose word says `value`.
     fn turned(&self, index: usize, value: f64, negative: bool, faults: &mut Vec<Fault>) -> f64 {
-        let wrap = self.axes[index].wrap.or(if self.state.shortest { Some(Wrap::Positive) } else { None });
+        // Where the set-up says which axes roll over, the short way is for these.
+        let said = self.axes.iter().any(|axis| axis.wrap.is_some());
+        let any = if self.state.shortest && !said { Some(Wrap::Positive) } else { None };
+        let wrap = self.axes[index].wrap.or(any);
         let Some(wrap) = wrap else { return value };
         if self.known & (1 << index) == 0 {
             return value;

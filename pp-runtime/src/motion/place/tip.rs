@@ -1,0 +1,143 @@
+//! Words of a tip that the control counts in a frame of its own, and the map from the workpiece to the words.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
+
+use crate::kinematics::Machine;
+use crate::nc::whole_units;
+
+use super::super::fault::Fault;
+use super::super::frame::{Map, no_plane, orientation};
+use super::super::step::MAX_AXES;
+use super::super::tilt::{PlaneAbility, PoseRule, Tilt};
+use super::super::way::turn_between;
+use super::{Place, Placer, too_large};
+
+/// How far a map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
+const ORTHOGONAL: f64 = 1e-9;
+
+/// Between two points of a block that are compared with the travel an axis leaves its chord by less than this, mm.
+const UNSEEN: f64 = 0.01;
+
+/// Most points of a block that are compared with the travel.
+const MOST_SEEN: f64 = 1000.0;
+
+impl<M: Machine> Placer<M> {
+    /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
+    /// where the program has no such words.
+    pub(in super::super) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
+        if let Some(map) = self.frame.map(&self.machine, &at.axes) {
+            return Some(map.words(tip));
+        }
+        let axes = self.machine.linear_axes(tip, &at.axes)?;
+        let word = |index: usize| axes.as_ref()[index] + self.origin.linear(index);
+        Some(Vector3::from(self.xyz?.map(word)))
+    }
+
+    /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
+    /// place: the rows belong to the words, the columns to the directions of the workpiece.
+    pub(in super::super) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        Some((self.xyz?, differences(|tip| self.program_point(tip, at))?))
+    }
+
+    /// The same where the words are square to each other and as long as the ways of the tip.
+    pub(in super::super) fn square_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        self.program_map(at).filter(|(_, map)| {
+            let off = map.transpose() * map - Matrix3::identity();
+            off.iter().all(|part| part.abs() <= ORTHOGONAL)
+        })
+    }
+
+    /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.
+    pub(in super::super) fn axis_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        let mut linear = (0..M::AXES.len().min(MAX_AXES)).filter(|index| self.linear_mask & (1 << index) != 0);
+        let solved = [linear.next()?, linear.next()?, linear.next()?];
+        let values = |tip: &Point3<f64>| {
+            let axes = self.machine.linear_axes(tip, &at.axes)?;
+            Some(Vector3::from(solved.map(|index| axes.as_ref()[index])))
+        };
+        Some((solved, differences(values)?))
+    }
+
+    /// The words of a tip that the control counts in a frame of its own.
+    pub(super) fn set_tip(&self, mut place: Place<M::Axes>, map: &Map) -> Result<Place<M::Axes>, Fault> {
+        let mut written = map.words(&place.pose.tip);
+        let letters = self.frame.letters();
+        for (index, value) in letters.into_iter().zip(written.iter_mut()) {
+            let units = whole_units(*value, self.per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
+            let units = units.ok_or_else(|| too_large(M::AXES[index].letter))?;
+            place.words[index] = units;
+            *value = units as f64 / self.per_mm;
+        }
+        let reached = map.tip(&written);
+        let axes = self.machine.linear_axes(&reached, &place.axes);
+        place.axes = axes.ok_or_else(|| self.unreachable(&place.pose, &place.axes))?;
+        place.rounding = (reached - place.pose.tip).norm();
+        Ok(place)
+    }
+
+    /// The place in the frame that counts once its rotaries have been turned to.
+    pub(crate) fn started(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        self.frame.start(&self.machine, &place.axes);
+        self.finish(place)
+    }
+
+    /// The place in the plane whose Z is its tool axis, and that plane in the words of the control.
+    pub(crate) fn tilted(
+        &mut self,
+        place: Place<M::Axes>,
+        ability: &PlaneAbility,
+    ) -> Result<(Place<M::Axes>, Tilt), Fault> {
+        let stands = orientation(&self.machine, &place.axes);
+        // The rotaries stand at rounded angles, the control computes its own: the plane is that of the tool axis.
+        let rounded = UnitVector3::new_normalize(stands * self.machine.tool_axis().into_inner());
+        let correction = turn_between(&rounded, &place.pose.axis);
+        let tilt = self.frame.tilt(ability, &(correction * stands)).ok_or_else(no_plane)?;
+        Ok((self.finish(place)?, tilt))
+    }
+
+    /// Which of the poses of a plane this is, in the words of a rule: see [`PoseRule::choose`].
+    pub(crate) fn pose_of_plane(&self, place: &Place<M::Axes>, rule: PoseRule) -> Option<bool> {
+        let rotary = self.rotaries.last()?;
+        let within_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
+        let value = |axes: &M::Axes| within_a_turn(axes.as_ref()[rotary.index]);
+        let here = value(&place.axes);
+        let solutions = self.machine.inverse_kinematics(&place.pose, &place.axes);
+        let others = solutions.iter().map(|solution| value(&solution.axes));
+        // This pose is among them, rounded.
+        let others: Vec<f64> = others.filter(|other| within_a_turn(other - here).abs() > self.scale.angle(1)).collect();
+        rule.choose(here, &others)
+    }
+
+    /// Checks the travel inside a block in which the control moves the linear axes so that the tip keeps to its line.
+    pub(crate) fn check_between(&mut self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Result<(), Fault> {
+        if !self.frame.counts_tip() || !self.travel.limited() {
+            return Ok(());
+        }
+        // Between two of these points an axis leaves its chord by less than `UNSEEN`: deviations fall with the square.
+        let steps = (self.machine.motion(&from.axes, &to.axes).tip / UNSEEN).sqrt().ceil().clamp(1.0, MOST_SEEN);
+        let mut step = 1.0;
+        while step < steps {
+            let part = step / steps;
+            let mut axes = from.axes;
+            for (value, end) in axes.as_mut().iter_mut().zip(to.axes.as_ref()) {
+                *value += (end - *value) * part;
+            }
+            let tip = from.pose.tip + (to.pose.tip - from.pose.tip) * part;
+            let axes = self.machine.linear_axes(&tip, &axes).ok_or_else(|| self.unreachable(&to.pose, &to.axes))?;
+            self.travel.check(axes.as_ref())?;
+            step += 1.0;
+        }
+        Ok(())
+    }
+}
+
+/// What the values of an affine map change by with the point.
+fn differences(map: impl Fn(&Point3<f64>) -> Option<Vector3<f64>>) -> Option<Matrix3<f64>> {
+    // A wide step leaves no more than the rounding of the arithmetic.
+    const STEP: f64 = 1024.0;
+    let origin = map(&Point3::origin())?;
+    let column = |direction: Vector3<f64>| Some((map(&Point3::from(direction * STEP))? - origin) / STEP);
+    Some(Matrix3::from_columns(&[column(Vector3::x())?, column(Vector3::y())?, column(Vector3::z())?]))
+}

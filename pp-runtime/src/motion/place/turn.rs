@@ -1,0 +1,222 @@
+//! A pose into angles of the rotary axes: branch and turn, the pole, indexed axes, and what the course says.
+
+use nalgebra::UnitVector3;
+
+use crate::kinematics::{Machine, Pose, REACH_TOLERANCE, Side, Solution};
+use crate::program::{Rotation, Turning};
+
+use super::super::choose::{Rotary, choose};
+use super::super::course::{Target, Towards};
+use super::super::fault::Fault;
+use super::super::linearise::Tolerance;
+use super::super::step::MAX_AXES;
+use super::super::way::angle_between;
+use super::{Place, Placer};
+
+/// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
+const SWING: f64 = 1_f64.to_radians();
+
+impl<M: Machine> Placer<M> {
+    /// What ROTABL/NEXT asks of the table's rotary, the one nearest the workpiece where there are two. Seen against its
+    /// axis a table turns clockwise while its word grows, unless the word runs backwards.
+    pub(crate) fn towards(&self, turning: Turning) -> Option<Towards> {
+        let Turning::Next(rotation) = turning else { return None };
+        let table = |rotary: &Rotary| M::AXES[rotary.index].side == Side::Workpiece;
+        let axis = self.rotaries.iter().position(table)?;
+        let forwards = self.machine.joint(self.rotaries[axis].index).sign > 0.0;
+        Some(Towards { axis, positive: (rotation == Rotation::Clockwise) == forwards })
+    }
+
+    /// Indexed axes stand on one of their steps, and do not turn in a cut.
+    #[cold]
+    pub(super) fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
+        for &(rotary, step) in &self.grid {
+            let index = rotary.index;
+            let word = place.words[index];
+            let snapped = (2 * word + step).div_euclid(2 * step) * step;
+            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
+            place.words[index] = snapped;
+            place.axes.as_mut()[index] = rotary.angle(snapped, self.scale);
+            let reached = self.machine.forward_kinematics(&place.axes).axis;
+            let deviation = angle_between(&reached, &place.pose.axis);
+            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !rotary.holds(snapped) {
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
+                    degrees(word),
+                    self.scale.degrees(step)
+                ))
+                .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
+            }
+            place.deviation = place.deviation.max(deviation);
+            if feed && snapped != from.words[index] {
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed",
+                    degrees(from.words[index]),
+                    degrees(snapped)
+                ))
+                .help("program this operation with a fixed tool axis"));
+            }
+        }
+        Ok(())
+    }
+
+    /// On the way of a cut an indexed axis stays where it is, and the tool axis leaves its even turn by what that takes.
+    #[inline]
+    pub(in super::super) fn hold_indexed(
+        &self,
+        place: &mut Place<M::Axes>,
+        from: &Place<M::Axes>,
+        allowed: Tolerance,
+    ) -> Result<(), Fault> {
+        for &(rotary, step) in &self.grid {
+            let index = rotary.index;
+            let (wanted, held) = (place.words[index], from.words[index]);
+            place.words[index] = held;
+            place.axes.as_mut()[index] = from.axes.as_ref()[index];
+            let reached = self.machine.forward_kinematics(&place.axes).axis;
+            place.deviation = place.deviation.max(angle_between(&reached, &place.pose.axis));
+            // What an end is off counts twice: see `certify`.
+            if 2.0 * place.deviation >= allowed.axis {
+                let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed in steps of {}°",
+                    degrees(held),
+                    degrees(wanted),
+                    self.scale.degrees(step)
+                ))
+                .help("program this operation with a fixed tool axis, or with points closer together"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The pole at which a tool axis stands.
+    #[inline]
+    pub(crate) fn pole(&self, axis: &UnitVector3<f64>) -> Option<UnitVector3<f64>> {
+        let near = |pole: &&UnitVector3<f64>| {
+            (pole.into_inner() - axis.into_inner()).norm_squared() <= self.pole_tolerance * self.pole_tolerance
+        };
+        self.poles.iter().find(near).copied()
+    }
+
+    /// The rotaries of a pose, chosen from where they stand: a feed motion stays on its branch, a rapid turns least. A
+    /// feed motion is refused if only the limits make it take another turn than the nearest: the tool is in the cut.
+    #[inline]
+    pub(crate) fn turn(&self, pose: &Pose, from: &Place<M::Axes>, feed: bool) -> Result<Place<M::Axes>, Fault> {
+        if let Some(pole) = self.pole(&pose.axis) {
+            return self.turn_to_pole(pose, pole, from);
+        }
+        let solutions = self.machine.inverse_kinematics(pose, &from.axes);
+        if solutions.is_empty() {
+            return Err(self.unreachable(pose, &from.axes));
+        }
+        let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.pole);
+        let branch = same.map_or(&*solutions, |same| &solutions[same..=same]);
+        let choice = choose(branch, &self.rotaries, &from.words, self.scale).map_err(|outside| {
+            choose(&solutions, &self.rotaries, &from.words, self.scale)
+                .map_or_else(|outside| self.outside_limits(&outside), |_| self.outside_limits(&outside))
+        })?;
+        let solution = &branch[choice.solution];
+        let mut place = self.at(pose, from, &choice.words);
+        place.axes = merged(solution.axes, &place.axes, self.rotary_mask);
+        place.deviation = solution.deviation;
+        place.branch = solution.branch;
+        if feed && self.limited && self.rotary_travel(&from.words, &place.words) > SWING {
+            let nearest = choose(branch, &self.endless, &from.words, self.scale);
+            if let Ok(nearest) = nearest
+                && nearest.words != choice.words
+            {
+                return Err(self.jump(&from.words, &choice.words, &nearest.words));
+            }
+        }
+        Ok(place)
+    }
+
+    /// At the pole the first rotary keeps its value: what CL data says of it there is rounding.
+    pub(super) fn turn_to_pole(
+        &self,
+        pose: &Pose,
+        pole: UnitVector3<f64>,
+        from: &Place<M::Axes>,
+    ) -> Result<Place<M::Axes>, Fault> {
+        let there = Pose { axis: pole, ..*pose };
+        let solutions = self.machine.inverse_kinematics(&there, &from.axes);
+        if solutions.is_empty() {
+            return Err(self.unreachable(&there, &from.axes));
+        }
+        // The rotary that is free stands in the solutions as it stood before.
+        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
+            .map_err(|outside| self.outside_limits(&outside))?;
+        let mut place = self.at(&there, from, &choice.words);
+        place.branch = from.branch;
+        place.pole = true;
+        place.deviation = angle_between(&pole, &pose.axis);
+        Ok(place)
+    }
+
+    /// A pose with these rotary words; the linear axes are not computed.
+    #[inline]
+    pub(in super::super) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
+        let mut place = Place {
+            pose: *pose,
+            branch: from.branch,
+            axes: from.axes,
+            words: *words,
+            deviation: 0.0,
+            pole: false,
+            rounding: 0.0,
+        };
+        for rotary in &self.rotaries {
+            place.axes.as_mut()[rotary.index] = rotary.angle(words[rotary.index], self.scale);
+        }
+        place
+    }
+
+    /// A pose with the rotary words of the course.
+    pub(super) fn planned(&self, pose: &Pose, from: &Place<M::Axes>, target: &Target) -> Result<Place<M::Axes>, Fault> {
+        let pole = self.pole(&pose.axis);
+        let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
+        let mut words = self.all_words(&target.words);
+        for (axis, rotary) in self.rotaries.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
+            let (word, before) = (&mut words[rotary.index], from.words[rotary.index]);
+            *word = rotary.nearest(*word, before, self.scale.turn).unwrap_or(*word);
+            if let Some(Towards { positive, .. }) = target.towards.filter(|towards| towards.axis == axis) {
+                match *word - before {
+                    change if change > 0 && !positive => *word -= self.scale.turn,
+                    change if change < 0 && positive => *word += self.scale.turn,
+                    _ => {}
+                }
+            }
+        }
+        let mut place = self.at(&there, from, &words);
+        let reached = self.machine.forward_kinematics(&place.axes).axis;
+        if angle_between(&reached, &there.axis) > 2.0 * self.scale.angle(1) + REACH_TOLERANCE {
+            return Err(Fault::new("the course of the rotary axes does not hold this pose")
+                .help("this is a fault of the postprocessor, not of the CL data"));
+        }
+        let solutions = self.machine.inverse_kinematics(&there, &place.axes);
+        let off = |solution: &Solution<M::Axes>| -> f64 {
+            let turned = |rotary: &Rotary| solution.axes.as_ref()[rotary.index] - place.axes.as_ref()[rotary.index];
+            self.rotaries.iter().map(|rotary| 1.0 - turned(rotary).cos()).sum()
+        };
+        let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        place.branch = nearest.map_or(from.branch, |solution| solution.branch);
+        place.pole = pole.is_some();
+        place.deviation = match pole {
+            Some(pole) => angle_between(&pole, &pose.axis),
+            None => nearest.map_or(0.0, |solution| solution.deviation),
+        };
+        Ok(place)
+    }
+}
+
+/// The axes of `base`, and those of `mask` from `chosen`.
+#[inline]
+fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) -> A {
+    for (index, value) in base.as_mut().iter_mut().enumerate().take(MAX_AXES) {
+        if mask & (1 << index) != 0 {
+            *value = chosen.as_ref()[index];
+        }
+    }
+    base
+}
