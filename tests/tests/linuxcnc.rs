@@ -9,20 +9,10 @@ use std::process::Command;
 
 use tempfile::TempDir;
 use tests::binaries::{binary, workspace};
+use tests::linuxcnc::installed;
 
 /// Length of a tool of which the program says nothing, mm.
 const ANY_LENGTH: f64 = 100.0;
-
-/// Whether the interpreter is there; says so where it is not.
-fn installed() -> bool {
-    let found = Command::new("rs274").arg("-h").output().is_ok();
-    let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
-    assert!(found || !required, "PP_REQUIRE_LINUXCNC=1, and there is no rs274: install linuxcnc-uspace");
-    if !found {
-        println!("skipped: rs274 is not installed (package linuxcnc-uspace)");
-    }
-    found
-}
 
 /// Length of each register that a program calls, mm.
 fn lengths(program: &str) -> BTreeMap<u32, f64> {

@@ -15,6 +15,7 @@ use pp_runtime::config::{Config, Units};
 use pp_runtime::control;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use tests::binaries::workspace;
+use tests::linuxcnc::installed;
 
 /// Programs of the samples, and their machines.
 const PROGRAMS: &[(&str, &str)] = &[
@@ -36,17 +37,6 @@ const PRINTED: f64 = 6e-5;
 
 /// The interpreter keeps its tool table in one place for all that run: one at a time.
 static INTERPRETER: Mutex<()> = Mutex::new(());
-
-/// Whether LinuxCNC is there; a test without it says so.
-fn there() -> bool {
-    let found = Command::new("rs274").arg("-h").output().is_ok();
-    let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
-    assert!(found || !required, "PP_REQUIRE_LINUXCNC=1, and rs274 is not installed");
-    if !found {
-        println!("skipped: LinuxCNC is not installed");
-    }
-    found
-}
 
 /// The canonical calls of a program; the tools are in the table, without length.
 fn canonical(program: &Path, tools: &BTreeSet<u32>, guards: &[(u32, f64)]) -> Vec<String> {
@@ -147,7 +137,7 @@ fn assert_hole<'m>(
 
 #[test]
 fn the_interpreter_reads_every_straight_motion_as_we_do() {
-    if !there() {
+    if !installed() {
         return;
     }
     for (part, machine) in PROGRAMS {
@@ -162,7 +152,7 @@ fn the_interpreter_reads_every_straight_motion_as_we_do() {
 
 #[test]
 fn a_word_that_is_a_tenth_off_is_noticed() {
-    if !there() {
+    if !installed() {
         return;
     }
     let source = workspace().join("tests/data/blade/spinner-u5-620.linuxcnc.nc");

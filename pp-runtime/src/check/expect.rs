@@ -15,7 +15,6 @@ use crate::cl;
 use crate::config::{Config, Operations, Transition};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Pose, Side as ChainSide};
-use crate::motion::Expander;
 use crate::post::Setting;
 use crate::program::{Clearance, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
@@ -85,7 +84,6 @@ pub(super) enum Kind {
 pub(super) struct Expect<'a, R> {
     reader: cl::Reader<R>,
     setting: Setting,
-    expander: Expander,
     follow: Follow<'a>,
     queue: VecDeque<Item>,
     ended: bool,
@@ -125,7 +123,6 @@ struct Follow<'a> {
     hole: Option<hole::Wanted>,
     holes: u64,
     out: VecDeque<Item>,
-    fault: Option<Diagnostic>,
 }
 
 impl<'a, R: Read> Expect<'a, R> {
@@ -135,7 +132,6 @@ impl<'a, R: Read> Expect<'a, R> {
         Self {
             reader,
             setting: Setting::new(config),
-            expander: Expander::new(config),
             follow: Follow::new(config, family, head),
             queue: VecDeque::new(),
             ended: false,
@@ -166,10 +162,10 @@ impl<'a, R: Read> Expect<'a, R> {
         self.queue.pop_front()
     }
 
-    /// What the reader, or the unfolding of a hole, could not take.
+    /// The first thing that the reader could not take.
     pub(super) fn fault(&self) -> Option<Diagnostic> {
         let errors = self.reader.diagnostics().iter().filter(|found| found.severity == Severity::Error);
-        errors.min_by_key(|found| found.location).or(self.follow.fault.as_ref()).cloned()
+        errors.min_by_key(|found| found.location).cloned()
     }
 
     fn read(&mut self) -> io::Result<()> {
@@ -179,7 +175,7 @@ impl<'a, R: Read> Expect<'a, R> {
         };
         let turned = self.setting.event(&event);
         let event = turned.as_ref().unwrap_or(&event);
-        self.follow.event(at, event, &mut self.expander);
+        self.follow.event(at, event);
         self.queue.append(&mut self.follow.out);
         Ok(())
     }
@@ -222,28 +218,22 @@ impl<'a> Follow<'a> {
             hole: None,
             holes: 0,
             out: VecDeque::new(),
-            fault: None,
         }
     }
 
-    fn event(&mut self, at: Location, event: &Event<'_>, expander: &mut Expander) {
+    fn event(&mut self, at: Location, event: &Event<'_>) {
         match *event {
-            Event::Move(motion) => {
-                expand(expander, at, event, |_, _| ());
-                self.line(at, &motion);
-            }
             Event::Arc(arc) => {
-                self.arm(at);
+                self.arm();
                 let motion = Move { pose: arc.start, rapid: false, feed: arc.feed };
                 if self.fresh_arc {
                     self.line(at, &motion);
                 }
                 let end = Move { pose: arc.end, rapid: false, feed: arc.feed };
-                expand(expander, at, &Event::Move(end), |_, _| ());
                 self.motion(at, &end, Shape::Arc(Round::of(&arc)));
             }
             Event::Spline(spline) => {
-                self.arm(at);
+                self.arm();
                 let pose = |tip| Pose { tip, axis: spline.axis };
                 let (Some(first), Some(last)) = (spline.points.first(), spline.points.last()) else { return };
                 if self.fresh_arc {
@@ -260,11 +250,9 @@ impl<'a> Follow<'a> {
                         );
                     }
                 }
-                let end = Move { pose: pose(*last), rapid: false, feed: spline.feed };
-                expand(expander, at, &Event::Move(end), |_, _| ());
             }
             Event::Hole(hole) => {
-                self.arm(at);
+                self.arm();
                 self.holes += 1;
                 self.hole = Some(hole::Wanted { number: self.holes, hole });
                 let here = self.here.filter(|_| !self.start);
@@ -275,17 +263,12 @@ impl<'a> Follow<'a> {
                     }
                 }
                 self.hole = None;
-                let behind = Pose { tip: hole.top.tip + hole.top.axis.into_inner() * hole.back_to, ..hole.top };
-                expand(expander, at, &Event::Move(Move { pose: behind, rapid: true, feed: hole.feed }), |_, _| ());
             }
             Event::Tolerance(stated) => {
                 let stated = stated.filter(|stated| self.config.allow_lintol || *stated <= self.config.tolerance);
                 self.wanted.tolerance = stated.unwrap_or(self.config.tolerance);
             }
-            _ => {
-                expand(expander, at, event, |_, _| ());
-                self.plain(at, event);
-            }
+            _ => self.plain(at, event),
         }
     }
 
@@ -294,7 +277,7 @@ impl<'a> Follow<'a> {
         match *event {
             Event::Move(motion) => self.line(at, &motion),
             Event::Operation(name) => {
-                self.begin(self.config.transition == Transition::Direct);
+                self.begin();
                 if let Some(Operations::From(wanted)) = &self.config.operations {
                     let name = String::from_utf8_lossy(name);
                     self.named |= name.trim().eq_ignore_ascii_case(wanted.trim());
@@ -329,9 +312,9 @@ impl<'a> Follow<'a> {
             Event::Code { letter, number } => {
                 self.interrupt(at, Kind::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
             }
-            Event::SafeSequence => self.begin(false),
+            Event::SafeSequence => self.begin(),
             Event::Frame(number) => {
-                self.begin(false);
+                self.begin();
                 self.there = false;
                 self.wanted.frame = number;
                 self.wanted.clearance = self.config.retract.clearance;
@@ -341,7 +324,7 @@ impl<'a> Follow<'a> {
     }
 
     /// What follows is a new operation.
-    fn begin(&mut self, _stays: bool) {
+    fn begin(&mut self) {
         if !self.start {
             self.in_start = ((None, None), false);
         }
@@ -351,13 +334,13 @@ impl<'a> Follow<'a> {
 
     /// Behind it nobody knows where the machine stands.
     fn interrupt(&mut self, at: Location, kind: Kind) {
-        self.begin(false);
+        self.begin();
         self.there = false;
         self.push(at, kind);
     }
 
     fn tool(&mut self, call: &ToolCall) {
-        self.begin(false);
+        self.begin();
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.config.tools.get(&call.number);
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
@@ -379,7 +362,7 @@ impl<'a> Follow<'a> {
     }
 
     /// The tool of the configuration, where the CL data calls none.
-    fn arm(&mut self, _at: Location) {
+    fn arm(&mut self) {
         if self.wanted.tool.is_none()
             && let Some(number) = self.config.defaults.tool
         {
@@ -388,7 +371,7 @@ impl<'a> Follow<'a> {
     }
 
     fn line(&mut self, at: Location, motion: &Move) {
-        self.arm(at);
+        self.arm();
         if self.side == Side::None || self.runs_square(motion) {
             self.wanted.side = self.side;
         }
@@ -486,16 +469,5 @@ fn take(request: &mut (Option<f64>, Option<Rotation>), off: &mut bool, spindle: 
     *off = spindle == Spindle::Off;
     if let Spindle::On { speed, rotation } = spindle {
         *request = (speed.or(request.0), rotation.or(request.1));
-    }
-}
-
-/// Lets the expander know where the tool is.
-fn expand(expander: &mut Expander, at: Location, event: &Event<'_>, mut out: impl FnMut(Location, &Event<'_>)) {
-    let _ = expander.event(at, event, &mut |at, event| -> Result<(), Diagnostic> {
-        out(at, event);
-        Ok(())
-    });
-    if matches!(event, Event::Tolerance(_)) {
-        expander.take_warnings();
     }
 }

@@ -43,9 +43,10 @@ pub enum TcpFrame {
 }
 
 /// How a control moves the tool axis from one block to the next while it keeps the tip on its path.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ToolPosture {
     /// Rotary axes move evenly.
+    #[default]
     Axes,
     /// The tool axis turns in the plane of its ends.
     Plane,

@@ -102,7 +102,7 @@ fn program_name(codes: &Spellings, layout: &Layout) -> String {
 
 /// How the tool axis moves under tip control, in the words of the control.
 fn posture(codes: &Spellings, layout: &Layout) -> &'static str {
-    let plane = layout.posture == Some(ToolPosture::Plane);
+    let plane = layout.posture == ToolPosture::Plane;
     let Some(tip) = &codes.tip else { return "" };
     let words = tip.vectors.as_ref().filter(|_| layout.vectors).map_or(&tip.posture, |vectors| &vectors.posture);
     words[usize::from(plane)]

@@ -23,7 +23,7 @@ pub struct Layout {
     /// What the words of a motion say.
     pub mode: Mode,
     /// How the tool axis moves under tip control.
-    pub posture: Option<ToolPosture>,
+    pub posture: ToolPosture,
     /// Blocks hold the tool axis in the place of rotary words.
     pub vectors: bool,
     /// Threads are cut with the spindle under control of its angle.
@@ -49,7 +49,7 @@ impl Layout {
             name: name.to_vec(),
             shortest: config.wrap.values().any(|wrap| *wrap != Wrap::Sign),
             mode: config.mode,
-            posture: Some(config.tool_posture),
+            posture: config.tool_posture,
             vectors: config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors,
             rigid: config.cycles.rigid,
             setup: config.control.clone(),

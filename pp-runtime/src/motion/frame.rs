@@ -21,6 +21,7 @@ use crate::kinematics::{AxisKind, Machine, MotionBound, Side};
 
 use super::fault::Fault;
 use super::step::MAX_AXES;
+use super::structure::rotaries;
 use super::tilt::{PlaneAbility, Tilt};
 
 /// What tip control of a control can do.
@@ -279,11 +280,6 @@ fn tcp_faults<M: Machine>(
         let text = "a held axis, or a linear axis that is not between table and head, may be unknown to the control";
         other(text.to_owned(), "`tcp_confirmed = true` if it knows this chain, or mode axes");
     }
-}
-
-fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = usize> {
-    let wanted = move |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side;
-    M::AXES.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(index, _)| index)
 }
 
 /// Nothing is held, and every linear axis stands between the rotaries of the table and those of the head.

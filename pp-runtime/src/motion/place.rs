@@ -20,7 +20,7 @@ use super::fault::Fault;
 use super::frame::Frame;
 use super::origin::Origin;
 use super::step::{MAX_AXES, VECTOR_DECIMALS, Words};
-use super::structure::{coordinates, counted, held_tool_axis, orthogonal, poles};
+use super::structure::{coordinates, counted, held_tool_axis, orthogonal, poles, rotaries as rotaries_of};
 use super::travel::Travel;
 
 /// Word units that floating-point noise of a limit may amount to.
@@ -156,7 +156,7 @@ impl<M: Machine> Placer<M> {
                 if (a - b).abs() < 1e-9 { std::cmp::Ordering::Equal } else { a.total_cmp(&b) }
             })
             .unwrap_or_default();
-        let head = axes.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool);
+        let head = rotaries_of::<M>(Side::Tool).next().is_some();
         let per_unit = 10_f64.powi(config.formats.linear(units) as i32);
         Self {
             part_origin: config.part_origin.into(),
@@ -219,7 +219,7 @@ impl<M: Machine> Placer<M> {
 
     /// Solved rotary axes stand in the table.
     pub(crate) fn turning_table(&self) -> bool {
-        M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece)
+        rotaries_of::<M>(Side::Workpiece).next().is_some()
     }
 
     /// Going out along the retract axis is going out along the tool axis, whatever the rotaries do.

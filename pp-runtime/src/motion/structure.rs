@@ -20,6 +20,12 @@ pub(super) fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVec
     [direction, -direction].map(UnitVector3::new_normalize).into_iter().filter(free).collect()
 }
 
+/// Positions of the solved rotary axes of one side, from the workpiece on.
+pub(super) fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = usize> {
+    let wanted = move |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side;
+    M::AXES.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(index, _)| index)
+}
+
 /// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.
 pub(super) fn held_tool_axis<M: Machine>(machine: &M) -> Vector3<f64> {
     let mut axis = machine.tool_axis().into_inner();

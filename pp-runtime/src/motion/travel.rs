@@ -4,11 +4,12 @@
 //! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
 
 use crate::config::Config;
-use crate::kinematics::{Axis, AxisKind, Limits, Machine, Side};
+use crate::kinematics::{AxisKind, Limits, Machine, Side};
 
 use super::fault::Fault;
 use super::origin::along_axes;
 use super::step::MAX_AXES;
+use super::structure::rotaries;
 
 /// Noise of floating-point sums that must not turn an inclusive limit into an exclusive one, mm.
 const NOISE: f64 = 1e-6;
@@ -49,8 +50,7 @@ impl Travel {
             .filter(|&i| M::AXES[i].kind == AxisKind::Linear && !M::AXES[i].held)
             .collect();
         let shares = along_axes(machine, &machine.tool_axis());
-        let head = |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool;
-        let turned = M::AXES.iter().any(head);
+        let turned = rotaries::<M>(Side::Tool).next().is_some();
         let axes = solved
             .iter()
             .map(|&index| LinearTravel {
