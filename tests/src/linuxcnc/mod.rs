@@ -1,4 +1,8 @@
-//! LinuxCNC's own interpreter, `rs274` of the package `linuxcnc-uspace`.
+//! LinuxCNC, of the package `linuxcnc-uspace`: a control that nobody here wrote.
+//!
+//! - [`interpreter`]: its interpreter by itself, `rs274`, which says what a program asks for.
+
+pub mod interpreter;
 
 use std::process::Command;
 
