@@ -1,22 +1,35 @@
 //! LinuxCNC, of the package `linuxcnc-uspace`: a control that nobody here wrote.
 //!
 //! - [`interpreter`]: its interpreter by itself, `rs274`, which says what a program asks for.
+//! - [`simulation`]: the whole control with its kinematics modules, which runs a program.
 
 pub mod interpreter;
+pub mod simulation;
 
-use std::process::Command;
-
-/// Whether it is there; says so where it is not, unless `PP_REQUIRE_LINUXCNC=1` asks for it.
+/// Whether the interpreter is there; says so where it is not, unless `PP_REQUIRE_LINUXCNC=1` asks for it.
 ///
 /// # Panics
 /// If it has to be there and is not.
 #[must_use]
 pub fn installed() -> bool {
-    let found = Command::new("rs274").arg("-h").output().is_ok();
+    has(&["rs274"])
+}
+
+/// Whether the whole control is there; says so where it is not, unless `PP_REQUIRE_LINUXCNC=1` asks for it.
+///
+/// # Panics
+/// If it has to be there and is not.
+#[must_use]
+pub fn can_be_simulated() -> bool {
+    has(&["linuxcnc", "linuxcncrsh", "halsampler", "timeout"])
+}
+
+fn has(programs: &[&str]) -> bool {
     let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
-    assert!(found || !required, "PP_REQUIRE_LINUXCNC=1, and there is no rs274: install linuxcnc-uspace");
-    if !found {
-        println!("skipped: rs274 is not installed (package linuxcnc-uspace)");
+    let missing = programs.iter().find(|program| !simulation::on_path(program));
+    if let Some(missing) = missing {
+        assert!(!required, "PP_REQUIRE_LINUXCNC=1, and there is no {missing}: install linuxcnc-uspace");
+        println!("skipped: {missing} is not installed (package linuxcnc-uspace)");
     }
-    found
+    missing.is_none()
 }

@@ -114,7 +114,7 @@ impl<M: Machine> Comparison<'_, M> {
     fn hole(&mut self, cycle: &CycleMove) {
         let [bottom, back_to] = [cycle.bottom, cycle.back_to].map(|level| level / self.unit);
         let mut deep = false;
-        while let Some(motion) = self.theirs.next() {
+        for motion in self.theirs.by_ref() {
             let (Motion::Traverse([_, _, z, ..]) | Motion::Feed([_, _, z, ..])) = *motion else {
                 panic!("{}: {motion:?} in a hole", self.context)
             };
@@ -192,22 +192,24 @@ fn the_interpreter_reads_every_motion_of_every_golden_program_as_we_do() {
     assert!(all.straight > 1500 && all.arcs >= 40 && all.holes >= 20 && all.threads >= 4, "{all:?}");
 }
 
-/// The centre of a circle, its axis, and where it begins and ends.
-const CIRCLES: [([f64; 3], [f64; 3], [f64; 3], [f64; 3]); 5] = [
+/// Points of a circle: its centre, where it begins, where it ends; and its axis.
+type Circle = [[f64; 3]; 4];
+
+const CIRCLES: [Circle; 5] = [
     // In the plane of X and Y, both ways round, and more than half a turn.
-    ([10.0, 0.0, -2.0], [0.0, 0.0, 1.0], [20.0, 0.0, -2.0], [10.0, 10.0, -2.0]),
-    ([10.0, 0.0, -2.0], [0.0, 0.0, -1.0], [10.0, 10.0, -2.0], [0.0, 0.0, -2.0]),
-    ([0.0, 6.0, -2.0], [0.0, 0.0, 1.0], [0.0, 0.0, -2.0], [-6.0, 6.0, -2.0]),
+    [[10.0, 0.0, -2.0], [20.0, 0.0, -2.0], [10.0, 10.0, -2.0], [0.0, 0.0, 1.0]],
+    [[10.0, 0.0, -2.0], [10.0, 10.0, -2.0], [0.0, 0.0, -2.0], [0.0, 0.0, -1.0]],
+    [[0.0, 6.0, -2.0], [0.0, 0.0, -2.0], [-6.0, 6.0, -2.0], [0.0, 0.0, 1.0]],
     // Upright: of Z and X, of Y and Z.
-    ([-6.0, 6.0, 8.0], [0.0, 1.0, 0.0], [-6.0, 6.0, -2.0], [-16.0, 6.0, 8.0]),
-    ([-16.0, 0.0, 8.0], [-1.0, 0.0, 0.0], [-16.0, 6.0, 16.0], [-16.0, 10.0, 8.0]),
+    [[-6.0, 6.0, 8.0], [-6.0, 6.0, -2.0], [-16.0, 6.0, 8.0], [0.0, 1.0, 0.0]],
+    [[-16.0, 0.0, 8.0], [-16.0, 6.0, 16.0], [-16.0, 10.0, 8.0], [-1.0, 0.0, 0.0]],
 ];
 
 /// A part of arcs in all three planes.
 fn arcs_in_three_planes() -> String {
     let point = |[x, y, z]: [f64; 3]| format!("GOTO/{x:.4},{y:.4},{z:.4},0.0,0.0,1.0\n");
     let mut cl = "UNITS/MM\nTOOL PATH/ARCS\nLOADTL/1\nSPINDL/RPM,4000,CLW\nFEDRAT/MMPM,200\n".to_owned();
-    for (centre, axis, from, to) in CIRCLES {
+    for [centre, from, to, axis] in CIRCLES {
         let radius = (0..3).map(|index| (from[index] - centre[index]).powi(2)).sum::<f64>().sqrt();
         let numbers: Vec<String> = centre.iter().chain(&axis).map(|number| format!("{number:.7}")).collect();
         cl += &point(from);
