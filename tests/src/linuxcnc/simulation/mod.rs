@@ -26,7 +26,7 @@ use shell::Shell;
 const RUNNING: &str = "/tmp/linuxcnc.lock";
 
 /// How long another LinuxCNC is waited for.
-const OTHERS: Duration = Duration::from_secs(240);
+const OTHERS: Duration = Duration::from_secs(360);
 
 /// How long the control may take to start, and to end.
 const START: Duration = Duration::from_secs(40);
