@@ -13,6 +13,7 @@ use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
 use crate::program::{Clearance, Coolant, Dwell, Event, Location, Move, Rotation, Spindle, ToolCall, Turning};
 
+use super::account::Why;
 use super::arcs::Chorded;
 use super::clamps::Clamps;
 use super::course::{Course, Target, Towards};
@@ -401,7 +402,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         if let Event::Move(motion) = event
             && self.expander.passes()
         {
-            return self.motion(at, motion, sink);
+            return self.motion(at, motion, Why::Record, sink);
         }
         self.expanded(at, event, sink)
     }
@@ -410,9 +411,10 @@ impl<'a, M: Machine> Planner<'a, M> {
     fn expanded(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
         let mut expander = std::mem::take(&mut self.expander);
         let bears = self.bears_cutter(at, event);
+        let why = if let Event::Spline(_) = event { Why::Curve } else { Why::Record };
         let done = bears.and_then(|()| {
             expander.event(at, event, &mut |at, event| match event {
-                Event::Move(motion) => self.motion(at, motion, sink),
+                Event::Move(motion) => self.motion(at, motion, why, sink),
                 Event::Arc(arc) if self.cutter.idle() => self.arc(at, arc, sink),
                 Event::Arc(arc) => self.beside_arc(at, arc, sink),
                 Event::Hole(hole) => self.hole(at, hole, sink),
@@ -433,6 +435,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         self.settle(None, sink)?;
         if self.selection.over {
             sink.show(true);
+            sink.serve(at, Why::End);
             return self.park(at, sink);
         }
         self.ends_cutter(at)?;
@@ -451,7 +454,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         }
     }
 
-    fn motion(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
+    fn motion(&mut self, at: Location, motion: &Move, why: Why, sink: &mut impl Sink) -> Planned {
         if self.phase == Phase::Start && self.unarmed() && motion.rapid && !self.placer.head() {
             self.pass_over(at, motion);
             return Ok(());
@@ -462,6 +465,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             return self.first(at, motion, number, sink);
         }
         self.settle(Some(motion), sink)?;
+        sink.serve(at, why);
         match self.selection.over {
             true => Ok(()),
             false if self.cutter.idle() => self.run(at, motion, number, sink),
@@ -471,6 +475,7 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// The first motion of an operation waits for the next.
     pub(super) fn first(&mut self, at: Location, motion: &Move, number: u64, sink: &mut impl Sink) -> Planned {
+        sink.serve(at, Why::Record);
         if self.there && self.config.transition == Transition::Direct {
             self.prepare_directly(at, motion, sink)?;
         }
@@ -514,6 +519,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         let mut waiting = std::mem::take(&mut self.waiting);
         let texts = std::mem::take(&mut self.texts);
         for (at, event) in waiting.drain(..) {
+            sink.serve(at, Why::Record);
             match event {
                 Waiting::Spindle(spindle) => self.spindle(at, spindle, sink)?,
                 Waiting::Coolant(coolant) => self.set_coolant(at, coolant, sink)?,
@@ -530,6 +536,7 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     #[cold]
     fn other(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
+        sink.serve(at, Why::Record);
         let first = matches!(self.phase, Phase::First { .. });
         if first && (self.waiting.len() >= MOST_WAITING || self.texts.len() >= MOST_TEXT) {
             return Err(stop(
@@ -709,7 +716,11 @@ impl<'a, M: Machine> Planner<'a, M> {
     fn begin(&mut self, at: Location, leave: bool, sink: &mut impl Sink) -> Planned {
         self.settle(None, sink)?;
         self.phase = Phase::Start;
-        if leave { self.leave(at, sink) } else { Ok(()) }
+        if leave {
+            self.leave(at, sink)?;
+        }
+        sink.serve(at, Why::Record);
+        Ok(())
     }
 
     fn stop(&mut self, at: Location, optional: bool, sink: &mut impl Sink) -> Planned {
