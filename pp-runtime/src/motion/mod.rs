@@ -25,6 +25,7 @@ mod origin;
 mod place;
 mod planner;
 mod proof;
+mod records;
 mod refuse;
 mod retreat;
 mod rewind;
@@ -36,6 +37,7 @@ mod tilt;
 mod times;
 mod tool;
 mod travel;
+mod waiting;
 mod way;
 mod wrap;
 
