@@ -211,7 +211,7 @@ fn a_map_stands_there_with_its_program_or_not_at_all() {
     // The map of yesterday's program goes with it.
     assert_eq!(post(&good.replacen("GOTO/", "GOTO/x", 1), "part.json"), Some(1));
     assert!(!path("part.json").exists() && !path("part.nc").exists());
-    for other in ["part.cls", "part.nc", "part.nc.rejected", "./part.nc"] {
+    for other in ["part.cls", "part.nc", "part.nc.rejected", "./part.nc", "-", "nowhere/part.json"] {
         assert_eq!(post(&good, other), Some(2), "{other}");
     }
     assert_eq!(fs::read_to_string(path("part.cls")).expect("CL data"), good);

@@ -108,7 +108,7 @@ pub(super) struct PostArgs {
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     pub(super) output: PathBuf,
     /// Write for each line of the program which record it serves, why, and where the machine stands behind it
-    #[arg(long, value_name = "FILE.json")]
+    #[arg(long, value_name = "FILE.json", value_parser = map_file)]
     pub(super) map: Option<PathBuf>,
     /// Do not read the program back and compare it with the CL data
     #[arg(long)]
@@ -160,6 +160,11 @@ pub(super) enum BlockName {
     Number(u32),
     /// By its place in the program, from 1.
     Line(u64),
+}
+
+/// The file of a map.
+fn map_file(text: &str) -> Result<PathBuf, String> {
+    if text == "-" { Err("the name of a file is needed".to_owned()) } else { Ok(text.into()) }
 }
 
 /// `N1230` or `57`.
