@@ -1,7 +1,7 @@
 //! `post --map` and `explain-block`: every line of a program with the record it serves, and where the machine stands behind
 //! it, beside the program itself, the CL data and the oracle.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
@@ -12,6 +12,7 @@ use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use serde_json::Value;
 use tests::binaries::{binary, workspace};
 use tests::oracle::{Oracle, angle_between};
+use tests::state::{State, moved};
 
 const CL: &str = "tests/data/works/works.cls";
 
@@ -124,6 +125,36 @@ fn assert_standing<M: Machine>(posted: &Posted, config: &str) {
     assert!(named > 10, "{}: {named} points of the CL data", posted.name);
 }
 
+/// In mode axes the words in force are the axis values, but for what each tool and work offset count from; an axis that is
+/// said to be reached has a word in force.
+fn assert_words(posted: &Posted) {
+    let blocks = moved(&posted.program.join("\n"), 0, State::default());
+    let mut shifts: BTreeMap<(char, Option<u32>), f64> = BTreeMap::new();
+    let (mut stale, mut compared) = (false, 0);
+    for block in &blocks {
+        let line = &posted.lines[block.line];
+        let cycle = line["step"] == "cycle" || block.words.contains_key(&'R');
+        // What a cycle leaves Z at is none of its words.
+        stale = cycle || stale && !block.words.contains_key(&'Z');
+        let Some(axes) = line["axes"].as_object() else { continue };
+        for (letter, value) in axes {
+            let letter = letter.chars().next().expect("a letter");
+            if letter == 'Z' && stale {
+                continue;
+            }
+            let context = format!("{} {line}", posted.name);
+            let word = block.state.at.get(&letter).unwrap_or_else(|| panic!("{context}: {letter} has no word"));
+            let shift = value.as_f64().expect("a number") - word;
+            let known = *shifts.entry((letter, block.state.tool)).or_insert(shift);
+            // At the end of a cycle the words are those over the hole, rounded by themselves.
+            let room = if cycle { 1.1e-3 } else { 1e-5 };
+            assert!((shift - known).abs() < room, "{context}: {letter} is {word} in the block");
+            compared += 1;
+        }
+    }
+    assert!(compared > 500, "{}: {compared} words", posted.name);
+}
+
 #[test]
 fn every_line_is_accounted_for_and_every_tip_is_where_its_axis_values_put_it() {
     let mut reasons = BTreeSet::new();
@@ -135,6 +166,10 @@ fn every_line_is_accounted_for_and_every_tip_is_where_its_axis_values_put_it() {
             let lola = posted("lola-xoyzba", &works, control, mode, operations);
             for posted in [&spinner, &dmu, &lola] {
                 assert_complete(posted);
+                // The helices of Heidenhain count from where they begin.
+                if mode == "axes" && control != "heidenhain" {
+                    assert_words(posted);
+                }
                 reasons.extend(posted.lines.iter().filter_map(|line| line["why"].as_str()).map(str::to_owned));
             }
             assert_standing::<SpinnerU5620>(&spinner, &table);
