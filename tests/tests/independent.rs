@@ -152,7 +152,6 @@ fn set_up<M: Machine>(description: &Value, tools: &[(u32, Option<f64>)]) -> (Con
         part_origin: (numbers(&description["frame"]["origin"]) - gauge_point).into(),
         program_zero: ProgramZero::Table,
         length_mode: if single { LengthMode::Gauge } else { LengthMode::Tip },
-        cl_units: None,
         output_units: Some(Units::Millimetres),
         ..Config::default()
     };

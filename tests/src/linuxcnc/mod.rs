@@ -6,6 +6,8 @@
 pub mod interpreter;
 pub mod simulation;
 
+use std::path::PathBuf;
+
 /// Whether the interpreter is there; says so where it is not, unless `PP_REQUIRE_LINUXCNC=1` asks for it.
 ///
 /// # Panics
@@ -26,10 +28,17 @@ pub fn can_be_simulated() -> bool {
 
 fn has(programs: &[&str]) -> bool {
     let required = std::env::var_os("PP_REQUIRE_LINUXCNC").is_some_and(|value| value == "1");
-    let missing = programs.iter().find(|program| !simulation::on_path(program));
+    let missing = programs.iter().find(|program| !on_path(program));
     if let Some(missing) = missing {
         assert!(!required, "PP_REQUIRE_LINUXCNC=1, and there is no {missing}: install linuxcnc-uspace");
         println!("skipped: {missing} is not installed (package linuxcnc-uspace)");
     }
     missing.is_none()
+}
+
+/// Whether a program is there to be run.
+fn on_path(name: &str) -> bool {
+    let folders: Vec<PathBuf> =
+        std::env::var_os("PATH").map(|path| std::env::split_paths(&path).collect()).unwrap_or_default();
+    folders.iter().any(|folder| folder.join(name).is_file())
 }

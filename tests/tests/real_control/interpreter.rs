@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::slice::Iter;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove, MAX_AXES};
+use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove};
 use pp_runtime::check::{Job, blocks};
 use pp_runtime::config::{Config, Units};
 use pp_runtime::control;
@@ -57,24 +57,25 @@ impl<M: Machine> Comparison<'_, M> {
                 };
                 assert_eq!(is_feed, feed, "{}", self.context);
                 if block.action != Action::Machine {
-                    self.end(block, &end);
+                    self.end(block, &end, "XYZABC");
                 }
                 self.compared.straight += 1;
             }
             Action::Arc(ours) => {
                 let Motion::Arc(arc) = self.next() else { panic!("{}: no arc", self.context) };
-                self.end(block, &arc.end);
+                self.end(block, &arc.end, "XYZABC");
                 self.arc(block, &ours, &arc);
                 self.compared.arcs += 1;
             }
             Action::Cycle(CycleMove { kind: CycleKind::Tap(_), bottom, .. }) => {
-                let Motion::Tap([_, _, z]) = self.next() else { panic!("{}: no thread", self.context) };
+                let Motion::Tap([x, y, z]) = self.next() else { panic!("{}: no thread", self.context) };
+                self.end(block, &[x, y, z, 0.0, 0.0, 0.0], "XY");
                 self.same("the bottom of the thread", bottom / self.unit, z);
                 self.compared.holes += 1;
                 self.compared.threads += 1;
             }
             Action::Cycle(cycle) => {
-                self.hole(&cycle);
+                self.hole(block, &cycle);
                 self.compared.holes += 1;
             }
             _ => {}
@@ -86,14 +87,15 @@ impl<M: Machine> Comparison<'_, M> {
         assert!((ours - theirs).abs() <= PRINTED, "{context}: {what} is {ours} here and {theirs} there");
     }
 
-    /// Every axis whose place is known behind the block.
-    fn end(&self, block: &Block, there: &[f64; 6]) {
-        let values: &[f64; MAX_AXES] = &block.values;
-        for (index, axis) in M::AXES.iter().enumerate().filter(|(index, _)| block.known & (1 << index) != 0) {
+    /// Every axis of `letters` whose place is known behind the block.
+    fn end(&self, block: &Block, there: &[f64; 6], letters: &str) {
+        let known = |index: &usize| block.known & (1 << index) != 0;
+        let axes = M::AXES.iter().enumerate().filter(|(index, axis)| known(index) && letters.contains(axis.letter));
+        for (index, axis) in axes {
             let place = "XYZABC".find(axis.letter).expect("one of the six");
             let ours = match axis.kind {
-                AxisKind::Linear => values[index] / self.unit,
-                AxisKind::Rotary => values[index].to_degrees(),
+                AxisKind::Linear => block.values[index] / self.unit,
+                AxisKind::Rotary => block.values[index].to_degrees(),
             };
             self.same(&axis.letter.to_string(), ours, there[place]);
         }
@@ -111,17 +113,18 @@ impl<M: Machine> Comparison<'_, M> {
     }
 
     /// The motions of one cycle: down to its bottom and no deeper, and back to where it ends.
-    fn hole(&mut self, cycle: &CycleMove) {
+    fn hole(&mut self, block: &Block, cycle: &CycleMove) {
         let [bottom, back_to] = [cycle.bottom, cycle.back_to].map(|level| level / self.unit);
         let mut deep = false;
         for motion in self.theirs.by_ref() {
-            let (Motion::Traverse([_, _, z, ..]) | Motion::Feed([_, _, z, ..])) = *motion else {
+            let (Motion::Traverse(end) | Motion::Feed(end)) = *motion else {
                 panic!("{}: {motion:?} in a hole", self.context)
             };
+            let z = end[2];
             assert!(z >= bottom - PRINTED, "{}: Z{z} is below the bottom of the hole, Z{bottom}", self.context);
             deep |= z <= bottom + PRINTED;
             if deep && (z - back_to).abs() <= PRINTED {
-                return;
+                return self.end(block, &end, "XYABC");
             }
         }
         panic!("{}: the hole does not end at Z{back_to}, or is not Z{bottom} deep", self.context);

@@ -10,7 +10,7 @@ mod shell;
 use std::fs::{self, File};
 use std::io;
 use std::net::{Ipv4Addr, TcpListener};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
@@ -217,11 +217,4 @@ fn launch(folder: &Path) -> io::Result<Child> {
 
 fn is_root() -> io::Result<bool> {
     Ok(Command::new("id").arg("-u").output()?.stdout.trim_ascii() == b"0")
-}
-
-/// Whether a program is there to be run.
-pub(super) fn on_path(name: &str) -> bool {
-    let folders: Vec<PathBuf> =
-        std::env::var_os("PATH").map(|path| std::env::split_paths(&path).collect()).unwrap_or_default();
-    folders.iter().any(|folder| folder.join(name).is_file())
 }
