@@ -24,8 +24,9 @@ const MOST_PLACES: f64 = 400.0;
 /// A share that suits both tip and axis leaves each of them this much farther off than its own best would.
 const BOTH: f64 = std::f64::consts::SQRT_2;
 
-/// Rounding of both ends and of the centre may make an arc longer or shorter by so many times what an end may be off.
-const SWEEP: f64 = 4.0;
+/// An arc that ends where it should has gone round as often as it should if its angle is nearer to that than this, rad.
+/// How far words of centre and ends let it swell is looked at along its way.
+const SAME_TURN: f64 = std::f64::consts::PI;
 
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
@@ -101,8 +102,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             _ => None,
         };
         let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip / self.slack.axis));
-        let whole =
-            !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.length() <= SWEEP * self.slack.tip;
+        let whole = !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.angle() < SAME_TURN;
         if whole && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
