@@ -15,7 +15,7 @@ use super::chain::Placed;
 use super::expect::{Expect, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
-use super::read::{Action, Block, Family, Length, MAX_AXES, TipControl, WorkOffset, WorkPlane};
+use super::read::{Action, Block, Family, Length, MAX_AXES, WorkOffset, WorkPlane};
 use super::report::{Shown, Tally};
 use super::travel::Travel;
 use super::words::Words;
@@ -229,27 +229,12 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             Action::Cycle(cycle) => self.cycle(block, &cycle, shown)?,
             _ => self.part(block, shown)?,
         }
-        self.before = (block.values, block.known);
-        if matches!(block.action, Action::Machine | Action::Reference) {
-            self.before.1 = block.known;
-        } else {
+        if !matches!(block.action, Action::Machine | Action::Reference) {
             self.limits(block, shown);
+            self.limits_on_way(block, shown);
         }
+        self.before = (block.values, block.known);
         Ok(())
-    }
-
-    /// Whether the axes stay within their travel.
-    pub(super) fn limits(&mut self, block: &Block, shown: Shown<'_>) {
-        let solved = self.words.linear_mask | self.words.rotary_mask;
-        let direct = block.state.tip_control == TipControl::Off && block.state.tilt.is_none();
-        if !self.travel.limited() || (!direct && block.known & solved != solved) {
-            return;
-        }
-        let Some(values) = self.words.axes(&block.values, &block.state) else { return };
-        if let Some(text) = self.travel.check(&self.words, &values, block.known) {
-            self.tally.outcome.limits += 1;
-            self.found(shown, &text);
-        }
     }
 
     /// The control turns the rotary axes into a tilted plane.

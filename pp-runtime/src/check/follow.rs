@@ -229,8 +229,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if straight && turned <= 0.0 && matches!(segment.shape, Shape::Line) {
             return;
         }
-        let sweep = if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 };
-        let places = (PLACES + ((turned + sweep) / PLACE).floor()).min(MOST_PLACES);
+        let sweep = sweep(block);
+        let places = places(turned + sweep);
         let (mut tip, mut axis) = (0.0_f64, 0.0_f64);
         let mut after = self.along;
         let mut place = 1.0;
@@ -265,7 +265,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// Largest turn of a rotary axis in a block, rad.
-    fn rotary_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
+    pub(super) fn rotary_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
         let turned = |index: &usize| self.words.rotary_mask & (1 << index) != 0;
         (0..MAX_AXES).filter(turned).map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
     }
@@ -354,8 +354,23 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 }
 
+/// How far an arc goes round, rad; 0 for everything else.
+pub(super) fn sweep(block: &Block) -> f64 {
+    if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 }
+}
+
+/// At how many places of a block that turns so far is looked besides its ends.
+pub(super) fn places(turned: f64) -> f64 {
+    (PLACES + (turned / PLACE).floor()).min(MOST_PLACES)
+}
+
 /// Words at a share of a block.
-fn between(before: &[f64; MAX_AXES], block: &Block, share: f64, linear: [Option<usize>; 3]) -> [f64; MAX_AXES] {
+pub(super) fn between(
+    before: &[f64; MAX_AXES],
+    block: &Block,
+    share: f64,
+    linear: [Option<usize>; 3],
+) -> [f64; MAX_AXES] {
     let mut words: [f64; MAX_AXES] =
         std::array::from_fn(|index| before[index] + (block.values[index] - before[index]) * share);
     if let (Action::Arc(ArcMove { centre, sweep }), Some(plane)) = (&block.action, block.state.plane) {
