@@ -87,3 +87,84 @@ fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
         assert!(found.len() == 1 && found[0].text.contains("on its way Y goes to"), "{found:?}");
     }
 }
+
+/// A tool that mills, and one that drills; each line of it asks for one thing.
+const TWO: &str = "UNITS/MM
+LOADTL/1,LENGTH,100.0
+SPINDL/RPM,1000,CLW
+FEDRAT/MMPM,500.0
+RAPID
+GOTO/0.0,0.0,20.0,0.0,0.0,1.0
+GOTO/1.0,2.0,-1.0
+GOTO/11.0,4.0,-1.0
+GOTO/17.0,9.0,-2.0
+GOTO/19.0,13.0,-3.0
+RAPID
+GOTO/19.0,13.0,20.0
+RAPID
+GOTO/41.0,31.0,22.0
+GOTO/43.0,37.0,-1.0
+RAPID
+GOTO/43.0,37.0,20.0
+OPSTOP
+LOADTL/2,LENGTH,80.0
+SPINDL/RPM,2000,CLW
+RAPID
+GOTO/0.0,0.0,20.0
+CYCLE/DRILL,RAPTO,2.0,FEDTO,-6.0,RTRCTO,AUTO,MMPM,150.0
+GOTO/10.0,10.0,0.0
+GOTO/21.0,15.0,0.0
+GOTO/32.0,25.0,0.0
+GOTO/44.0,35.0,0.0
+CYCLE/OFF
+RAPID
+GOTO/44.0,35.0,20.0
+";
+
+/// A program without one of its lines; where lines have numbers they are counted anew, as an editor does.
+fn without(program: &str, lost: usize) -> String {
+    let lines = program.lines().enumerate().filter(|(index, _)| *index != lost).map(|(_, line)| line);
+    let mut next = 0;
+    let counted = lines.map(|line| match line.split_once(' ') {
+        Some((number, text)) if number.parse::<u64>().is_ok() => {
+            next += 1;
+            format!("{} {text}\n", next - 1)
+        }
+        _ => format!("{line}\n"),
+    });
+    counted.collect()
+}
+
+#[test]
+fn what_a_lost_line_should_have_done_is_named_with_its_line_of_the_cl_data() {
+    const LOST: &str = "no block in front of this one does what line";
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        let posted = Posted::new(control, "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
+        assert!(posted.findings(&posted.program).is_empty());
+        let change = if control == "heidenhain" { "TOOL CALL 2" } else { "M6" };
+        let (a_feed, a_rapid, a_hole) = (["X11", "8"], ["X41", "14"], ["X32", "26"]);
+        for [word, line] in [a_feed, a_rapid, a_hole, ["M1", "18"], [change, "19"]] {
+            let plain = |text: &str| text.replace(['+', '.'], " ").replace("M0", "M").replace("X ", "X");
+            let has = |text: &str| plain(text).contains(&format!("{word} "));
+            let lost = posted.program.lines().collect::<Vec<&str>>().iter().rposition(|text| has(&format!("{text} ")));
+            let found = posted.findings(&without(&posted.program, lost.unwrap_or_else(|| panic!("{word}"))));
+            let first = found.first().unwrap_or_else(|| panic!("{control} {word}: nothing is found"));
+            assert_eq!(first.location.line.to_string(), line, "{control} {word}: {found:?}");
+            if word == change {
+                assert!(first.text.starts_with("T1 is in the spindle, it is to be T2"), "{control}: {found:?}");
+            } else {
+                assert!(first.text.starts_with(&format!("{LOST} {line} of")), "{control} {word}: {found:?}");
+                assert_eq!(found.len(), 1, "{control} {word}: {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lines_that_are_lost_together_are_named_together() {
+    let posted = Posted::new("linuxcnc", "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
+    let at = posted.program.lines().position(|line| line == "X11 Y4").expect("it is there");
+    let found = posted.findings(&without(&without(&posted.program, at), at));
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].text.contains("what lines 8 to 9 of the CL data ask for"), "{found:?}");
+}

@@ -287,7 +287,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             return Ok(());
         }
         if block.action != Action::Rapid || !self.leads_out(block, &end, shown) {
-            self.resume(&end, shown)?;
+            self.resume(block, &end, shown)?;
         }
         self.here = Some(end);
         Ok(())

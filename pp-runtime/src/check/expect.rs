@@ -28,6 +28,8 @@ const SQUARE: f64 = 5e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Wanted {
     pub(super) tool: Option<u32>,
+    /// Where it is called.
+    pub(super) called: Option<Location>,
     /// Register of its length.
     pub(super) register: u32,
     /// Gauge length, mm.
@@ -185,6 +187,7 @@ impl<'a> Follow<'a> {
     fn new(config: &'a Config, family: Family, head: bool) -> Self {
         let wanted = Wanted {
             tool: None,
+            called: None,
             register: 0,
             length: None,
             spindle: None,
@@ -283,7 +286,7 @@ impl<'a> Follow<'a> {
                     self.named |= name.trim().eq_ignore_ascii_case(wanted.trim());
                 }
             }
-            Event::Tool(call) => self.tool(&call),
+            Event::Tool(call) => self.tool(Some(at), &call),
             Event::Spindle(spindle) => {
                 take(&mut self.request, &mut self.spindle_off, spindle);
                 if self.start {
@@ -339,13 +342,14 @@ impl<'a> Follow<'a> {
         self.push(at, kind);
     }
 
-    fn tool(&mut self, call: &ToolCall) {
+    fn tool(&mut self, at: Option<Location>, call: &ToolCall) {
         self.begin();
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.config.tools.get(&call.number);
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
         self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         if self.wanted.tool != Some(call.number) {
+            self.wanted.called = at;
             (self.request, self.spindle_off) = if self.called { ((None, None), false) } else { self.in_start };
             self.changed = true;
         }
@@ -366,7 +370,7 @@ impl<'a> Follow<'a> {
         if self.wanted.tool.is_none()
             && let Some(number) = self.config.defaults.tool
         {
-            self.tool(&ToolCall { number, ..ToolCall::default() });
+            self.tool(None, &ToolCall { number, ..ToolCall::default() });
         }
     }
 

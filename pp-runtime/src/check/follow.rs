@@ -321,10 +321,36 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         true
     }
 
-    /// A block that serves nothing: says so, and seeks among the motions ahead where the program goes on.
-    pub(super) fn resume(&mut self, end: &Placed, shown: Shown<'_>) -> io::Result<()> {
-        let next = self.expect.get(0).map(|item| &item.kind);
-        let text = match next {
+    /// A block that serves nothing that comes next: says so, and seeks among the motions ahead where the program goes on.
+    /// What lies between has been lost.
+    pub(super) fn resume(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<()> {
+        self.back = None;
+        self.out_from = Some(*end);
+        self.led_out = 0.0;
+        let queue = self.expect.ahead()?;
+        let goes_on = queue.iter().position(|item| matches!(&item.kind, Kind::Motion(motion) if {
+            (motion.to.tip - end.tip).norm() <= self.slack.tip && angle_between(&motion.to.axis, &end.axis) <= self.slack.axis
+        }));
+        if let Some(count @ 1..) = goes_on {
+            self.skip(count, shown);
+            // Where it began is not to be judged.
+            self.lost = true;
+            if self.serve(block, end, shown)? {
+                return Ok(());
+            }
+        }
+        let text = self.serves_nothing(end);
+        self.found(shown, &text);
+        if goes_on.is_some() {
+            self.pass();
+        }
+        self.lost = goes_on.is_none();
+        Ok(())
+    }
+
+    /// Why a block does not do what comes next.
+    fn serves_nothing(&self, end: &Placed) -> String {
+        match self.expect.get(0).map(|item| &item.kind) {
             Some(Kind::Motion(motion)) => {
                 let segment = self.segment(motion, end);
                 let off = segment.distance(end, self.along);
@@ -337,20 +363,23 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             Some(Kind::Raw(_)) => "the program moves on before the block that INSERT asks for".to_owned(),
             Some(Kind::Home) => "the program moves on before GOHOME".to_owned(),
             Some(Kind::Dwell(_)) | None => "this block serves no motion of the CL data".to_owned(),
-        };
-        self.found(shown, &text);
-        self.back = None;
-        let queue = self.expect.ahead()?;
-        let goes_on = queue.iter().position(|item| matches!(&item.kind, Kind::Motion(motion) if {
-            (motion.to.tip - end.tip).norm() <= self.slack.tip && angle_between(&motion.to.axis, &end.axis) <= self.slack.axis
-        }));
-        if let Some(count) = goes_on {
-            (0..=count).for_each(|_| self.pass());
         }
-        self.lost = goes_on.is_none();
-        self.out_from = Some(*end);
-        self.led_out = 0.0;
-        Ok(())
+    }
+
+    /// Passes over items that the program has no block for, and names their lines.
+    pub(super) fn skip(&mut self, count: usize, shown: Shown<'_>) {
+        let asked = (0..count).filter(|index| !self.needless(*index));
+        let mut lines = asked.filter_map(|index| self.expect.get(index)).map(|item| item.at);
+        if let Some(first) = lines.next() {
+            let last = lines.next_back().unwrap_or(first);
+            let which = match last.line - first.line {
+                0 => format!("line {} of the CL data asks", first.line),
+                _ => format!("lines {} to {} of the CL data ask", first.line, last.line),
+            };
+            let text = format!("no block in front of this one does what {which} for: lost, or elsewhere");
+            self.tally.found(first, shown, &text, None);
+        }
+        (0..count).for_each(|_| self.pass());
     }
 }
 

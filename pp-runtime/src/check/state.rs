@@ -23,10 +23,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .everywhere(state, side)
             .or_else(|| if block.action == Action::Rapid { inverse(state) } else { None })
             .or_else(|| self.frame(state, true))
-            .or_else(|| self.tool(state, wanted, true))
+            .or_else(|| self.offsets(state, wanted, true))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
             .or_else(|| coolant(state, wanted.coolant));
-        self.say(found, shown);
+        self.say_with_tool(found, state, wanted, shown);
     }
 
     /// Left of the words is right of the path.
@@ -51,10 +51,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
             .or_else(|| self.frame(state, step > 1))
-            .or_else(|| self.tool(state, &wanted, last || !moves_z))
+            .or_else(|| self.offsets(state, &wanted, last || !moves_z))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
             .or_else(|| if self.rewound.is_some() { None } else { coolant(state, 0) });
-        self.say(found, shown);
+        self.say_with_tool(found, state, &wanted, shown);
     }
 
     /// Out along the tool axis.
@@ -65,9 +65,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
             .or_else(|| self.frame(state, true))
-            .or_else(|| wanted.and_then(|wanted| self.tool(state, &wanted, true)))
+            .or_else(|| wanted.and_then(|wanted| self.offsets(state, &wanted, true)))
             .or_else(|| if dry { coolant(state, 0) } else { None });
-        self.say(found, shown);
+        match wanted {
+            Some(wanted) => self.say_with_tool(found, state, &wanted, shown),
+            None => self.say(found, shown),
+        }
     }
 
     /// In machine coordinates.
@@ -114,6 +117,16 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
+    /// A wrong tool is told where the CL data calls the right one; what else is wrong then may follow from it.
+    fn say_with_tool(&mut self, found: Option<String>, state: &State, wanted: &Wanted, shown: Shown<'_>) {
+        if state.tool == wanted.tool {
+            return self.say(found, shown);
+        }
+        let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
+        let text = format!("{} is in the spindle, it is to be {}", name(state.tool), name(wanted.tool));
+        self.tally.found(wanted.called.unwrap_or_else(|| self.location()), shown, &text, None);
+    }
+
     /// What holds for every block that moves.
     fn everywhere(&self, state: &State, side: Side) -> Option<String> {
         if state.units != Some(self.units) {
@@ -157,11 +170,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
-    fn tool(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {
-        if state.tool != wanted.tool {
-            let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
-            return Some(format!("{} is in the spindle, it is to be {}", name(state.tool), name(wanted.tool)));
-        }
+    /// Work offset, and length compensation if asked for.
+    fn offsets(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {
         let offset = self.offsets.iter().find(|(frame, _)| *frame == wanted.frame).map(|(_, offset)| *offset);
         if state.work_offset != offset {
             return Some(format!("the work offset is {:?}, it is to be {offset:?}", state.work_offset));
