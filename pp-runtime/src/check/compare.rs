@@ -49,6 +49,8 @@ pub(super) struct Slack {
     pub(super) tip: f64,
     /// Their tool axes, rad.
     pub(super) axis: f64,
+    /// Tool axes of rotary words alone, rad: the angles of a tilted plane are coarser.
+    pub(super) rotary: f64,
     /// One unit of rotary words, rad.
     pub(super) angle: f64,
 }
@@ -78,6 +80,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     /// The way back to where the rotary axes were rewound.
     pub(super) back: Option<Segment>,
     pub(super) rewound: Option<Placed>,
+    /// How far it was led out there, and where it comes back to.
+    pub(super) rewound_out: Option<Placed>,
     /// How far the last motions have led out along the tool axis, mm.
     pub(super) led_out: f64,
     /// From where the next motion leads out.
@@ -121,12 +125,9 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let rotaries = words.rotary_mask.count_ones();
         // Three angles of a plane, half a thousandth of a degree each.
         let in_plane = if config.mode == Mode::Plane { 3.0 * 0.5e-3_f64.to_radians() } else { 0.0 };
-        let slack = Slack {
-            unit,
-            tip: 0.5 * unit * corner(&machine) + 1e-6,
-            axis: 0.5 * angle * f64::from(rotaries) * 1.01 + config.axis_tolerance.max(AXIS_NOISE) + in_plane,
-            angle,
-        };
+        let rotary = 0.5 * angle * f64::from(rotaries) * 1.01 + config.axis_tolerance.max(AXIS_NOISE);
+        let tip = 0.5 * unit * corner(&machine) + 1e-6;
+        let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, angle };
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
         tally.outcome.tolerance = config.tolerance;
@@ -148,6 +149,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             along: 0.0,
             back: None,
             rewound: None,
+            rewound_out: None,
             led_out: 0.0,
             out_from: None,
             lost: false,

@@ -221,10 +221,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         // The control itself turns the axis evenly.
         let evenly = block.state.tip_control != TipControl::Off
             && (block.state.vector.is_some() || self.config.tool_posture == ToolPosture::Plane);
-        if self.lost || known & solved != solved || (evenly && block.action == Action::Feed) {
+        if self.lost || known & solved != solved {
             return;
         }
-        let turned = self.rotary_way(&before, &block.values);
+        let evenly = evenly && block.action == Action::Feed;
+        let turned = if evenly { 0.0 } else { self.rotary_way(&before, &block.values) };
         let straight = matches!(block.action, Action::Feed);
         if straight && turned <= 0.0 && matches!(segment.shape, Shape::Line) {
             return;
@@ -311,6 +312,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn serve_back(&mut self, back: &Segment, block: &Block, end: &Placed, shown: Shown<'_>) -> bool {
         if block.action == Action::Rapid || !self.is_at(end, &back.to) {
             return false;
+        }
+        let (before, known) = self.before;
+        let rotary = self.words.rotary_mask;
+        if known & rotary == rotary && self.rotary_way(&before, &block.values) > 1.5 * self.slack.angle {
+            self.found(
+                shown,
+                "the rotary axes turn on the way back: they are to be rewound where the machine has retracted",
+            );
         }
         let wanted = self.expect.get(0).map(|item| item.wanted);
         if let Some(wanted) = wanted {

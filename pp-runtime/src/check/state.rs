@@ -24,6 +24,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .or_else(|| if block.action == Action::Rapid { inverse(state) } else { None })
             .or_else(|| self.frame(state, true))
             .or_else(|| self.offsets(state, wanted, true))
+            .or_else(|| self.radius(state, wanted).filter(|_| beside))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
             .or_else(|| coolant(state, wanted.coolant));
         self.say_with_tool(found, state, wanted, shown);
@@ -73,8 +74,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
-    /// In machine coordinates.
-    pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, shown: Shown<'_>) {
+    /// In machine coordinates; `tilts`: a plane may be tilted yet.
+    pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, tilts: bool, shown: Shown<'_>) {
         let state = &block.state;
         let tips =
             (state.tip_control != TipControl::Off).then(|| "machine coordinates while tip control is on".to_owned());
@@ -88,6 +89,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
             .or(tips)
+            .or_else(|| if tilts { None } else { tilted(state) })
             .or(length)
             .or_else(|| spindle(state, turns))
             .or_else(|| if dry { coolant(state, 0) } else { None });
@@ -107,7 +109,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// At a stop that retracts, and at the end code.
     pub(super) fn state_at_end(&mut self, block: &Block, shown: Shown<'_>) {
-        let found = spindle(&block.state, None).or_else(|| coolant(&block.state, 0));
+        let state = &block.state;
+        let found = spindle(state, None).or_else(|| coolant(state, 0)).or_else(|| tilted(state));
         self.say(found, shown);
     }
 
@@ -189,6 +192,17 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         None
     }
+
+    /// The register of the tool's radius. A cutting edge, and a row of the tool table, hold the radius with the length.
+    fn radius(&self, state: &State, wanted: &Wanted) -> Option<String> {
+        let apart = matches!(self.family, Family::LinuxCnc | Family::Fanuc | Family::Haas);
+        (apart && state.diameter != Some(wanted.radius))
+            .then(|| format!("the register of the radius is {:?}, it is to be D{}", state.diameter, wanted.radius))
+    }
+}
+
+fn tilted(state: &State) -> Option<String> {
+    state.tilt.map(|_| "a plane is still tilted where the machine has retracted".to_owned())
 }
 
 /// Inverse time belongs to feed blocks.
