@@ -5,6 +5,7 @@
 //!   [`Machine`](pp_runtime::kinematics::Machine); [`conformance!`] makes a test module of them.
 //! - [`random`]: the same random numbers on every platform, forever.
 //! - [`further`]: machines of kinds that the papers do not have.
+//! - [`heap`]: an allocator that counts.
 //! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
 //! - [`program`]: NC programs, read back word by word.
 //! - [`linuxcnc`]: a real control, its interpreter alone and the whole of it, simulated.
@@ -16,6 +17,7 @@ pub mod binaries;
 pub mod block;
 pub mod conformance;
 pub mod further;
+pub mod heap;
 pub mod linuxcnc;
 pub mod oracle;
 pub mod program;

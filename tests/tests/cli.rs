@@ -457,3 +457,37 @@ fn every_word_is_listed() {
         assert!(text.lines().any(|found| found == line), "{line} is missing in\n{text}");
     }
 }
+
+/// The text of comments, without numbers and marks, and with the signs that every control has.
+fn said(lines: &[&str]) -> String {
+    let text = |line: &&str| {
+        let line = line.trim_start_matches(|letter: char| letter.is_ascii_digit()).trim_start();
+        line.trim_start_matches(['(', ';']).trim_end_matches(')').trim().to_owned()
+    };
+    lines.iter().map(text).collect::<Vec<String>>().join(" ").to_lowercase().replace(':', ",")
+}
+
+#[test]
+fn a_program_says_at_its_end_what_its_check_has_found() {
+    for (control, end) in [("linuxcnc", 1), ("fanuc", 2), ("siemens", 1), ("heidenhain", 2), ("haas", 2)] {
+        let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\nGOTO/40,2,3,0.6,0,0.8\n"));
+        shop.write("shop.toml", "[program]\nchecked = true\ntimes = true\n");
+        let with = ["part.cls", "--control", control, "--config", "shop.toml"];
+        let plain = shop.run(&["post", "part.cls", "--control", control]);
+        assert!(!String::from_utf8_lossy(&plain.output).to_lowercase().contains("um of"), "{control}");
+        for (option, words) in [(&[][..], "checked"), (&["--no-check"][..], "not checked")] {
+            let run = shop.run(&[&["post", "-o", "part.nc"], &with[..], option].concat());
+            assert_eq!(run.status, 0, "{control}: {}", run.errors);
+            let verdict = run.errors.lines().find(|line| line.starts_with(words)).expect("it is said");
+            let program = String::from_utf8(shop.read("part.nc")).expect("ASCII");
+            let lines: Vec<&str> = program.lines().collect();
+            let comments = lines.len() - end;
+            let first = (0..comments).rposition(|line| said(&lines[line..=line]).starts_with(words));
+            let first = first.unwrap_or_else(|| panic!("{control}: {words} is not at the end of\n{program}"));
+            assert_eq!(said(&lines[first..comments]), said(&[verdict]), "{control}");
+            assert!(program.is_ascii() && lines.iter().all(|line| line.len() < 160), "{control}");
+            let run = shop.run(&[&["check", "part.cls", "part.nc"], &with[1..]].concat());
+            assert_eq!(run.status, 0, "{control}: {}", run.errors);
+        }
+    }
+}

@@ -15,7 +15,7 @@ use super::chain::Placed;
 use super::expect::{Expect, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
-use super::read::{Action, Block, Family, Length, MAX_AXES, TipControl, WorkOffset, WorkPlane};
+use super::read::{Action, Block, Family, Length, MAX_AXES, WorkOffset, WorkPlane};
 use super::report::{Shown, Tally};
 use super::travel::Travel;
 use super::words::Words;
@@ -49,6 +49,8 @@ pub(super) struct Slack {
     pub(super) tip: f64,
     /// Their tool axes, rad.
     pub(super) axis: f64,
+    /// Tool axes of rotary words alone, rad: the angles of a tilted plane are coarser.
+    pub(super) rotary: f64,
     /// One unit of rotary words, rad.
     pub(super) angle: f64,
 }
@@ -78,6 +80,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     /// The way back to where the rotary axes were rewound.
     pub(super) back: Option<Segment>,
     pub(super) rewound: Option<Placed>,
+    /// How far it was led out there, and where it comes back to.
+    pub(super) rewound_out: Option<Placed>,
     /// How far the last motions have led out along the tool axis, mm.
     pub(super) led_out: f64,
     /// From where the next motion leads out.
@@ -121,12 +125,9 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let rotaries = words.rotary_mask.count_ones();
         // Three angles of a plane, half a thousandth of a degree each.
         let in_plane = if config.mode == Mode::Plane { 3.0 * 0.5e-3_f64.to_radians() } else { 0.0 };
-        let slack = Slack {
-            unit,
-            tip: 0.5 * unit * corner(&machine) + 1e-6,
-            axis: 0.5 * angle * f64::from(rotaries) * 1.01 + config.axis_tolerance.max(AXIS_NOISE) + in_plane,
-            angle,
-        };
+        let rotary = 0.5 * angle * f64::from(rotaries) * 1.01 + config.axis_tolerance.max(AXIS_NOISE);
+        let tip = 0.5 * unit * corner(&machine) + 1e-6;
+        let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, angle };
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
         tally.outcome.tolerance = config.tolerance;
@@ -148,6 +149,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             along: 0.0,
             back: None,
             rewound: None,
+            rewound_out: None,
             led_out: 0.0,
             out_from: None,
             lost: false,
@@ -229,27 +231,12 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             Action::Cycle(cycle) => self.cycle(block, &cycle, shown)?,
             _ => self.part(block, shown)?,
         }
-        self.before = (block.values, block.known);
-        if matches!(block.action, Action::Machine | Action::Reference) {
-            self.before.1 = block.known;
-        } else {
+        if !matches!(block.action, Action::Machine | Action::Reference) {
             self.limits(block, shown);
+            self.limits_on_way(block, shown);
         }
+        self.before = (block.values, block.known);
         Ok(())
-    }
-
-    /// Whether the axes stay within their travel.
-    pub(super) fn limits(&mut self, block: &Block, shown: Shown<'_>) {
-        let solved = self.words.linear_mask | self.words.rotary_mask;
-        let direct = block.state.tip_control == TipControl::Off && block.state.tilt.is_none();
-        if !self.travel.limited() || (!direct && block.known & solved != solved) {
-            return;
-        }
-        let Some(values) = self.words.axes(&block.values, &block.state) else { return };
-        if let Some(text) = self.travel.check(&self.words, &values, block.known) {
-            self.tally.outcome.limits += 1;
-            self.found(shown, &text);
-        }
     }
 
     /// The control turns the rotary axes into a tilted plane.
@@ -302,7 +289,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             return Ok(());
         }
         if block.action != Action::Rapid || !self.leads_out(block, &end, shown) {
-            self.resume(&end, shown)?;
+            self.resume(block, &end, shown)?;
         }
         self.here = Some(end);
         Ok(())

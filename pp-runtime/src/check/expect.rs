@@ -16,7 +16,9 @@ use crate::config::{Config, Operations, Transition};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Pose, Side as ChainSide};
 use crate::post::Setting;
-use crate::program::{Clearance, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+use crate::program::{
+    Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Rotation, Spindle, ToolCall,
+};
 
 /// Items are read ahead up to this many, so that a block can be sought among them.
 const AHEAD: usize = 64;
@@ -28,6 +30,8 @@ const SQUARE: f64 = 5e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Wanted {
     pub(super) tool: Option<u32>,
+    /// Where it is called.
+    pub(super) called: Option<Location>,
     /// Register of its length.
     pub(super) register: u32,
     /// Gauge length, mm.
@@ -39,6 +43,8 @@ pub(super) struct Wanted {
     /// Number of the frame.
     pub(super) frame: u32,
     pub(super) side: Side,
+    /// Register of the tool's radius, where a control has them apart from tools.
+    pub(super) radius: u32,
     /// How far chords may leave the path, mm.
     pub(super) tolerance: f64,
     /// Geometry that the tool leaves before it turns.
@@ -112,8 +118,9 @@ struct Follow<'a> {
     here: Option<Pose>,
     /// What CUTCOM asked for: it begins with a line square to the tool, and ends with the next motion.
     side: Side,
-    /// The side that it asked for last.
+    /// The side that it asked for last, and the register that it named with it.
     last_side: Side,
+    named_radius: Option<u32>,
     operation: u64,
     /// The operation that begins bears the name that was asked for.
     named: bool,
@@ -185,12 +192,14 @@ impl<'a> Follow<'a> {
     fn new(config: &'a Config, family: Family, head: bool) -> Self {
         let wanted = Wanted {
             tool: None,
+            called: None,
             register: 0,
             length: None,
             spindle: None,
             coolant: 0,
             frame: 1,
             side: Side::None,
+            radius: 0,
             tolerance: config.tolerance,
             clearance: config.retract.clearance,
         };
@@ -211,6 +220,7 @@ impl<'a> Follow<'a> {
             here: None,
             side: Side::None,
             last_side: Side::None,
+            named_radius: None,
             operation: 0,
             named: false,
             reached: false,
@@ -283,7 +293,7 @@ impl<'a> Follow<'a> {
                     self.named |= name.trim().eq_ignore_ascii_case(wanted.trim());
                 }
             }
-            Event::Tool(call) => self.tool(&call),
+            Event::Tool(call) => self.tool(Some(at), &call),
             Event::Spindle(spindle) => {
                 take(&mut self.request, &mut self.spindle_off, spindle);
                 if self.start {
@@ -291,17 +301,7 @@ impl<'a> Follow<'a> {
                 }
             }
             Event::Coolant(coolant) => self.coolant = coolant,
-            Event::Compensation(compensation) => {
-                self.side = match compensation.side {
-                    CutterSide::Off => Side::None,
-                    CutterSide::Left => Side::Left,
-                    CutterSide::Right => Side::Right,
-                    CutterSide::On => self.last_side,
-                };
-                if self.side != Side::None {
-                    self.last_side = self.side;
-                }
-            }
+            Event::Compensation(compensation) => self.compensate(compensation),
             Event::From(pose) if self.start => self.here = Some(pose),
             Event::ClearancePlane(plane) => self.wanted.clearance = Some(Clearance::Plane(plane)),
             Event::Delay(dwell) => self.delay(at, dwell),
@@ -323,6 +323,22 @@ impl<'a> Follow<'a> {
         }
     }
 
+    /// CUTCOM: ON takes side and register that were given last.
+    fn compensate(&mut self, asked: Compensation) {
+        let Compensation { side, register, .. } = asked;
+        self.side = match side {
+            CutterSide::Off => return self.side = Side::None,
+            CutterSide::Left => Side::Left,
+            CutterSide::Right => Side::Right,
+            CutterSide::On => self.last_side,
+        };
+        self.last_side = self.side;
+        self.named_radius = register.or(self.named_radius.filter(|_| side == CutterSide::On));
+        let tool = self.wanted.tool.unwrap_or(0);
+        let given = self.config.tools.get(&tool).and_then(|tool| tool.radius_offset);
+        self.wanted.radius = given.or(self.named_radius).unwrap_or(tool);
+    }
+
     /// What follows is a new operation.
     fn begin(&mut self) {
         if !self.start {
@@ -339,13 +355,14 @@ impl<'a> Follow<'a> {
         self.push(at, kind);
     }
 
-    fn tool(&mut self, call: &ToolCall) {
+    fn tool(&mut self, at: Option<Location>, call: &ToolCall) {
         self.begin();
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.config.tools.get(&call.number);
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
         self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         if self.wanted.tool != Some(call.number) {
+            self.wanted.called = at;
             (self.request, self.spindle_off) = if self.called { ((None, None), false) } else { self.in_start };
             self.changed = true;
         }
@@ -366,7 +383,7 @@ impl<'a> Follow<'a> {
         if self.wanted.tool.is_none()
             && let Some(number) = self.config.defaults.tool
         {
-            self.tool(&ToolCall { number, ..ToolCall::default() });
+            self.tool(None, &ToolCall { number, ..ToolCall::default() });
         }
     }
 

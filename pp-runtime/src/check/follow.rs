@@ -24,8 +24,9 @@ const MOST_PLACES: f64 = 400.0;
 /// A share that suits both tip and axis leaves each of them this much farther off than its own best would.
 const BOTH: f64 = std::f64::consts::SQRT_2;
 
-/// Rounding of both ends and of the centre may make an arc longer or shorter by so many times what an end may be off.
-const SWEEP: f64 = 4.0;
+/// An arc that ends where it should has gone round as often as it should if its angle is nearer to that than this, rad.
+/// How far words of centre and ends let it swell is looked at along its way.
+const SAME_TURN: f64 = std::f64::consts::PI;
 
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
@@ -101,8 +102,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             _ => None,
         };
         let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip / self.slack.axis));
-        let whole =
-            !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.length() <= SWEEP * self.slack.tip;
+        let whole = !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.angle() < SAME_TURN;
         if whole && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
@@ -221,16 +221,17 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         // The control itself turns the axis evenly.
         let evenly = block.state.tip_control != TipControl::Off
             && (block.state.vector.is_some() || self.config.tool_posture == ToolPosture::Plane);
-        if self.lost || known & solved != solved || (evenly && block.action == Action::Feed) {
+        if self.lost || known & solved != solved {
             return;
         }
-        let turned = self.rotary_way(&before, &block.values);
+        let evenly = evenly && block.action == Action::Feed;
+        let turned = if evenly { 0.0 } else { self.rotary_way(&before, &block.values) };
         let straight = matches!(block.action, Action::Feed);
         if straight && turned <= 0.0 && matches!(segment.shape, Shape::Line) {
             return;
         }
-        let sweep = if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 };
-        let places = (PLACES + ((turned + sweep) / PLACE).floor()).min(MOST_PLACES);
+        let sweep = sweep(block);
+        let places = places(turned + sweep);
         let (mut tip, mut axis) = (0.0_f64, 0.0_f64);
         let mut after = self.along;
         let mut place = 1.0;
@@ -265,7 +266,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// Largest turn of a rotary axis in a block, rad.
-    fn rotary_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
+    pub(super) fn rotary_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
         let turned = |index: &usize| self.words.rotary_mask & (1 << index) != 0;
         (0..MAX_AXES).filter(turned).map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
     }
@@ -312,6 +313,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if block.action == Action::Rapid || !self.is_at(end, &back.to) {
             return false;
         }
+        let (before, known) = self.before;
+        let rotary = self.words.rotary_mask;
+        if known & rotary == rotary && self.rotary_way(&before, &block.values) > 1.5 * self.slack.angle {
+            self.found(
+                shown,
+                "the rotary axes turn on the way back: they are to be rewound where the machine has retracted",
+            );
+        }
         let wanted = self.expect.get(0).map(|item| item.wanted);
         if let Some(wanted) = wanted {
             self.state_at_path(block, &wanted, shown);
@@ -321,10 +330,36 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         true
     }
 
-    /// A block that serves nothing: says so, and seeks among the motions ahead where the program goes on.
-    pub(super) fn resume(&mut self, end: &Placed, shown: Shown<'_>) -> io::Result<()> {
-        let next = self.expect.get(0).map(|item| &item.kind);
-        let text = match next {
+    /// A block that serves nothing that comes next: says so, and seeks among the motions ahead where the program goes on.
+    /// What lies between has been lost.
+    pub(super) fn resume(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<()> {
+        self.back = None;
+        self.out_from = Some(*end);
+        self.led_out = 0.0;
+        let queue = self.expect.ahead()?;
+        let goes_on = queue.iter().position(|item| matches!(&item.kind, Kind::Motion(motion) if {
+            (motion.to.tip - end.tip).norm() <= self.slack.tip && angle_between(&motion.to.axis, &end.axis) <= self.slack.axis
+        }));
+        if let Some(count @ 1..) = goes_on {
+            self.skip(count, shown);
+            // Where it began is not to be judged.
+            self.lost = true;
+            if self.serve(block, end, shown)? {
+                return Ok(());
+            }
+        }
+        let text = self.serves_nothing(end);
+        self.found(shown, &text);
+        if goes_on.is_some() {
+            self.pass();
+        }
+        self.lost = goes_on.is_none();
+        Ok(())
+    }
+
+    /// Why a block does not do what comes next.
+    fn serves_nothing(&self, end: &Placed) -> String {
+        match self.expect.get(0).map(|item| &item.kind) {
             Some(Kind::Motion(motion)) => {
                 let segment = self.segment(motion, end);
                 let off = segment.distance(end, self.along);
@@ -337,25 +372,43 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             Some(Kind::Raw(_)) => "the program moves on before the block that INSERT asks for".to_owned(),
             Some(Kind::Home) => "the program moves on before GOHOME".to_owned(),
             Some(Kind::Dwell(_)) | None => "this block serves no motion of the CL data".to_owned(),
-        };
-        self.found(shown, &text);
-        self.back = None;
-        let queue = self.expect.ahead()?;
-        let goes_on = queue.iter().position(|item| matches!(&item.kind, Kind::Motion(motion) if {
-            (motion.to.tip - end.tip).norm() <= self.slack.tip && angle_between(&motion.to.axis, &end.axis) <= self.slack.axis
-        }));
-        if let Some(count) = goes_on {
-            (0..=count).for_each(|_| self.pass());
         }
-        self.lost = goes_on.is_none();
-        self.out_from = Some(*end);
-        self.led_out = 0.0;
-        Ok(())
+    }
+
+    /// Passes over items that the program has no block for, and names their lines.
+    pub(super) fn skip(&mut self, count: usize, shown: Shown<'_>) {
+        let asked = (0..count).filter(|index| !self.needless(*index));
+        let mut lines = asked.filter_map(|index| self.expect.get(index)).map(|item| item.at);
+        if let Some(first) = lines.next() {
+            let last = lines.next_back().unwrap_or(first);
+            let which = match last.line - first.line {
+                0 => format!("line {} of the CL data asks", first.line),
+                _ => format!("lines {} to {} of the CL data ask", first.line, last.line),
+            };
+            let text = format!("no block in front of this one does what {which} for: lost, or elsewhere");
+            self.tally.found(first, shown, &text, None);
+        }
+        (0..count).for_each(|_| self.pass());
     }
 }
 
+/// How far an arc goes round, rad; 0 for everything else.
+pub(super) fn sweep(block: &Block) -> f64 {
+    if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 }
+}
+
+/// At how many places of a block that turns so far is looked besides its ends.
+pub(super) fn places(turned: f64) -> f64 {
+    (PLACES + (turned / PLACE).floor()).min(MOST_PLACES)
+}
+
 /// Words at a share of a block.
-fn between(before: &[f64; MAX_AXES], block: &Block, share: f64, linear: [Option<usize>; 3]) -> [f64; MAX_AXES] {
+pub(super) fn between(
+    before: &[f64; MAX_AXES],
+    block: &Block,
+    share: f64,
+    linear: [Option<usize>; 3],
+) -> [f64; MAX_AXES] {
     let mut words: [f64; MAX_AXES] =
         std::array::from_fn(|index| before[index] + (block.values[index] - before[index]) * share);
     if let (Action::Arc(ArcMove { centre, sweep }), Some(plane)) = (&block.action, block.state.plane) {

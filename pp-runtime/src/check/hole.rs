@@ -104,6 +104,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.pass();
             self.expect.fill(2)?;
         }
+        if let Some(count) = self.holes_lost(block, cycle)? {
+            self.skip(count, shown);
+        }
         let front = self
             .expect
             .get(0)
@@ -145,6 +148,23 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.here = end.or(Some(back));
         self.lost = false;
         Ok(())
+    }
+
+    /// How many items lie in front of the hole that a cycle makes, if that is not the next one.
+    fn holes_lost(&mut self, block: &Block, cycle: &CycleMove) -> std::io::Result<Option<usize>> {
+        let Some(at) = self.at_level(block, cycle.reference) else { return Ok(None) };
+        let largest = self.slack.tip;
+        let makes = |item: &Item| {
+            item.hole.is_some_and(|Wanted { hole, .. }| {
+                let axis = hole.top.axis.into_inner();
+                let step = at.tip - hole.top.tip.coords;
+                (step - axis * step.dot(&axis)).norm() <= largest && angle_between(&at.axis, &axis) <= self.slack.axis
+            })
+        };
+        if self.expect.get(0).is_some_and(makes) {
+            return Ok(None);
+        }
+        Ok(self.expect.ahead()?.iter().position(makes))
     }
 
     /// Where the tool is at a level of a cycle.

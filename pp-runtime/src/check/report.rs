@@ -92,7 +92,8 @@ impl Tally {
     /// Notes a finding about a block; `at` is the line of the CL data that it should serve.
     #[cold]
     pub(super) fn found(&mut self, at: Location, shown: Shown<'_>, text: &str, help: Option<&str>) {
-        let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN)]);
+        // Between these marks findings of one kind may differ.
+        let block = String::from_utf8_lossy(&shown.text[..shown.text.len().min(SHOWN)]).replace('`', "'");
         let text = match block.is_empty() {
             true => text.to_owned(),
             false => format!("{text}; line {} of the program is `{block}`", shown.line),

@@ -98,7 +98,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         // Where nobody knows where the tool is, behind a stop, the operator has the coolant in hand.
         let dry = self.phase != Phase::Unknown && (!rewinds || self.config.retract.rewind_dry);
-        self.state_at_retract(block, dry, shown);
+        let tilts = matches!(self.phase, Phase::Path | Phase::Out);
+        self.state_at_retract(block, dry, tilts, shown);
         self.phase = Phase::Clear(0);
         self.retracted = true;
         self.here = None;
@@ -164,6 +165,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let rewinds = self.rewinds();
         if rewinds {
             self.rewound = self.here_on_path();
+            self.rewound_out = Some(out);
         }
         self.state_at_leave(block, !rewinds || self.config.retract.rewind_dry, shown);
         self.phase = Phase::Out;
@@ -191,6 +193,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if self.expect.get(0).is_none() || (self.parks && step == 1 && self.parks_rotary(block)) {
             self.park(block, shown);
             return Ok(());
+        }
+        while let Some(Item { kind: Kind::Stop { .. } | Kind::Raw(_) | Kind::Home, .. }) = self.expect.get(0) {
+            self.skip(1, shown);
         }
         if let Phase::Clear(before) = self.phase
             && (step == 0 || step < before)
@@ -228,6 +233,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if off > self.slack.axis {
             let off = off.to_degrees();
             self.found(shown, &format!("the rotary axes stand {off:.4} deg off the plane that the control tilts"));
+        } else if let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) {
+            let off = angle_between(&stands, &motion.to.axis);
+            if off > self.slack.rotary {
+                let off = off.to_degrees();
+                self.found(shown, &format!("the rotary axes stand {off:.4} deg off the tool axis of the CL data"));
+            }
         }
     }
 
@@ -241,8 +252,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             return;
         }
         while let Some(Item { kind: Kind::Dwell(_), .. }) = self.expect.get(0) {
-            self.found(shown, "a wait of the CL data is missing before this approach");
-            self.expect.pop();
+            self.skip(1, shown);
         }
         let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) else {
             self.found(shown, "an approach, and the CL data has no motion here");
@@ -279,6 +289,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn come_back(&mut self, pose: Placed, end: &Placed, shown: Shown<'_>) {
         let along = (end.tip - pose.tip).dot(&pose.axis);
         let above = Placed { tip: pose.tip + pose.axis * along, axis: pose.axis };
+        let above = self.rewound_out.take().unwrap_or(above);
         if along < -self.slack.tip || !self.is_at(end, &above) {
             self.found(shown, "behind a rewind the tool does not come back above the place that it left");
         }

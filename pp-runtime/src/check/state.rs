@@ -23,10 +23,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .everywhere(state, side)
             .or_else(|| if block.action == Action::Rapid { inverse(state) } else { None })
             .or_else(|| self.frame(state, true))
-            .or_else(|| self.tool(state, wanted, true))
+            .or_else(|| self.offsets(state, wanted, true))
+            .or_else(|| self.radius(state, wanted).filter(|_| beside))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
             .or_else(|| coolant(state, wanted.coolant));
-        self.say(found, shown);
+        self.say_with_tool(found, state, wanted, shown);
     }
 
     /// Left of the words is right of the path.
@@ -51,10 +52,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
             .or_else(|| self.frame(state, step > 1))
-            .or_else(|| self.tool(state, &wanted, last || !moves_z))
+            .or_else(|| self.offsets(state, &wanted, last || !moves_z))
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
             .or_else(|| if self.rewound.is_some() { None } else { coolant(state, 0) });
-        self.say(found, shown);
+        self.say_with_tool(found, state, &wanted, shown);
     }
 
     /// Out along the tool axis.
@@ -65,13 +66,16 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
             .or_else(|| self.frame(state, true))
-            .or_else(|| wanted.and_then(|wanted| self.tool(state, &wanted, true)))
+            .or_else(|| wanted.and_then(|wanted| self.offsets(state, &wanted, true)))
             .or_else(|| if dry { coolant(state, 0) } else { None });
-        self.say(found, shown);
+        match wanted {
+            Some(wanted) => self.say_with_tool(found, state, &wanted, shown),
+            None => self.say(found, shown),
+        }
     }
 
-    /// In machine coordinates.
-    pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, shown: Shown<'_>) {
+    /// In machine coordinates; `tilts`: a plane may be tilted yet.
+    pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, tilts: bool, shown: Shown<'_>) {
         let state = &block.state;
         let tips =
             (state.tip_control != TipControl::Off).then(|| "machine coordinates while tip control is on".to_owned());
@@ -85,6 +89,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
             .or(tips)
+            .or_else(|| if tilts { None } else { tilted(state) })
             .or(length)
             .or_else(|| spindle(state, turns))
             .or_else(|| if dry { coolant(state, 0) } else { None });
@@ -104,7 +109,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// At a stop that retracts, and at the end code.
     pub(super) fn state_at_end(&mut self, block: &Block, shown: Shown<'_>) {
-        let found = spindle(&block.state, None).or_else(|| coolant(&block.state, 0));
+        let state = &block.state;
+        let found = spindle(state, None).or_else(|| coolant(state, 0)).or_else(|| tilted(state));
         self.say(found, shown);
     }
 
@@ -112,6 +118,16 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if let Some(text) = found {
             self.found(shown, &text);
         }
+    }
+
+    /// A wrong tool is told where the CL data calls the right one; what else is wrong then may follow from it.
+    fn say_with_tool(&mut self, found: Option<String>, state: &State, wanted: &Wanted, shown: Shown<'_>) {
+        if state.tool == wanted.tool {
+            return self.say(found, shown);
+        }
+        let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
+        let text = format!("{} is in the spindle, it is to be {}", name(state.tool), name(wanted.tool));
+        self.tally.found(wanted.called.unwrap_or_else(|| self.location()), shown, &text, None);
     }
 
     /// What holds for every block that moves.
@@ -157,11 +173,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
-    fn tool(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {
-        if state.tool != wanted.tool {
-            let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
-            return Some(format!("{} is in the spindle, it is to be {}", name(state.tool), name(wanted.tool)));
-        }
+    /// Work offset, and length compensation if asked for.
+    fn offsets(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {
         let offset = self.offsets.iter().find(|(frame, _)| *frame == wanted.frame).map(|(_, offset)| *offset);
         if state.work_offset != offset {
             return Some(format!("the work offset is {:?}, it is to be {offset:?}", state.work_offset));
@@ -179,6 +192,17 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         None
     }
+
+    /// The register of the tool's radius. A cutting edge, and a row of the tool table, hold the radius with the length.
+    fn radius(&self, state: &State, wanted: &Wanted) -> Option<String> {
+        let apart = matches!(self.family, Family::LinuxCnc | Family::Fanuc | Family::Haas);
+        (apart && state.diameter != Some(wanted.radius))
+            .then(|| format!("the register of the radius is {:?}, it is to be D{}", state.diameter, wanted.radius))
+    }
+}
+
+fn tilted(state: &State) -> Option<String> {
+    state.tilt.map(|_| "a plane is still tilted where the machine has retracted".to_owned())
 }
 
 /// Inverse time belongs to feed blocks.

@@ -241,14 +241,19 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
         reject(args, target, map_file, &reason, &mut messages)?;
         return Ok(Status::Rejected);
     }
-    checking.close().map_err(unwritable)?;
+    let verdict = checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary());
+    if config.program.checked {
+        checking.close_behind(&comments(control, &verdict), control.spellings().counted).map_err(unwritable)?;
+    } else {
+        checking.close().map_err(unwritable)?;
+    }
     if config.file_units_assumed {
         messages.note("assumed: lengths of the configuration file are in mm (`units` is not set there)");
     }
     for line in report.summary() {
         messages.note(&line);
     }
-    messages.note(&checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary()));
+    messages.note(&verdict);
     if let Some(target) = target {
         let removed = target.finish(|line| is_rejected(control, line)).map_err(unwritable)?;
         if removed {
@@ -361,9 +366,18 @@ const REJECTED: &str = "REJECTED ";
 
 /// A comment of one line as the control spells it.
 fn comment(control: &dyn Control, text: &str) -> Vec<u8> {
-    let mut line = Vec::new();
-    control.comment(&text.as_bytes()[..text.len().min(control.spellings().comment.length)], &mut line);
-    line
+    comments(control, text).into_iter().next().unwrap_or_default()
+}
+
+/// A comment as the control spells it, on as many lines as it needs.
+fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
+    let lines = control::lines_of(text.as_bytes(), control.spellings().comment.length);
+    let spelled = lines.map(|text| {
+        let mut line = Vec::new();
+        control.comment(text, &mut line);
+        line
+    });
+    spelled.collect()
 }
 
 /// Whether a line is the first one of a rejected program.

@@ -2,7 +2,7 @@
 //!
 //! Bytes go to the output and, in pieces over a bounded channel, to the check, which reads the CL data on its own. The
 //! last lines, in which the program ends, are held back until the check has passed: a program that did not pass has no
-//! end code.
+//! end code, and one that did may say so in front of it.
 
 use std::io::{self, Read, Seek as _, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -109,7 +109,7 @@ impl Read for Pieces {
     }
 }
 
-/// Writes to the output and to the check.
+/// Writes to the output and to the check, where there is one.
 pub(super) struct Checking<'a> {
     out: &'a mut dyn Write,
     check: Option<SelfCheck>,
@@ -140,9 +140,28 @@ impl<'a> Checking<'a> {
     pub(super) fn close_with(self, comments: &[Vec<u8>]) -> io::Result<()> {
         let kept = self.without_end();
         self.out.write_all(&self.held[..kept])?;
+        comments.iter().try_for_each(|comment| write_line(self.out, None, comment))?;
+        self.out.flush()
+    }
+
+    /// Writes comments in front of the end; `counted`: every line has its number, one more than that of the line before.
+    pub(super) fn close_behind(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
+        let kept = self.without_end();
+        self.out.write_all(&self.held[..kept])?;
+        let mut number = if counted { numbered(&self.held[kept..]).map(|(number, _)| number) } else { None };
         for comment in comments {
-            self.out.write_all(comment)?;
-            self.out.write_all(b"\n")?;
+            write_line(self.out, number, comment)?;
+            number = number.map(|number| number + 1);
+        }
+        for line in self.held[kept..].split_inclusive(|byte| *byte == b'\n') {
+            let line = line.strip_suffix(b"\n").unwrap_or(line);
+            match (number, numbered(line)) {
+                (Some(now), Some((_, text))) => {
+                    write_line(self.out, number, text)?;
+                    number = Some(now + 1);
+                }
+                _ => write_line(self.out, None, line)?,
+            }
         }
         self.out.flush()
     }
@@ -157,8 +176,9 @@ impl<'a> Checking<'a> {
 
 impl Write for Checking<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let Some(check) = self.check.as_mut() else { return self.out.write(bytes) };
-        check.take(bytes);
+        if let Some(check) = self.check.as_mut() {
+            check.take(bytes);
+        }
         self.held.extend_from_slice(bytes);
         if self.held.len() >= PIECE {
             let kept = self.without_end();
@@ -171,4 +191,19 @@ impl Write for Checking<'_> {
     fn flush(&mut self) -> io::Result<()> {
         self.out.flush()
     }
+}
+
+fn write_line(out: &mut dyn Write, number: Option<u64>, text: &[u8]) -> io::Result<()> {
+    if let Some(number) = number {
+        write!(out, "{number} ")?;
+    }
+    out.write_all(text)?;
+    out.write_all(b"\n")
+}
+
+/// The number that a line begins with, and what stands behind it.
+fn numbered(line: &[u8]) -> Option<(u64, &[u8])> {
+    let blank = line.iter().position(|byte| *byte == b' ')?;
+    let number = str::from_utf8(&line[..blank]).ok()?.parse().ok()?;
+    Some((number, &line[blank + 1..]))
 }

@@ -66,6 +66,8 @@ pub struct ControlSetup {
     pub tip_control: Option<[String; 2]>,
     /// Name of the swivel data of CYCLE800; default none: there is only one.
     pub swivel_data: Option<String>,
+    /// All axes of a rapid arrive together, as in a feed motion; default as usual on the control.
+    pub linear_rapids: Option<bool>,
     /// Every word in every block; default false.
     pub every_word: bool,
     /// Names of axes on the control; default their letters.
@@ -132,6 +134,9 @@ impl Config {
         }
         if let Some(value) = self.get(section, "control.swivel_data") {
             self.control.swivel_data = r.line(value);
+        }
+        if let Some(value) = self.get(section, "control.linear_rapids") {
+            self.control.linear_rapids = r.boolean(value);
         }
         if let Some(value) = self.get(section, "control.every_word") {
             set(&mut self.control.every_word, r.boolean(value));

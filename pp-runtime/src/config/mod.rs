@@ -392,6 +392,8 @@ pub struct Program {
     pub line_numbers: Option<u32>,
     /// Machining times as comments at the end; default false.
     pub times: bool,
+    /// What the check of the program has found as a comment at the end; default false.
+    pub checked: bool,
 }
 
 impl Default for Config {

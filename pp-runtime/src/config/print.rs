@@ -303,6 +303,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # e.g. tip_control = ["M428", "M429"]
 # Name of the swivel data of CYCLE800.
 # e.g. swivel_data = "TABLE"
+# All axes of a rapid arrive together under tip control (Fanuc: parameter 1401#1): the check of limits asks for it.
+# e.g. linear_rapids = true
 # Every word in every block.
 #every_word = {every_word}
 # Names of axes where they are not their letters.
@@ -314,6 +316,8 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 #end = []
 # Machining times as comments at the end.
 #times = false
+# The figures of the check of the program as a comment at the end, or that it was not checked.
+#checked = false
 # Step of the block numbers. Without it there are none.
 # e.g. line_numbers = {step}
 "#,

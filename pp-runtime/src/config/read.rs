@@ -362,6 +362,9 @@ impl Config {
         if let Some(value) = self.get(section, "program.times") {
             set(&mut self.program.times, r.boolean(value));
         }
+        if let Some(value) = self.get(section, "program.checked") {
+            set(&mut self.program.checked, r.boolean(value));
+        }
         if let Some(value) = self.get(section, "program.line_numbers") {
             self.program.line_numbers = r.whole(value, 1..=1000);
         }

@@ -81,6 +81,17 @@ fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {
     }
 }
 
+/// A text in lines of so many bytes; none of an empty one.
+pub(crate) fn lines_of(text: &[u8], length: usize) -> impl Iterator<Item = &[u8]> {
+    let mut rest = Some(text);
+    let lines = std::iter::from_fn(move || {
+        let (line, behind) = line_of(rest?, length);
+        rest = behind;
+        Some(line)
+    });
+    lines.filter(|line| !line.is_empty())
+}
+
 /// A name of capitals, digits and `_`.
 fn plain(name: &str) -> String {
     let byte = |byte: char| if byte.is_ascii_alphanumeric() { byte.to_ascii_uppercase() } else { '_' };
@@ -208,19 +219,12 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// # Errors
     /// Those of the output.
     pub fn comment(&mut self, text: &[u8]) -> io::Result<()> {
-        let mut rest = text;
-        loop {
-            let (piece, behind) = line_of(rest, self.codes.comment.length);
-            if !piece.is_empty() {
-                self.line.clear();
-                self.control.comment(piece, &mut self.line);
-                self.writer.line(&self.line)?;
-            }
-            match behind {
-                Some(behind) => rest = behind,
-                None => return Ok(()),
-            }
+        for piece in lines_of(text, self.codes.comment.length) {
+            self.line.clear();
+            self.control.comment(piece, &mut self.line);
+            self.writer.line(&self.line)?;
         }
+        Ok(())
     }
 
     /// Keeps the lines that are written, from the first one on, until they are taken.

@@ -161,7 +161,12 @@ impl Draft {
     }
 }
 
+/// A line with more wrong words than this is told by these.
+const MOST_FAULTS: usize = 20;
+
 /// Collects what is wrong with a line.
 pub(super) fn fault(faults: &mut Vec<Fault>, column: usize, text: impl Into<String>) {
-    faults.push(Fault { column: column + 1, text: text.into() });
+    if faults.len() < MOST_FAULTS {
+        faults.push(Fault { column: column + 1, text: text.into() });
+    }
 }

@@ -129,9 +129,13 @@ impl<R: Read> Reader<R> {
             self.block.faults.clear();
             self.draft = Draft::default();
             if long {
-                fault(&mut self.block.faults, 0, "this line is too long");
+                fault(
+                    &mut self.block.faults,
+                    0,
+                    format!("this line is longer than {LONGEST} bytes and has not been read"),
+                );
             }
-            if self.read_line() || !self.block.faults.is_empty() {
+            if long || self.read_line() || !self.block.faults.is_empty() {
                 self.block.line = self.number;
                 self.machine.execute(&self.draft, &mut self.block);
                 return Ok(Some((&self.block, &self.line)));
@@ -172,13 +176,14 @@ impl<R: Read> Reader<R> {
     /// Reads a line, with those that continue it; says whether it was cut off.
     fn next_line(&mut self) -> io::Result<Option<bool>> {
         self.line.clear();
-        let mut long = false;
+        let (mut long, mut any) = (false, false);
         loop {
             let before = self.line.len();
             let read = (&mut self.input).take(LONGEST as u64).read_until(b'\n', &mut self.line)?;
             if read == 0 {
-                return Ok(if before == 0 { None } else { Some(long) });
+                return Ok(any.then_some(long));
             }
+            any = true;
             self.number += 1;
             if self.line.last() == Some(&b'\n') {
                 self.line.pop();
@@ -186,14 +191,18 @@ impl<R: Read> Reader<R> {
                 long = true;
                 self.skip_line()?;
             }
-            while self.line.last().is_some_and(u8::is_ascii_whitespace) {
+            while self.line.len() > before && self.line.last().is_some_and(u8::is_ascii_whitespace) {
                 self.line.pop();
             }
-            let goes_on = matches!(self.syntax, Syntax::Heidenhain(_)) && self.line.last() == Some(&b'~');
-            if !goes_on || self.line.len() > LONGEST {
+            let goes_on = matches!(self.syntax, Syntax::Heidenhain(_)) && self.line[before..].last() == Some(&b'~');
+            long |= self.line.len() > LONGEST;
+            if long {
+                self.line.truncate(LONGEST);
+            }
+            if !goes_on {
                 return Ok(Some(long));
             }
-            self.line.pop();
+            self.line.truncate(if long { before } else { self.line.len() - 1 });
         }
     }
 

@@ -125,7 +125,7 @@ pub(super) fn tenths(number: Number) -> Option<u32> {
     (exact && !number.negative && tenths <= 100_000.0).then_some(tenths as u32)
 }
 
-/// Bytes as text for a message.
+/// Bytes as text for a message, where they stand between back quotes.
 pub(super) fn shown(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(&bytes[..bytes.len().min(60)]).into_owned()
+    String::from_utf8_lossy(&bytes[..bytes.len().min(60)]).replace('`', "'")
 }

@@ -1,0 +1,66 @@
+//! A global allocator that counts, for suites that say what is allocated and how much at once.
+//!
+//! A suite makes it its own with `#[global_allocator] static ALLOCATOR: Counting = Counting;`. Counts belong to a thread:
+//! other tests run beside it. What one thread takes and another gives back counts for each as it sees it.
+#![allow(unsafe_code)] // a global allocator cannot be written without
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+thread_local! {
+    static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
+    /// Bytes in use, and the most there have been.
+    static LIVE: Cell<isize> = const { Cell::new(0) };
+    static PEAK: Cell<isize> = const { Cell::new(0) };
+}
+
+/// The system's allocator with counts.
+#[derive(Debug)]
+pub struct Counting;
+
+fn take(bytes: usize) {
+    ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+    LIVE.set(LIVE.get() + bytes as isize);
+    PEAK.set(PEAK.get().max(LIVE.get()));
+}
+
+fn give_back(bytes: usize) {
+    LIVE.set(LIVE.get() - bytes as isize);
+}
+
+// SAFETY: every call is passed on to the system's allocator unchanged; counting touches thread-locals without
+// destructors, which themselves allocate nothing.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        take(layout.size());
+        // SAFETY: as our caller promised.
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        give_back(layout.size());
+        // SAFETY: as our caller promised.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        // While the bytes are moved both are in use.
+        take(size);
+        give_back(layout.size());
+        // SAFETY: as our caller promised.
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+/// How often the work allocates.
+pub fn allocations(work: impl FnOnce()) -> usize {
+    let before = ALLOCATIONS.get();
+    work();
+    ALLOCATIONS.get() - before
+}
+
+/// What the work gives, and the most bytes that it has in use at once besides those from before.
+pub fn peak<T>(work: impl FnOnce() -> T) -> (T, usize) {
+    let before = LIVE.get();
+    PEAK.set(before);
+    let result = work();
+    (result, (PEAK.get() - before).max(0) as usize)
+}

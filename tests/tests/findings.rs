@@ -1,0 +1,170 @@
+//! What the check of a program says, and of which line: programs that are posted and then edited as a person might.
+
+use std::io::Cursor;
+
+use machines::SpinnerU5620;
+use pp_runtime::check::{Job, check};
+use pp_runtime::config::{Config, Units};
+use pp_runtime::control::{self, Control};
+use pp_runtime::diag::Diagnostic;
+use pp_runtime::post::{self, post};
+
+/// A program beside its CL data.
+struct Posted {
+    config: Config,
+    control: &'static dyn Control,
+    data: String,
+    program: String,
+}
+
+impl Posted {
+    fn new(control: &str, config: &str, data: &str) -> Self {
+        let control = control::by_name(control).expect("a control");
+        let config = control::starting_point(control).read_over::<SpinnerU5620>(config).expect("a configuration");
+        let config = Config { output_units: Some(Units::Millimetres), ..config };
+        let mut program = Vec::new();
+        let job = post::Job { cl_name: "part.cls", config: &config, control, units: None };
+        let report = post::<SpinnerU5620>(&job, &mut Cursor::new(data), &mut program).expect("it can be written");
+        assert!(!report.failed, "{:?}", report.diagnostics);
+        Self { config, control, data: data.to_owned(), program: String::from_utf8(program).expect("ASCII") }
+    }
+
+    /// What is found in a program.
+    fn findings(&self, program: &str) -> Vec<Diagnostic> {
+        let job = Job { config: &self.config, control: self.control, units: None };
+        let checked = check::<SpinnerU5620>(&job, Cursor::new(&self.data), program.as_bytes()).expect("it can be read");
+        checked.outcome.findings
+    }
+}
+
+const HEAD: &str = "UNITS/MM\nLOADTL/1,LENGTH,100.0\nSPINDL/RPM,1000,CLW\nFEDRAT/MMPM,500.0\nRAPID\n";
+
+/// The table turns by half a turn while the tip comes from 40 mm to the middle of it.
+const INWARDS: &str = "GOTO/40.0,0.0,0.0,0.5,0.0,0.8660254\nRAPID\nGOTO/0.0,0.0,0.0,-0.5,0.0,0.8660254\n";
+
+#[test]
+fn under_tip_control_the_way_of_a_rapid_stays_within_the_limits_too() {
+    let found = |control: &str, linear: &str, limit: f64| {
+        let config = format!(
+            "mode = 'tcp'\ntcp_frame = 'table_at_zero'\ntransition = 'direct'\nindex_angle = 360\n\
+             machine_zero = {{ X = 0, Y = 0, Z = -600 }}\n[retract]\ndistance = 20\n[limits]\nY = [-{limit}, {limit}]\n\
+             [control]\n{linear}\n"
+        );
+        let posted = Posted::new(control, &config, &format!("{HEAD}{INWARDS}"));
+        let found = posted.findings(&posted.program);
+        assert!(found.iter().all(|found| found.location.line == 8), "{control}: {found:?}");
+        found.into_iter().map(|found| found.text).collect::<Vec<String>>().join("; ")
+    };
+    let (linear, apart) = ("linear_rapids = true", "linear_rapids = false");
+    for (control, usual) in [("fanuc", apart), ("siemens", linear), ("heidenhain", linear), ("haas", apart)] {
+        // Together they lead Y out to 23 mm on the way, each on its own to 40 mm.
+        assert_eq!(found(control, linear, 30.0), "", "{control}");
+        assert!(found(control, linear, 15.0).starts_with("on its way Y goes to -15."), "{control}");
+        let text = found(control, apart, 30.0);
+        assert!(text.starts_with("where each axis of this rapid runs on its own, Y goes to -3"), "{control}: {text}");
+        assert_eq!(found(control, apart, 41.0), "", "{control}");
+        assert_eq!(found(control, "", 30.0), found(control, usual, 30.0), "{control}");
+    }
+}
+
+#[test]
+fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
+    let arc = "GOTO/20.0,0.0,0.0,0.0,0.0,1.0\nFEDRAT/MMPM,500.0\nGOTO/20.0,0.0,-1.0\n\
+        CIRCLE/0.0,0.0,-1.0,0.0,0.0,1.0,20.0\nGOTO/-20.0,0.0,-1.0\n";
+    let within = |limit: f64| {
+        format!(
+            "machine_zero = {{ X = 0, Y = 0, Z = -600 }}\n[retract]\ndistance = 20\n[limits]\nY = [-{limit}, {limit}]\n"
+        )
+    };
+    for control in ["linuxcnc", "siemens", "heidenhain"] {
+        let wide = Posted::new(control, &within(20.0), &format!("{HEAD}{arc}"));
+        assert!(wide.findings(&wide.program).is_empty(), "{control}: {}", wide.program);
+        let control = wide.control;
+        let narrow =
+            control::starting_point(control).read_over::<SpinnerU5620>(&within(19.0)).expect("a configuration");
+        let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..wide };
+        let found = narrow.findings(&narrow.program);
+        assert!(found.len() == 1 && found[0].text.contains("on its way Y goes to"), "{found:?}");
+    }
+}
+
+/// A tool that mills, and one that drills; each line of it asks for one thing.
+const TWO: &str = "UNITS/MM
+LOADTL/1,LENGTH,100.0
+SPINDL/RPM,1000,CLW
+FEDRAT/MMPM,500.0
+RAPID
+GOTO/0.0,0.0,20.0,0.0,0.0,1.0
+GOTO/1.0,2.0,-1.0
+GOTO/11.0,4.0,-1.0
+GOTO/17.0,9.0,-2.0
+GOTO/19.0,13.0,-3.0
+RAPID
+GOTO/19.0,13.0,20.0
+RAPID
+GOTO/41.0,31.0,22.0
+GOTO/43.0,37.0,-1.0
+RAPID
+GOTO/43.0,37.0,20.0
+OPSTOP
+LOADTL/2,LENGTH,80.0
+SPINDL/RPM,2000,CLW
+RAPID
+GOTO/0.0,0.0,20.0
+CYCLE/DRILL,RAPTO,2.0,FEDTO,-6.0,RTRCTO,AUTO,MMPM,150.0
+GOTO/10.0,10.0,0.0
+GOTO/21.0,15.0,0.0
+GOTO/32.0,25.0,0.0
+GOTO/44.0,35.0,0.0
+CYCLE/OFF
+RAPID
+GOTO/44.0,35.0,20.0
+";
+
+/// A program without one of its lines; where lines have numbers they are counted anew, as an editor does.
+fn without(program: &str, lost: usize) -> String {
+    let lines = program.lines().enumerate().filter(|(index, _)| *index != lost).map(|(_, line)| line);
+    let mut next = 0;
+    let counted = lines.map(|line| match line.split_once(' ') {
+        Some((number, text)) if number.parse::<u64>().is_ok() => {
+            next += 1;
+            format!("{} {text}\n", next - 1)
+        }
+        _ => format!("{line}\n"),
+    });
+    counted.collect()
+}
+
+#[test]
+fn what_a_lost_line_should_have_done_is_named_with_its_line_of_the_cl_data() {
+    const LOST: &str = "no block in front of this one does what line";
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        let posted = Posted::new(control, "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
+        assert!(posted.findings(&posted.program).is_empty());
+        let change = if control == "heidenhain" { "TOOL CALL 2" } else { "M6" };
+        let (a_feed, a_rapid, a_hole) = (["X11", "8"], ["X41", "14"], ["X32", "26"]);
+        for [word, line] in [a_feed, a_rapid, a_hole, ["M1", "18"], [change, "19"]] {
+            let plain = |text: &str| text.replace(['+', '.'], " ").replace("M0", "M").replace("X ", "X");
+            let has = |text: &str| plain(text).contains(&format!("{word} "));
+            let lost = posted.program.lines().collect::<Vec<&str>>().iter().rposition(|text| has(&format!("{text} ")));
+            let found = posted.findings(&without(&posted.program, lost.unwrap_or_else(|| panic!("{word}"))));
+            let first = found.first().unwrap_or_else(|| panic!("{control} {word}: nothing is found"));
+            assert_eq!(first.location.line.to_string(), line, "{control} {word}: {found:?}");
+            if word == change {
+                assert!(first.text.starts_with("T1 is in the spindle, it is to be T2"), "{control}: {found:?}");
+            } else {
+                assert!(first.text.starts_with(&format!("{LOST} {line} of")), "{control} {word}: {found:?}");
+                assert_eq!(found.len(), 1, "{control} {word}: {found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn lines_that_are_lost_together_are_named_together() {
+    let posted = Posted::new("linuxcnc", "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
+    let at = posted.program.lines().position(|line| line == "X11 Y4").expect("it is there");
+    let found = posted.findings(&without(&without(&posted.program, at), at));
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert!(found[0].text.contains("what lines 8 to 9 of the CL data ask for"), "{found:?}");
+}
