@@ -70,6 +70,11 @@ impl<'a> Round<'a> {
         (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle).hypot(self.rise)
     }
 
+    /// What it rises on 1 mm of its way in the plane.
+    pub(crate) fn slope(&self) -> f64 {
+        self.rise / (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle)
+    }
+
     /// Parts of the way, the ends left out, at which the tip may be furthest in a direction or against it.
     ///
     /// With `H cos(t - φ)` for the circle and `s t` for the helix the derivative vanishes where `sin(t - φ) = s/H`. Of the

@@ -15,7 +15,7 @@ use crate::program::{Arc, Location, Move};
 
 use super::account::Why;
 use super::arc::Round;
-use super::circle::{Circle, Grid, Nominal, Plane};
+use super::circle::{Circle, Grid, Nominal, Off, Plane};
 use super::course::Target;
 use super::fault::Fault;
 use super::feed::{Feeds, Stroke};
@@ -25,6 +25,9 @@ use super::step::{Feed, Sink, Step, Words};
 
 /// More turns than this of one record are a fault of the file.
 const MOST_TURNS: f64 = 1e6;
+
+/// How far rounding moves an end in its plane, units: half the diagonal of a square.
+const ROUNDED: f64 = 0.7072;
 
 /// Turns that are whole but for arithmetic.
 const WHOLE: f64 = 1e-9;
@@ -248,9 +251,10 @@ impl<M: Machine> Planner<'_, M> {
         let grid = Grid { per_mm: 1.0 / unit, radius_tolerance: self.abilities.arc_radius_tolerance };
         let nominal = Nominal { sweep: nominal.sweep * share, ..nominal };
         let fit = nominal.fit(start, end, grid)?;
-        // Height goes with the angle, which is a little off, and is rounded.
-        let height = lean + 0.5 * unit + (round.rise * share * (fit.sweep / nominal.sweep - 1.0)).abs();
-        let within = |off: f64| off.hypot(height) <= self.tolerance.tip;
+        // Height goes with the angle. Seen from the nominal centre a point leads by what the centre is off, and by as much
+        // more because the ends do not, and by the rounding of these; heights are rounded themselves.
+        let height = |off: Off| lean + 0.5 * unit + round.slope().abs() * (2.0 * off.centre + ROUNDED * unit);
+        let within = |off: Off| off.plane.hypot(height(off)) <= self.tolerance.tip;
         if !within(fit.off)
             || self.placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second])
         {

@@ -89,8 +89,16 @@ pub(super) struct Fit {
     pub(super) centre: [i64; 2],
     /// Angle of the circle that the words say, rad.
     pub(super) sweep: f64,
-    /// How far that circle is off the nominal one, mm.
-    pub(super) off: f64,
+    pub(super) off: Off,
+}
+
+/// How far the circle of some words is off the nominal one, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Off {
+    /// In its plane.
+    pub(super) plane: f64,
+    /// Its centre: so much does a point lead or lag, seen from either centre.
+    pub(super) centre: f64,
 }
 
 fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
@@ -114,7 +122,7 @@ impl Nominal {
     }
 
     /// The circle between two rounded points about `centre`, mm.
-    fn judged(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, f64) {
+    fn judged(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, Off) {
         let (first, last) = (minus(start, centre), minus(end, centre));
         let sweep = if whole { TAU } else { self.turn(first, last) };
         let radii = [length(first), length(last)];
@@ -144,7 +152,7 @@ impl Nominal {
                 }
             }
         }
-        (sweep, off + (radii[1] - radii[0]).abs())
+        (sweep, Off { plane: off + (radii[1] - radii[0]).abs(), centre: length(shift) })
     }
 
     /// The words of the circle between two points in whole units; `None` if none say it.
@@ -184,7 +192,7 @@ impl Nominal {
     }
 
     /// The radius that says the same as a centre, in whole units, and how far the circle of its words is off, mm.
-    pub(super) fn radius(&self, start: [i64; 2], end: [i64; 2], fit: &Fit, grid: Grid) -> Option<(i64, f64)> {
+    pub(super) fn radius(&self, start: [i64; 2], end: [i64; 2], fit: &Fit, grid: Grid) -> Option<(i64, Off)> {
         let small = fit.sweep.min(TAU - fit.sweep);
         if !(CLEAR_SWEEP[0]..=CLEAR_SWEEP[1]).contains(&small) {
             return None;
@@ -231,7 +239,7 @@ mod tests {
             let units = (radius * 1e3).floor() as i64;
             for aside in 0..40 {
                 let fit = nominal.fit([units, aside], [units + 1, aside], GRID);
-                let off = fit.map(|fit| (fit.off, length(fit.centre.map(|units| units as f64 / 1e3))));
+                let off = fit.map(|fit| (fit.off.plane, length(fit.centre.map(|units| units as f64 / 1e3))));
                 assert!(off.is_none_or(|(off, shift)| off > 0.8 * shift), "{radius} {aside}: {off:?}");
             }
         }
@@ -284,7 +292,7 @@ mod tests {
                     let r = length(first) + (length(last) - length(first)) * part;
                     let point = [middle[0] + r * angle.cos(), middle[1] + r * angle.sin()];
                     let off = (length(minus(point, centre)) - radius).abs();
-                    prop_assert!(off <= fit.off + 1e-9, "{off} {fit:?}");
+                    prop_assert!(off <= fit.off.plane + 1e-9, "{off} {fit:?}");
                 }
                 let reached = begin + sweep.signum() * fit.sweep;
                 let (x, y) = (middle[0] + length(last) * reached.cos(), middle[1] + length(last) * reached.sin());
@@ -307,7 +315,7 @@ mod tests {
                     ];
                     prop_assert!(length(minus(said, middle)) < 0.1 * radius + 0.01, "{said:?} {middle:?}");
                     prop_assert!((length(minus(start, said)) - r).abs() < 1e-6);
-                    prop_assert!(off < 1.0);
+                    prop_assert!(off.plane < 1.0);
                 }
             }
         }
@@ -322,7 +330,7 @@ mod tests {
         ) {
             let (nominal, start, end) = circle(centre, radius, from, sweep);
             let fit = nominal.fit(start, end, GRID);
-            prop_assert!(fit.is_some_and(|fit| fit.off < 0.004), "{fit:?}");
+            prop_assert!(fit.is_some_and(|fit| fit.off.plane < 0.004), "{fit:?}");
         }
     }
 }

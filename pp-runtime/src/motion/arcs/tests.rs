@@ -381,6 +381,26 @@ fn within_tolerance<M: Machine>(wanted: &Wanted) -> Result<usize, TestCaseError>
     Ok(arcs)
 }
 
+/// Where little is missing to a whole turn, the rounding of the ends moves the centre that a radius means by much more, and on
+/// a steep helix that is a matter of height.
+#[test]
+fn a_radius_is_given_up_where_it_moves_a_steep_helix() {
+    let axis = UnitVector3::new_normalize(Vector3::new(0.797_319_3, -0.210_594_66, 0.565_625_16));
+    let wanted = Wanted {
+        axis,
+        normal: axis,
+        centre: Point3::new(-25.628_104_398_322_82, -1.202_534_399_602_534_4, -50.025_363_532_522_17),
+        radius: 37.011_357_780_175_62,
+        from: 4.195_508_645_271_561,
+        angle: 6.195_197_583_527_851,
+        rise: -160.368_586_786_825_32,
+    };
+    for around in 0..40 {
+        let wanted = Wanted { from: wanted.from + f64::from(around) * 1e-4, ..wanted };
+        within_tolerance::<Mirrored>(&wanted).unwrap_or_else(|failure| panic!("{failure}"));
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
