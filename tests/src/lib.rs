@@ -8,7 +8,7 @@
 //! - [`heap`]: an allocator that counts.
 //! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
 //! - [`program`]: NC programs, read back word by word.
-//! - [`linuxcnc`]: whether a real control is there to be asked.
+//! - [`linuxcnc`]: a real control, its interpreter alone and the whole of it, simulated.
 //! - [`binaries`]: the machines' binaries, built and run.
 //!
 //! Nothing here knows how a machine solves its equations. NaN fails a check, it never passes one.

@@ -47,7 +47,8 @@ pub struct Moved {
 const PASSED: [&str; 14] = ["(", ";", "*", "%", "O", "o", "FN", "LBL", "IF", "ENDIF", "MSG", "BEGIN", "END", "BLK"];
 
 /// The text of a line without its number, the comment behind it and the separator of names and numbers.
-fn stripped(line: &str) -> &str {
+#[must_use]
+pub fn stripped(line: &str) -> &str {
     let text = match line.split_once(' ') {
         Some((number, rest)) if number.trim_start_matches('N').parse::<u32>().is_ok() => rest,
         _ => line,

@@ -3,58 +3,11 @@
 //! Where it is not installed the tests say so and pass, unless `PP_REQUIRE_LINUXCNC=1` asks for it. The interpreter reads
 //! its tool table in inches; a tool is as long there as the program was posted for, so that the length guards let it pass.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::process::Command;
 
-use tempfile::TempDir;
 use tests::binaries::{binary, workspace};
 use tests::linuxcnc::installed;
-
-/// Length of a tool of which the program says nothing, mm.
-const ANY_LENGTH: f64 = 100.0;
-
-/// Length of each register that a program calls, mm.
-fn lengths(program: &str) -> BTreeMap<u32, f64> {
-    let mut lengths = BTreeMap::new();
-    let mut tool = 0;
-    for line in program.lines() {
-        for word in line.split(' ').filter(|_| !line.starts_with(['(', 'o'])) {
-            if let Some(number) = word.strip_prefix('T').and_then(|number| number.parse().ok()) {
-                tool = number;
-                lengths.entry(number).or_insert(ANY_LENGTH);
-            }
-            if let Some(number) = word.strip_prefix('H').and_then(|number| number.parse().ok()) {
-                lengths.entry(number).or_insert(ANY_LENGTH);
-            }
-        }
-        // The guard stands behind the call of its tool.
-        if let Some((_, length)) = line.split_once("[ABS[#5403 - ") {
-            let length = length.split(']').next().and_then(|length| length.parse().ok());
-            lengths.insert(tool, length.expect("a length"));
-        }
-    }
-    lengths
-}
-
-/// Runs a program with tools that are longer than it says by `off` mm; the canonical calls, or what is wrong.
-fn interpreted(program: &str, off: f64) -> Result<String, String> {
-    let folder = TempDir::new().expect("a temporary folder");
-    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("the folder takes files");
-    let row = |(number, length): (u32, f64)| format!("T{number} P{number} Z{:+.7} D+0.25\n", (length + off) / 25.4);
-    write("tool.tbl", &lengths(program).into_iter().map(row).collect::<String>());
-    write("params.var", "");
-    write("program.ngc", program);
-    let output = Command::new("rs274")
-        .current_dir(folder.path())
-        // It keeps the tool table in a file of the home folder, which runs at the same time would share.
-        .env("HOME", folder.path())
-        .args(["-g", "-t", "tool.tbl", "-v", "params.var", "program.ngc"])
-        .output()
-        .expect("rs274 runs");
-    let (calls, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    if output.status.success() { Ok(calls.into_owned()) } else { Err(errors.trim().to_owned()) }
-}
+use tests::linuxcnc::interpreter::interpret;
 
 /// Blocks of a program that move something, and whether a cycle is among them, which makes several motions of a block.
 fn moving_blocks(program: &str) -> (usize, bool) {
@@ -69,7 +22,7 @@ fn moving_blocks(program: &str) -> (usize, bool) {
 
 /// Runs a program that has to pass, every motion of it.
 fn assert_runs(name: &str, program: &str) {
-    let calls = interpreted(program, 0.0).unwrap_or_else(|errors| panic!("{name}: {errors}"));
+    let calls = interpret(program, 0.0).unwrap_or_else(|errors| panic!("{name}: {errors}"));
     let motion = |line: &&str| ["STRAIGHT_", "ARC_FEED", "RIGID_TAP"].iter().any(|call| line.contains(call));
     let motions = calls.lines().filter(motion).count();
     let (blocks, cycles) = moving_blocks(program);
@@ -140,10 +93,10 @@ fn a_tool_of_another_length_is_stopped_by_the_guard_and_a_wrong_block_by_the_int
     let path = workspace().join("tests/data/two_tools/lola-xoyzba.linuxcnc.nc");
     let program = fs::read_to_string(path).expect("ASCII");
     for off in [0.011, -0.011] {
-        let errors = interpreted(&program, off).expect_err("stopped");
+        let errors = interpret(&program, off).expect_err("stopped");
         assert!(errors.contains("T1 was posted with L = 120"), "{errors}");
     }
-    assert!(interpreted(&program, 0.009).is_ok());
-    let wrong = interpreted(&program.replacen("\nM8\n", "\nG68.2\n", 1), 0.0).expect_err("no such code");
+    assert!(interpret(&program, 0.009).is_ok());
+    let wrong = interpret(&program.replacen("\nM8\n", "\nG68.2\n", 1), 0.0).expect_err("no such code");
     assert!(wrong.contains("G68.2"), "{wrong}");
 }

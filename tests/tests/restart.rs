@@ -3,10 +3,16 @@
 //! Whoever enters there has switched the control on, and the tool of the operation stands in the spindle.
 
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
+use pp_runtime::check::read::{Action, Block, TipControl};
+use pp_runtime::check::{Job, blocks};
+use pp_runtime::config::{Config, Mode};
+use pp_runtime::control;
+use pp_runtime::kinematics::{AxisKind, Machine};
 use tests::binaries::workspace;
-use tests::state::{Moved, State, moved, restarts};
+use tests::state::{Moved, State, moved, restarts, stripped};
 
 /// The golden programs, in their order.
 fn goldens() -> Vec<PathBuf> {
@@ -109,5 +115,125 @@ fn a_state_that_is_lost_behind_a_restart_point_is_seen() {
         let without = text[at].replacen(lost, "", 1);
         text[at] = &without;
         assert!(enter(&text.join("\n"), line).is_err(), "{name} without {lost}");
+    }
+}
+
+/// The blocks of a program of `works` in a mode, as the reader of the check has them: it knows tip control and planes.
+fn read<M: Machine>(program: &str, control: &str, mode: Mode) -> Vec<Block> {
+    let text = fs::read_to_string(workspace().join("tests/data/works/works.toml")).expect("a configuration");
+    let control = control::by_name(control).expect("it is there");
+    let config = control::starting_point(control).read_over::<M>(&text).expect("a valid configuration");
+    let config = Config { mode, ..config };
+    blocks::<M>(&Job { config: &config, control, units: None }, program.as_bytes()).expect("it can be read")
+}
+
+/// Whether both are on with the rotary axes at the same angles, or both off.
+fn same_tip_control<M: Machine>(one: &TipControl, other: &TipControl) -> bool {
+    let (TipControl::On { start: one }, TipControl::On { start: other }) = (one, other) else { return one == other };
+    let rotary = |(axis, _): &(&pp_runtime::kinematics::Axis, _)| axis.kind == AxisKind::Rotary;
+    M::AXES.iter().zip(one.iter().zip(other)).filter(rotary).all(|(_, (one, other))| (one - other).abs() < 1e-12)
+}
+
+/// Why a block that is entered before does not do what it does in the whole program.
+fn parted<M: Machine>(whole: &Block, entered: &Block, solved: u16) -> Option<&'static str> {
+    let (one, other) = (&whole.state, &entered.state);
+    let same = |index: usize| (whole.values[index] - entered.values[index]).abs() < 1e-12;
+    let mut places = (0..solved.count_ones() as usize).filter(|index| entered.known & (1 << index) != 0);
+    let cuts = matches!(entered.action, Action::Feed | Action::Arc(_) | Action::Cycle(_));
+    let own_feed = matches!(entered.action, Action::Cycle(cycle) if cycle.feed.is_some());
+    match () {
+        () if whole.action != entered.action || whole.written != entered.written => Some("another motion"),
+        () if !places.all(same) => Some("another place"),
+        () if !same_tip_control::<M>(&one.tip_control, &other.tip_control) => Some("another tip control"),
+        () if (one.tilt, one.vector) != (other.tilt, other.vector) => Some("another plane"),
+        () if !cuts => None,
+        () if entered.known & solved != solved => Some("an axis whose place nobody knows"),
+        () if (one.work_offset, one.units) != (other.work_offset, other.units) => Some("another offset"),
+        () if (one.incremental, one.side) != (other.incremental, other.side) => Some("another way to count"),
+        () if (one.spindle, one.speed, one.coolant) != (other.spindle, other.speed, other.coolant) => {
+            Some("another spindle")
+        }
+        () if !own_feed && (one.feed_mode, one.feed) != (other.feed_mode, other.feed) => Some("another feed"),
+        () if (one.length, one.plane) != (other.length, other.plane) => Some("another length or plane"),
+        () => None,
+    }
+}
+
+/// What goes wrong where a program of a mode is entered at some lines.
+fn enter_mode<M: Machine>(program: &str, control: &str, mode: Mode, lines: &[usize]) -> Result<(), String> {
+    let whole = read::<M>(program, control, mode);
+    let solved = (1_u16 << M::AXES.iter().filter(|axis| !axis.held).count()) - 1;
+    for &line in lines {
+        // A Heidenhain control is told the unit in the first line, and length and plane with the tool that stands in the
+        // spindle.
+        let call = |text: &&str| stripped(text).strip_prefix("TOOL CALL ").is_some_and(|call| !call.starts_with('S'));
+        let before: Vec<&str> = program.lines().take(line).collect();
+        let mut text: Vec<&str> =
+            before.first().into_iter().chain(before.iter().rfind(|text| call(text))).copied().collect();
+        let told = text.len() as u64;
+        text.extend(program.lines().skip(line));
+        let entered = read::<M>(&text.join("\n"), control, mode);
+        let moves = |block: &&Block| block.action != Action::Nothing;
+        let tail: Vec<&Block> = whole.iter().filter(|block| block.line > line as u64).filter(moves).collect();
+        let rest: Vec<&Block> = entered.iter().filter(|block| block.line > told).filter(moves).collect();
+        if tail.len() != rest.len() || rest.len() < 5 {
+            return Err(format!("line {}: {} blocks, in the whole program {}", line + 1, rest.len(), tail.len()));
+        }
+        for (one, other) in tail.iter().zip(&rest) {
+            if let Some(why) = parted::<M>(one, other, solved) {
+                return Err(format!("entered at line {}, line {}: {why}\n{one:?}\n{other:?}", line + 1, one.line));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// [`enter_mode`] for a machine.
+type Enter = fn(&str, &str, Mode, &[usize]) -> Result<(), String>;
+
+fn works(mode: &str, machine: &str, control: &str) -> String {
+    let folder = workspace().join("tests/data/works");
+    let path = folder.join(Path::new(mode).join(format!("{machine}.{control}.nc")));
+    fs::read_to_string(path).expect("a golden program")
+}
+
+#[test]
+fn programs_under_tip_control_and_in_planes_are_entered_with_their_frames() {
+    let mut entries = 0;
+    for (name, mode) in [("tcp", Mode::Tcp), ("plane", Mode::Plane)] {
+        for control in ["fanuc", "siemens", "heidenhain", "haas"] {
+            let mut enter = |machine: &str, enter: Enter| {
+                let program = works(name, machine, control);
+                let lines = restarts(&program);
+                entries += lines.len();
+                let entered = enter(&program, control, mode, &lines);
+                entered.unwrap_or_else(|why| panic!("{name} {machine} {control}, {why}"));
+            };
+            enter("spinner-u5-620", enter_mode::<SpinnerU5620>);
+            enter("dmu-70e", enter_mode::<Dmu70e>);
+            enter("lola-xoyzba", enter_mode::<LolaXoyzba>);
+        }
+    }
+    assert!(entries >= 72, "{entries} entries");
+}
+
+#[test]
+fn a_frame_that_is_lost_behind_a_restart_point_is_seen() {
+    for (mode, name, control, lost) in [
+        (Mode::Tcp, "tcp", "fanuc", "G43.4 "),
+        (Mode::Tcp, "tcp", "siemens", "TRAORI"),
+        (Mode::Tcp, "tcp", "heidenhain", "FUNCTION TCPM"),
+        (Mode::Plane, "plane", "fanuc", "G53.1"),
+        (Mode::Plane, "plane", "siemens", "CYCLE800(0"),
+        (Mode::Plane, "plane", "heidenhain", "PLANE SPATIAL"),
+        (Mode::Plane, "plane", "haas", "G268"),
+    ] {
+        // Whoever enters behind the block that brings the frame does not have it.
+        let program = works(name, "spinner-u5-620", control);
+        let entry = restarts(&program)[1];
+        let found = program.lines().skip(entry).position(|text| text.contains(lost));
+        let behind = entry + 1 + found.unwrap_or_else(|| panic!("{name} {control}: no {lost}"));
+        let entered = enter_mode::<SpinnerU5620>(&program, control, mode, &[behind]);
+        assert!(entered.is_err(), "{name} {control} without {lost}");
     }
 }

@@ -27,6 +27,8 @@ pub(super) enum Command {
     Post(Box<PostArgs>),
     /// Compare a program with its CL data: path, feed, state and safe sequences
     Check(Box<CheckArgs>),
+    /// Tell where a block of the program comes from: its record, why it is there, and where the machine stands behind it
+    ExplainBlock(Box<ExplainBlockArgs>),
     /// Print a configuration file that holds every default
     Config(ConfigArgs),
     /// Print how the kinematics of this machine were derived, and a jog sheet
@@ -105,6 +107,9 @@ pub(super) struct PostArgs {
     /// Program to write; `-` is standard output
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     pub(super) output: PathBuf,
+    /// Write for each line of the program which record it serves, why, and where the machine stands behind it
+    #[arg(long, value_name = "FILE.json", value_parser = map_file)]
+    pub(super) map: Option<PathBuf>,
     /// Do not read the program back and compare it with the CL data
     #[arg(long)]
     pub(super) no_check: bool,
@@ -133,6 +138,40 @@ impl CheckArgs {
     pub(super) fn format(&self) -> MessageFormat {
         if self.json { MessageFormat::Json } else { self.set_up.message_format }
     }
+}
+
+/// Arguments of `explain-block`.
+#[derive(Debug, Args)]
+pub(super) struct ExplainBlockArgs {
+    /// CL data; `-` is standard input
+    #[arg(value_name = "IN.cls")]
+    pub(super) input: PathBuf,
+    /// The block: `N1230` by its number, `57` by its line in the program
+    #[arg(value_name = "BLOCK", value_parser = block_name)]
+    pub(super) block: BlockName,
+    #[command(flatten)]
+    pub(super) set_up: SetUpArgs,
+}
+
+/// Which block is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum BlockName {
+    /// By the number that stands in it.
+    Number(u32),
+    /// By its place in the program, from 1.
+    Line(u64),
+}
+
+/// The file of a map.
+fn map_file(text: &str) -> Result<PathBuf, String> {
+    if text == "-" { Err("the name of a file is needed".to_owned()) } else { Ok(text.into()) }
+}
+
+/// `N1230` or `57`.
+fn block_name(text: &str) -> Result<BlockName, String> {
+    let number = text.strip_prefix(['N', 'n']).map(|number| number.parse().map(BlockName::Number).ok());
+    let name = number.unwrap_or_else(|| text.parse().ok().filter(|line| *line > 0).map(BlockName::Line));
+    name.ok_or_else(|| "`N1230`, a block number, or `57`, a line of the program, is needed".to_owned())
 }
 
 /// How CL data becomes a program: what posting and checking have to agree on.

@@ -7,6 +7,8 @@ mod args;
 mod check;
 mod excerpt;
 mod explain;
+mod explain_block;
+mod map;
 mod messages;
 mod self_check;
 mod source;
@@ -14,10 +16,11 @@ mod target;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fs;
 use std::io::{self, BufWriter, IsTerminal as _, Read, Seek as _, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 use crate::cl;
@@ -25,9 +28,10 @@ use crate::config::{self, Config};
 use crate::control::{self, Control};
 use crate::diag::Severity;
 use crate::kinematics::Machine;
-use crate::post::{Job, PostError, Proof, Report, post, prove};
+use crate::post::{Account, Job, PostError, Proof, Report, post_with_account, prove};
 
 use args::{Command, MessageFormat, PostArgs, ProofArgs, SetUpArgs};
+use map::{Map, MapFile};
 use messages::{Messages, headline};
 use self_check::{Checking, SelfCheck};
 use source::{Source, same_file};
@@ -40,7 +44,8 @@ pub fn run<M: Machine>() -> ExitCode {
     let terminal = io::stderr().is_terminal();
     let (mut input, mut output, mut errors) = (io::stdin(), io::stdout(), io::stderr());
     let streams = Streams { input: &mut input, output: &mut output, errors: &mut errors, terminal };
-    let status = execute::<M>(&args, streams, &|job, source, sink| post::<M>(job, source, sink));
+    let status =
+        execute::<M>(&args, streams, &|job, source, sink, account| post_with_account::<M>(job, source, sink, account));
     ExitCode::from(status as u8)
 }
 
@@ -66,7 +71,7 @@ struct Streams<'a> {
 type Sink<'a> = BufWriter<&'a mut dyn Write>;
 
 /// The posting, so that tests can put their own in its place.
-type Post<'a> = &'a dyn Fn(&Job<'_>, &mut Source, &mut Sink<'_>) -> Result<Report, PostError>;
+type Post<'a> = &'a dyn Fn(&Job<'_>, &mut Source, &mut Sink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError>;
 
 /// Why there is no result.
 #[derive(Debug, thiserror::Error)]
@@ -110,11 +115,13 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
     let format = match &command {
         Command::Post(args) => args.set_up.message_format,
         Command::Check(args) => args.format(),
+        Command::ExplainBlock(args) => args.set_up.message_format,
         Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
         Command::Post(args) => post_file::<M>(&args, &mut streams, post),
         Command::Check(args) => check::run::<M>(&args, &mut streams),
+        Command::ExplainBlock(args) => explain_block::run::<M>(&args, &mut streams),
         Command::Config(args) => {
             let config = control::starting_point(args.control());
             let text = if args.schema { config::schema::<M>(&config) } else { config::print::<M>(&config) };
@@ -176,11 +183,7 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
     };
 
     let name = source.name().to_owned();
-    // The header names the file, not the folder: the same data gives the same program anywhere.
-    let cl_name = match is_standard(&args.input) {
-        true => "standard input".into(),
-        false => args.input.file_name().unwrap_or_default().to_string_lossy(),
-    };
+    let cl_name = cl_name(&args.input);
     let control = args.set_up.control();
     let job = Job { cl_name: &cl_name, config: &config, control, units: config.cl_units };
     if streams.terminal && args.set_up.message_format == MessageFormat::Human {
@@ -197,8 +200,11 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
         1 + control.spellings().closing.len(),
     );
     let mut sink = Sink::new(&mut checking);
-    let posted = post(&job, &mut source, &mut sink);
+    let mut map_file = args.map.as_deref().map(MapFile::create).transpose()?;
+    let mut map = map_file.as_mut().map(|file| file.begin::<M>(&cl_name, control)).transpose()?;
+    let posted = post(&job, &mut source, &mut sink, map.as_mut().map(|map| map as &mut dyn Account));
     let written = sink.flush();
+    let mapped = map.map_or(Ok(()), Map::end);
     // What could not be written is not tried again.
     drop(sink.into_parts());
     source.hide_progress();
@@ -212,6 +218,7 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
         Err(PostError::Output(error)) => return Err(Failure::unwritable(&args.output, error)),
     };
     written.map_err(|error| Failure::unwritable(&args.output, error))?;
+    mapped.map_err(|error| Failure::unwritable(args.map.as_deref().unwrap_or(&args.output), error))?;
     let unwritable = |error| Failure::unwritable(&args.output, error);
 
     if !report.diagnostics.is_empty() {
@@ -224,14 +231,14 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
     if report.failed || first_error.is_some() {
         checking.close().map_err(unwritable)?;
         let reason = first_error.map_or_else(|| "the CL data has errors".to_owned(), |found| headline(&name, found));
-        reject(args, target, &reason, &mut messages)?;
+        reject(args, target, map_file, &reason, &mut messages)?;
         return Ok(Status::Rejected);
     }
     let checked = checking.verdict().transpose().map_err(|error| check::failure(error, &name, &args.output))?;
     if let Some(reason) = self_check::against(checked.as_ref(), &name, &mut source, &mut messages) {
         let lines = [format!("ERROR: {reason}"), "the program ends here: do not run it".to_owned()];
         checking.close_with(&lines.map(|line| comment(control, &line))).map_err(unwritable)?;
-        reject(args, target, &reason, &mut messages)?;
+        reject(args, target, map_file, &reason, &mut messages)?;
         return Ok(Status::Rejected);
     }
     let verdict = checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary());
@@ -253,12 +260,20 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
             messages.note(&format!("removed {} of an earlier run", rejected_path(&args.output).display()));
         }
     }
+    map_file.map_or(Ok(()), MapFile::finish)?;
     messages.note("done");
     Ok(Status::Done)
 }
 
 /// Says where the program went that was cut short, and sees to it that nothing stands under the final name.
-fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut Messages<'_>) -> Result<(), Failure> {
+fn reject(
+    args: &PostArgs,
+    target: Option<Target>,
+    map: Option<MapFile>,
+    reason: &str,
+    messages: &mut Messages<'_>,
+) -> Result<(), Failure> {
+    map.map_or(Ok(()), MapFile::discard)?;
     let Some(target) = target else {
         messages.note("rejected: the program on standard output is not complete and must not be run");
         return Ok(());
@@ -313,26 +328,32 @@ fn read_file<M: Machine>(
     }
 }
 
-/// Neither the program nor its rejected form may replace a file that is read.
+/// Nothing that is written may replace a file that is read, or another that is written.
 fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
-    if is_standard(&args.output) {
-        return Ok(());
-    }
-    let sources: [(Option<&PathBuf>, &str); 2] = [
+    let output = Some(&args.output).filter(|path| !is_standard(path));
+    let rejected = output.map(|path| rejected_path(path));
+    let read = [
         (Some(&args.input).filter(|path| !is_standard(path)), "CL data"),
         (args.set_up.config.as_ref(), "configuration"),
     ];
-    for written in [args.output.clone(), rejected_path(&args.output)] {
-        for (read, what) in sources {
-            if let Some(read) = read
-                && same_file(&written, read)
-            {
-                let what = format!("the {what} {}", read.display());
-                return Err(Failure::Overwrites(written.display().to_string(), what));
-            }
+    let written = [(output, "program"), (rejected.as_ref(), "rejected program")];
+    let programs = written.into_iter().filter_map(|(path, _)| path).flat_map(|path| read.map(|read| (path, read)));
+    let maps = args.map.iter().flat_map(|path| read.into_iter().chain(written).map(move |other| (path, other)));
+    for (path, (other, what)) in programs.chain(maps) {
+        if let Some(other) = other
+            && same_file(path, other)
+        {
+            let what = format!("the {what} {}", other.display());
+            return Err(Failure::Overwrites(path.display().to_string(), what));
         }
     }
     Ok(())
+}
+
+/// What the head of a program calls its CL data: the file and not the folder, so that the same data gives the same program
+/// anywhere.
+fn cl_name(path: &Path) -> Cow<'_, str> {
+    if is_standard(path) { "standard input".into() } else { path.file_name().unwrap_or_default().to_string_lossy() }
 }
 
 /// `-` is standard input or output.

@@ -121,11 +121,20 @@ impl Seek for Source {
 
 /// Whether two paths lead to one file, by whatever names.
 pub(super) fn same_file(one: &Path, other: &Path) -> bool {
-    let (Ok(first), Ok(second)) = (fs::metadata(one), fs::metadata(other)) else { return false };
-    match (identity(&first), identity(&second)) {
-        (Some(first), Some(second)) => first == second,
-        _ => matches!((fs::canonicalize(one), fs::canonicalize(other)), (Ok(one), Ok(other)) if one == other),
+    if let (Ok(first), Ok(second)) = (fs::metadata(one), fs::metadata(other))
+        && let (Some(first), Some(second)) = (identity(&first), identity(&second))
+    {
+        return first == second;
     }
+    matches!((place(one), place(other)), (Ok(one), Ok(other)) if one == other)
+}
+
+/// Where a file stands or would stand, whatever its folder is called.
+fn place(path: &Path) -> io::Result<PathBuf> {
+    fs::canonicalize(path).or_else(|_| {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        Ok(fs::canonicalize(folder)?.join(path.file_name().unwrap_or_default()))
+    })
 }
 
 #[cfg(unix)]

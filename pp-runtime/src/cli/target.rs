@@ -72,14 +72,30 @@ impl Target {
         Ok(first_line(&rejected).is_ok_and(|line| is_rejected(&line)) && fs::remove_file(rejected).is_ok())
     }
 
+    /// Leaves nothing under the final name.
+    pub(super) fn discard(self) -> io::Result<()> {
+        match self.kind {
+            Kind::Renamed(_) => self.clear().map(drop),
+            Kind::Direct(_) => Ok(()),
+        }
+    }
+
+    /// Removes what stands under the final name; whether there was anything.
+    fn clear(&self) -> io::Result<bool> {
+        match fs::remove_file(&self.path) {
+            Ok(()) => Ok(true),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
+            Err(error) => Err(error),
+        }
+    }
+
     /// Puts the program beside the final name with `reason` as its first line, and removes what stands there.
     pub(super) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
-        let Kind::Renamed(mut file) = self.kind else { return Ok(Rejected { path: None, removed: false }) };
-        let removed = match fs::remove_file(&self.path) {
-            Ok(()) => true,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => false,
-            Err(error) => return Err(error),
+        let removed = match self.kind {
+            Kind::Renamed(_) => self.clear()?,
+            Kind::Direct(_) => false,
         };
+        let Kind::Renamed(mut file) = self.kind else { return Ok(Rejected { path: None, removed }) };
         let path = rejected_path(&self.path);
         let mut whole = temporary_beside(&path)?;
         whole.write_all(reason)?;

@@ -35,7 +35,12 @@ fn run_on<M: Machine>(args: &[&str], input: &[u8], post: Post<'_>) -> Outcome {
 }
 
 /// Reads the text twice, as the posting does, and writes it behind a `;`.
-fn echo(_job: &Job<'_>, source: &mut Source, sink: &mut Sink<'_>) -> Result<Report, PostError> {
+fn echo(
+    _job: &Job<'_>,
+    source: &mut Source,
+    sink: &mut Sink<'_>,
+    _: Option<&mut dyn Account>,
+) -> Result<Report, PostError> {
     let (mut first, mut second) = (Vec::new(), Vec::new());
     source.read_to_end(&mut first).map_err(PostError::Input)?;
     source.rewind().map_err(PostError::Input)?;
@@ -51,13 +56,23 @@ fn finding(severity: Severity, line: u64, column: u32, length: u32, text: &str, 
 }
 
 /// Writes one block and then finds an error in line 2.
-fn stumble(_job: &Job<'_>, _source: &mut Source, sink: &mut Sink<'_>) -> Result<Report, PostError> {
+fn stumble(
+    _job: &Job<'_>,
+    _source: &mut Source,
+    sink: &mut Sink<'_>,
+    _: Option<&mut dyn Account>,
+) -> Result<Report, PostError> {
     sink.write_all(b"G0 X0\n(error)\n").map_err(PostError::Output)?;
     let error = finding(Severity::Error, 2, 6, 3, "GOTO needs 3 or 6 numbers (found 1)", Some("write X, Y and Z"));
     Ok(Report { diagnostics: vec![error], failed: true, ..Report::default() })
 }
 
-fn never(_job: &Job<'_>, _source: &mut Source, _sink: &mut Sink<'_>) -> Result<Report, PostError> {
+fn never(
+    _job: &Job<'_>,
+    _source: &mut Source,
+    _sink: &mut Sink<'_>,
+    _: Option<&mut dyn Account>,
+) -> Result<Report, PostError> {
     panic!("there is nothing to post")
 }
 
@@ -122,8 +137,8 @@ fn a_program_stands_under_its_name_when_it_is_done() {
 fn nothing_stands_under_the_final_name_while_the_program_is_written() {
     let shop = Shop::new();
     let out = shop.path("part.ngc");
-    let outcome = shop.post(&[], &|job, source, sink| {
-        let report = echo(job, source, sink)?;
+    let outcome = shop.post(&[], &|job, source, sink, account| {
+        let report = echo(job, source, sink, account)?;
         sink.flush().map_err(PostError::Output)?;
         assert!(!out.exists());
         Ok(report)
@@ -159,7 +174,8 @@ fn an_error_in_the_cl_data_leaves_only_a_rejected_program() {
 #[test]
 fn an_error_diagnostic_rejects_even_if_the_report_does_not_say_failed() {
     let shop = Shop::new();
-    let outcome = shop.post(&[], &|job, source, sink| Ok(Report { failed: false, ..stumble(job, source, sink)? }));
+    let outcome = shop
+        .post(&[], &|job, source, sink, account| Ok(Report { failed: false, ..stumble(job, source, sink, account)? }));
     assert_eq!(outcome.status, Status::Rejected);
     assert!(!shop.path("part.ngc").exists());
 }
@@ -167,9 +183,9 @@ fn an_error_diagnostic_rejects_even_if_the_report_does_not_say_failed() {
 #[test]
 fn a_warning_does_not_reject() {
     let shop = Shop::new();
-    let outcome = shop.post(&[], &|job, source, sink| {
+    let outcome = shop.post(&[], &|job, source, sink, account| {
         let warning = finding(Severity::Warning, 1, 1, 6, "the name is short", None);
-        Ok(Report { diagnostics: vec![warning], ..echo(job, source, sink)? })
+        Ok(Report { diagnostics: vec![warning], ..echo(job, source, sink, account)? })
     });
     assert_eq!(outcome.status, Status::Done);
     assert!(outcome.errors.contains("part.cls:1:1: warning: the name is short\n  |\n1 | PARTNO A\n  | ^^^^^^\n"));
@@ -201,8 +217,8 @@ const PART: &str = "UNITS/MM\nTOOL PATH/FACE,TOOL,MILL\nLOADTL/1\nSPINDL/RPM,300
 fn tampered(
     from: &'static str,
     to: &'static str,
-) -> impl Fn(&Job<'_>, &mut Source, &mut Sink<'_>) -> Result<Report, PostError> {
-    move |job, source, sink| {
+) -> impl Fn(&Job<'_>, &mut Source, &mut Sink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError> {
+    move |job, source, sink, _| {
         let mut program = Vec::new();
         let report = crate::post::post::<Cb>(job, source, &mut program)?;
         let text = String::from_utf8(program).expect("ASCII").replace(from, to);
@@ -291,9 +307,9 @@ fn check_names_both_lines_and_has_its_status() {
 
 #[test]
 fn standard_input_is_spooled_and_read_twice() {
-    let outcome = run_with(&["post", "-", "--no-check"], b"GOTO/1,2,3\n", &|job, source, sink| {
+    let outcome = run_with(&["post", "-", "--no-check"], b"GOTO/1,2,3\n", &|job, source, sink, account| {
         assert_eq!(job.cl_name, "standard input");
-        echo(job, source, sink)
+        echo(job, source, sink, account)
     });
     assert_eq!(outcome.status, Status::Done);
     assert_eq!(outcome.output, ";GOTO/1,2,3\n");
@@ -338,7 +354,7 @@ fn a_failing_read_or_write_is_status_2_and_leaves_the_earlier_program() {
     ] {
         let shop = Shop::new();
         shop.write("part.ngc", "yesterday");
-        let outcome = shop.post(&[], &|_, _, _| Err(error(io::Error::other("the disk is gone"))));
+        let outcome = shop.post(&[], &|_, _, _, _| Err(error(io::Error::other("the disk is gone"))));
         assert_eq!(outcome.status, Status::NotRun);
         assert!(outcome.errors.starts_with(words) && outcome.errors.contains("the disk is gone"));
         assert_eq!(shop.names(), ["part.cls", "part.ngc"]);
@@ -429,8 +445,8 @@ fn cl_data_that_changes_or_vanishes_meanwhile_is_status_2() {
     for (change, words) in changes.into_iter().zip(["changed while it was read", "vanished while it was read"]) {
         let shop = Shop::new();
         shop.write("part.ngc", "yesterday");
-        let outcome = shop.post(&[], &|job, source, sink| {
-            let report = echo(job, source, sink)?;
+        let outcome = shop.post(&[], &|job, source, sink, account| {
+            let report = echo(job, source, sink, account)?;
             change(&shop.path("part.cls"));
             Ok(report)
         });
@@ -447,9 +463,9 @@ fn the_command_line_goes_on_top_of_the_configuration_file() {
     shop.write("shop.toml", "cl_units = 'mm'\nwork_offset = 'G55'\n");
     let seen = RefCell::new(None);
     let flags = ["--config", &shop.arg("shop.toml"), "--units", "in", "--output-units", "mm", "--line-numbers"];
-    let outcome = shop.post(&flags, &|job, source, sink| {
+    let outcome = shop.post(&flags, &|job, source, sink, account| {
         *seen.borrow_mut() = Some((job.config.clone(), job.units));
-        echo(job, source, sink)
+        echo(job, source, sink, account)
     });
     assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
     let (config, units) = seen.into_inner().expect("it was posted");

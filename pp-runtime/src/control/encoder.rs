@@ -9,7 +9,7 @@ use std::io::{self, Write};
 
 use crate::config::{ControlSetup, Mode, Program, Smoothing, Stock, ToolPosture, Units};
 use crate::motion::{Cycle, Feed, Sink, Step, VECTOR_DECIMALS, Words};
-use crate::nc::{Decimal, Numbering, Numerals, Writer};
+use crate::nc::{Decimal, Line, Numbering, Numerals, Writer};
 use crate::program::{Coolant, Rotation};
 
 use super::belief::{Belief, LengthState};
@@ -225,6 +225,16 @@ impl<'a, W: Write> Encoder<'a, W> {
             self.writer.line(&self.line)?;
         }
         Ok(())
+    }
+
+    /// Keeps the lines that are written, from the first one on, until they are taken.
+    pub fn keep_lines(&mut self) {
+        self.writer.keep_lines();
+    }
+
+    /// Takes the lines since the last call; none if they are not kept.
+    pub fn take_lines(&mut self) -> impl Iterator<Item = Line> + '_ {
+        self.writer.take_lines()
     }
 
     /// Blocks written so far, comments not counted.

@@ -13,6 +13,7 @@ use crate::kinematics::{Machine, Pose};
 use crate::nalgebra::Vector3;
 use crate::program::{Arc, Location, Move};
 
+use super::account::Why;
 use super::arc::Round;
 use super::circle::{Circle, Grid, Nominal, Plane};
 use super::course::Target;
@@ -127,6 +128,7 @@ impl<M: Machine> Planner<'_, M> {
         if self.selection.over {
             return Ok(());
         }
+        sink.serve(at, Why::Record);
         self.stop_spindle(sink)?;
         let round = Round::new(arc);
         for part in round.extremes(Vector3::z()).chain([1.0]) {
@@ -293,6 +295,7 @@ impl<M: Machine> Planner<'_, M> {
         let fault = |fault: Fault| stop(at, fault);
         let feed = arc.feed.ok_or_else(|| fault(Fault::new("a feed motion without feed")))?;
         let feed = Feeds::per_minute(feed, self.spindle.map(|(speed, _)| speed)).map_err(fault)?;
+        sink.serve(at, if cuts.pieces > 1 { Why::SplitArc } else { Why::Record });
         let mask = framed.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
         for piece in 1..=cuts.pieces {
             let share = cuts.share(piece);
@@ -311,6 +314,7 @@ impl<M: Machine> Planner<'_, M> {
             }
             self.inverse_time = false;
             let words = Words { vector: None, ..self.placer.words(&to, mask) };
+            sink.stand(&self.standing(&to, None));
             sink.step(&Step::Arc { words, circle: &circle, feed })?;
             self.place = to;
         }
@@ -327,6 +331,7 @@ impl<M: Machine> Planner<'_, M> {
         sink: &mut impl Sink,
     ) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
+        sink.serve(at, Why::Chord);
         let chords = round.chords(self.tolerance.tip).map_err(fault)?;
         for index in 1..=chords {
             let pose = Pose { tip: round.tip(f64::from(index) / f64::from(chords)), axis: arc.end.axis };

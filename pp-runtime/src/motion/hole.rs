@@ -10,6 +10,7 @@ use crate::kinematics::{Machine, Pose};
 use crate::nc::Decimal;
 use crate::program::{Drilling, Dwell, Feed as Programmed, Hole, Location, Move, Rotation};
 
+use super::account::Why;
 use super::fault::Fault;
 use super::feed::{Feeds, Stroke};
 use super::place::Place;
@@ -204,12 +205,14 @@ impl<M: Machine> Planner<'_, M> {
             if self.selection.over {
                 return Ok(());
             }
+            sink.serve(at, Why::Hole);
             self.reach_hole(at, hole, &over, number, sink)?;
         }
         self.settle(Some(&bottom), sink)?;
         if self.selection.over {
             return Ok(());
         }
+        sink.serve(at, Why::Hole);
         self.check_state(&bottom).map_err(fault)?;
         match self.cycle(at, hole)? {
             Ok((cycle, back)) => self.run_cycle(at, hole, &cycle, back, sink),
@@ -455,6 +458,8 @@ impl<M: Machine> Planner<'_, M> {
         let both_ways = matches!(cycle.kind, CycleKind::Ream | CycleKind::Tap { .. });
         self.times.cut(if both_ways { 2.0 * minutes } else { minutes });
         self.times.wait(cycle.dwell.unwrap_or(0.0) / 60.0);
+        sink.serve(at, Why::Record);
+        sink.stand(&self.standing(&back, None));
         sink.step(&Step::Cycle { cycle })?;
         self.statistics.cycles += 1;
         if let CycleKind::Tap { .. } = cycle.kind {

@@ -4,6 +4,7 @@
 //! turns, limits, feeds and the safe sequence between operations are decided here; how a control spells a step is not,
 //! and what the CL data looked like neither. Memory is constant, and nothing is allocated for a motion.
 
+mod account;
 mod arc;
 mod arcs;
 mod auxiliary;
@@ -24,6 +25,7 @@ mod origin;
 mod place;
 mod planner;
 mod proof;
+mod records;
 mod refuse;
 mod retreat;
 mod rewind;
@@ -35,6 +37,7 @@ mod tilt;
 mod times;
 mod tool;
 mod travel;
+mod waiting;
 mod way;
 mod wrap;
 
@@ -43,6 +46,7 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
+pub use account::{Standing, Why};
 pub(crate) use arc::extent;
 pub use arcs::Chorded;
 pub use circle::{Circle, Plane};

@@ -5,6 +5,7 @@ use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
 
+use super::account::{Standing, Why};
 use super::course::{Change, How, Target, Turns};
 use super::fault::Fault;
 use super::feed::{Feeds, Pace, Stroke};
@@ -163,10 +164,12 @@ impl<M: Machine> Planner<'_, M> {
             .place(&pose, &self.place, true, Some(Target { words, towards: None }))
             .map_err(|fault| stop(at, fault))?;
         self.statistics.inserted += u64::from(place.words != self.place.words);
+        sink.serve(at, Why::Course);
         self.feed_to(at, &Move { pose, ..*motion }, &place, sink)?;
         self.cut(&pose);
         self.count_deviation(&place);
         self.place = place;
+        sink.serve(at, Why::Record);
         Ok(())
     }
 
@@ -186,7 +189,7 @@ impl<M: Machine> Planner<'_, M> {
             return self.feed_in_pieces(at, motion, place, self.tolerance, sink);
         }
         let pace = self.pace(motion.feed, place).map_err(|fault| stop(at, fault))?;
-        self.write_feed(at, place, pace, sink)
+        self.write_feed(at, place, pace, None, sink)
     }
 
     /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
@@ -206,7 +209,8 @@ impl<M: Machine> Planner<'_, M> {
             self.placer.check_between(&self.place, &piece.place).map_err(fault)?;
             let pace = self.pace(motion.feed, &piece.place).map_err(fault)?;
             blocks += u64::from(piece.place.words != self.place.words);
-            self.write_feed(at, &piece.place, pace, sink)?;
+            let inserted = (piece.place.words != place.words).then_some(Why::Tolerance);
+            self.write_feed(at, &piece.place, pace, inserted, sink)?;
             self.place = piece.place;
             let statistics = &mut self.statistics;
             statistics.largest_tip_bound = statistics.largest_tip_bound.max(piece.bound.tip);
@@ -235,7 +239,7 @@ impl<M: Machine> Planner<'_, M> {
                         if out { (self.place.pose.tip + along, self.place) } else { (motion.pose.tip - along, *place) };
                     let corner = self.placer.shifted(corner, &rotaries).map_err(|fault| stop(at, fault))?;
                     self.cancel_inverse_time(sink)?;
-                    self.rapid(&corner, self.all(), sink)?;
+                    self.write_rapid(&corner, self.all(), Some(Why::Corner), sink)?;
                     self.place = corner;
                 }
             }
@@ -324,6 +328,7 @@ impl<M: Machine> Planner<'_, M> {
         at: Location,
         place: &Place<M::Axes>,
         Pace { feed, minutes, slowed }: Pace,
+        inserted: Option<Why>,
         sink: &mut impl Sink,
     ) -> Planned {
         if place.words != self.place.words {
@@ -339,13 +344,36 @@ impl<M: Machine> Planner<'_, M> {
             self.inverse_time = matches!(feed, Feed::InverseTime(_));
             self.statistics.inverse_time += u64::from(self.inverse_time);
             let words = self.speller.spell(&self.placer.written(&self.place), self.placer.words(place, self.all()));
+            sink.stand(&self.standing(place, inserted));
             sink.step(&Step::Feed { words, feed })?;
         }
         Ok(())
     }
 
-    /// A rapid to the words of a place in some axes.
+    /// A rapid to a place; the axes that are not in the mask stand there.
     pub(super) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
+        self.write_rapid(to, mask, None, sink)
+    }
+
+    fn write_rapid(&mut self, to: &Place<M::Axes>, mask: u16, inserted: Option<Why>, sink: &mut impl Sink) -> Planned {
+        let standing = self.standing(to, inserted);
+        self.rapid_words(to, mask, &standing, sink)
+    }
+
+    /// A rapid of some axes alone.
+    pub(super) fn rapid_alone(&mut self, to: &Place<M::Axes>, mask: u16, sink: &mut impl Sink) -> Planned {
+        let standing = Standing { pose: None, mask, ..self.standing(to, None) };
+        self.rapid_words(to, mask, &standing, sink)
+    }
+
+    /// A rapid to the words of a place in some axes.
+    fn rapid_words(
+        &mut self,
+        to: &Place<M::Axes>,
+        mask: u16,
+        standing: &Standing<'_>,
+        sink: &mut impl Sink,
+    ) -> Planned {
         self.times.rapid(self.placer.least_minutes_of(&self.place, to, mask));
         let (start, end) = (self.placer.written(&self.place), self.placer.written(to));
         let mut from = start;
@@ -356,6 +384,9 @@ impl<M: Machine> Planner<'_, M> {
                 words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
             }
             let reached = words.units;
+            if piece == pieces {
+                sink.stand(standing);
+            }
             sink.step(&Step::Rapid { words: self.speller.spell(&from, words) })?;
             from = reached;
         }

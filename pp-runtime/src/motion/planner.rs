@@ -11,8 +11,9 @@ use std::ops::RangeInclusive;
 use crate::config::{Config, PathNorm, Transition, Units};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
-use crate::program::{Clearance, Coolant, Dwell, Event, Location, Move, Rotation, Spindle, ToolCall, Turning};
+use crate::program::{Clearance, Coolant, Event, Location, Move, Rotation, ToolCall};
 
+use super::account::Why;
 use super::arcs::Chorded;
 use super::clamps::Clamps;
 use super::course::{Course, Target, Towards};
@@ -26,17 +27,15 @@ use super::linearise::Tolerance;
 use super::place::{Place, Placer};
 use super::retreat::Retreat;
 use super::selection::Selection;
-use super::step::{Sink, Step};
+use super::step::Sink;
 use super::tilt::PlaneAbility;
 use super::times::Times;
 use super::tool::{SpindleRequest, Tool};
+use super::waiting::Waiting;
 use super::wrap::Speller;
 
 /// A motion of the same axis, within this angle, rad: CL data has seven digits.
 pub(super) const SAME_AXIS: f64 = 1e-6;
-
-/// A wait that three decimals hold, and that somebody may want, seconds.
-const DWELL: std::ops::RangeInclusive<f64> = 0.001..=99_999.0;
 
 /// Why planning stopped.
 #[derive(Debug)]
@@ -151,23 +150,6 @@ pub struct Statistics {
     pub largest_axis_bound: f64,
 }
 
-/// More records than this between two motions are no habit of a CAM system; it bounds the memory.
-const MOST_WAITING: usize = 10_000;
-
-/// Text of so many bytes is kept while records wait.
-const MOST_TEXT: usize = 1 << 20;
-
-/// An event that may stand between the first motion of an operation and the next.
-#[derive(Debug, Clone, Copy)]
-enum Waiting {
-    Spindle(Spindle),
-    Coolant(Coolant),
-    Delay(Dwell),
-    From(Pose),
-    /// Range in the texts.
-    Message(usize, usize),
-}
-
 /// Where the plan stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Phase {
@@ -204,8 +186,7 @@ pub struct Planner<'a, M: Machine> {
     /// Motions so far, as the course counts them.
     pub(super) counted: u64,
     pub(super) phase: Phase,
-    waiting: Vec<(Location, Waiting)>,
-    texts: Vec<u8>,
+    pub(super) waiting: Waiting,
     pub(super) warnings: Vec<Diagnostic>,
 
     /// Where the rotaries stand or are taken to stand; held axes at their values.
@@ -226,7 +207,7 @@ pub struct Planner<'a, M: Machine> {
     /// Tool changes so far.
     pub(super) changes: usize,
     /// Tools called so far, with the length and the offset register that the CL data gave last.
-    calls: BTreeMap<u32, ToolCall>,
+    pub(super) calls: BTreeMap<u32, ToolCall>,
     /// The remark on rapids before the first tool has been made.
     passed_over: bool,
     /// The tool that the next operation begins with.
@@ -277,8 +258,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             towards: None,
             counted: 0,
             phase: Phase::Start,
-            waiting: Vec::new(),
-            texts: Vec::new(),
+            waiting: Waiting::default(),
             warnings: Vec::new(),
             place,
             placed: false,
@@ -401,7 +381,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         if let Event::Move(motion) = event
             && self.expander.passes()
         {
-            return self.motion(at, motion, sink);
+            return self.motion(at, motion, Why::Record, sink);
         }
         self.expanded(at, event, sink)
     }
@@ -410,9 +390,10 @@ impl<'a, M: Machine> Planner<'a, M> {
     fn expanded(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
         let mut expander = std::mem::take(&mut self.expander);
         let bears = self.bears_cutter(at, event);
+        let why = if let Event::Spline(_) = event { Why::Curve } else { Why::Record };
         let done = bears.and_then(|()| {
             expander.event(at, event, &mut |at, event| match event {
-                Event::Move(motion) => self.motion(at, motion, sink),
+                Event::Move(motion) => self.motion(at, motion, why, sink),
                 Event::Arc(arc) if self.cutter.idle() => self.arc(at, arc, sink),
                 Event::Arc(arc) => self.beside_arc(at, arc, sink),
                 Event::Hole(hole) => self.hole(at, hole, sink),
@@ -433,6 +414,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         self.settle(None, sink)?;
         if self.selection.over {
             sink.show(true);
+            sink.serve(at, Why::End);
             return self.park(at, sink);
         }
         self.ends_cutter(at)?;
@@ -451,7 +433,7 @@ impl<'a, M: Machine> Planner<'a, M> {
         }
     }
 
-    fn motion(&mut self, at: Location, motion: &Move, sink: &mut impl Sink) -> Planned {
+    fn motion(&mut self, at: Location, motion: &Move, why: Why, sink: &mut impl Sink) -> Planned {
         if self.phase == Phase::Start && self.unarmed() && motion.rapid && !self.placer.head() {
             self.pass_over(at, motion);
             return Ok(());
@@ -462,6 +444,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             return self.first(at, motion, number, sink);
         }
         self.settle(Some(motion), sink)?;
+        sink.serve(at, why);
         match self.selection.over {
             true => Ok(()),
             false if self.cutter.idle() => self.run(at, motion, number, sink),
@@ -471,6 +454,7 @@ impl<'a, M: Machine> Planner<'a, M> {
 
     /// The first motion of an operation waits for the next.
     pub(super) fn first(&mut self, at: Location, motion: &Move, number: u64, sink: &mut impl Sink) -> Planned {
+        sink.serve(at, Why::Record);
         if self.there && self.config.transition == Transition::Direct {
             self.prepare_directly(at, motion, sink)?;
         }
@@ -512,231 +496,9 @@ impl<'a, M: Machine> Planner<'a, M> {
             return Ok(());
         }
         let mut waiting = std::mem::take(&mut self.waiting);
-        let texts = std::mem::take(&mut self.texts);
-        for (at, event) in waiting.drain(..) {
-            match event {
-                Waiting::Spindle(spindle) => self.spindle(at, spindle, sink)?,
-                Waiting::Coolant(coolant) => self.set_coolant(at, coolant, sink)?,
-                Waiting::Delay(dwell) => self.delay(at, dwell, sink)?,
-                Waiting::From(pose) => self.from(&pose),
-                Waiting::Message(start, end) => sink.step(&Step::Message { text: &texts[start..end] })?,
-            }
-        }
+        waiting.replay(|at, event| self.other(at, event, sink))?;
         self.waiting = waiting;
-        self.texts = texts;
-        self.texts.clear();
         Ok(())
-    }
-
-    #[cold]
-    fn other(&mut self, at: Location, event: &Event<'_>, sink: &mut impl Sink) -> Planned {
-        let first = matches!(self.phase, Phase::First { .. });
-        if first && (self.waiting.len() >= MOST_WAITING || self.texts.len() >= MOST_TEXT) {
-            return Err(stop(
-                at,
-                Fault::new("too many records stand between the first motion of an operation and the next")
-                    .help("the approach to a first point depends on the second: move these records behind both"),
-            ));
-        }
-        match *event {
-            Event::Spindle(spindle) if first => self.waiting.push((at, Waiting::Spindle(spindle))),
-            Event::Coolant(coolant) if first => self.waiting.push((at, Waiting::Coolant(coolant))),
-            Event::Delay(dwell) if first => self.waiting.push((at, Waiting::Delay(dwell))),
-            Event::From(pose) if first => self.waiting.push((at, Waiting::From(pose))),
-            Event::Message(text) if first => {
-                let start = self.texts.len();
-                self.texts.extend_from_slice(text);
-                self.waiting.push((at, Waiting::Message(start, self.texts.len())));
-            }
-            Event::Spindle(spindle) => self.spindle(at, spindle, sink)?,
-            Event::Coolant(coolant) => self.set_coolant(at, coolant, sink)?,
-            Event::From(pose) => self.from(&pose),
-            Event::Message(text) if self.phase == Phase::Start => self.announce(&Step::Message { text }, sink)?,
-            Event::Message(text) => sink.step(&Step::Message { text })?,
-            Event::Name(_) | Event::Preselect(_) => {}
-            Event::Operation(name) => {
-                self.begin(at, self.config.transition == Transition::Safe, sink)?;
-                self.times.operation(at, name);
-                self.announce(&Step::Operation { name }, sink)?;
-            }
-            Event::Tool(call) => {
-                let tool = self.resolve(at, &call)?;
-                let known = self.next_tool.or(self.tool);
-                self.begin(at, true, sink)?;
-                if known.is_none_or(|known| known.number != tool.number) {
-                    // The speed of one tool is not the speed of another; in front of the first tool record of a start
-                    // it is meant for that tool.
-                    let meant = self.next_tool.is_none();
-                    self.request = if meant { self.request_in_start } else { SpindleRequest::default() };
-                }
-                self.next_tool = Some(tool);
-            }
-            Event::Stop => self.stop(at, false, sink)?,
-            Event::OptionalStop => self.stop(at, true, sink)?,
-            Event::Delay(dwell) => self.delay(at, dwell, sink)?,
-            Event::MachineName(name) => self.compare_machine(at, name),
-            Event::SafeSequence => self.begin(at, true, sink)?,
-            Event::Frame(number) => self.change_frame(at, number, sink)?,
-            Event::Home => self.go_home(at, sink)?,
-            Event::ClearancePlane(plane) => self.clearance = Some(Clearance::Plane(plane)),
-            Event::Compensation(asked) => self.set_cutter(at, &asked)?,
-            Event::Turning(turning) => {
-                self.towards = self.placer.towards(turning);
-                if self.towards.is_none() && turning != Turning::Shortest {
-                    let fault = Fault::new("ROTABL/NEXT turns the table, and no rotary axis stands in the table here");
-                    return Err(stop(at, fault.help("leave it out")));
-                }
-            }
-            Event::Insert(text) => self.raw(at, text, sink)?,
-            Event::Code { letter, number } => {
-                let text = format!("{}{number}", char::from(letter));
-                self.raw(at, text.as_bytes(), sink)?;
-            }
-            // Arcs and holes are motions of their own, and the expander takes curves apart.
-            Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) | Event::Tolerance(_) => {}
-        }
-        Ok(())
-    }
-
-    /// MACHIN.
-    fn compare_machine(&mut self, at: Location, name: &[u8]) {
-        if !name.eq_ignore_ascii_case(M::NAME.as_bytes()) {
-            let name = String::from_utf8_lossy(name);
-            let fault = Fault::new(format_args!("the CL data was made for the machine `{name}`, this is {}", M::NAME))
-                .help("nothing in the program depends on that name");
-            self.warnings.push(fault.at(at, Severity::Warning));
-        }
-    }
-
-    /// DELAY, and the wait at the bottom of a hole.
-    pub(super) fn delay(&mut self, at: Location, dwell: Dwell, sink: &mut impl Sink) -> Planned {
-        let seconds = self.seconds(dwell).map_err(|fault| stop(at, fault))?;
-        if seconds <= 0.0 {
-            return Ok(());
-        }
-        if !DWELL.contains(&seconds) {
-            let (low, high) = (DWELL.start(), DWELL.end());
-            let fault = Fault::new(format_args!("a wait of {seconds} seconds cannot be written"));
-            return Err(stop(at, fault.help(format_args!("between {low} and {high} seconds can be"))));
-        }
-        self.cancel_inverse_time(sink)?;
-        self.times.wait(seconds / 60.0);
-        Ok(sink.step(&Step::Dwell { seconds })?)
-    }
-
-    /// A block as it stands: where the machine is behind it, and in which state, nobody knows.
-    fn raw(&mut self, at: Location, text: &[u8], sink: &mut impl Sink) -> Planned {
-        if self.config.lift.is_some() {
-            let fault =
-                Fault::new("a dry run writes no NC text of the CL data: nobody knows what it moves or switches on");
-            return Err(stop(at, fault.help("`--insert comment`, or take it out")));
-        }
-        if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
-            let fault =
-                Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");
-            return Err(stop(at, fault.help("write it in plain letters, digits and signs, or `--insert comment`")));
-        }
-        self.begin(at, true, sink)?;
-        self.cancel_inverse_time(sink)?;
-        if self.framed {
-            self.machine_retract(at, sink)?;
-        }
-        sink.step(&Step::Raw { text })?;
-        self.spindle = None;
-        self.spindle_stop = false;
-        self.coolant = None;
-        self.there = false;
-        self.clear = false;
-        Ok(())
-    }
-
-    /// GOHOME without a point.
-    fn go_home(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
-        if self.config.park.is_empty() && !self.config.is_given("retract.position") {
-            let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
-            return Err(stop(at, fault.help("give one of them, or GOHOME/x,y,z")));
-        }
-        self.begin(at, true, sink)?;
-        self.machine_retract(at, sink)?;
-        self.park(at, sink)?;
-        self.there = false;
-        self.clear = false;
-        Ok(())
-    }
-
-    /// A frame with a work offset of its own.
-    fn change_frame(&mut self, at: Location, number: u32, sink: &mut impl Sink) -> Planned {
-        if self.placer.turning_table() {
-            let fault = Fault::new("the part origin of another frame on a table that turns is not known");
-            return Err(stop(at, fault.help("`--frames main` maps every frame into the first")));
-        }
-        let word = match self.config.frames.get(&number) {
-            Some(word) => word,
-            None if number == 1 => &self.config.work_offset,
-            None => {
-                let fault = Fault::new(format_args!("frame {number} of the CL data has no work offset"));
-                return Err(stop(at, fault.help(format_args!("give it one: `[frames] \"{number}\" = \"G55\"`"))));
-            }
-        };
-        self.begin(at, true, sink)?;
-        self.there = false;
-        self.clear = false;
-        // It was given in the other frame.
-        self.clearance = self.config.retract.clearance;
-        Ok(sink.step(&Step::WorkOffset { word })?)
-    }
-
-    /// The tool of a record; what is odd about a tool is said once.
-    fn resolve(&mut self, at: Location, call: &ToolCall) -> Result<Tool, Stop> {
-        let before = self.calls.get(&call.number).copied();
-        let known = before.is_some();
-        let before = before.unwrap_or_default();
-        let warnings = &mut self.warnings;
-        let remark = |fault: Fault| {
-            if !known {
-                warnings.push(fault.at(at, Severity::Warning));
-            }
-        };
-        let (needed, registers) = (self.placer.needs_length(), self.abilities.registers);
-        let tool =
-            Tool::resolve(call, &before, self.config, needed, registers, remark).map_err(|fault| stop(at, fault))?;
-        let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
-        self.calls.insert(call.number, ToolCall { length, offset, ..*call });
-        Ok(tool)
-    }
-
-    /// A start begins, or goes on: what was held back is written, and the tool leaves the part.
-    fn begin(&mut self, at: Location, leave: bool, sink: &mut impl Sink) -> Planned {
-        self.settle(None, sink)?;
-        self.phase = Phase::Start;
-        if leave { self.leave(at, sink) } else { Ok(()) }
-    }
-
-    fn stop(&mut self, at: Location, optional: bool, sink: &mut impl Sink) -> Planned {
-        // Behind the stop the retract axis goes up from wherever the tool stands: a tilted tool is led out before.
-        self.begin(at, self.config.stop_retract || !self.placer.straight(), sink)?;
-        if self.config.stop_retract {
-            self.coolant_off(sink)?;
-            self.machine_retract(at, sink)?;
-            self.spindle_off(sink)?;
-        }
-        self.stop_spindle(sink)?;
-        sink.step(&Step::Stop { optional })?;
-        // The operator may have done anything.
-        self.spindle = None;
-        self.coolant = None;
-        self.there = false;
-        self.clear = false;
-        Ok(())
-    }
-
-    /// FROM: before the first motion it says where the rotaries count from.
-    fn from(&mut self, pose: &Pose) {
-        if !self.placed
-            && let Some(place) = self.placer.reference(pose, &self.place)
-        {
-            self.place = place;
-        }
     }
 }
 

@@ -6,6 +6,7 @@ use crate::diag::Severity;
 use crate::kinematics::Machine;
 use crate::program::{Location, Move};
 
+use super::account::Why;
 use super::clearance::way_out;
 use super::course::{Target, Turns};
 use super::fault::Fault;
@@ -20,6 +21,7 @@ impl<M: Machine> Planner<'_, M> {
         let fault = |fault: Fault| stop(at, fault);
         let here = self.place;
         let why = self.why_rewind();
+        sink.serve(at, Why::Rewind);
         if self.config.retract.rewind == Rewind::Follow {
             return self.rewind_in_place(at, motion, words, &why, sink);
         }
@@ -51,10 +53,11 @@ impl<M: Machine> Planner<'_, M> {
         self.clear = false;
         self.place = above;
         let pace = self.pace(motion.feed, &turned).map_err(fault)?;
-        self.write_feed(at, &turned, pace, sink)?;
+        self.write_feed(at, &turned, pace, None, sink)?;
         self.place = turned;
         self.retreat.reset();
         self.statistics.rewinds += 1;
+        sink.serve(at, Why::Record);
         let remark = Fault::new(format_args!("the rotary axes are rewound here, out of the part: {why}"));
         self.warnings.push(remark.at(at, Severity::Warning));
         Ok(())
@@ -76,6 +79,7 @@ impl<M: Machine> Planner<'_, M> {
         self.feed_in_pieces(at, motion, &turned, swinging, sink)?;
         self.place = turned;
         self.statistics.rewinds += 1;
+        sink.serve(at, Why::Record);
         let remark = Fault::new(format_args!(
             "the rotary axes are rewound here with the tip in place, and the tool swings about it: {why}"
         ));

@@ -9,6 +9,7 @@ use std::ops::RangeInclusive;
 use crate::kinematics::Machine;
 use crate::program::Location;
 
+use super::account::{Standing, Why};
 use super::planner::{Planned, Planner, Statistics};
 use super::step::{Sink, Step};
 
@@ -62,6 +63,7 @@ impl<M: Machine> Planner<'_, M> {
         let wanted = self.selection.holds(number);
         if before && !wanted && number > 1 {
             self.leave(at, sink)?;
+            sink.serve(at, Why::End);
             self.coolant_off(sink)?;
             self.cancel_inverse_time(sink)?;
             self.machine_retract(at, sink)?;
@@ -104,5 +106,15 @@ impl<S: Sink> Sink for Gate<'_, S> {
 
     fn show(&mut self, shown: bool) {
         self.shown = shown;
+    }
+
+    #[inline]
+    fn serve(&mut self, at: Location, why: Why) {
+        self.sink.serve(at, why);
+    }
+
+    #[inline]
+    fn stand(&mut self, standing: &Standing<'_>) {
+        self.sink.stand(standing);
     }
 }

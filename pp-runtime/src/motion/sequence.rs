@@ -17,6 +17,7 @@ use crate::diag::Severity;
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::program::{Location, Move};
 
+use super::account::Why;
 use super::clearance::way_out;
 use super::course::Target;
 use super::fault::Fault;
@@ -36,6 +37,7 @@ impl<M: Machine> Planner<'_, M> {
         if !self.there {
             return Ok(());
         }
+        sink.serve(at, Why::LeadOut);
         self.coolant_off(sink)?;
         self.cancel_inverse_time(sink)?;
         let led_out = self.retreat.length();
@@ -156,6 +158,7 @@ impl<M: Machine> Planner<'_, M> {
             return self.start_directly(at, first, planned, sink);
         }
         self.leave(at, sink)?;
+        sink.serve(at, Why::Start);
         if (self.abilities.length_moves || self.framed) && self.restarts > 0 {
             // What the safety line cancels must not move the tool down, or turn it in the part.
             self.machine_retract(at, sink)?;
@@ -248,6 +251,7 @@ impl<M: Machine> Planner<'_, M> {
         sink: &mut impl Sink,
     ) -> Planned {
         self.leave(at, sink)?;
+        sink.serve(at, Why::Approach);
         self.machine_retract(at, sink)?;
         self.stop_spindle(sink)?;
         self.approach(at, first, next, planned, sink)
@@ -275,16 +279,18 @@ impl<M: Machine> Planner<'_, M> {
                 .shifted(tip + axis.into_inner() * distance, &place)
                 .map_err(|fault| stop(at, fault.context(format_args!("the approach from {distance} mm"))))?
         };
+        sink.serve(at, Why::Approach);
         self.come_in(at, &above, frame, sink)?;
         self.count_sequence();
         self.turn_coolant(at, sink)?;
         self.place = above;
+        sink.serve(at, Why::Record);
         if place.words != above.words {
             if first.rapid {
                 self.rapid(&place, self.placer.linear_mask(), sink)?;
             } else {
                 let pace = self.pace(first.feed, &place).map_err(fault)?;
-                self.write_feed(at, &place, pace, sink)?;
+                self.write_feed(at, &place, pace, None, sink)?;
             }
         }
         if !first.rapid {
@@ -319,7 +325,7 @@ impl<M: Machine> Planner<'_, M> {
         }
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
         self.unclamp(&above.words, sink)?;
-        self.rapid(above, rotary, sink)?;
+        self.rapid_alone(above, rotary, sink)?;
         if let Some(frame) = frame {
             sink.step(&frame)?;
             self.framed = true;
@@ -333,15 +339,14 @@ impl<M: Machine> Planner<'_, M> {
             // The tip goes straight to the approach point, however the table is tilted.
             Mode::Tcp => linear,
         };
-        for mask in [linear & !last, last] {
-            self.rapid(above, mask, sink)?;
-        }
-        Ok(())
+        self.rapid_alone(above, linear & !last, sink)?;
+        self.rapid(above, last, sink)
     }
 
     /// The end of the program up to the end code: coolant off, retract, spindle off, park.
     pub(super) fn end(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         self.leave(at, sink)?;
+        sink.serve(at, Why::End);
         self.coolant_off(sink)?;
         self.cancel_inverse_time(sink)?;
         self.machine_retract(at, sink)?;
@@ -354,7 +359,7 @@ impl<M: Machine> Planner<'_, M> {
         let (turned, mask) = self.placer.parked(&self.config.park, &self.place).map_err(fault)?;
         if mask != 0 {
             self.clamp_parked(mask, false, sink)?;
-            self.rapid(&turned, mask, sink)?;
+            self.rapid_alone(&turned, mask, sink)?;
             self.clamp_parked(mask, true, sink)?;
             // The next turn counts from here.
             self.place = turned;

@@ -3,8 +3,9 @@
 use std::io;
 
 use crate::nc::Decimal;
-use crate::program::{Coolant, Rotation};
+use crate::program::{Coolant, Location, Rotation};
 
+use super::account::{Standing, Why};
 use super::circle::Circle;
 use super::hole::Cycle;
 
@@ -192,6 +193,37 @@ pub enum Step<'a> {
     },
 }
 
+impl Step<'_> {
+    /// What it is, in one word.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Feed { .. } => "feed",
+            Self::Arc { .. } => "arc",
+            Self::Cycle { .. } => "cycle",
+            Self::Beside { .. } => "compensation",
+            Self::Rapid { .. } => "rapid",
+            Self::Machine { .. } => "machine-coordinates",
+            Self::Restart { .. } => "restart",
+            Self::PerMinute => "feed-mode",
+            Self::Tool { .. } => "tool",
+            Self::Length { .. } => "length-offset",
+            Self::TipControl { .. } => "tip-control",
+            Self::Plane { .. } | Self::PlaneOff => "plane",
+            Self::LengthGuard { .. } => "length-guard",
+            Self::Spindle { .. } | Self::SpindleOff => "spindle",
+            Self::Code { .. } => "code",
+            Self::Dwell { .. } => "dwell",
+            Self::Coolant { .. } | Self::CoolantOff => "coolant",
+            Self::Stop { .. } => "stop",
+            Self::Operation { .. } => "operation",
+            Self::Message { .. } => "message",
+            Self::WorkOffset { .. } => "work-offset",
+            Self::Raw { .. } => "insert",
+        }
+    }
+}
+
 /// Takes the steps of a program.
 pub trait Sink {
     /// Writes one step.
@@ -203,5 +235,17 @@ pub trait Sink {
     /// Whether the steps that follow are to be written; a sink that is not asked to select writes all of them.
     fn show(&mut self, shown: bool) {
         let _ = shown;
+    }
+
+    /// Which record the steps that follow serve, and why they are there; a sink that keeps no account passes it over.
+    #[inline]
+    fn serve(&mut self, at: Location, why: Why) {
+        let _ = (at, why);
+    }
+
+    /// Where the machine stands behind the next step.
+    #[inline]
+    fn stand(&mut self, standing: &Standing<'_>) {
+        let _ = standing;
     }
 }

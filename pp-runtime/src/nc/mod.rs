@@ -7,4 +7,4 @@ mod number;
 mod writer;
 
 pub use number::{Decimal, Numerals, Overflow, whole_units, write_decimal, write_number};
-pub use writer::{Numbering, Writer};
+pub use writer::{Line, Numbering, Writer};

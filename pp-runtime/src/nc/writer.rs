@@ -22,6 +22,15 @@ pub enum Numbering {
     EveryLine,
 }
 
+/// A line that was written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Line {
+    /// Its place in the program, from 1.
+    pub line: u64,
+    /// The number that stands in it.
+    pub number: Option<u32>,
+}
+
 /// Writes blocks word by word; a block without words leaves no line.
 #[derive(Debug)]
 pub struct Writer<W: Write> {
@@ -34,7 +43,28 @@ pub struct Writer<W: Write> {
     /// Number for the next block only, where blocks are not numbered.
     single_number: Option<u32>,
     blocks: u64,
+    /// Number of the block that is being written.
+    number: Option<u32>,
+    journal: Option<Journal>,
+}
+
+/// What has been written, line by line.
+#[derive(Debug, Default)]
+struct Journal {
     lines: u64,
+    /// Lines since they were taken last.
+    kept: Vec<Line>,
+}
+
+impl Journal {
+    /// A block may stand in several lines; its number stands in the first.
+    fn add(&mut self, text: &[u8], number: Option<u32>) {
+        let ends = text.iter().filter(|&&byte| byte == b'\n').count();
+        for index in 0..ends {
+            self.lines += 1;
+            self.kept.push(Line { line: self.lines, number: number.filter(|_| index == 0) });
+        }
+    }
 }
 
 impl<W: Write> Writer<W> {
@@ -48,7 +78,8 @@ impl<W: Write> Writer<W> {
             next_number: if let Numbering::Step(step) = numbering { step } else { 0 },
             single_number: None,
             blocks: 0,
-            lines: 0,
+            number: None,
+            journal: None,
         }
     }
 
@@ -86,6 +117,7 @@ impl<W: Write> Writer<W> {
     }
 
     fn number(&mut self, prefix: &str, number: u32) {
+        self.number = Some(number);
         self.buffer.extend_from_slice(prefix.as_bytes());
         write_decimal(&mut self.buffer, Decimal { units: number.into(), decimals: 0 });
         self.buffer.push(b' ');
@@ -134,7 +166,10 @@ impl<W: Write> Writer<W> {
     #[inline]
     fn finish_line(&mut self) -> io::Result<()> {
         self.buffer.push(b'\n');
-        self.lines += 1;
+        let number = self.number.take();
+        if let Some(journal) = &mut self.journal {
+            journal.add(&self.buffer[self.block..], number);
+        }
         if self.buffer.len() >= PIECE {
             self.out.write_all(&self.buffer)?;
             self.buffer.clear();
@@ -143,14 +178,19 @@ impl<W: Write> Writer<W> {
         Ok(())
     }
 
+    /// Keeps the lines that are written, from the first one on, until they are taken.
+    pub fn keep_lines(&mut self) {
+        self.journal = Some(Journal::default());
+    }
+
+    /// Takes the lines since the last call; none if they are not kept.
+    pub fn take_lines(&mut self) -> impl Iterator<Item = Line> + '_ {
+        self.journal.iter_mut().flat_map(|journal| journal.kept.drain(..))
+    }
+
     /// Blocks written so far, comments not counted.
     pub fn blocks(&self) -> u64 {
         self.blocks
-    }
-
-    /// Lines written so far; the next one is one more.
-    pub fn lines(&self) -> u64 {
-        self.lines
     }
 
     /// Hands on what is left.

@@ -5,6 +5,7 @@
 //! whether all tool axes point into the table. The last pass plans and writes motion by motion, in constant memory. The
 //! same input gives the same bytes.
 
+mod account;
 mod header;
 mod proof;
 mod setting;
@@ -24,6 +25,8 @@ use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Chorded, Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
 use crate::program::Location;
 
+use account::Recorded;
+pub use account::{Account, Origin};
 pub use proof::{Proof, prove};
 pub(crate) use setting::Setting;
 use survey::Survey;
@@ -193,6 +196,19 @@ pub fn post<M: Machine>(
     input: &mut (impl Read + Seek),
     output: &mut impl Write,
 ) -> Result<Report, PostError> {
+    post_with_account::<M>(job, input, output, None)
+}
+
+/// [`post`], and an account of each line that is written.
+///
+/// # Errors
+/// Those of [`post`]; what the account cannot take counts as output.
+pub fn post_with_account<M: Machine>(
+    job: &Job<'_>,
+    input: &mut (impl Read + Seek),
+    output: &mut impl Write,
+    account: Option<&mut dyn Account>,
+) -> Result<Report, PostError> {
     let start = input.stream_position().map_err(PostError::Input)?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let machine = job.config.machine::<M>();
@@ -232,7 +248,7 @@ pub fn post<M: Machine>(
         report.course = course_text(&survey.course, job.config);
     }
     let layout = Layout::new::<M>(job.config, units, &survey.name);
-    let mut encoder = Encoder::new(job.control, &layout, &mut *output);
+    let mut recorded = Recorded::new(Encoder::new(job.control, &layout, &mut *output), account);
     let abilities = control::abilities(job.control, job.config);
     let (upside_down, order) = (survey.upside_down(), std::mem::take(&mut survey.order));
     let course = std::mem::take(&mut survey.course);
@@ -254,11 +270,12 @@ pub fn post<M: Machine>(
     report.reading = header::reading(job.config, &survey);
     report.assumptions = header::assumptions::<M>(job.control, job.config, &survey);
     let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
-    header.write(&report.assumptions, &mut encoder).map_err(PostError::Output)?;
-    run(job, &survey, Reader::new(&mut *input, options), planner, &mut encoder, &mut report)?;
-    report.blocks = encoder.blocks();
+    header.write(&report.assumptions, &mut recorded.encoder).map_err(PostError::Output)?;
+    recorded.settle("head").map_err(PostError::Output)?;
+    run(job, &survey, Reader::new(&mut *input, options), planner, &mut recorded, &mut report)?;
+    report.blocks = recorded.encoder.blocks();
     report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
-    encoder.finish().map_err(PostError::Output)?;
+    recorded.encoder.finish().map_err(PostError::Output)?;
     Ok(report)
 }
 
@@ -268,11 +285,11 @@ fn run<M: Machine, R: Read, W: Write>(
     survey: &Survey,
     reader: Reader<R>,
     mut planner: Planner<'_, M>,
-    encoder: &mut Encoder<'_, W>,
+    recorded: &mut Recorded<'_, '_, W>,
     report: &mut Report,
 ) -> Result<(), PostError> {
     let mut remarks = Remarks::default();
-    let mut gate = Gate::new(encoder, planner.shows());
+    let mut gate = Gate::new(recorded, planner.shows());
     let planned = plan(job, survey, reader, &mut planner, &mut gate, &mut remarks).map_err(PostError::Input)?;
     planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
     report.diagnostics.append(&mut remarks.conclude());
@@ -284,7 +301,7 @@ fn run<M: Machine, R: Read, W: Write>(
         Err(Stop::Output(error)) => return Err(PostError::Output(error)),
         Err(Stop::Fault(diagnostic)) => report.fault(diagnostic),
     }
-    close(job, report, encoder).map_err(PostError::Output)
+    close(job, report, &mut recorded.encoder).and_then(|()| recorded.settle("end")).map_err(PostError::Output)
 }
 
 /// Plans the CL data from its first event to its last.

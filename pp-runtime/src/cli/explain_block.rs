@@ -1,0 +1,159 @@
+//! `explain-block IN.cls N1230`: where a block of the program comes from.
+//!
+//! The CL data is posted once more, with the same set-up and into nothing that stays: the same data gives the same program.
+
+use std::fmt::Write as _;
+use std::io::{self, BufWriter, Seek as _};
+
+use crate::kinematics::{Axis, AxisKind, Machine, Pose};
+use crate::motion::Standing;
+use crate::post::{Account, Job, Origin, PostError, post_with_account};
+use crate::program::Location;
+
+use super::args::{BlockName, ExplainBlockArgs, MessageFormat};
+use super::excerpt::excerpts;
+use super::map::{MapLine, axis_values, branch_number};
+use super::messages::Messages;
+use super::source::Source;
+use super::{Failure, Status, Streams, cl_name, is_standard, print, read_config};
+
+/// Block numbers start again behind the last one: so many blocks of one number are told.
+const MOST: usize = 20;
+
+/// A line that was asked for, and where the machine stands behind it.
+struct Found {
+    origin: Origin<'static>,
+    stand: Option<(Standing<'static>, Option<Pose>, Vec<f64>)>,
+}
+
+impl Found {
+    fn of(origin: &Origin<'_>) -> Self {
+        let stand = origin.standing.map(|standing| {
+            let bare = Standing { pose: None, axes: &[], ..standing };
+            (bare, standing.pose.copied(), standing.axes.to_vec())
+        });
+        Self { origin: Origin { standing: None, ..*origin }, stand }
+    }
+
+    fn origin(&self) -> Origin<'_> {
+        let stand = self.stand.as_ref();
+        let standing = stand.map(|(bare, pose, axes)| Standing { pose: pose.as_ref(), axes, ..*bare });
+        Origin { standing, ..self.origin }
+    }
+}
+
+/// Looks for a block among the lines of a program.
+struct Search {
+    wanted: BlockName,
+    found: Vec<Found>,
+    lines: u64,
+    /// Every block has a number, not restart points alone.
+    numbered: bool,
+}
+
+impl Account for Search {
+    fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
+        self.lines = origin.line;
+        let is_it = match self.wanted {
+            BlockName::Number(number) => origin.number == Some(number),
+            BlockName::Line(line) => origin.line == line,
+        };
+        if is_it && self.found.len() < MOST {
+            self.found.push(Found::of(origin));
+        }
+        Ok(())
+    }
+}
+
+impl Search {
+    /// Why there is nothing to explain.
+    fn missing(&self) -> String {
+        let has = format!("the program has {} lines", self.lines);
+        match self.wanted {
+            BlockName::Line(line) => format!("there is no line {line}: {has}"),
+            BlockName::Number(number) if self.numbered => format!("there is no block N{number}: {has}"),
+            BlockName::Number(number) => format!(
+                "there is no block N{number}: {has}, and only its restart points have numbers; was it posted \
+                 with --line-numbers? A line is asked for by its number alone"
+            ),
+        }
+    }
+}
+
+pub(super) fn run<M: Machine>(args: &ExplainBlockArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+    let mut messages = Messages::new(streams.errors, args.set_up.message_format);
+    let config = read_config::<M>(&args.set_up, &mut messages)?;
+    let mut source =
+        if is_standard(&args.input) { Source::spool(streams.input, "<stdin>") } else { Source::open(&args.input) }
+            .map_err(|error| Failure::unreadable(&args.input, error))?;
+    let name = source.name().to_owned();
+    let cl_name = cl_name(&args.input);
+    let job = Job { cl_name: &cl_name, config: &config, control: args.set_up.control(), units: config.cl_units };
+    let numbered = config.program.line_numbers.is_some() || job.control.spellings().counted;
+    let mut search = Search { wanted: args.block, found: Vec::new(), lines: 0, numbered };
+    let no_room = |error| Failure::Unwritable("a temporary file".to_owned(), error);
+    let mut program = tempfile::tempfile().map_err(no_room)?;
+    let report = post_with_account::<M>(&job, &mut source, &mut BufWriter::new(&mut program), Some(&mut search));
+    let report = report.map_err(|error| match error {
+        PostError::Input(error) => Failure::Unreadable(name.clone(), error),
+        PostError::Operations(text) => Failure::Argument(text),
+        PostError::Output(error) => no_room(error),
+    })?;
+    let unreadable = |error| Failure::Unreadable(name.clone(), error);
+    if report.failed {
+        source.rewind().map_err(unreadable)?;
+        messages.diagnostics(&name, &mut source, &report.diagnostics);
+    }
+    if search.found.is_empty() {
+        return Err(Failure::Argument(search.missing()));
+    }
+    program.rewind().map_err(no_room)?;
+    source.rewind().map_err(unreadable)?;
+    let in_program = |found: &Found| (Location { line: found.origin.line, column: 1 }, 1);
+    let in_cl = |found: &Found| found.origin.at.filter(|at| at.line > 0).map(|at| (at, 1));
+    let blocks = excerpts(&mut program, search.found.iter().map(in_program)).map_err(no_room)?;
+    let records = excerpts(&mut source, search.found.iter().filter_map(in_cl)).map_err(unreadable)?;
+    print(streams, |out| {
+        search.found.iter().enumerate().try_for_each(|(index, found)| {
+            let origin = found.origin();
+            if args.set_up.message_format == MessageFormat::Json {
+                serde_json::to_writer(&mut *out, &MapLine::new(&origin, M::AXES))?;
+                return out.write_all(b"\n");
+            }
+            if index > 0 {
+                out.write_all(b"\n")?;
+            }
+            let block = blocks.get(&in_program(found)).map_or("", |excerpt| &excerpt.text);
+            let record = in_cl(found).and_then(|place| Some((place.0.line, &records.get(&place)?.text)));
+            out.write_all(told(&origin, M::AXES, block, record.map(|(line, text)| (&*name, line, &**text))).as_bytes())
+        })
+    })?;
+    Ok(if report.failed { Status::Rejected } else { Status::Done })
+}
+
+/// What is told of a block, for people. `record`: file, line and text.
+fn told(origin: &Origin<'_>, axes: &[Axis], block: &str, record: Option<(&str, u64, &str)>) -> String {
+    let mut text = format!("line {} of the program ({}):\n    {block}\n", origin.line, origin.step);
+    // A string takes everything.
+    let _ = writeln!(text, "{}", origin.why.text());
+    if let Some((file, line, record)) = record {
+        let _ = write!(text, "{file}, line {line}:\n    {record}\n");
+    }
+    let Some(standing) = &origin.standing else { return text };
+    if let Some(Pose { tip, axis }) = standing.pose {
+        let _ = writeln!(text, "tip {:.4} {:.4} {:.4} mm in the workpiece", tip.x + 0.0, tip.y + 0.0, tip.z + 0.0);
+        let _ = writeln!(text, "tool axis {:.7} {:.7} {:.7}", axis.x + 0.0, axis.y + 0.0, axis.z + 0.0);
+    }
+    let unit = |letter: char| {
+        let rotary = axes.iter().any(|axis| axis.letter == letter && axis.kind == AxisKind::Rotary);
+        if rotary { "°" } else { "" }
+    };
+    let values: Vec<String> =
+        axis_values(axes, standing).map(|(letter, value)| format!("{letter} {value:.4}{}", unit(letter))).collect();
+    let alone = if standing.pose.is_none() { " (these axes alone)" } else { "" };
+    let _ = writeln!(text, "axis values {}{alone}", values.join(", "));
+    if axes.iter().any(|axis| axis.kind == AxisKind::Rotary) {
+        let _ = writeln!(text, "branch {} of the inverse kinematics", branch_number(standing.branch));
+    }
+    text
+}

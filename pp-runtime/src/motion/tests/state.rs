@@ -1,0 +1,343 @@
+//! What has to be true before a motion: tool, spindle, feed, coolant; and the records that change it.
+
+use super::*;
+
+#[test]
+fn a_head_does_not_post_without_the_length_of_the_tool() {
+    let run = run::<Head>(&config(), &[tool(7), spindle(), feed([0.0; 3], UP)]);
+    assert!(run.error().text.contains("gauge length of T7"), "{:?}", run.error());
+    assert_eq!(run.error().location.line, 1);
+    assert_eq!(run.lines, [""; 0]);
+}
+
+#[test]
+fn a_head_refuses_two_lengths_and_a_table_only_warns() {
+    let mut config = config();
+    config.tools.insert(1, Tool { length: Some(100.0), ..Tool::default() });
+    let call = |length| Event::Tool(ToolCall { number: 1, length: Some(length), ..ToolCall::default() });
+    let events = |length| [call(length), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, 60.0], UP)];
+    assert!(run::<Head>(&config, &events(100.02)).error().text.contains("100 mm long"));
+    assert_eq!(run::<Head>(&config, &events(100.009)).diagnostics, []);
+    let table = run::<Cb>(&config, &events(100.02));
+    assert_eq!(table.diagnostics.len(), 1);
+    assert_eq!(table.diagnostics[0].severity, Severity::Warning);
+}
+
+#[test]
+fn a_feed_motion_needs_tool_spindle_and_feed() {
+    let text = |events: &[Event<'_>]| run::<Xyz>(&config(), events).error().text.clone();
+    assert!(text(&[spindle(), feed([0.0; 3], UP)]).contains("before the first tool"));
+    assert!(text(&[tool(1), feed([0.0; 3], UP)]).contains("without spindle speed"));
+    assert!(text(&[tool(1), spindle(), Event::Spindle(Spindle::Off), feed([0.0; 3], UP)]).contains("spindle off"));
+    let silent = Event::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: None });
+    assert!(text(&[tool(1), spindle(), silent]).contains("without feed"));
+}
+
+#[test]
+fn a_rapid_before_the_first_tool_moves_nothing_because_no_length_offset_is_active() {
+    let away = rapid([0.0, 0.0, 100.0], UP);
+    let armed = [tool(1), spindle(), feed([0.0; 3], UP)];
+    let late = run::<Xyz>(&config(), &[&[away, away][..], &armed].concat());
+    assert_eq!(late.lines, lines::<Xyz>(&config(), &armed));
+    assert_eq!(late.diagnostics.len(), 1);
+    assert!(late.diagnostics[0].text.contains("no length offset"));
+    assert!(run::<Head>(&with_lengths(None), &[away]).error().text.contains("before the first tool"));
+}
+
+#[test]
+fn the_speed_of_one_tool_is_not_that_of_the_next() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)];
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("since the tool was called"));
+    let before =
+        [tool(1), spindle(), feed([0.0; 3], UP), Event::Operation(b"B"), spindle(), tool(2), feed([0.0; 3], UP)];
+    assert_eq!(run::<Xyz>(&config(), &before).diagnostics, []);
+}
+
+#[test]
+fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none() {
+    let mut config = config();
+    config.defaults.speed = Some(1000.0);
+    config.defaults.rotation = Some(Rotation::Clockwise);
+    config.tools.insert(1, Tool { speed: Some(2000.0), ..Tool::default() });
+    let text = run::<Xyz>(&config, &[tool(1), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)]).text();
+    assert!(text.contains("S2000 M3") && text.contains("S1000 M3"), "{text}");
+}
+
+#[test]
+fn spindle_speeds_that_make_no_sense_are_refused() {
+    let mut config = config();
+    config.spindle_max = Some(8000.0);
+    let text = |config: &Config, speed, rotation| {
+        let on = Event::Spindle(Spindle::On { speed: Some(speed), rotation: Some(rotation) });
+        run::<Xyz>(config, &[tool(1), on, feed([0.0; 3], UP)]).diagnostics.first().map(|found| found.text.clone())
+    };
+    assert_eq!(text(&config, 8000.0, Rotation::Clockwise), None);
+    assert!(text(&config, 8000.1, Rotation::Clockwise).is_some_and(|text| text.contains("spindle_max")));
+    assert!(text(&config, 0.4, Rotation::Clockwise).is_some_and(|text| text.contains("S0")));
+    config.tools.insert(1, Tool { left_handed: true, ..Tool::default() });
+    assert!(text(&config, 100.0, Rotation::Clockwise).is_some_and(|text| text.contains("counter-clockwise")));
+    assert_eq!(text(&config, 100.0, Rotation::CounterClockwise), None);
+}
+
+#[test]
+fn the_floor_is_the_lowest_tip() {
+    let mut config = config();
+    config.floor = Some(-5.0);
+    let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
+    assert_eq!(run::<Xyz>(&config, &events(-5.0)).diagnostics, []);
+    assert!(run::<Xyz>(&config, &events(-5.01)).error().text.contains("floor"));
+}
+
+#[test]
+fn inverse_time_stands_where_a_rotary_word_changes_and_f_is_repeated_behind_it() {
+    let events = [
+        tool(1),
+        spindle(),
+        feed([0.0; 3], cb(0.0, 10.0)),
+        feed([10.0, 0.0, 0.0], cb(0.0, 10.0)),
+        feed([20.0, 0.0, 0.0], cb(0.0, 12.0)),
+        feed([25.0, 0.0, 0.0], cb(0.0, 14.0)),
+        feed([30.0, 0.0, 0.0], cb(0.0, 14.0)),
+        feed([35.0, 0.0, 0.0], cb(0.0, 14.0)),
+        feed([36.0, 0.0, 0.0], cb(0.0, 15.0)),
+        rapid([90.0, 0.0, 0.0], cb(0.0, 15.0)),
+        feed([91.0, 0.0, 0.0], cb(0.0, 15.0)),
+    ];
+    let lines = lines::<Cb>(&Config { tolerance: 1.0, ..config() }, &events);
+    let first = lines.iter().position(|line| line.starts_with("G93")).expect("inverse time");
+    let codes: Vec<String> = lines[first..first + 8]
+        .iter()
+        .map(|line| line.split(' ').filter(|word| word.starts_with(['G', 'F', 'B'])).collect::<Vec<_>>().join(" "))
+        .collect();
+    assert_eq!(codes, ["G93 B12 F50", "B14 F100", "G94 F500", "", "G93 B15 F500", "G94", "G0", "G1 F500"]);
+}
+
+#[test]
+fn a_feed_per_revolution_becomes_a_feed_per_minute_with_the_written_speed() {
+    let per_turn = Event::Move(Move { pose: pose([0.0; 3], UP), rapid: false, feed: Some(Feed::PerRevolution(0.1)) });
+    let text = run::<Xyz>(&config(), &[tool(1), spindle(), per_turn]).text();
+    assert!(text.contains("G1 Z0 F800"), "{text}");
+}
+
+#[test]
+fn a_rapid_below_everything_that_was_cut_is_remarked_on() {
+    let to = |depth| {
+        let cut =
+            [tool(1), spindle(), feed([0.0, 0.0, -2.0], UP), feed([0.0, 0.0, 5.0], UP), rapid([9.0, 0.0, 5.0], UP)];
+        let mut events = cut.to_vec();
+        events.push(rapid([9.0, 0.0, depth], UP));
+        run::<Xyz>(&config(), &events).diagnostics.len()
+    };
+    assert_eq!((to(-2.0), to(-2.1)), (0, 1));
+}
+
+#[test]
+fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
+    let call = |length| Event::Tool(ToolCall { number: 1, length, ..ToolCall::default() });
+    let events = |again| {
+        let out = |x| feed([x, 0.0, 60.0], UP);
+        [call(Some(120.0)), spindle(), feed([0.0; 3], UP), out(0.0), call(again), feed([0.0; 3], UP), out(0.0)]
+    };
+    assert_eq!(run::<Head>(&config(), &events(None)).diagnostics, []);
+    assert!(run::<Head>(&config(), &events(Some(121.0))).error().text.contains("two lengths"));
+}
+
+#[test]
+fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
+    let mut config = config();
+    config.transition = Transition::Direct;
+    config.retract.distance = Some(20.0);
+    let limit = 180_f64.to_radians();
+    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
+    let events = [
+        tool(1),
+        spindle(),
+        feed([10.0, 0.0, 0.0], cb(160.0, 30.0)),
+        feed([10.0, 0.0, 0.0], cb(170.0, 30.0)),
+        Event::Operation(b"NEXT"),
+        Event::Spindle(Spindle::On { speed: Some(3000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::Coolant(Coolant::Flood),
+        // The table reaches its limit on the way.
+        feed([10.0, 0.0, 0.0], cb(190.0, 30.0)),
+    ];
+    let on = run::<Cb>(&config, &events);
+    assert_eq!(on.statistics.rewinds, 1, "{:?} {}", on.diagnostics, on.text());
+    let next = on.lines.iter().position(|line| line == "(OPERATION NEXT)").expect("the operation");
+    assert_eq!(on.lines[next + 1..next + 3], ["S3000 M3", "M8"], "{}", on.text());
+    // With the spindle off nothing is cut on the way either.
+    let mut off = events;
+    off[5] = Event::Spindle(Spindle::Off);
+    let off = run::<Cb>(&config, &off);
+    assert!(off.error().text.contains("with the spindle off"), "{:?}", off.error());
+    assert_eq!(off.lines[next + 1..], ["M5"], "{}", off.text());
+}
+
+#[test]
+fn coolant_that_the_control_has_no_code_for_is_refused() {
+    let events = [tool(1), spindle(), Event::Coolant(Coolant::Through), feed([0.0; 3], UP)];
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("no code for coolant through the spindle"));
+}
+
+#[test]
+fn the_program_is_the_same_each_time() {
+    let events: Vec<_> = [tool(1), spindle()]
+        .into_iter()
+        .chain((0..50).map(|i| feed([f64::from(i), 0.0, 0.0], cb(f64::from(i) * 7.0, 30.0))))
+        .collect();
+    assert_eq!(lines::<Cb>(&config(), &events), lines::<Cb>(&config(), &events));
+}
+
+#[test]
+fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
+    let call = |offset| Event::Tool(ToolCall { number: 1, offset, ..ToolCall::default() });
+    let cut = feed([0.0, 0.0, 0.0], UP);
+    let events = [call(Some(5)), spindle(), cut, call(None), cut, call(Some(1)), cut, call(None), cut];
+    let lines = lines::<Xyz>(&config(), &events);
+    let offsets: Vec<_> = lines.iter().filter(|line| line.starts_with("G43")).collect();
+    assert_eq!(offsets, ["G43 H5", "G43 H5", "G43 H1", "G43 H1"]);
+}
+
+#[test]
+fn the_speed_of_one_tool_is_never_that_of_another() {
+    let on = Event::Spindle(Spindle::On { speed: None, rotation: None });
+    let cut = feed([0.0, 0.0, 0.0], UP);
+    // Turned off and on again in the start in which the tool changes, and given to a tool that never moves.
+    let again = [tool(1), spindle(), cut, Event::Stop, Event::Spindle(Spindle::Off), tool(2), on, cut];
+    let skipped = [tool(1), spindle(), tool(2), cut];
+    for events in [&again[..], &skipped] {
+        let run = run::<Xyz>(&config(), events);
+        assert!(run.error().text.contains("without spindle speed"), "{}", run.text());
+    }
+    // In front of the tool record it is meant for that tool, and the same tool keeps its own.
+    lines::<Xyz>(&config(), &[tool(1), spindle(), cut, Event::Stop, spindle(), tool(2), cut]);
+    lines::<Xyz>(&config(), &[tool(1), spindle(), tool(1), cut]);
+}
+
+#[test]
+fn a_linear_axis_that_f_does_not_count_along_is_fed_in_inverse_time() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), feed([0.01, 0.0, -10.0], UP)];
+    let lines = lines::<Xyw>(&config(), &events);
+    assert!(lines.contains(&"X0.01 W-10 F50".to_owned()), "{lines:#?}");
+    assert!(lines.iter().any(|line| line.starts_with("G93 G1 W0")), "{lines:#?}");
+}
+
+#[test]
+fn a_spindle_that_is_off_stops_before_the_next_rapid_and_refuses_the_next_feed() {
+    let off = |next| {
+        let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off), next];
+        run::<Xyz>(&config(), &events)
+    };
+    let rapid = off(rapid([5.0, 0.0, 50.0], UP)).lines;
+    let stop = rapid.iter().position(|line| line == "M5").expect("stopped");
+    assert_eq!(rapid[stop + 1], "G0 X5 Z50");
+    assert!(off(feed([5.0, 0.0, 0.0], UP)).diagnostics[0].text.contains("spindle off"));
+}
+
+#[test]
+fn nc_text_and_codes_leave_nothing_in_force() {
+    for (event, block) in [(Event::Insert(b"G0 X5"), "G0 X5"), (Event::Code { letter: b'M', number: 10 }, "M10")] {
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), event, feed([0.0, 0.0, 1.0], UP)];
+        let lines = lines::<Cb>(&config(), &events);
+        let at = lines.iter().position(|line| line == block).expect("as it stands");
+        assert!(lines[at + 1].starts_with("N2 G21 G17 G40"), "{lines:?}");
+        assert!(lines[at..].iter().any(|line| line == "S8000 M3"));
+    }
+}
+
+#[test]
+fn nc_text_that_is_not_ascii_is_refused() {
+    for text in [&b"G0 X\xff"[..], b"G0\tX1", b""] {
+        let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(text)];
+        assert!(run::<Cb>(&config(), &events).error().text.contains("not ASCII"));
+    }
+}
+
+#[test]
+fn cutter_compensation_is_refused_until_it_is_said_what_d_holds() {
+    let before = [tool(1), spindle(), feed([0.0; 3], UP)];
+    let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
+    let asked = |side| with(Event::Compensation(Compensation { side, register: None, xy: true }));
+    let refused = asked(CutterSide::Left);
+    assert!(refused.error().text.contains("CUTCOM"));
+    assert!(refused.error().help.as_ref().is_some_and(|help| help.contains("[compensation] path")));
+    assert_eq!(asked(CutterSide::Off).diagnostics, []);
+}
+
+#[test]
+fn a_wait_is_written_in_seconds() {
+    let wait = |dwell| {
+        lines::<Cb>(
+            &config(),
+            &[tool(1), spindle(), feed([0.0; 3], UP), Event::Delay(dwell), feed([1.0, 0.0, 0.0], UP)],
+        )
+    };
+    assert!(wait(Dwell::Seconds(2.5)).contains(&"G4 P2.5".to_owned()));
+    assert!(wait(Dwell::Revolutions(400.0)).contains(&"G4 P3".to_owned()), "400 turns at 8000/min");
+    let still = [tool(1), Event::Delay(Dwell::Revolutions(2.0))];
+    assert!(run::<Cb>(&config(), &still).error().text.contains("the spindle does not turn"));
+}
+
+#[test]
+fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
+    let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Frame(2), feed([1.0, 0.0, 0.0], UP)];
+    assert!(run::<Cb>(&config(), &events).error().text.contains("on a table that turns"));
+    assert!(run::<Xyz>(&config(), &events).error().text.contains("frame 2 of the CL data has no work offset"));
+    let mut config = config();
+    config.frames.insert(2, "G55".to_owned());
+    let lines = lines::<Xyz>(&config, &events);
+    let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
+    assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
+    // The clearance plane stays behind: in the other frame it would be another plane.
+    let plane = Plane { normal: Vector3::z_axis(), distance: 80.0 };
+    let mut above = vec![Event::ClearancePlane(plane)];
+    above.extend(events);
+    above.extend([tool(2), feed([1.0, 0.0, 0.0], UP)]);
+    let run = run::<Xyz>(&config, &above);
+    assert_eq!(run.lines.iter().filter(|line| *line == "G0 Z80").count(), 1, "{:?}", run.lines);
+}
+
+#[test]
+fn another_machine_in_the_cl_data_is_remarked_on() {
+    let events = [Event::MachineName(b"UNCX01"), tool(1), spindle(), feed([0.0; 3], UP)];
+    let run = run::<Cb>(&config(), &events);
+    assert!(run.diagnostics[0].text.contains("made for the machine `UNCX01`"), "{:?}", run.diagnostics);
+}
+
+#[test]
+fn the_posted_length_is_guarded_where_it_matters() {
+    let guards = |run: &Run| run.lines.iter().filter(|line| line.contains("#5403")).count();
+    let events = [tool(1), spindle(), feed([0.0, 0.0, -80.0], UP), Event::Stop, feed([9.0, 0.0, -80.0], UP)];
+    let mut config = with_lengths(Some(9.0));
+    let head = run::<Head>(&config, &events);
+    let at = head.lines.iter().position(|line| line == "G43 H1").expect("a length offset");
+    assert!(head.lines[at + 1].starts_with("o1 if [[ABS[#5403 - 100] GT 0.01]"), "{}", head.text());
+    assert!(head.lines.contains(&"o2 endif".to_owned()), "behind the stop again: {}", head.text());
+    assert_eq!((guards(&head), guards(&run::<Cb>(&config, &events))), (2, 0));
+    config.length_guard = Some(true);
+    assert_eq!(guards(&run::<Cb>(&config, &events)), 2);
+    config.length_guard = Some(false);
+    assert_eq!(guards(&run::<Head>(&config, &events)), 0);
+    config.length_guard = None;
+    config.tools.insert(1, Tool { length: Some(100.0), offset: Some(21), ..Tool::default() });
+    assert_eq!(guards(&run::<Head>(&config, &events)), 0, "the table of the tool says nothing about H21");
+}
+
+#[test]
+fn in_a_dry_run_spindle_and_coolant_stay_off() {
+    let events = [
+        tool(1),
+        spindle(),
+        Event::Coolant(Coolant::Flood),
+        feed([0.0, 0.0, -5.0], UP),
+        Event::Spindle(Spindle::On { speed: Some(900.0), rotation: None }),
+        feed([9.0, 0.0, -5.0], UP),
+    ];
+    let config = Config { lift: Some(50.0), spindle_dwell: 1.0, ..config() };
+    let lines = lines::<Cb>(&config, &events);
+    assert!(lines.iter().any(|line| line == "M5"), "{lines:?}");
+    for code in ["M3", "M4", "M8", "M7", "G4 P"] {
+        assert!(!lines.iter().any(|line| line.contains(code)), "{code} in {lines:?}");
+    }
+    let raw = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), Event::Insert(b"M3")]);
+    assert!(raw.error().text.contains("a dry run writes no NC text"), "{}", raw.error().text);
+}

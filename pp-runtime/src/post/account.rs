@@ -1,0 +1,112 @@
+//! The account of a program: for each of its lines the record that it serves, why it is there, and where the machine
+//! stands behind it.
+
+use std::io::{self, Write};
+
+use crate::control::Encoder;
+use crate::kinematics::{Branch, Pose};
+use crate::motion::{MAX_AXES, Sink, Standing, Step, Why};
+use crate::program::Location;
+
+/// A line of a program, and where it comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Origin<'a> {
+    /// Its place in the program, from 1.
+    pub line: u64,
+    /// The block number that stands in it.
+    pub number: Option<u32>,
+    /// What it is, in one word: `feed`, `rapid`, `tool`, ...; `head` and `end` for the frame of the program.
+    pub step: &'static str,
+    /// The record that it serves; none for the head.
+    pub at: Option<Location>,
+    /// Why it is there.
+    pub why: Why,
+    /// Where the machine stands behind it, if it moves.
+    pub standing: Option<Standing<'a>>,
+}
+
+/// Keeps the account of a program.
+pub trait Account {
+    /// Takes the next line.
+    ///
+    /// # Errors
+    /// Those of where the account is written to.
+    fn line(&mut self, origin: &Origin<'_>) -> io::Result<()>;
+}
+
+/// Where the machine stands, by value.
+#[derive(Debug, Clone, Copy)]
+struct Stand {
+    pose: Option<Pose>,
+    branch: Branch,
+    axes: [f64; MAX_AXES],
+    count: usize,
+    mask: u16,
+}
+
+impl Stand {
+    fn of(standing: &Standing<'_>) -> Self {
+        let count = standing.axes.len().min(MAX_AXES);
+        let mut axes = [0.0; MAX_AXES];
+        axes[..count].copy_from_slice(&standing.axes[..count]);
+        Self { pose: standing.pose.copied(), branch: standing.branch, axes, count, mask: standing.mask }
+    }
+
+    fn standing(&self) -> Standing<'_> {
+        let Self { ref pose, branch, ref axes, count, mask } = *self;
+        Standing { pose: pose.as_ref(), branch, axes: &axes[..count], mask, inserted: None }
+    }
+}
+
+/// Hands steps to an encoder, and what it makes of them to an account, if one is kept.
+pub(super) struct Recorded<'e, 'r, W: Write> {
+    pub(super) encoder: Encoder<'e, W>,
+    account: Option<&'r mut dyn Account>,
+    at: Option<Location>,
+    why: Why,
+    /// The point that comes is one that its record does not name.
+    inserted: Option<Why>,
+    stand: Option<Stand>,
+}
+
+impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
+    pub(super) fn new(mut encoder: Encoder<'e, W>, account: Option<&'r mut dyn Account>) -> Self {
+        if account.is_some() {
+            encoder.keep_lines();
+        }
+        Self { encoder, account, at: None, why: Why::Head, inserted: None, stand: None }
+    }
+
+    /// Accounts for what was written since the last step.
+    pub(super) fn settle(&mut self, step: &'static str) -> io::Result<()> {
+        let Some(account) = &mut self.account else { return Ok(()) };
+        let (stand, why) = (self.stand.take(), self.inserted.take().unwrap_or(self.why));
+        let mut lines = self.encoder.take_lines().peekable();
+        while let Some(line) = lines.next() {
+            // What stands in front of a motion is there for it, and moves nothing.
+            let standing = stand.as_ref().filter(|_| lines.peek().is_none()).map(Stand::standing);
+            account.line(&Origin { line: line.line, number: line.number, step, at: self.at, why, standing })?;
+        }
+        Ok(())
+    }
+}
+
+impl<W: Write> Sink for Recorded<'_, '_, W> {
+    #[inline]
+    fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
+        self.encoder.step(step)?;
+        if self.account.is_some() { self.settle(step.name()) } else { Ok(()) }
+    }
+
+    #[inline]
+    fn serve(&mut self, at: Location, why: Why) {
+        (self.at, self.why) = (Some(at), why);
+    }
+
+    #[inline]
+    fn stand(&mut self, standing: &Standing<'_>) {
+        if self.account.is_some() {
+            (self.stand, self.inserted) = (Some(Stand::of(standing)), standing.inserted);
+        }
+    }
+}

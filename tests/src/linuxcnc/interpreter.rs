@@ -1,0 +1,159 @@
+//! The interpreter of LinuxCNC by itself: `rs274` reads a program and prints the canonical motions it asks for.
+//!
+//! It reads its tool table in inches and prints four decimals, in the unit of the program. Every tool that a program calls
+//! is in the table, as long as the program was posted for.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::process::Command;
+
+use pp_runtime::check::read::WorkPlane;
+use tempfile::TempDir;
+
+/// How far a printed number may be from what the interpreter holds.
+pub const PRINTED: f64 = 6e-5;
+
+/// Length of a tool of which the program says nothing, mm.
+const ANY_LENGTH: f64 = 100.0;
+
+/// A motion as the interpreter tells it; X Y Z A B C in units of the program and in degrees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Motion {
+    /// At rapid.
+    Traverse([f64; 6]),
+    /// At feed.
+    Feed([f64; 6]),
+    /// A circle or a helix.
+    Arc(Arc),
+    /// In and out again with the spindle: X Y Z of the bottom.
+    Tap([f64; 3]),
+}
+
+/// A circle or a helix in a plane, seen from the end of its normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc {
+    /// The plane in force.
+    pub plane: WorkPlane,
+    /// Where it ends.
+    pub end: [f64; 6],
+    /// Centre along the first and the second axis of the plane.
+    pub centre: [f64; 2],
+    /// Turns begun, + counter-clockwise.
+    pub turns: i32,
+}
+
+/// Length of each register that a program calls, mm.
+fn lengths(program: &str) -> BTreeMap<u32, f64> {
+    let mut lengths = BTreeMap::new();
+    let mut tool = 0;
+    for line in program.lines() {
+        for word in line.split(' ').filter(|_| !line.starts_with(['(', 'o'])) {
+            if let Some(number) = word.strip_prefix('T').and_then(|number| number.parse().ok()) {
+                tool = number;
+                lengths.entry(number).or_insert(ANY_LENGTH);
+            }
+            if let Some(number) = word.strip_prefix('H').and_then(|number| number.parse().ok()) {
+                lengths.entry(number).or_insert(ANY_LENGTH);
+            }
+        }
+        // The guard stands behind the call of its tool.
+        if let Some((_, length)) = line.split_once("[ABS[#5403 - ") {
+            let length = length.split(']').next().and_then(|length| length.parse().ok());
+            lengths.insert(tool, length.expect("a length"));
+        }
+    }
+    lengths
+}
+
+/// The canonical calls of a program run with tools that are longer than it says by `off` mm.
+///
+/// # Errors
+/// What the interpreter says of a program that it does not take.
+///
+/// # Panics
+/// If it cannot be run at all.
+pub fn interpret(program: &str, off: f64) -> Result<String, String> {
+    let folder = TempDir::new().expect("a temporary folder");
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("the folder takes files");
+    let row = |(number, length): (u32, f64)| format!("T{number} P{number} Z{:+.7} D+0.25\n", (length + off) / 25.4);
+    write("tool.tbl", &lengths(program).into_iter().map(row).collect::<String>());
+    write("params.var", "");
+    write("program.ngc", program);
+    let output = Command::new("rs274")
+        .current_dir(folder.path())
+        // It keeps the tool table in a file of the home folder, which runs at the same time would share.
+        .env("HOME", folder.path())
+        .args(["-g", "-t", "tool.tbl", "-v", "params.var", "program.ngc"])
+        .output()
+        .expect("rs274 runs");
+    let (calls, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    if output.status.success() { Ok(calls.into_owned()) } else { Err(errors.trim().to_owned()) }
+}
+
+/// The motions among the canonical calls.
+///
+/// # Panics
+/// At a call that has other arguments than it should.
+#[must_use]
+pub fn motions(calls: &str) -> Vec<Motion> {
+    let mut plane = WorkPlane::Xy;
+    let mut motions = Vec::new();
+    for line in calls.lines() {
+        // `621 N..... RIGID_TAP(-27.1290, 30.3250, -10.0000)`
+        let Some((name, arguments)) = line.split_once('(') else { continue };
+        let name = name.split_whitespace().last().unwrap_or_default();
+        let arguments = arguments.trim_end().trim_end_matches(')');
+        match name {
+            "SELECT_PLANE" => plane = plane_of(arguments),
+            "STRAIGHT_TRAVERSE" => motions.push(Motion::Traverse(numbers(line, arguments))),
+            "STRAIGHT_FEED" => motions.push(Motion::Feed(numbers(line, arguments))),
+            "RIGID_TAP" => motions.push(Motion::Tap(numbers(line, arguments))),
+            "ARC_FEED" => motions.push(Motion::Arc(arc(plane, numbers(line, arguments)))),
+            _ => {}
+        }
+    }
+    motions
+}
+
+fn plane_of(name: &str) -> WorkPlane {
+    match name {
+        "CANON_PLANE_XY" => WorkPlane::Xy,
+        "CANON_PLANE_XZ" => WorkPlane::Zx,
+        "CANON_PLANE_YZ" => WorkPlane::Yz,
+        other => panic!("a plane that no program here asks for: {other}"),
+    }
+}
+
+/// `ARC_FEED(first end, second end, first centre, second centre, turns, end along the normal, a, b, c)`.
+fn arc(plane: WorkPlane, [first, second, u, v, turns, normal, a, b, c]: [f64; 9]) -> Arc {
+    let mut end = [0.0, 0.0, 0.0, a, b, c];
+    for (axis, value) in plane.axes().into_iter().zip([first, second, normal]) {
+        end[axis] = value;
+    }
+    Arc { plane, end, centre: [u, v], turns: turns as i32 }
+}
+
+fn numbers<const N: usize>(line: &str, arguments: &str) -> [f64; N] {
+    let numbers: Vec<f64> = arguments.split(',').filter_map(|number| number.trim().parse().ok()).collect();
+    numbers.try_into().unwrap_or_else(|found: Vec<f64>| panic!("{N} numbers, found {}: {line}", found.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn calls_become_motions_in_the_plane_in_force() {
+        let calls = "  4 N..... SELECT_PLANE(CANON_PLANE_XZ)\n  5 N..... SET_FEED_RATE(20.0000)\n  \
+             6 N3     ARC_FEED(1.0000, 2.0000, 3.0000, 4.0000, -2, 5.0000, 6.0000, 7.0000, 8.0000)\n  \
+             7 N..... STRAIGHT_FEED(1.0000, -2.0000, 3.0000, 4.0000, 5.0000, 6.0000)\n";
+        let arc = Arc { plane: WorkPlane::Zx, end: [2.0, 5.0, 1.0, 6.0, 7.0, 8.0], centre: [3.0, 4.0], turns: -2 };
+        assert_eq!(motions(calls), [Motion::Arc(arc), Motion::Feed([1.0, -2.0, 3.0, 4.0, 5.0, 6.0])]);
+    }
+
+    #[test]
+    fn a_tool_is_as_long_as_its_guard_says() {
+        let program = "T4 M6\no1 if [[ABS[#5403 - 87.5] GT 0.01]]\nG43 H9\nT5 M6\n";
+        assert_eq!(lengths(program), BTreeMap::from([(4, 87.5), (5, ANY_LENGTH), (9, ANY_LENGTH)]));
+    }
+}

@@ -1,0 +1,142 @@
+//! What LinuxCNC is told of the machine: its INI and HAL files, remapped codes, tool table and offsets.
+//!
+//! The control starts with joints as axes; M428 switches to the kinematics of the machine, M429 back, as the documentation of
+//! switchable kinematics has it. Two analog outputs belong to the harness: 0 counts marks, 1 is the kinematics wanted. Digital
+//! input 0 tells the program that the joints have settled.
+
+use std::fmt::Write as _;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// Cycle of the servo thread, ns.
+const SERVO_PERIOD: u32 = 1_000_000;
+
+/// Speed of every axis, mm/s and deg/s: no test waits for a slow machine.
+const SPEED: f64 = 1e5;
+
+/// Acceleration of every axis, mm/s² and deg/s².
+const ACCELERATION: f64 = 1e8;
+
+/// Travel of a coordinate that no joint has, mm and degrees.
+const ANYWHERE: f64 = 1e5;
+
+/// How long the machine has to be in position until its joints are, seconds of the servo thread: the joint interpolator
+/// follows by four cycles.
+const SETTLING: f64 = 0.008;
+
+/// A block that waits until the joints have settled, for ten seconds at most.
+pub(super) const SETTLED: &str = "M66 P0 L3 Q10";
+
+/// Name of the file in which the sampler writes.
+pub(super) const SAMPLES: &str = "samples.txt";
+
+/// Blocks that change the kinematics: 0 joints as axes, 1 those of the machine. An input is read so that the interpreter
+/// waits, and asks where the axes are now.
+pub(super) fn switch(kinematics: u32) -> String {
+    format!("M68 E1 Q{kinematics}\nM66 E0 L0\n")
+}
+
+/// A machine on the simulated control. mm and degrees.
+#[derive(Debug, Clone)]
+pub struct Control {
+    /// Kinematics module; it has to be switchable and to have a pin `tool-offset`.
+    pub kinematics: &'static str,
+    /// Axis letters in the order of the joints.
+    pub letters: &'static str,
+    /// Pins of the module and their values.
+    pub pins: Vec<(&'static str, f64)>,
+    /// X Y Z of G54.
+    pub work_offset: [f64; 3],
+    /// Travel of each joint, in the order of the letters.
+    pub travel: Vec<[f64; 2]>,
+    /// Number of the only tool, and its length.
+    pub tool: (u32, f64),
+}
+
+impl Control {
+    /// Writes everything into a folder. `port` is where the shell of the control listens.
+    pub(super) fn write(&self, folder: &Path, port: u16) -> io::Result<()> {
+        let write = |name: &str, text: String| fs::write(folder.join(name), text);
+        write("machine.ini", self.ini(port))?;
+        write("machine.hal", self.hal())?;
+        write("tool.tbl", format!("T{0} P{0} Z{1} D10\n", self.tool.0, self.tool.1))?;
+        let [x, y, z] = self.work_offset;
+        write("params.var", format!("5220 1\n5221 {x}\n5222 {y}\n5223 {z}\n"))?;
+        for (name, kinematics) in [("m428", 1), ("m429", 0)] {
+            // The joints follow the axes by some servo cycles, and the switch takes them as they stand. At accelerations
+            // of a real machine that is nothing; at this one it would be tenths of a degree.
+            let lines = format!("o<{name}>sub\n{SETTLED}\n{}o<{name}>endsub\nM2\n", switch(kinematics));
+            write(&format!("{name}.ngc"), lines)?;
+        }
+        Ok(())
+    }
+
+    fn ini(&self, port: u16) -> String {
+        let mut ini = format!(
+            "[EMC]\nVERSION=1.1\nMACHINE=simulated\nDEBUG=0\n\
+             [DISPLAY]\nDISPLAY=linuxcncrsh --port {port}\n\
+             [RS274NGC]\nPARAMETER_FILE=params.var\nSUBROUTINE_PATH=.\n\
+             REMAP=M428 modalgroup=10 ngc=m428\nREMAP=M429 modalgroup=10 ngc=m429\n\
+             [EMCMOT]\nEMCMOT=motmod\nSERVO_PERIOD={SERVO_PERIOD}\nCOMM_TIMEOUT=10\n\
+             [TASK]\nTASK=milltask\nCYCLE_TIME=0.001\n\
+             [HAL]\nHALFILE=machine.hal\n\
+             [EMCIO]\nEMCIO=io\nCYCLE_TIME=0.01\nTOOL_TABLE=tool.tbl\n\
+             [TRAJ]\nCOORDINATES={letters}\nLINEAR_UNITS=mm\nANGULAR_UNITS=degree\n\
+             DEFAULT_LINEAR_VELOCITY={SPEED}\nMAX_LINEAR_VELOCITY={SPEED}\n\
+             DEFAULT_LINEAR_ACCELERATION={ACCELERATION}\nMAX_LINEAR_ACCELERATION={ACCELERATION}\n\
+             DEFAULT_ANGULAR_VELOCITY={SPEED}\nMAX_ANGULAR_VELOCITY={SPEED}\n\
+             [KINS]\nKINEMATICS={kinematics} sparm=identityfirst\nJOINTS={joints}\n",
+            letters = self.letters,
+            kinematics = self.kinematics,
+            joints = self.letters.len(),
+        );
+        for (joint, (letter, [least, most])) in self.letters.chars().zip(&self.travel).enumerate() {
+            let kind = if "ABC".contains(letter) { "ANGULAR" } else { "LINEAR" };
+            let speeds = format!("MAX_VELOCITY={SPEED}\nMAX_ACCELERATION={ACCELERATION}\n");
+            let _ = write!(
+                ini,
+                "[AXIS_{letter}]\nMIN_LIMIT=-{ANYWHERE}\nMAX_LIMIT={ANYWHERE}\n{speeds}\
+                 [JOINT_{joint}]\nTYPE={kind}\nHOME=0\nHOME_SEQUENCE=0\nHOME_SEARCH_VEL=0\n{speeds}\
+                 MIN_LIMIT={least}\nMAX_LIMIT={most}\nFERROR={ANYWHERE}\nMIN_FERROR={ANYWHERE}\n"
+            );
+        }
+        ini
+    }
+
+    fn hal(&self) -> String {
+        let joints = self.letters.len();
+        let mut hal = format!(
+            "loadrt [KINS]KINEMATICS\n\
+             loadrt motmod servo_period_nsec={SERVO_PERIOD} num_joints={joints} num_dio=1 num_aio=2\n\
+             loadrt timedelay\n\
+             loadrt sampler depth=16000 cfg=fb{}\n\
+             addf motion-command-handler servo-thread\naddf motion-controller servo-thread\n\
+             addf timedelay.0 servo-thread\naddf sampler.0 servo-thread\n\
+             net still motion.in-position timedelay.0.in\n\
+             net settled timedelay.0.out motion.digital-in-00 sampler.0.pin.1\n\
+             setp timedelay.0.on-delay {SETTLING}\nsetp timedelay.0.off-delay 0\n\
+             net enable iocontrol.0.user-enable-out iocontrol.0.emc-enable-in\n\
+             net prepare iocontrol.0.tool-prepare iocontrol.0.tool-prepared\n\
+             net change iocontrol.0.tool-change iocontrol.0.tool-changed\n\
+             net length motion.tooloffset.z {}.tool-offset\n\
+             net wanted motion.analog-out-01 motion.switchkins-type\n\
+             net mark motion.analog-out-00 sampler.0.pin.0\n",
+            "f".repeat(2 * joints),
+            self.kinematics,
+        );
+        for (joint, letter) in self.letters.to_ascii_lowercase().chars().enumerate() {
+            let (here, there) = (joint + 2, joint + 2 + joints);
+            let _ = write!(
+                hal,
+                "net joint{joint} joint.{joint}.motor-pos-cmd joint.{joint}.motor-pos-fb sampler.0.pin.{here}\n\
+                 net axis{letter} axis.{letter}.pos-cmd sampler.0.pin.{there}\n"
+            );
+        }
+        for (pin, value) in &self.pins {
+            let _ = writeln!(hal, "setp {}.{pin} {value}", self.kinematics);
+        }
+        let _ = writeln!(hal, "loadusr halsampler -t {SAMPLES}");
+        hal
+    }
+}

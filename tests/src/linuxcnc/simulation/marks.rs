@@ -1,0 +1,150 @@
+//! Where the joints stand at the end of each block, exactly.
+//!
+//! Behind a block the program waits until the joints have settled and counts an analog output up, which the sampler writes
+//! down beside joints and axes in every servo cycle: the first sample with a number is what was reached there. Both waits
+//! count servo cycles and no time, so that a busy computer makes the control late and nothing else.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use super::configuration::{SETTLED, switch};
+
+/// What the control is told to look through at a mark.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Look {
+    /// The kinematics in force in the program.
+    AsProgrammed,
+    /// The kinematics of the machine, in a program that moves joints.
+    ThroughKinematics,
+}
+
+/// Where the machine stands at the end of a block.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reached {
+    /// Line of the program as it was given, from 1.
+    pub line: usize,
+    /// Joints, mm and degrees.
+    pub joints: Vec<f64>,
+    /// Axes by the control's own kinematics, mm and degrees: of the tip, with the tool length added to Z.
+    pub axes: Vec<f64>,
+}
+
+/// The program with a mark behind each of `lines`, from mark `first` on.
+pub(super) fn marked(program: &str, lines: &[usize], first: usize, look: Look) -> String {
+    let mut text = String::new();
+    let mut mark = first;
+    for (index, block) in program.lines().enumerate() {
+        let _ = writeln!(text, "{block}");
+        if !lines.contains(&(index + 1)) {
+            continue;
+        }
+        let (before, behind) = match look {
+            Look::AsProgrammed => (String::new(), String::new()),
+            // The joints stand: what M428 and M429 do, without their wait.
+            Look::ThroughKinematics => (switch(1), switch(0)),
+        };
+        let _ = write!(text, "{SETTLED}\n{before}M68 E0 Q{mark}\n{behind}");
+        mark += 1;
+    }
+    text
+}
+
+/// A servo cycle: what the sampler has written.
+#[derive(Debug, Clone, PartialEq)]
+struct Sample {
+    mark: usize,
+    /// The joints stand.
+    settled: bool,
+    /// Joints and axes.
+    values: Vec<f64>,
+}
+
+/// The file of the sampler, as far as it has been read.
+pub(super) struct Samples {
+    file: File,
+    rest: String,
+    /// The first sample of each mark, by mark.
+    seen: Vec<Option<Sample>>,
+}
+
+impl Samples {
+    pub(super) fn open(path: &Path) -> io::Result<Self> {
+        Ok(Self { file: File::open(path)?, rest: String::new(), seen: Vec::new() })
+    }
+
+    /// Marks that have been seen, mark 0 included.
+    pub(super) fn marks(&self) -> usize {
+        self.seen.len()
+    }
+
+    /// Reads what has been written since.
+    pub(super) fn read(&mut self) -> io::Result<()> {
+        self.file.read_to_string(&mut self.rest)?;
+        let whole = self.rest.rfind('\n').map_or(0, |end| end + 1);
+        let lines: String = self.rest.drain(..whole).collect();
+        for sample in lines.lines().filter_map(sample) {
+            if self.seen.len() <= sample.mark {
+                self.seen.resize(sample.mark + 1, None);
+            }
+            let mark = sample.mark;
+            self.seen[mark].get_or_insert(sample);
+        }
+        Ok(())
+    }
+
+    /// What was reached at a mark.
+    pub(super) fn reached(&self, mark: usize, line: usize) -> Result<Reached, String> {
+        let Some(Some(sample)) = self.seen.get(mark) else {
+            return Err(format!("line {line}: the sampler has missed the mark"));
+        };
+        if !sample.settled {
+            return Err(format!("line {line}: the joints have not settled: {sample:?}"));
+        }
+        let (joints, axes) = sample.values.split_at(sample.values.len() / 2);
+        Ok(Reached { line, joints: joints.to_vec(), axes: axes.to_vec() })
+    }
+}
+
+/// `3533 1.000000 1 11.000000 ...`: number, mark, settled, joints, axes. A line that tells of lost samples is none.
+fn sample(line: &str) -> Option<Sample> {
+    let mut numbers = line.split_whitespace().skip(1).map(|number| number.parse::<f64>().ok());
+    let (mark, settled) = (numbers.next()??, numbers.next()??);
+    let values = numbers.collect::<Option<_>>()?;
+    Some(Sample { mark: mark.round() as usize, settled: settled > 0.5, values })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Write as _;
+
+    use super::*;
+
+    #[test]
+    fn marks_stand_behind_the_blocks_that_are_named() {
+        let text = marked("G0 X1\nG0 X2\nM2\n", &[2], 7, Look::AsProgrammed);
+        assert_eq!(text, "G0 X1\nG0 X2\nM66 P0 L3 Q10\nM68 E0 Q7\nM2\n");
+        let text = marked("G0 X1\n", &[1], 1, Look::ThroughKinematics);
+        let through = "M68 E1 Q1\nM66 E0 L0\nM68 E0 Q1\nM68 E1 Q0\nM66 E0 L0\n";
+        assert_eq!(text, format!("G0 X1\nM66 P0 L3 Q10\n{through}"));
+    }
+
+    #[test]
+    fn the_first_sample_of_a_mark_counts_if_the_joints_have_settled() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("samples.txt");
+        let mut file = File::create(&path).expect("a file");
+        let mut samples = Samples::open(&path).expect("the file");
+        let mut write = |text: &str, samples: &mut Samples| {
+            file.write_all(text.as_bytes()).expect("it takes text");
+            samples.read().expect("it can be read");
+            samples.marks()
+        };
+        assert_eq!(write("1 0.0 1 5.0 6.0\n2 0.0 0 5.0 6.0\n3 1.0 1 7.0 8.", &mut samples), 1);
+        assert_eq!(write("0\noverrun\n4 1.0 1 7.0 9.0\n5 3.0 0 1.0 1.0\n", &mut samples), 4);
+        assert_eq!(samples.reached(1, 12), Ok(Reached { line: 12, joints: vec![7.0], axes: vec![8.0] }));
+        assert!(samples.reached(2, 13).is_err_and(|said| said.contains("missed")));
+        assert!(samples.reached(3, 14).is_err_and(|said| said.contains("settled")));
+    }
+}

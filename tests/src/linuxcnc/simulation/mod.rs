@@ -1,0 +1,220 @@
+//! The whole control, simulated and without a screen: task, interpreter, trajectory planner and kinematics module.
+//!
+//! The test talks to `linuxcncrsh`, which stands in the place of the screen, and `halsampler` writes joints and axes down. A
+//! computer runs one LinuxCNC at a time: whoever comes second waits. It runs in real time, without real-time priority.
+
+mod configuration;
+mod marks;
+mod shell;
+
+use std::fs::{self, File};
+use std::io;
+use std::net::{Ipv4Addr, TcpListener};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use tempfile::TempDir;
+
+pub use configuration::Control;
+pub use marks::{Look, Reached};
+use marks::{Samples, marked};
+use shell::Shell;
+
+/// LinuxCNC's own lock: a second one would end the first.
+const RUNNING: &str = "/tmp/linuxcnc.lock";
+
+/// How long another LinuxCNC is waited for.
+const OTHERS: Duration = Duration::from_secs(360);
+
+/// How long the control may take to start, and to end.
+const START: Duration = Duration::from_secs(40);
+
+/// Seconds after which the control is ended, whoever has forgotten it.
+const LIFETIME: &str = "300";
+
+/// How long nothing may be reached before a program counts as hanging.
+const STANDSTILL: Duration = Duration::from_secs(20);
+
+/// A running control. It ends with this value.
+pub struct Simulation {
+    process: Child,
+    shell: Option<Shell>,
+    samples: Option<Samples>,
+    folder: TempDir,
+    joints: usize,
+    /// The next mark.
+    mark: usize,
+    /// Held until the control has ended.
+    _alone: File,
+}
+
+impl Simulation {
+    /// Starts the control, homed and ready to run programs.
+    ///
+    /// # Errors
+    /// Why it does not start, with what it said.
+    pub fn start(control: &Control) -> Result<Self, String> {
+        let alone = alone().map_err(|error| format!("cannot wait for the control: {error}"))?;
+        let folder = TempDir::new().map_err(|error| error.to_string())?;
+        let port = free_port().map_err(|error| error.to_string())?;
+        let process = control.write(folder.path(), port).and_then(|()| launch(folder.path()));
+        let process = process.map_err(|error| format!("LinuxCNC cannot be started: {error}"))?;
+        let joints = control.letters.len();
+        let mut simulation = Self { process, shell: None, samples: None, folder, joints, mark: 1, _alone: alone };
+        match simulation.switch_on(port) {
+            Ok(()) => Ok(simulation),
+            Err(error) => Err(simulation.report(&error.to_string())),
+        }
+    }
+
+    fn switch_on(&mut self, port: u16) -> io::Result<()> {
+        let deadline = Instant::now() + START;
+        let mut shell = loop {
+            match Shell::connect(port) {
+                Ok(shell) => break shell,
+                Err(error) if Instant::now() > deadline => return Err(error),
+                Err(_) if self.process.try_wait()?.is_some() => return Err(io::Error::other("LinuxCNC has ended")),
+                Err(_) => sleep(Duration::from_millis(50)),
+            }
+        };
+        shell.wait_until_done(true)?;
+        for order in ["set estop off", "set machine on", "set mode manual", "set home -1"] {
+            shell.order(order)?;
+        }
+        let homed = format!("JOINT_HOMED{}", " YES".repeat(self.joints));
+        while !shell.ask("get joint_homed")?.starts_with(&homed) {
+            if Instant::now() > deadline {
+                return Err(io::Error::other("the joints are not homed"));
+            }
+            sleep(Duration::from_millis(20));
+        }
+        self.shell = Some(shell);
+        self.samples = Some(Samples::open(&self.folder.path().join(configuration::SAMPLES))?);
+        Ok(())
+    }
+
+    /// Runs a program, and says where the machine stood behind each of `lines`.
+    ///
+    /// # Errors
+    /// What the control says against the program, or that it does not get on.
+    pub fn run(&mut self, program: &str, lines: &[usize], look: Look) -> Result<Vec<Reached>, String> {
+        let first = self.mark;
+        self.mark += lines.len();
+        let path = self.folder.path().join(format!("program{first}.ngc"));
+        let written = fs::write(&path, marked(program, lines, first, look));
+        if let Err(error) = written.and_then(|()| self.execute(&path, self.mark)) {
+            return Err(self.report(&error.to_string()));
+        }
+        let samples = self.samples.as_ref().ok_or("the control is not on")?;
+        (first..).zip(lines).map(|(mark, line)| samples.reached(mark, *line)).collect()
+    }
+
+    /// Runs a file until mark `end - 1` has been seen and the interpreter is idle.
+    fn execute(&mut self, path: &Path, end: usize) -> io::Result<()> {
+        let (Some(shell), Some(samples)) = (&mut self.shell, &mut self.samples) else {
+            return Err(io::Error::other("the control is not on"));
+        };
+        shell.wait_until_done(true)?;
+        shell.order("set mode auto")?;
+        shell.order(&format!("set open {}", path.display()))?;
+        shell.wait_until_done(false)?;
+        let started = shell.ask("set run")?;
+        let mut marks = samples.marks();
+        let mut deadline = Instant::now() + STANDSTILL;
+        loop {
+            sleep(Duration::from_millis(20));
+            let messages = shell.messages()?;
+            if !messages.is_empty() || started.ends_with("NAK") {
+                return Err(io::Error::other(format!("the control says: {}", messages.join("; "))));
+            }
+            samples.read()?;
+            if samples.marks() > marks {
+                marks = samples.marks();
+                deadline = Instant::now() + STANDSTILL;
+            }
+            if marks >= end && shell.ask("get program_status")? == "PROGRAM_STATUS IDLE" {
+                return Ok(());
+            }
+            if Instant::now() > deadline {
+                return Err(io::Error::other(format!("{marks} of {end} marks, and nothing more")));
+            }
+        }
+    }
+
+    /// What went wrong, and what the control has said.
+    fn report(&self, what: &str) -> String {
+        let read = |name: &str| fs::read_to_string(self.folder.path().join(name)).unwrap_or_default();
+        format!("{what}\n--- LinuxCNC said\n{}{}", read("log"), read("linuxcnc_print.txt"))
+    }
+
+    /// Whether the control has ended, after waiting for it.
+    fn has_ended(&mut self) -> bool {
+        let deadline = Instant::now() + START;
+        while Instant::now() < deadline {
+            if self.process.try_wait().is_ok_and(|status| status.is_some()) {
+                return true;
+            }
+            sleep(Duration::from_millis(50));
+        }
+        false
+    }
+}
+
+impl Drop for Simulation {
+    fn drop(&mut self) {
+        let asked = self.shell.as_mut().is_some_and(|shell| shell.shut_down().is_ok());
+        if asked && self.has_ended() {
+            return;
+        }
+        // `timeout` passes it on to all that it has started.
+        let _ = Command::new("kill").arg(self.process.id().to_string()).status();
+        if self.has_ended() {
+            return;
+        }
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+        // It could not tidy up after itself.
+        let _ = Command::new("halrun").arg("-U").stdin(Stdio::null()).output();
+        let _ = fs::remove_file(RUNNING);
+    }
+}
+
+/// Waits until no other LinuxCNC runs, and keeps those that ask here from starting one.
+fn alone() -> io::Result<File> {
+    let path = std::env::temp_dir().join("linuxcnc-simulation.lock");
+    // Another user may have made it.
+    let file = File::open(&path).or_else(|_| File::create(&path))?;
+    file.lock()?;
+    let deadline = Instant::now() + OTHERS;
+    while Path::new(RUNNING).exists() {
+        if Instant::now() > deadline {
+            return Err(io::Error::other(format!("another LinuxCNC runs, or has left {RUNNING}")));
+        }
+        sleep(Duration::from_millis(200));
+    }
+    Ok(file)
+}
+
+fn free_port() -> io::Result<u16> {
+    Ok(TcpListener::bind((Ipv4Addr::LOCALHOST, 0))?.local_addr()?.port())
+}
+
+/// Starts LinuxCNC in a folder that holds its configuration.
+fn launch(folder: &Path) -> io::Result<Child> {
+    let log = File::create(folder.join("log"))?;
+    // As root the real-time part runs as nobody, and has to be able to make its socket.
+    Command::new("chmod").arg("a+rwx").arg(folder).status()?;
+    let mut command = Command::new("timeout");
+    command.args(["--kill-after=20", LIFETIME, "linuxcnc", "-r"]).arg(folder.join("machine.ini"));
+    command.current_dir(folder).env("HOME", folder).env_remove("DISPLAY");
+    if is_root()? {
+        command.env("RTAPI_UID", "65534").env("RTAPI_FIFO_PATH", folder.join("rtapi_fifo"));
+    }
+    command.stdin(Stdio::null()).stdout(log.try_clone()?).stderr(log).spawn()
+}
+
+fn is_root() -> io::Result<bool> {
+    Ok(Command::new("id").arg("-u").output()?.stdout.trim_ascii() == b"0")
+}

@@ -1,0 +1,340 @@
+//! The whole control with its own kinematics modules: where it puts joints and tip is where our programs say.
+//!
+//! One part is posted twice for a table of two rotaries. The `tcp` program holds tips and angles, and the control works the
+//! joints out: they are the axis values of our `axes` program. The `axes` program moves joints, and the control works out
+//! where the tip is: on the points of the CL data. The numbers of the centre lines are stated once, in the declaration.
+//!
+//! The tables of these modules turn right-handed about their letters: `signs` of `-` in a chain from workpiece to tool. Tip
+//! control is switched by M428 and M429, which the control remaps to a change of its kinematics.
+
+use std::io::Cursor;
+
+use nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
+use pp_runtime::check::read::{Action, Block, Length, TipControl};
+use pp_runtime::check::{self, blocks};
+use pp_runtime::config::{Config, Mode, Tool};
+use pp_runtime::control::LinuxCnc;
+use pp_runtime::kinematics::{AxisKind, Machine, Pose};
+use pp_runtime::machine;
+use pp_runtime::nalgebra;
+use pp_runtime::post::{Job, post};
+use tests::block::distance_to_line;
+use tests::linuxcnc::can_be_simulated;
+use tests::linuxcnc::simulation::{Control, Look, Reached, Simulation};
+use tests::oracle::angle_between;
+
+use super::sweep::{cl_data, passes};
+
+machine! {
+    /// What `xyzac-trt-kins` moves.
+    pub struct TableAc;
+    chain: C A | X Y Z;
+    dims = { centre_x: 12.5, centre_y: -7.25, tilt_y: 14.75, tilt_z: 31.5 };
+    d = { C: (centre_x, centre_y, 0), A: (0, tilt_y, tilt_z) };
+    signs = { C: -, A: - };
+    limits = { A: -100..100, X: -400..400, Y: -400..400, Z: -600..0 };
+}
+
+machine! {
+    /// The same with A the wrong way round.
+    pub struct TableAcTurned;
+    chain: C A | X Y Z;
+    dims = { centre_x: 12.5, centre_y: -7.25, tilt_y: 14.75, tilt_z: 31.5 };
+    d = { C: (centre_x, centre_y, 0), A: (0, tilt_y, tilt_z) };
+    signs = { C: - };
+    limits = { A: -100..100, X: -400..400, Y: -400..400, Z: -600..0 };
+}
+
+machine! {
+    /// What `xyzbc-trt-kins` moves.
+    pub struct TableBc;
+    chain: C B | X Y Z;
+    dims = { centre_x: -4.5, centre_y: 9.75, tilt_x: 11.0, tilt_z: -22.25 };
+    d = { C: (centre_x, centre_y, 0), B: (tilt_x, 0, tilt_z) };
+    signs = { C: -, B: - };
+    limits = { B: -100..100, X: -400..400, Y: -400..400, Z: -600..0 };
+}
+
+machine! {
+    /// The same with C the wrong way round.
+    pub struct TableBcTurned;
+    chain: C B | X Y Z;
+    dims = { centre_x: -4.5, centre_y: 9.75, tilt_x: 11.0, tilt_z: -22.25 };
+    d = { C: (centre_x, centre_y, 0), B: (tilt_x, 0, tilt_z) };
+    signs = { B: - };
+    limits = { B: -100..100, X: -400..400, Y: -400..400, Z: -600..0 };
+}
+
+/// Gauge length of tool 1, mm.
+const LENGTH: f64 = 87.25;
+
+/// Machine coordinate of the zero position: X Y Z of G54, mm.
+const WORK_OFFSET: [f64; 3] = [-35.0, 20.5, -390.0];
+
+/// Words of three decimals, one direction of three, mm.
+const ROUNDED: f64 = 0.5e-3;
+
+/// A tip of rounded words, and what the sampler leaves of six decimals, mm.
+const TIP: f64 = ROUNDED * 1.733 + 2e-6;
+
+/// A joint worked out from a rounded tip, beside a rounded word, mm.
+const JOINT: f64 = TIP + ROUNDED;
+
+/// An axis of two angles with four decimals, rad.
+const AXIS: f64 = 0.5e-4 * 1.4143 / 57.295 + 1e-8;
+
+/// How near a block has to come to a point to be the one that goes there: the rounding of its words.
+const PARTNER: (f64, f64) = (TIP, 2e-6);
+
+fn set_up(mode: Mode) -> Config {
+    let mut config = Config { mode, part_origin: [40.0, -25.0, 18.0], ..Config::default() };
+    config.machine_zero = "XYZ".chars().zip(WORK_OFFSET).collect();
+    config.tools.insert(1, Tool { length: Some(LENGTH), ..Tool::default() });
+    config.retract.distance = Some(50.0);
+    if mode == Mode::Tcp {
+        config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
+    }
+    config
+}
+
+/// The control of a machine: centre lines as declared, in machine coordinates.
+fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Control {
+    let machine = set_up(Mode::Axes).machine::<M>().expect("valid");
+    let index = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis of the chain");
+    let centre = |letter: char| machine.joint(index(letter)).point.coords + Vector3::from(WORK_OFFSET);
+    let tilt = letters.chars().nth(3).expect("a tilting axis");
+    let (table, tilting) = (centre('C'), centre(tilt));
+    let offset = tilting - table;
+    let beside = if tilt == 'A' { ("y-offset", offset.y) } else { ("x-offset", offset.x) };
+    let pins = vec![("x-rot-point", table.x), ("y-rot-point", table.y), beside, ("z-offset", tilting.z)];
+    let travel = |letter: char| {
+        let axis = M::AXES[index(letter)];
+        match (axis.kind, axis.limits) {
+            (_, None) => [-1e5, 1e5],
+            (AxisKind::Linear, Some(limits)) => [limits.lower, limits.upper],
+            (AxisKind::Rotary, Some(limits)) => [limits.lower, limits.upper].map(f64::to_degrees),
+        }
+    };
+    let travel = letters.chars().map(travel).collect();
+    Control { kinematics, letters, pins, work_offset: WORK_OFFSET, travel, tool: (1, LENGTH) }
+}
+
+/// A program, its blocks that are looked at, and where the control stood behind them.
+struct Run {
+    blocks: Vec<Block>,
+    reached: Vec<Reached>,
+    /// For each point of the CL data the block that goes there.
+    partners: Vec<usize>,
+}
+
+/// The points of the CL data, and whether a pass begins with them.
+fn points() -> Vec<Pose> {
+    passes().concat()
+}
+
+/// The blocks that go to the points, and their places among themselves.
+fn only(blocks: &[Block], partners: &[usize]) -> (Vec<Block>, Vec<usize>) {
+    (partners.iter().map(|&partner| blocks[partner].clone()).collect(), (0..partners.len()).collect())
+}
+
+/// Posts the part and lets the control run it; `every` block between the safe sequences is looked at, or those that go to
+/// the points.
+fn run<M: Machine>(simulation: &mut Simulation, config: &Config, every: bool) -> Run {
+    let job = Job { cl_name: "sweep.cls", config, control: &LinuxCnc, units: None };
+    let mut program = Vec::new();
+    let report = post::<M>(&job, &mut Cursor::new(cl_data()), &mut program).expect("memory");
+    let text = String::from_utf8(program).expect("ASCII");
+    assert!(!report.failed, "{:?}\n{text}", report.diagnostics);
+    let read = check::Job { config, control: &LinuxCnc, units: None };
+    let blocks: Vec<Block> = blocks::<M>(&read, text.as_bytes()).expect("it can be read");
+    let blocks: Vec<Block> = blocks.into_iter().filter(|block| is_looked_at::<M>(block, config.mode)).collect();
+    let partners = partners::<M>(&blocks, config);
+    let (blocks, partners) = if every { (blocks, partners) } else { only(&blocks, &partners) };
+    let lines: Vec<usize> = blocks.iter().map(|block| block.line as usize).collect();
+    let look = if config.mode == Mode::Tcp { Look::AsProgrammed } else { Look::ThroughKinematics };
+    let reached = simulation.run(&text, &lines, look).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
+    Run { blocks, reached, partners }
+}
+
+/// A motion between the safe sequences, every axis at a place that is known.
+fn is_looked_at<M: Machine>(block: &Block, mode: Mode) -> bool {
+    let moves = matches!(block.action, Action::Rapid | Action::Feed) && block.written != 0;
+    let known = block.known.count_ones() as usize == M::AXES.len();
+    let tool = block.state.length == Some(Length::Register(1));
+    moves && known && tool && (mode == Mode::Axes || block.state.tip_control != TipControl::Off)
+}
+
+/// The pose that our own reading of a block gives.
+fn meant<M: Machine>(machine: &M, block: &Block, mode: Mode) -> Pose {
+    let mut axes = M::Axes::default();
+    axes.as_mut().copy_from_slice(&block.values[..M::AXES.len()]);
+    let pose = machine.forward_kinematics(&axes);
+    if mode == Mode::Axes {
+        return pose;
+    }
+    let word = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter).map(|index| block.values[index]);
+    let tip = Point3::from(['X', 'Y', 'Z'].map(|letter| word(letter).expect("a linear axis")));
+    Pose { tip, axis: pose.axis }
+}
+
+/// The blocks that go to the points, in their order.
+fn partners<M: Machine>(blocks: &[Block], config: &Config) -> Vec<usize> {
+    let machine = config.machine::<M>().expect("valid");
+    let mut next = 0;
+    let partner = |point: &Pose| {
+        let goes_there = |block: &Block| {
+            let pose = meant(&machine, block, config.mode);
+            (pose.tip - point.tip).norm() <= PARTNER.0 && angle_between(&pose.axis, &point.axis) <= PARTNER.1
+        };
+        let found = blocks[next..].iter().position(goes_there).map(|index| next + index);
+        next = found.unwrap_or_else(|| panic!("{}: no block goes to {point:?}", M::NAME)) + 1;
+        next - 1
+    };
+    points().iter().map(partner).collect()
+}
+
+/// How far the control is from us.
+#[derive(Debug, Clone, Copy, Default)]
+struct Difference {
+    /// Tip of the `axes` program from the points, mm.
+    tip: f64,
+    /// Tool axis of the `axes` program from that of the points, rad.
+    axis: f64,
+    /// Tip of the blocks between points from the line between them, mm.
+    path: f64,
+    /// Linear joints of the `tcp` program from the words of the `axes` program, mm.
+    joints: f64,
+    /// Rotary joints, degrees.
+    turns: f64,
+    /// Joints of the `axes` program from its own words, mm and degrees.
+    words: f64,
+    /// Joints X and Y, and Z from the length of the way, where the tool goes along its axis under tip control, mm.
+    along: f64,
+}
+
+/// Where the control says the tip is in the part, and its tool axis with a table that turns right-handed.
+fn pose(reached: &Reached, letters: &str) -> (Point3<f64>, Vector3<f64>) {
+    let axes = &reached.axes;
+    let [x, y, z] = WORK_OFFSET;
+    let tilted = if letters.contains('A') { Vector3::x_axis() } else { Vector3::y_axis() };
+    let turn = |axis: &UnitVector3<f64>, degrees: f64| Rotation3::from_axis_angle(axis, -degrees.to_radians());
+    let axis = turn(&Vector3::z_axis(), axes[4]) * turn(&tilted, axes[3]) * Vector3::z();
+    (Point3::new(axes[0] - x, axes[1] - y, axes[2] - z - LENGTH), axis)
+}
+
+/// The joints that a block of an `axes` program asks for, mm and degrees.
+fn asked<M: Machine>(block: &Block, letters: &str) -> Vec<f64> {
+    let zero = [WORK_OFFSET[0], WORK_OFFSET[1], WORK_OFFSET[2] + LENGTH, 0.0, 0.0];
+    let value = |(place, letter): (usize, char)| {
+        let index = M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis of the chain");
+        let rotary = M::AXES[index].kind == AxisKind::Rotary;
+        zero[place] + if rotary { block.values[index].to_degrees() } else { block.values[index] }
+    };
+    letters.chars().enumerate().map(value).collect()
+}
+
+/// The larger of two; what is not a number stays.
+fn larger(one: f64, other: f64) -> f64 {
+    if one.is_nan() || other.is_nan() { f64::NAN } else { one.max(other) }
+}
+
+fn largest(differences: impl Iterator<Item = f64>) -> f64 {
+    differences.fold(0.0, larger)
+}
+
+fn apart(one: &[f64], other: &[f64]) -> f64 {
+    largest(one.iter().zip(other).map(|(one, other)| (one - other).abs()))
+}
+
+/// Compares the two programs with each other and with the CL data, by what the control makes of them.
+fn difference<M: Machine>(tcp: &Run, axes: &Run, letters: &str) -> Difference {
+    let points = points();
+    let mut found = Difference::default();
+    for (index, point) in points.iter().enumerate() {
+        let (by_tip, by_axes) = (&tcp.reached[tcp.partners[index]], &axes.reached[axes.partners[index]]);
+        let (tip, axis) = pose(by_axes, letters);
+        found.tip = larger(found.tip, (tip - point.tip).norm());
+        found.axis = larger(found.axis, angle_between(&axis, &point.axis));
+        found.joints = larger(found.joints, apart(&by_tip.joints[..3], &by_axes.joints[..3]));
+        found.turns = larger(found.turns, apart(&by_tip.joints[3..], &by_axes.joints[3..]));
+        if index > 0 && (points[index - 1].axis.into_inner() - point.axis.into_inner()).norm() < 1e-12 {
+            let before = &tcp.reached[tcp.partners[index - 1]];
+            found.along = larger(found.along, off_axis(&before.joints, &by_tip.joints, &points[index - 1], point));
+        }
+    }
+    for (block, reached) in axes.blocks.iter().zip(&axes.reached) {
+        found.words = larger(found.words, apart(&reached.joints, &asked::<M>(block, letters)));
+    }
+    found.path = largest([tcp, axes].into_iter().map(|run| off_path(run, &points, letters)));
+    found
+}
+
+/// What the joints do besides moving Z, where the tool goes along its axis; 0 where it does not.
+fn off_axis(before: &[f64], after: &[f64], from: &Pose, to: &Pose) -> f64 {
+    let way = to.tip - from.tip;
+    let along = way.dot(&from.axis);
+    if (way - from.axis.into_inner() * along).norm() > 1e-6 {
+        return 0.0;
+    }
+    apart(&[after[0], after[1], after[2] - along], &before[..3])
+}
+
+/// Blocks of feed between two points are on the line between them.
+fn off_path(run: &Run, points: &[Pose], letters: &str) -> f64 {
+    let between = run.partners.windows(2).enumerate().flat_map(|(index, blocks)| {
+        let feeds = (blocks[0] + 1..blocks[1]).filter(|&block| run.blocks[block].action == Action::Feed);
+        feeds.map(move |block| (index, block))
+    });
+    largest(between.map(|(index, block)| {
+        let (tip, _) = pose(&run.reached[block], letters);
+        distance_to_line(&tip, &points[index].tip, &points[index + 1].tip)
+    }))
+}
+
+/// A machine, and one with a sign turned, on the control that is the first one.
+fn assert_agrees<M: Machine, Turned: Machine>(kinematics: &'static str, letters: &'static str, centre: &str) {
+    let mut simulation =
+        Simulation::start(&control::<M>(kinematics, letters)).unwrap_or_else(|error| panic!("{error}"));
+    let (tcp, axes) = (set_up(Mode::Tcp), set_up(Mode::Axes));
+    let by_tip = run::<M>(&mut simulation, &tcp, true);
+    let by_axes = run::<M>(&mut simulation, &axes, true);
+    let right = difference::<M>(&by_tip, &by_axes, letters);
+    println!("{kinematics}: {} and {} blocks, {right:?}", by_tip.blocks.len(), by_axes.blocks.len());
+    assert!(right.tip <= TIP && right.axis <= AXIS && right.path <= TIP, "{right:?}");
+    assert!(right.joints <= JOINT && right.turns <= 2e-6 && right.words <= 2e-6, "{right:?}");
+    assert!(right.along <= 2.0 * TIP, "{right:?}");
+
+    // The same numbers with one sign turned: the control puts the tip somewhere else.
+    let turned = difference::<Turned>(
+        &run::<Turned>(&mut simulation, &tcp, false),
+        &run::<Turned>(&mut simulation, &axes, false),
+        letters,
+    );
+    println!("{kinematics} with a sign turned: {turned:?}");
+    assert!(turned.tip > 10.0 && turned.axis > 0.5 && turned.joints > 10.0 && turned.along > 10.0, "{turned:?}");
+
+    // A centre line a tenth of a millimetre beside its place.
+    let declared = M::DIMENSIONS.iter().find(|dimension| dimension.name == centre).expect("a dimension").default;
+    let beside = Config { dimensions: [(centre.to_owned(), declared + 0.1)].into(), ..axes };
+    let beside = difference::<M>(&by_tip, &run::<M>(&mut simulation, &beside, false), letters);
+    println!("{kinematics} with {centre} a tenth beside: {beside:?}");
+    assert!((0.05..0.25).contains(&beside.tip) && (0.05..0.25).contains(&beside.joints), "{beside:?}");
+
+    // The declared travel is that of the control, and what it says is heard.
+    let said = simulation.run("G21 G90 G54\nG0 X436\nM2\n", &[2], Look::AsProgrammed).expect_err("beyond the travel");
+    assert!(said.contains("exceed joint 0's positive limit"), "{said}");
+}
+
+#[test]
+fn a_table_of_a_and_c_is_where_the_control_puts_it() {
+    if can_be_simulated() {
+        assert_agrees::<TableAc, TableAcTurned>("xyzac-trt-kins", "XYZAC", "tilt_z");
+    }
+}
+
+#[test]
+fn a_table_of_b_and_c_is_where_the_control_puts_it() {
+    if can_be_simulated() {
+        assert_agrees::<TableBc, TableBcTurned>("xyzbc-trt-kins", "XYZBC", "centre_x");
+    }
+}
