@@ -228,10 +228,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn stands_in_plane(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) {
         let Some(tilt) = block.state.tilt else { return };
         // X of the plane is where the rotary axes have it, or the part would be turned about the tool.
-        let turned = self.words.chain.rotation(&self.words.values(&block.values));
-        let twist =
-            (0..3).map(|column| angle_between(&turned.column(column).into(), &tilt.rotation.column(column).into()));
-        let twist = twist.fold(0.0, f64::max);
+        let twist = self.words.twist(&block.values, &tilt.rotation);
         if twist > 2.0 * self.slack.axis {
             let twist = twist.to_degrees();
             self.found(shown, &format!("the plane is turned by {twist:.4} deg against where the rotary axes stand"));
