@@ -491,11 +491,3 @@ fn a_program_says_at_its_end_what_its_check_has_found() {
         }
     }
 }
-
-#[test]
-fn a_map_of_a_program_that_says_what_its_check_has_found_is_refused() {
-    let shop = Shop::with(format!("{HEAD}GOTO/1,2,3\n"));
-    shop.write("shop.toml", "[program]\nchecked = true\n");
-    let with = ["post", "part.cls", "-o", "part.nc", "--config", "shop.toml", "--map", "part.json"];
-    assert_not_run(&shop, &with, "a map cannot know: leave out one of the two");
-}

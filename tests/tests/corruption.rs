@@ -240,7 +240,8 @@ fn harm<M: Machine>(config: &Config, whole: &[Block], damaged: &[Block]) -> Opti
     };
     let (mut whole, damaged) = (moving(whole), moving(damaged));
     if whole.len() == damaged.len() + 1 {
-        let lost = whole.iter().zip(&damaged).position(|(was, is)| was.values != is.values);
+        let same = |(was, is): (&Block, &Block)| was.values.iter().zip(&is.values).all(|(a, b)| (a - b).abs() < 1e-12);
+        let lost = whole.iter().zip(&damaged).position(|pair| !same(pair));
         if let Some(lost) = lost.filter(|lost| midway::<M>(config, &whole, *lost)) {
             whole.remove(lost);
         }

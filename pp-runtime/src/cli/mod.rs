@@ -174,11 +174,6 @@ fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<
     let mut messages = Messages::new(streams.errors, args.set_up.message_format);
     let config = read_config::<M>(&args.set_up, &mut messages)?;
     refuse_overwriting(args)?;
-    if config.program.checked && args.map.is_some() {
-        let text =
-            "`[program] checked` puts lines in front of the end code that a map cannot know: leave out one of the two";
-        return Err(Failure::Argument(text.to_owned()));
-    }
     let mut source =
         if is_standard(&args.input) { Source::spool(streams.input, "<stdin>") } else { Source::open(&args.input) }
             .map_err(|error| Failure::unreadable(&args.input, error))?;

@@ -316,7 +316,7 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 #end = []
 # Machining times as comments at the end.
 #times = false
-# The figures of the check of the program as a comment at the end, or that it was not checked; not together with --map.
+# The figures of the check of the program as a comment at the end, or that it was not checked.
 #checked = false
 # Step of the block numbers. Without it there are none.
 # e.g. line_numbers = {step}
