@@ -229,6 +229,21 @@ fn a_block_that_is_not_there_is_said_to_be_missing() {
 }
 
 #[test]
+fn what_a_program_says_of_its_check_is_in_its_map() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let config = folder.path().join("table.toml");
+    let table = fs::read_to_string(workspace().join("tests/data/works/table.toml")).expect("a configuration");
+    fs::write(&config, format!("{table}\n[program]\nchecked = true\n")).expect("a configuration");
+    for control in ["linuxcnc", "fanuc", "heidenhain"] {
+        let posted = posted("dmu-70e", &config.display().to_string(), control, "axes", "1..2");
+        assert_complete(&posted);
+        let told: Vec<&Value> = posted.lines.iter().filter(|line| line["step"] == "check").collect();
+        let line = told.first().and_then(|line| line["line"].as_u64()).expect("a line of the check");
+        assert!(posted.program[line as usize - 1].to_lowercase().contains("checked"), "{control}: {told:?}");
+    }
+}
+
+#[test]
 fn a_map_stands_there_with_its_program_or_not_at_all() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = |name: &str| folder.path().join(name);

@@ -12,8 +12,7 @@ use crate::kinematics::Machine;
 
 use super::args::{CheckArgs, MessageFormat};
 use super::messages::Messages;
-use super::source::Source;
-use super::{Failure, Status, Streams, is_standard, print, read_config};
+use super::{Failure, Status, Streams, open, print, read_config};
 
 /// The figures for programs.
 #[derive(Serialize)]
@@ -31,9 +30,7 @@ struct Figures {
 pub(super) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
     let config = read_config::<M>(&args.set_up, &mut messages)?;
-    let mut source =
-        if is_standard(&args.input) { Source::spool(streams.input, "<stdin>") } else { Source::open(&args.input) }
-            .map_err(|error| Failure::unreadable(&args.input, error))?;
+    let mut source = open(&args.input, streams.input)?;
     let name = source.name().to_owned();
     let program = File::open(&args.program).map_err(|error| Failure::unreadable(&args.program, error))?;
     let job = Job { config: &config, control: args.set_up.control(), units: config.cl_units };

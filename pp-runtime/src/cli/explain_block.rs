@@ -14,8 +14,7 @@ use super::args::{BlockName, ExplainBlockArgs, MessageFormat};
 use super::excerpt::excerpts;
 use super::map::{MapLine, axis_values, branch_number};
 use super::messages::Messages;
-use super::source::Source;
-use super::{Failure, Status, Streams, cl_name, is_standard, print, read_config};
+use super::{Failure, Status, Streams, cl_name, open, print, read_config};
 
 /// Block numbers start again behind the last one: so many blocks of one number are told.
 const MOST: usize = 20;
@@ -83,9 +82,7 @@ impl Search {
 pub(super) fn run<M: Machine>(args: &ExplainBlockArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.set_up.message_format);
     let config = read_config::<M>(&args.set_up, &mut messages)?;
-    let mut source =
-        if is_standard(&args.input) { Source::spool(streams.input, "<stdin>") } else { Source::open(&args.input) }
-            .map_err(|error| Failure::unreadable(&args.input, error))?;
+    let mut source = open(&args.input, streams.input)?;
     let name = source.name().to_owned();
     let cl_name = cl_name(&args.input);
     let job = Job { cl_name: &cl_name, config: &config, control: args.set_up.control(), units: config.cl_units };

@@ -105,6 +105,8 @@ pub(super) struct Map<'a, W> {
     out: W,
     axes: &'a [Axis],
     begun: bool,
+    /// The last lines, before which something may still be written.
+    end: Vec<Origin<'static>>,
 }
 
 impl<W: Write> Map<'_, W> {
@@ -116,11 +118,26 @@ impl<W: Write> Map<'_, W> {
             out,
             "{{\"cl\":{cl},\"machine\":{machine},\"control\":{control},\"units\":[\"mm\",\"deg\"],\"lines\":["
         )?;
-        Ok(Self { out, axes: M::AXES, begun: false })
+        Ok(Self { out, axes: M::AXES, begun: false, end: Vec::new() })
     }
 
-    /// Ends it.
-    pub(super) fn end(mut self) -> io::Result<()> {
+    /// Ends it. `inserted` lines stand in front of the last ones, which the posting did not know of; `counted`: every line
+    /// has a number of its own.
+    pub(super) fn end(mut self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
+        let end = std::mem::take(&mut self.end);
+        let (before, behind) = end.split_at(end.len().saturating_sub(last));
+        before.iter().try_for_each(|origin| self.write(origin))?;
+        let later = |origin: &Origin<'static>, lines: u32| Origin {
+            line: origin.line + u64::from(lines),
+            number: origin.number.map(|number| if counted { number + lines } else { number }),
+            ..*origin
+        };
+        let more = u32::try_from(inserted).unwrap_or_default();
+        if let Some(first) = behind.first() {
+            let first = Origin { step: "check", number: first.number.filter(|_| counted), ..*first };
+            (0..more).try_for_each(|index| self.write(&later(&first, index)))?;
+        }
+        behind.iter().try_for_each(|origin| self.write(&later(origin, more)))?;
         self.out.write_all(b"\n]}\n")?;
         self.out.flush()
     }
@@ -128,6 +145,16 @@ impl<W: Write> Map<'_, W> {
 
 impl<W: Write> Account for Map<'_, W> {
     fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
+        if origin.step == "end" {
+            self.end.push(Origin { standing: None, ..*origin });
+            return Ok(());
+        }
+        self.write(origin)
+    }
+}
+
+impl<W: Write> Map<'_, W> {
+    fn write(&mut self, origin: &Origin<'_>) -> io::Result<()> {
         if self.begun {
             self.out.write_all(b",\n")?;
         }

@@ -10,6 +10,7 @@ mod explain;
 mod explain_block;
 mod map;
 mod messages;
+mod posting;
 mod self_check;
 mod source;
 mod target;
@@ -19,23 +20,20 @@ mod tests;
 use std::borrow::Cow;
 use std::ffi::OsString;
 use std::fs;
-use std::io::{self, BufWriter, IsTerminal as _, Read, Seek as _, Write};
+use std::io::{self, BufWriter, IsTerminal as _, Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
 use crate::cl;
 use crate::config::{self, Config};
 use crate::control::{self, Control};
-use crate::diag::Severity;
 use crate::kinematics::Machine;
-use crate::post::{Account, Job, PostError, Proof, Report, post_with_account, prove};
+use crate::post::{Proof, post_with_account, prove};
 
-use args::{Command, MessageFormat, PostArgs, ProofArgs, SetUpArgs};
-use map::{Map, MapFile};
-use messages::{Messages, headline};
-use self_check::{Checking, SelfCheck};
-use source::{Source, same_file};
-use target::{Rejected, Target, rejected_path};
+use args::{Command, MessageFormat, ProofArgs, SetUpArgs};
+use messages::Messages;
+use posting::Post;
+use source::Source;
 
 /// Runs the command line of the machine `M`: the whole of a machine's `main`.
 #[must_use]
@@ -66,12 +64,6 @@ struct Streams<'a> {
     /// `errors` is a terminal.
     terminal: bool,
 }
-
-/// Where a program is written to.
-type Sink<'a> = BufWriter<&'a mut dyn Write>;
-
-/// The posting, so that tests can put their own in its place.
-type Post<'a> = &'a dyn Fn(&Job<'_>, &mut Source, &mut Sink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError>;
 
 /// Why there is no result.
 #[derive(Debug, thiserror::Error)]
@@ -119,7 +111,7 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
         Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
-        Command::Post(args) => post_file::<M>(&args, &mut streams, post),
+        Command::Post(args) => posting::run::<M>(&args, &mut streams, post),
         Command::Check(args) => check::run::<M>(&args, &mut streams),
         Command::ExplainBlock(args) => explain_block::run::<M>(&args, &mut streams),
         Command::Config(args) => {
@@ -170,127 +162,6 @@ fn prove_machine<M: Machine>(args: &ProofArgs, streams: &mut Streams<'_>) -> Res
     print(streams, |out| out.write_all(&text))
 }
 
-fn post_file<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
-    let mut messages = Messages::new(streams.errors, args.set_up.message_format);
-    let config = read_config::<M>(&args.set_up, &mut messages)?;
-    refuse_overwriting(args)?;
-    let mut source =
-        if is_standard(&args.input) { Source::spool(streams.input, "<stdin>") } else { Source::open(&args.input) }
-            .map_err(|error| Failure::unreadable(&args.input, error))?;
-    let mut target = match is_standard(&args.output) {
-        true => None,
-        false => Some(Target::create(&args.output).map_err(|error| Failure::unwritable(&args.output, error))?),
-    };
-
-    let name = source.name().to_owned();
-    let cl_name = cl_name(&args.input);
-    let control = args.set_up.control();
-    let job = Job { cl_name: &cl_name, config: &config, control, units: config.cl_units };
-    if streams.terminal && args.set_up.message_format == MessageFormat::Human {
-        source.show_progress();
-    }
-    let check = (!args.no_check).then(|| SelfCheck::start::<M>(&config, control, &source)).transpose();
-    let check = check.map_err(|error| Failure::Unreadable(name.clone(), error))?;
-    let mut checking = Checking::new(
-        match &mut target {
-            Some(target) => target.writer(),
-            None => &mut *streams.output,
-        },
-        check,
-        1 + control.spellings().closing.len(),
-    );
-    let mut sink = Sink::new(&mut checking);
-    let mut map_file = args.map.as_deref().map(MapFile::create).transpose()?;
-    let mut map = map_file.as_mut().map(|file| file.begin::<M>(&cl_name, control)).transpose()?;
-    let posted = post(&job, &mut source, &mut sink, map.as_mut().map(|map| map as &mut dyn Account));
-    let written = sink.flush();
-    let mapped = map.map_or(Ok(()), Map::end);
-    // What could not be written is not tried again.
-    drop(sink.into_parts());
-    source.hide_progress();
-    if let Some(what) = source.disturbed() {
-        return Err(Failure::Disturbed(name, what));
-    }
-    let report = match posted {
-        Ok(report) => report,
-        Err(PostError::Input(error)) => return Err(Failure::Unreadable(name, error)),
-        Err(PostError::Operations(text)) => return Err(Failure::Argument(text)),
-        Err(PostError::Output(error)) => return Err(Failure::unwritable(&args.output, error)),
-    };
-    written.map_err(|error| Failure::unwritable(&args.output, error))?;
-    mapped.map_err(|error| Failure::unwritable(args.map.as_deref().unwrap_or(&args.output), error))?;
-    let unwritable = |error| Failure::unwritable(&args.output, error);
-
-    if !report.diagnostics.is_empty() {
-        source.rewind().map_err(|error| Failure::Unreadable(name.clone(), error))?;
-        messages.diagnostics(&name, &mut source, &report.diagnostics);
-    }
-    let first_error = report.diagnostics.iter().filter(|found| found.severity == Severity::Error);
-    let first_error = first_error.min_by_key(|found| found.location);
-    // A program with an error in its CL data is never handed over, whatever the report says.
-    if report.failed || first_error.is_some() {
-        checking.close().map_err(unwritable)?;
-        let reason = first_error.map_or_else(|| "the CL data has errors".to_owned(), |found| headline(&name, found));
-        reject(args, target, map_file, &reason, &mut messages)?;
-        return Ok(Status::Rejected);
-    }
-    let checked = checking.verdict().transpose().map_err(|error| check::failure(error, &name, &args.output))?;
-    if let Some(reason) = self_check::against(checked.as_ref(), &name, &mut source, &mut messages) {
-        let lines = [format!("ERROR: {reason}"), "the program ends here: do not run it".to_owned()];
-        checking.close_with(&lines.map(|line| comment(control, &line))).map_err(unwritable)?;
-        reject(args, target, map_file, &reason, &mut messages)?;
-        return Ok(Status::Rejected);
-    }
-    let verdict = checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary());
-    if config.program.checked {
-        checking.close_behind(&comments(control, &verdict), control.spellings().counted).map_err(unwritable)?;
-    } else {
-        checking.close().map_err(unwritable)?;
-    }
-    if config.file_units_assumed {
-        messages.note("assumed: lengths of the configuration file are in mm (`units` is not set there)");
-    }
-    for line in report.summary() {
-        messages.note(&line);
-    }
-    messages.note(&verdict);
-    if let Some(target) = target {
-        let removed = target.finish(|line| is_rejected(control, line)).map_err(unwritable)?;
-        if removed {
-            messages.note(&format!("removed {} of an earlier run", rejected_path(&args.output).display()));
-        }
-    }
-    map_file.map_or(Ok(()), MapFile::finish)?;
-    messages.note("done");
-    Ok(Status::Done)
-}
-
-/// Says where the program went that was cut short, and sees to it that nothing stands under the final name.
-fn reject(
-    args: &PostArgs,
-    target: Option<Target>,
-    map: Option<MapFile>,
-    reason: &str,
-    messages: &mut Messages<'_>,
-) -> Result<(), Failure> {
-    map.map_or(Ok(()), MapFile::discard)?;
-    let Some(target) = target else {
-        messages.note("rejected: the program on standard output is not complete and must not be run");
-        return Ok(());
-    };
-    let first_line = comment(args.set_up.control(), &format!("{REJECTED}{reason}"));
-    let rejected = target.reject(&first_line).map_err(|error| Failure::unwritable(&args.output, error))?;
-    let out = args.output.display();
-    messages.note(&match rejected {
-        Rejected { path: None, .. } => format!("rejected: the program on {out} is not complete and must not be run"),
-        Rejected { path: Some(path), removed } => {
-            let earlier = if removed { format!("; the earlier {out} was removed") } else { String::new() };
-            format!("rejected: {out} was not written, what could be posted stands in {}{earlier}", path.display())
-        }
-    });
-    Ok(())
-}
-
 fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
     let mut config = read_file::<M>(args.config.as_deref(), args.control(), messages)?;
     args.apply::<M>(&mut config).map_err(Failure::Argument)?;
@@ -328,26 +199,10 @@ fn read_file<M: Machine>(
     }
 }
 
-/// Nothing that is written may replace a file that is read, or another that is written.
-fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
-    let output = Some(&args.output).filter(|path| !is_standard(path));
-    let rejected = output.map(|path| rejected_path(path));
-    let read = [
-        (Some(&args.input).filter(|path| !is_standard(path)), "CL data"),
-        (args.set_up.config.as_ref(), "configuration"),
-    ];
-    let written = [(output, "program"), (rejected.as_ref(), "rejected program")];
-    let programs = written.into_iter().filter_map(|(path, _)| path).flat_map(|path| read.map(|read| (path, read)));
-    let maps = args.map.iter().flat_map(|path| read.into_iter().chain(written).map(move |other| (path, other)));
-    for (path, (other, what)) in programs.chain(maps) {
-        if let Some(other) = other
-            && same_file(path, other)
-        {
-            let what = format!("the {what} {}", other.display());
-            return Err(Failure::Overwrites(path.display().to_string(), what));
-        }
-    }
-    Ok(())
+/// The CL data; a stream is kept so that it can be read twice.
+fn open(path: &Path, input: &mut dyn Read) -> Result<Source, Failure> {
+    let source = if is_standard(path) { Source::spool(input, "<stdin>") } else { Source::open(path) };
+    source.map_err(|error| Failure::unreadable(path, error))
 }
 
 /// What the head of a program calls its CL data: the file and not the folder, so that the same data gives the same program
@@ -359,31 +214,4 @@ fn cl_name(path: &Path) -> Cow<'_, str> {
 /// `-` is standard input or output.
 fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
-}
-
-/// How the first line of a rejected program begins, inside the comment.
-const REJECTED: &str = "REJECTED ";
-
-/// A comment of one line as the control spells it.
-fn comment(control: &dyn Control, text: &str) -> Vec<u8> {
-    comments(control, text).into_iter().next().unwrap_or_default()
-}
-
-/// A comment as the control spells it, on as many lines as it needs.
-fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
-    let lines = control::lines_of(text.as_bytes(), control.spellings().comment.length);
-    let spelled = lines.map(|text| {
-        let mut line = Vec::new();
-        control.comment(text, &mut line);
-        line
-    });
-    spelled.collect()
-}
-
-/// Whether a line is the first one of a rejected program.
-fn is_rejected(control: &dyn Control, line: &[u8]) -> bool {
-    // The comment without what closes it.
-    let mark = comment(control, REJECTED);
-    let end = mark.windows(REJECTED.len()).position(|window| window == REJECTED.as_bytes());
-    end.is_some_and(|at| line.starts_with(&mark[..at + REJECTED.len()]))
 }

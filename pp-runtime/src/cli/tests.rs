@@ -1,16 +1,19 @@
 use std::cell::RefCell;
 use std::fs;
+use std::io::Seek as _;
 use std::path::{Path, PathBuf};
 
 use proptest::prelude::*;
 use tempfile::TempDir;
 
+use super::posting::Sink;
 use super::*;
 use crate::config::Units;
 use crate::config::sample::Sample;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
 use crate::motion::machines::Cb;
+use crate::post::{Account, Job, PostError, Report};
 use crate::program::Location;
 
 /// What a run leaves on the streams.

@@ -1,0 +1,238 @@
+//! `post IN.cls -o OUT`: from CL data to a program under its name, checked, and with its map; or to nothing of the kind.
+
+use std::io::{BufWriter, Seek as _, Write};
+
+use crate::check::Checked;
+use crate::config::Config;
+use crate::control::{self, Control};
+use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::Machine;
+use crate::post::{Account, Job, PostError, Report};
+
+use super::args::{MessageFormat, PostArgs};
+use super::map::MapFile;
+use super::messages::{Messages, headline};
+use super::self_check::{self, Checking, SelfCheck};
+use super::source::{Source, same_file};
+use super::target::{Rejected, Target, rejected_path};
+use super::{Failure, Status, Streams, check, cl_name, is_standard, open, read_config};
+
+/// Where a program is written to.
+pub(super) type Sink<'a> = BufWriter<&'a mut dyn Write>;
+
+/// The posting, so that tests can put their own in its place.
+pub(super) type Post<'a> =
+    &'a dyn Fn(&Job<'_>, &mut Source, &mut Sink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError>;
+
+/// How it went: what there is to tell, or why the program is not to be run.
+type Written = Result<Vec<String>, String>;
+
+pub(super) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
+    let mut messages = Messages::new(streams.errors, args.set_up.message_format);
+    let config = read_config::<M>(&args.set_up, &mut messages)?;
+    refuse_overwriting(args)?;
+    let mut source = open(&args.input, streams.input)?;
+    let unwritable = |error| Failure::unwritable(&args.output, error);
+    let mut target = match is_standard(&args.output) {
+        true => None,
+        false => Some(Target::create(&args.output).map_err(unwritable)?),
+    };
+    let mut map_file = args.map.as_deref().map(MapFile::create).transpose()?;
+    if streams.terminal && args.set_up.message_format == MessageFormat::Human {
+        source.show_progress();
+    }
+    let out = match &mut target {
+        Some(target) => target.writer(),
+        None => &mut *streams.output,
+    };
+    let run = Run { args, config: &config, control: args.set_up.control(), post };
+    let told = match run.write::<M>(&mut source, out, map_file.as_mut(), &mut messages)? {
+        Ok(told) => told,
+        Err(reason) => {
+            reject(args, target, map_file, &reason, &mut messages)?;
+            return Ok(Status::Rejected);
+        }
+    };
+    told.iter().for_each(|line| messages.note(line));
+    if let Some(target) = target {
+        let removed = target.finish(|line| is_rejected(run.control, line)).map_err(unwritable)?;
+        if removed {
+            messages.note(&format!("removed {} of an earlier run", rejected_path(&args.output).display()));
+        }
+    }
+    map_file.map_or(Ok(()), MapFile::finish)?;
+    messages.note("done");
+    Ok(Status::Done)
+}
+
+/// One run of the posting.
+struct Run<'a> {
+    args: &'a PostArgs,
+    config: &'a Config,
+    control: &'static dyn Control,
+    post: Post<'a>,
+}
+
+impl Run<'_> {
+    /// Posts, checks, and closes the program: with its end code, or with why it has none.
+    fn write<M: Machine>(
+        &self,
+        source: &mut Source,
+        out: &mut dyn Write,
+        map_file: Option<&mut MapFile>,
+        messages: &mut Messages<'_>,
+    ) -> Result<Written, Failure> {
+        let Self { args, config, control, .. } = *self;
+        let name = source.name().to_owned();
+        let unreadable = |error| Failure::Unreadable(name.clone(), error);
+        let unwritable = |error| Failure::unwritable(&args.output, error);
+        let closing = 1 + control.spellings().closing.len();
+        let check = (!args.no_check).then(|| SelfCheck::start::<M>(config, control, source)).transpose();
+        let mut checking = Checking::new(out, check.map_err(unreadable)?, closing);
+        let mut map = map_file.map(|file| file.begin::<M>(&cl_name(&args.input), control)).transpose()?;
+        let report = self.report(source, &mut checking, map.as_mut().map(|map| map as &mut dyn Account))?;
+        if !report.diagnostics.is_empty() {
+            source.rewind().map_err(unreadable)?;
+            messages.diagnostics(&name, source, &report.diagnostics);
+        }
+        if let Some(reason) = refused(&report, &name) {
+            checking.close().map_err(unwritable)?;
+            return Ok(Err(reason));
+        }
+        let checked = checking.verdict().transpose().map_err(|error| check::failure(error, &name, &args.output))?;
+        if let Some(reason) = self_check::against(checked.as_ref(), &name, source, messages) {
+            let lines = [format!("ERROR: {reason}"), "the program ends here: do not run it".to_owned()];
+            checking.close_with(&lines.map(|line| comment(control, &line))).map_err(unwritable)?;
+            return Ok(Err(reason));
+        }
+        let verdict = verdict(checked.as_ref());
+        let footer = if config.program.checked { comments(control, &verdict) } else { Vec::new() };
+        checking.close_behind(&footer, control.spellings().counted).map_err(unwritable)?;
+        if let Some(map) = map {
+            map.end(footer.len(), closing, control.spellings().counted)
+                .map_err(|error| Failure::unwritable(args.map.as_deref().unwrap_or(&args.output), error))?;
+        }
+        let assumed = "assumed: lengths of the configuration file are in mm (`units` is not set there)";
+        let mut told: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
+        told.append(&mut report.summary());
+        told.push(verdict);
+        Ok(Ok(told))
+    }
+
+    /// The posting itself.
+    fn report(
+        &self,
+        source: &mut Source,
+        checking: &mut Checking<'_>,
+        account: Option<&mut dyn Account>,
+    ) -> Result<Report, Failure> {
+        let Self { args, config, control, post } = *self;
+        let cl_name = cl_name(&args.input);
+        let job = Job { cl_name: &cl_name, config, control, units: config.cl_units };
+        let mut sink = Sink::new(checking);
+        let posted = post(&job, source, &mut sink, account);
+        let written = sink.flush();
+        // What could not be written is not tried again.
+        drop(sink.into_parts());
+        source.hide_progress();
+        let name = source.name().to_owned();
+        if let Some(what) = source.disturbed() {
+            return Err(Failure::Disturbed(name, what));
+        }
+        let report = posted.map_err(|error| match error {
+            PostError::Input(error) => Failure::Unreadable(name, error),
+            PostError::Operations(text) => Failure::Argument(text),
+            PostError::Output(error) => Failure::unwritable(&args.output, error),
+        })?;
+        written.map_err(|error| Failure::unwritable(&args.output, error))?;
+        Ok(report)
+    }
+}
+
+/// Why a program with an error in its CL data is not handed over, whatever the report says.
+fn refused(report: &Report, name: &str) -> Option<String> {
+    let errors = report.diagnostics.iter().filter(|found| found.severity == Severity::Error);
+    let first: Option<&Diagnostic> = errors.min_by_key(|found| found.location);
+    let unnamed = || report.failed.then(|| "the CL data has errors".to_owned());
+    first.map(|found| headline(name, found)).or_else(unnamed)
+}
+
+/// What the check has found, in a line.
+fn verdict(checked: Option<&Checked>) -> String {
+    checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary())
+}
+
+/// Says where the program went that was cut short, and sees to it that nothing stands under the final name.
+fn reject(
+    args: &PostArgs,
+    target: Option<Target>,
+    map: Option<MapFile>,
+    reason: &str,
+    messages: &mut Messages<'_>,
+) -> Result<(), Failure> {
+    map.map_or(Ok(()), MapFile::discard)?;
+    let Some(target) = target else {
+        messages.note("rejected: the program on standard output is not complete and must not be run");
+        return Ok(());
+    };
+    let first_line = comment(args.set_up.control(), &format!("{REJECTED}{reason}"));
+    let rejected = target.reject(&first_line).map_err(|error| Failure::unwritable(&args.output, error))?;
+    let out = args.output.display();
+    messages.note(&match rejected {
+        Rejected { path: None, .. } => format!("rejected: the program on {out} is not complete and must not be run"),
+        Rejected { path: Some(path), removed } => {
+            let earlier = if removed { format!("; the earlier {out} was removed") } else { String::new() };
+            format!("rejected: {out} was not written, what could be posted stands in {}{earlier}", path.display())
+        }
+    });
+    Ok(())
+}
+
+/// Nothing that is written may replace a file that is read, or another that is written.
+fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
+    let output = Some(&args.output).filter(|path| !is_standard(path));
+    let rejected = output.map(|path| rejected_path(path));
+    let read = [
+        (Some(&args.input).filter(|path| !is_standard(path)), "CL data"),
+        (args.set_up.config.as_ref(), "configuration"),
+    ];
+    let written = [(output, "program"), (rejected.as_ref(), "rejected program")];
+    let programs = written.into_iter().filter_map(|(path, _)| path).flat_map(|path| read.map(|read| (path, read)));
+    let maps = args.map.iter().flat_map(|path| read.into_iter().chain(written).map(move |other| (path, other)));
+    for (path, (other, what)) in programs.chain(maps) {
+        if let Some(other) = other
+            && same_file(path, other)
+        {
+            let what = format!("the {what} {}", other.display());
+            return Err(Failure::Overwrites(path.display().to_string(), what));
+        }
+    }
+    Ok(())
+}
+
+/// How the first line of a rejected program begins, inside the comment.
+const REJECTED: &str = "REJECTED ";
+
+/// A comment of one line as the control spells it.
+fn comment(control: &dyn Control, text: &str) -> Vec<u8> {
+    comments(control, text).into_iter().next().unwrap_or_default()
+}
+
+/// A comment as the control spells it, on as many lines as it needs.
+fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
+    let lines = control::lines_of(text.as_bytes(), control.spellings().comment.length);
+    let spelled = lines.map(|text| {
+        let mut line = Vec::new();
+        control.comment(text, &mut line);
+        line
+    });
+    spelled.collect()
+}
+
+/// Whether a line is the first one of a rejected program.
+fn is_rejected(control: &dyn Control, line: &[u8]) -> bool {
+    // The comment without what closes it.
+    let mark = comment(control, REJECTED);
+    let end = mark.windows(REJECTED.len()).position(|window| window == REJECTED.as_bytes());
+    end.is_some_and(|at| line.starts_with(&mark[..at + REJECTED.len()]))
+}
