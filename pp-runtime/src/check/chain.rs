@@ -64,6 +64,18 @@ impl Chain {
         Placed { tip, axis }
     }
 
+    /// How the tool is turned on the workpiece against where it stands with all axes at zero.
+    pub(super) fn rotation(&self, values: &[f64; MAX_AXES]) -> Matrix3<f64> {
+        let turned = |unit: Vector3<f64>| {
+            let rotary = self.links.iter().zip(values).rev().filter(|(link, _)| link.rotary);
+            rotary.fold(unit, |vector, (link, value)| {
+                let (sine, cosine) = value.sin_cos();
+                link.turned(vector, sine, cosine)
+            })
+        };
+        Matrix3::from_columns(&[turned(Vector3::x()), turned(Vector3::y()), turned(Vector3::z())])
+    }
+
     /// What the rotary axes of the table make of a point that stands in the room, mm: where it is on the workpiece.
     pub(super) fn onto_workpiece(&self, point: Vector3<f64>, values: &[f64; MAX_AXES]) -> Vector3<f64> {
         let mut point = point;

@@ -103,6 +103,10 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) parked: u16,
     /// Length compensation behind the last block.
     pub(super) length: Option<Length>,
+    /// The program has stopped with the spindle still, and no approach has begun since.
+    pub(super) stopped: bool,
+    /// A plane is tilted behind the last block.
+    pub(super) tilted: bool,
     /// The axes may go to their parking places.
     pub(super) parks: bool,
     /// No rotary axis is in the head, and the tool stands along the retract axis.
@@ -162,6 +166,8 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             arc_plane: None,
             parked: 0,
             length: None,
+            stopped: false,
+            tilted: false,
             straight: straight(&machine),
             machine,
         }
@@ -189,6 +195,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             self.guard(length, shown);
         }
         self.length_given_up(block, shown);
+        self.plane_given_up(block, shown);
         match block.action {
             Action::Nothing => {}
             Action::ToolChange => self.change(shown),

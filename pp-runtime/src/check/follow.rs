@@ -11,7 +11,7 @@ use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
 use super::report::Shown;
 use crate::config::{Rapid, Rewind, ToolPosture, Transition};
 use crate::kinematics::Machine;
-use crate::program::Location;
+use crate::program::{Feed, Location};
 
 /// A motion within this angle of the tool axis leads along it, rad.
 const ALONG: f64 = 1e-3;
@@ -281,31 +281,31 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         wanted: &Wanted,
         shown: Shown<'_>,
     ) {
-        let (before, known) = self.before;
         let solved = self.solved(block);
-        if self.lost || known & solved != solved {
+        if self.lost || self.before.1 & solved != solved {
             return;
         }
-        let feed = if motion.rapid { self.config.rapid_feed.map(crate::program::Feed::PerMinute) } else { motion.feed };
+        let feed = if motion.rapid { self.config.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
         let part = match segment.shape {
             Shape::Line => (share - self.along) * segment.length(),
             _ if matches!(block.action, Action::Arc(_)) => (share - self.along) * segment.length(),
             _ => (segment.at(share).tip - segment.at(self.along).tip).norm(),
         };
+        let stroke = self.stroke(block, part, feed, wanted);
+        if let Some(text) = self.law.wrong(&stroke, &block.state) {
+            self.found(shown, &text);
+        }
+    }
+
+    /// A block that leads its tip so far, mm.
+    fn stroke(&self, block: &Block, length: f64, feed: Option<Feed>, wanted: &Wanted) -> Stroke {
         let axes = |words: &[f64; MAX_AXES]| match self.law.needs_axes() {
             true => self.words.axes(words, &block.state).unwrap_or_else(|| self.words.values(words)),
             false => self.words.values(words),
         };
-        let (from, to) = (axes(&before), axes(&block.values));
-        let stroke = Stroke {
-            length: part,
-            change: std::array::from_fn(|index| to[index] - from[index]),
-            feed,
-            speed: wanted.spindle.map(|(speed, _)| speed),
-        };
-        if let Some(text) = self.law.wrong(&stroke, &block.state) {
-            self.found(shown, &text);
-        }
+        let (from, to) = (axes(&self.before.0), axes(&block.values));
+        let change = std::array::from_fn(|index| to[index] - from[index]);
+        Stroke { length, change, feed, speed: wanted.spindle.map(|(speed, _)| speed) }
     }
 
     /// The way back to where the rotary axes were rewound.
@@ -321,9 +321,15 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 "the rotary axes turn on the way back: they are to be rewound where the machine has retracted",
             );
         }
-        let wanted = self.expect.get(0).map(|item| item.wanted);
-        if let Some(wanted) = wanted {
+        let item = self.expect.get(0).map(|item| (item.wanted, item.kind.clone()));
+        if let Some((wanted, kind)) = item {
             self.state_at_path(block, &wanted, shown);
+            if let (Kind::Motion(motion), true) = (kind, known & self.solved(block) == self.solved(block)) {
+                let stroke = self.stroke(block, back.length(), motion.feed, &wanted);
+                if let Some(text) = self.law.wrong(&stroke, &block.state) {
+                    self.found(shown, &text);
+                }
+            }
         }
         self.back = None;
         self.phase = Phase::Path;

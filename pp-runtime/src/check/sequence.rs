@@ -206,6 +206,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             );
         }
         self.state_at_approach(block, step, shown);
+        self.stopped = false;
         self.phase = Phase::Clear(step);
         if step == 3 || step == 0 && block.written & retract != 0 {
             let solved = self.solved(block);
@@ -225,8 +226,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// In a tilted plane the rotary axes stand where the plane has them.
     fn stands_in_plane(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) {
-        if block.state.tilt.is_none() {
-            return;
+        let Some(tilt) = block.state.tilt else { return };
+        // X of the plane is where the rotary axes have it, or the part would be turned about the tool.
+        let twist = self.words.twist(&block.values, &tilt.rotation);
+        if twist > 2.0 * self.slack.axis {
+            let twist = twist.to_degrees();
+            self.found(shown, &format!("the plane is turned by {twist:.4} deg against where the rotary axes stand"));
         }
         let stands = self.words.chain.place(&self.words.values(&block.values)).axis;
         let off = angle_between(&stands, &end.axis);
@@ -418,6 +423,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         if self.config.stop_retract {
             self.state_at_end(block, shown);
+            self.stopped = true;
         }
         self.broken_off(shown);
         self.forget();
@@ -467,6 +473,16 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let changed = matches!(before, Some(Length::Register(_))) && before != block.state.length;
         if moves && at_part && changed && block.action != Action::Machine {
             self.found(shown, "the length compensation is given up where the machine has not retracted: the tool may move by its length");
+        }
+    }
+
+    /// Words count differently without the plane: it is given up where nothing is in the way. A Heidenhain gives it up before
+    /// the retract, whose machine coordinates would count in it, and PLANE RESET STAY moves nothing.
+    pub(super) fn plane_given_up(&mut self, block: &Block, shown: Shown<'_>) {
+        let before = std::mem::replace(&mut self.tilted, block.state.tilt.is_some());
+        let at_part = matches!(self.phase, Phase::Path | Phase::Out) && self.family != Family::Heidenhain;
+        if before && !self.tilted && at_part {
+            self.found(shown, "the tilted plane is given up where the machine has not retracted");
         }
     }
 

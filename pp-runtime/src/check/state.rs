@@ -83,8 +83,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let ends = matches!(self.family, Family::Fanuc | Family::Haas | Family::Siemens);
         let length = (ends && state.length != Some(Length::Off))
             .then(|| "machine coordinates, and the length compensation has not been switched off".to_owned());
-        // It may turn on as it did in the cut, or stand.
-        let turns = self.last.and_then(|(_, wanted)| wanted.spindle).filter(|_| state.spindle.flatten().is_some());
+        // It may turn on as it did in the cut, or stand; behind a stop it stands.
+        let on = state.spindle.flatten().is_some() && !self.stopped;
+        let turns = self.last.and_then(|(_, wanted)| wanted.spindle).filter(|_| on);
         let found = self
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
@@ -146,6 +147,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         if state.side.unwrap_or_default() != side {
             return Some(format!("cutter compensation is {:?} here, the CL data asks for {side:?}", state.side));
+        }
+        if state.shortest && self.config.wrap.is_empty() {
+            return Some("rotary axes take the shorter way here, and their words count on past a turn".to_owned());
         }
         if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
             return Some("F does not count a minute here".to_owned());

@@ -7,6 +7,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::chain::{Chain, Placed};
+use super::path::angle_between;
 use super::read::{MAX_AXES, State, TipControl};
 use crate::config::{Config, LengthMode, ProgramZero, TcpFrame};
 use crate::kinematics::{AxisKind, Machine};
@@ -186,6 +187,18 @@ impl Words {
 
     fn linear_three(&self) -> Option<[usize; 3]> {
         self.linear[..].try_into().ok()
+    }
+
+    /// How far the axes of a plane are turned against those that the rotary axes give the linear words, rad.
+    pub(super) fn twist(&self, words: &[f64; MAX_AXES], rotation: &Matrix3<f64>) -> f64 {
+        let stands = self.chain.rotation(&self.values(words));
+        let off = self.xyz.iter().flatten().map(|index| {
+            let mut unit = [0.0; MAX_AXES];
+            unit[*index] = 1.0;
+            let tilted = self.chain.at_zero(&self.turned(&unit, rotation, &Vector3::zeros()));
+            angle_between(&(stands * self.chain.at_zero(&unit)), &tilted)
+        });
+        off.fold(0.0, f64::max)
     }
 
     /// Words of a plane as words of the program.
