@@ -260,7 +260,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if axis > largest && !swings {
             let (axis, largest) = (axis.to_degrees(), largest.to_degrees());
             let text =
-                format!("along this block the tool axis leaves its turn by {axis:.4} deg, {largest:.4} are allowed");
+                format!("along this block the tool axis leaves its turn by {axis:.4}°, {largest:.4}° are allowed");
             self.found(shown, &text);
         }
     }

@@ -1,6 +1,6 @@
 //! What a comparison has found: figures of the whole program, and findings that show both sides.
 
-use crate::diag::{Diagnostic, Remarks, Severity};
+use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::program::Location;
 
 /// Bytes of a block that a finding shows.
@@ -45,7 +45,7 @@ impl Outcome {
             count => format!(", {} findings", grouped(count)),
         };
         format!(
-            "checked: {} blocks, tip {} um, axis {:.4} deg, path {} um of {}, {} outside limits{found}",
+            "checked: {} blocks, tip {} µm, axis {:.4}°, path {} µm of {}, {} outside limits{found}",
             grouped(self.blocks),
             short(self.tip * 1e3),
             self.axis.to_degrees(),
@@ -54,19 +54,6 @@ impl Outcome {
             self.limits,
         )
     }
-}
-
-/// `48 211`.
-fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(' ');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 /// Two significant digits.

@@ -106,7 +106,7 @@ impl Run<'_> {
             return Ok(Err(reason));
         }
         let verdict = verdict(checked.as_ref());
-        let footer = if config.program.checked { comments(control, &verdict) } else { Vec::new() };
+        let footer = if config.program.checked { comments(control, &plain(&verdict)) } else { Vec::new() };
         checking.close_behind(&footer, control.spellings().counted).map_err(unwritable)?;
         if let Some(map) = map {
             map.end(footer.len(), closing, control.spellings().counted)
@@ -155,6 +155,11 @@ fn refused(report: &Report, name: &str) -> Option<String> {
     let first: Option<&Diagnostic> = errors.min_by_key(|found| found.location);
     let unnamed = || report.failed.then(|| "the CL data has errors".to_owned());
     first.map(|found| headline(name, found)).or_else(unnamed)
+}
+
+/// In letters that every control has.
+fn plain(verdict: &str) -> String {
+    verdict.replace('µ', "u").replace('°', " deg")
 }
 
 /// What the check has found, in a line.

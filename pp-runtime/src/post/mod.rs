@@ -20,7 +20,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use crate::cl::{self, Reader};
 use crate::config::{Config, Units};
 use crate::control::{self, Control, Encoder, Layout};
-use crate::diag::{Diagnostic, Remarks, Severity};
+use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Chorded, Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
 use crate::program::Location;
@@ -89,7 +89,7 @@ pub struct Report {
 
 /// `1 tool`, `2 tools`.
 fn counted(count: u64, word: &str) -> String {
-    format!("{count} {word}{}", if count == 1 { "" } else { "s" })
+    format!("{} {word}{}", grouped(count), if count == 1 { "" } else { "s" })
 }
 
 impl Report {
