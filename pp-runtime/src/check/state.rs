@@ -24,7 +24,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .or_else(|| if block.action == Action::Rapid { inverse(state) } else { None })
             .or_else(|| self.frame(state, true))
             .or_else(|| self.offsets(state, wanted, true))
-            .or_else(|| self.radius(state, wanted).filter(|_| beside))
+            .or_else(|| if beside { self.radius(state, wanted) } else { None })
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
             .or_else(|| coolant(state, wanted.coolant));
         self.say_with_tool(found, state, wanted, shown);
