@@ -13,7 +13,7 @@ use pp_runtime::config::{Config, Units};
 use pp_runtime::control::{self, Control};
 use pp_runtime::post::{self, post};
 use tests::binaries::workspace;
-use tests::heap::{Counting, peak};
+use tests::heap::{Counting, allocations, peak};
 use tests::random::Random;
 
 #[global_allocator]
@@ -231,6 +231,19 @@ fn stays(control: &str, part: &str, long: u64) {
 #[test]
 fn a_million_lines_take_no_more_memory_than_ten_thousand() {
     stays("linuxcnc", &floor(), 1_000_000);
+}
+
+#[test]
+fn nothing_is_allocated_for_a_motion() {
+    let part = Long::posted("linuxcnc", &floor());
+    let count = |wanted| {
+        let mut lines = 0;
+        (allocations(|| lines = part.checked(wanted).1), lines)
+    };
+    let ((few, short), (many, long)) = (count(20_000), count(60_000));
+    // A part of 2000 lines begins with its operation, its tool and its name.
+    let parts = (long - short).div_ceil(2000) as usize;
+    assert!(many - few <= 20 * parts, "{few} for {short} lines, {many} for {long}");
 }
 
 #[test]
