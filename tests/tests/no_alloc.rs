@@ -1,9 +1,13 @@
 //! Posting a point allocates nothing.
 
 use std::hint::black_box;
+use std::io::{self, Cursor};
 
+use pp_runtime::config::{Config, Mode, TcpFrame, Units};
+use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::nalgebra::Vector3;
+use pp_runtime::post::{Job, post};
 use tests::heap::{Counting, allocations};
 use tests::oracle::Oracle;
 use tests::random::Random;
@@ -62,4 +66,45 @@ fn kinematics_of_a_head_allocates_nothing() {
 #[test]
 fn kinematics_of_four_axes_allocates_nothing() {
     check::<machines::MultiProDesk>();
+}
+
+/// A cut of so many points about a cone, back and forth: the tool axis turns in every motion.
+fn cone(points: u32) -> String {
+    let mut part = "LOAD/TOOL,1\nSPINDL/RPM,4000,CLW\nRAPID\nGOTO/0,0,80,0,0,1\nFEDRAT/MMPM,600\n".to_owned();
+    for point in 0..points {
+        let angle = 0.02 * f64::from(if point / 150 % 2 == 0 { point % 150 } else { 150 - point % 150 });
+        let (y, x) = angle.sin_cos();
+        part += &format!("GOTO/{:.4},{:.4},{:.4},{:.7},{:.7},0.8\n", 30.0 * x, 30.0 * y, 5.0 + y, 0.6 * x, 0.6 * y);
+    }
+    part + "RAPID\nGOTO/0,0,80,0,0,1\nFINI\n"
+}
+
+#[test]
+fn a_motion_is_read_planned_and_written_without_allocating() {
+    for (control, mode) in [
+        ("linuxcnc", Mode::Axes),
+        ("fanuc", Mode::Tcp),
+        ("siemens", Mode::Axes),
+        ("heidenhain", Mode::Tcp),
+        ("haas", Mode::Axes),
+    ] {
+        let control = control::by_name(control).expect("it is there");
+        let mut config = Config { mode, tcp_frame: Some(TcpFrame::TableAtZero), ..control::starting_point(control) };
+        config.retract.distance = Some(50.0);
+        let count = |points: u32| {
+            let part = cone(points);
+            let job = Job { cl_name: "cone.cls", config: &config, control, units: Some(Units::Millimetres) };
+            let mut blocks = 0;
+            let count = allocations(|| {
+                let report = post::<machines::SpinnerU5620>(&job, &mut Cursor::new(&part), &mut io::sink());
+                let report = report.expect("nothing fails");
+                assert!(!report.failed, "{:?}", report.diagnostics);
+                blocks = report.blocks;
+            });
+            (count, blocks)
+        };
+        let ((few, short), (many, long)) = (count(1_000), count(4_000));
+        // Lists of the course double their room now and then.
+        assert!(long - short >= 3_000 && many <= few + 30, "{few} for {short} blocks, {many} for {long}");
+    }
 }
