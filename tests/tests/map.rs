@@ -229,6 +229,27 @@ fn a_block_that_is_not_there_is_said_to_be_missing() {
 }
 
 #[test]
+fn only_what_moves_has_a_place_wherever_a_program_is_entered() {
+    let check = |control: &str, mode: &str, operations: &str| {
+        let posted = posted("lola-xoyzba", "tests/data/works/works.toml", control, mode, operations);
+        assert_complete(&posted);
+        let moves = ["feed", "rapid", "arc", "cycle"];
+        let still = |line: &&Value| !moves.iter().any(|step| line["step"] == *step);
+        let placed = posted.lines.iter().filter(still).find(|line| !line["axes"].is_null());
+        assert_eq!(placed, None, "{control} {mode} {operations}");
+    };
+    for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
+        for operations in ["2", "2..3", "3..", "5"] {
+            check(control, "axes", operations);
+        }
+    }
+    for control in ["fanuc", "siemens", "heidenhain", "haas"] {
+        check(control, "tcp", "2..4");
+        check(control, "plane", "2..3");
+    }
+}
+
+#[test]
 fn what_a_program_says_of_its_check_is_in_its_map() {
     let folder = tempfile::tempdir().expect("a folder");
     let config = folder.path().join("table.toml");
@@ -240,6 +261,15 @@ fn what_a_program_says_of_its_check_is_in_its_map() {
         let told: Vec<&Value> = posted.lines.iter().filter(|line| line["step"] == "check").collect();
         let line = told.first().and_then(|line| line["line"].as_u64()).expect("a line of the check");
         assert!(posted.program[line as usize - 1].to_lowercase().contains("checked"), "{control}: {told:?}");
+        // The last line, which stands behind it, is explained as it is.
+        let (count, last) = (posted.program.len().to_string(), posted.program.last().expect("a line"));
+        let arguments = ["explain-block", CL, &count, "--control", control, "--ops", "1..2", "--config"];
+        let mut command = binary("dmu-70e");
+        command.current_dir(workspace()).args(arguments).arg(&config);
+        let numbers = (control != "heidenhain").then_some("--line-numbers");
+        let said = command.args(numbers).output().expect("the binary runs");
+        let said = String::from_utf8_lossy(&said.stdout).into_owned();
+        assert!(said.contains(&format!("\n    {last}\n")), "{control}: {last} is no line of\n{said}");
     }
 }
 
@@ -261,6 +291,19 @@ fn a_map_stands_there_with_its_program_or_not_at_all() {
     // The map of yesterday's program goes with it.
     assert_eq!(post(&good.replacen("GOTO/", "GOTO/x", 1), "part.json"), Some(1));
     assert!(!path("part.json").exists() && !path("part.nc").exists());
+    // Standard output, wherever it has been led.
+    let into = |file: fs::File, map: &str| {
+        let mut command = binary("spinner-u5-620");
+        command.current_dir(&folder).args(["post", "part.cls", "--map", map]).stdout(file);
+        command.status().expect("the binary runs").code()
+    };
+    fs::write(path("part.cls"), &good).expect("the folder takes files");
+    if Path::new("/dev/stdout").exists() {
+        for map in ["both.txt", "/dev/stdout"] {
+            assert_eq!(into(fs::File::create(path("both.txt")).expect("a file"), map), Some(2), "{map}");
+        }
+        assert_eq!(into(fs::File::create(path("other.nc")).expect("a file"), "both.txt"), Some(0));
+    }
     for other in ["part.cls", "part.nc", "part.nc.rejected", "./part.nc", "-", "nowhere/part.json"] {
         assert_eq!(post(&good, other), Some(2), "{other}");
     }

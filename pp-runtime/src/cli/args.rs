@@ -123,7 +123,7 @@ pub(super) struct CheckArgs {
     /// CL data; `-` is standard input
     #[arg(value_name = "IN.cls")]
     pub(super) input: PathBuf,
-    /// Program to compare with it
+    /// Program to compare with it; `-` is standard input
     #[arg(value_name = "OUT.nc")]
     pub(super) program: PathBuf,
     /// Messages as JSON, and the figures as an object on standard output

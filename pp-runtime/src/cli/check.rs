@@ -1,7 +1,7 @@
 //! `check IN.cls OUT.nc`: a program that was posted earlier, or edited by hand, beside its CL data.
 
 use std::fs::File;
-use std::io::Seek as _;
+use std::io::{Read, Seek as _};
 use std::path::Path;
 
 use serde::Serialize;
@@ -12,7 +12,7 @@ use crate::kinematics::Machine;
 
 use super::args::{CheckArgs, MessageFormat};
 use super::messages::Messages;
-use super::{Failure, Status, Streams, open, print, read_config};
+use super::{Failure, Status, Streams, is_standard, open, print, read_config};
 
 /// The figures for programs.
 #[derive(Serialize)]
@@ -32,7 +32,13 @@ pub(super) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Re
     let config = read_config::<M>(&args.set_up, &mut messages)?;
     let mut source = open(&args.input, streams.input)?;
     let name = source.name().to_owned();
-    let program = File::open(&args.program).map_err(|error| Failure::unreadable(&args.program, error))?;
+    let program: Box<dyn Read + '_> = match (is_standard(&args.program), is_standard(&args.input)) {
+        (true, true) => {
+            return Err(Failure::Argument("CL data and program cannot both come from standard input".to_owned()));
+        }
+        (true, false) => Box::new(&mut *streams.input),
+        _ => Box::new(File::open(&args.program).map_err(|error| Failure::unreadable(&args.program, error))?),
+    };
     let job = Job { config: &config, control: args.set_up.control(), units: config.cl_units };
     let checked = check::<M>(&job, &mut source, program).map_err(|error| failure(error, &name, &args.program))?;
     if let Some(what) = source.disturbed() {

@@ -3,18 +3,23 @@
 //! The CL data is posted once more, with the same set-up and into nothing that stays: the same data gives the same program.
 
 use std::fmt::Write as _;
-use std::io::{self, BufWriter, Seek as _};
+use std::io::{self, Seek as _};
+use std::path::Path;
 
 use crate::kinematics::{Axis, AxisKind, Machine, Pose};
 use crate::motion::Standing;
-use crate::post::{Account, Job, Origin, PostError, post_with_account};
+use crate::post::{Account, Origin};
 use crate::program::Location;
 
 use super::args::{BlockName, ExplainBlockArgs, MessageFormat};
 use super::excerpt::excerpts;
 use super::map::{MapLine, axis_values, branch_number};
 use super::messages::Messages;
-use super::{Failure, Status, Streams, cl_name, open, print, read_config};
+use super::posting::{Post, Run};
+use super::{Failure, Status, Streams, open, print, read_config};
+
+/// Where the program is written to.
+const TEMPORARY: &str = "a temporary file";
 
 /// Block numbers start again behind the last one: so many blocks of one number are told.
 const MOST: usize = 20;
@@ -45,6 +50,8 @@ impl Found {
 struct Search {
     wanted: BlockName,
     found: Vec<Found>,
+    /// Blocks that are meant.
+    count: usize,
     lines: u64,
     /// Every block has a number, not restart points alone.
     numbered: bool,
@@ -57,8 +64,11 @@ impl Account for Search {
             BlockName::Number(number) => origin.number == Some(number),
             BlockName::Line(line) => origin.line == line,
         };
-        if is_it && self.found.len() < MOST {
-            self.found.push(Found::of(origin));
+        if is_it {
+            self.count += 1;
+            if self.found.len() < MOST {
+                self.found.push(Found::of(origin));
+            }
         }
         Ok(())
     }
@@ -79,28 +89,31 @@ impl Search {
     }
 }
 
-pub(super) fn run<M: Machine>(args: &ExplainBlockArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
-    let mut messages = Messages::new(streams.errors, args.set_up.message_format);
-    let config = read_config::<M>(&args.set_up, &mut messages)?;
+pub(super) fn run<M: Machine>(
+    args: &ExplainBlockArgs,
+    streams: &mut Streams<'_>,
+    post: Post<'_>,
+) -> Result<Status, Failure> {
+    let format = args.set_up.message_format;
+    let config = read_config::<M>(&args.set_up, &mut Messages::new(streams.errors, format))?;
     let mut source = open(&args.input, streams.input)?;
-    let name = source.name().to_owned();
-    let cl_name = cl_name(&args.input);
-    let job = Job { cl_name: &cl_name, config: &config, control: args.set_up.control(), units: config.cl_units };
-    let numbered = config.program.line_numbers.is_some() || job.control.spellings().counted;
-    let mut search = Search { wanted: args.block, found: Vec::new(), lines: 0, numbered };
-    let no_room = |error| Failure::Unwritable("a temporary file".to_owned(), error);
+    let (name, control) = (source.name().to_owned(), args.set_up.control());
+    let numbered = config.program.line_numbers.is_some() || control.spellings().counted;
+    let mut search = Search { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
+    let no_room = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
     let mut program = tempfile::tempfile().map_err(no_room)?;
-    let report = post_with_account::<M>(&job, &mut source, &mut BufWriter::new(&mut program), Some(&mut search));
-    let report = report.map_err(|error| match error {
-        PostError::Input(error) => Failure::Unreadable(name.clone(), error),
-        PostError::Operations(text) => Failure::Argument(text),
-        PostError::Output(error) => no_room(error),
-    })?;
-    let unreadable = |error| Failure::Unreadable(name.clone(), error);
-    if report.failed {
-        source.rewind().map_err(unreadable)?;
-        messages.diagnostics(&name, &mut source, &report.diagnostics);
+    // How many lines tell of the check is only known behind it.
+    let (output, no_check) = (Path::new(TEMPORARY), !config.program.checked);
+    let run = Run { input: &args.input, output, no_check, config: &config, control, post };
+    // What there is to say of the whole program was said when it was posted.
+    let mut said = Vec::new();
+    let mut unheard = Messages::new(&mut said, format);
+    let written = run.write::<M>(&mut source, &mut program, Some(&mut search), &mut unheard)?;
+    if written.is_err() {
+        // Where standard error is closed there is nobody to tell.
+        let _ = streams.errors.write_all(&said);
     }
+    let unreadable = |error| Failure::Unreadable(name.clone(), error);
     if search.found.is_empty() {
         return Err(Failure::Argument(search.missing()));
     }
@@ -125,7 +138,11 @@ pub(super) fn run<M: Machine>(args: &ExplainBlockArgs, streams: &mut Streams<'_>
             out.write_all(told(&origin, M::AXES, block, record.map(|(line, text)| (&*name, line, &**text))).as_bytes())
         })
     })?;
-    Ok(if report.failed { Status::Rejected } else { Status::Done })
+    let more = search.count - search.found.len();
+    if more > 0 {
+        Messages::new(streams.errors, format).note(&format!("{more} more blocks have this number"));
+    }
+    Ok(if written.is_err() { Status::Rejected } else { Status::Done })
 }
 
 /// What is told of a block, for people. `record`: file, line and text.

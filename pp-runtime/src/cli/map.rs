@@ -105,8 +105,6 @@ pub(super) struct Map<'a, W> {
     out: W,
     axes: &'a [Axis],
     begun: bool,
-    /// The last lines, before which something may still be written.
-    end: Vec<Origin<'static>>,
 }
 
 impl<W: Write> Map<'_, W> {
@@ -118,26 +116,11 @@ impl<W: Write> Map<'_, W> {
             out,
             "{{\"cl\":{cl},\"machine\":{machine},\"control\":{control},\"units\":[\"mm\",\"deg\"],\"lines\":["
         )?;
-        Ok(Self { out, axes: M::AXES, begun: false, end: Vec::new() })
+        Ok(Self { out, axes: M::AXES, begun: false })
     }
 
-    /// Ends it. `inserted` lines stand in front of the last ones, which the posting did not know of; `counted`: every line
-    /// has a number of its own.
-    pub(super) fn end(mut self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
-        let end = std::mem::take(&mut self.end);
-        let (before, behind) = end.split_at(end.len().saturating_sub(last));
-        before.iter().try_for_each(|origin| self.write(origin))?;
-        let later = |origin: &Origin<'static>, lines: u32| Origin {
-            line: origin.line + u64::from(lines),
-            number: origin.number.map(|number| if counted { number + lines } else { number }),
-            ..*origin
-        };
-        let more = u32::try_from(inserted).unwrap_or_default();
-        if let Some(first) = behind.first() {
-            let first = Origin { step: "check", number: first.number.filter(|_| counted), ..*first };
-            (0..more).try_for_each(|index| self.write(&later(&first, index)))?;
-        }
-        behind.iter().try_for_each(|origin| self.write(&later(origin, more)))?;
+    /// Ends it.
+    pub(super) fn end(mut self) -> io::Result<()> {
         self.out.write_all(b"\n]}\n")?;
         self.out.flush()
     }
@@ -145,22 +128,52 @@ impl<W: Write> Map<'_, W> {
 
 impl<W: Write> Account for Map<'_, W> {
     fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
-        if origin.step == "end" {
-            self.end.push(Origin { standing: None, ..*origin });
-            return Ok(());
-        }
-        self.write(origin)
-    }
-}
-
-impl<W: Write> Map<'_, W> {
-    fn write(&mut self, origin: &Origin<'_>) -> io::Result<()> {
         if self.begun {
             self.out.write_all(b",\n")?;
         }
         self.begun = true;
         let written = serde_json::to_writer(&mut self.out, &MapLine::new(origin, self.axes)).map_err(io::Error::from);
         written.map_err(|error| io::Error::new(error.kind(), format!("its map: {error}")))
+    }
+}
+
+/// Keeps the last lines of an account back: before these something may be written that the posting does not know of.
+pub(super) struct Tail<'a> {
+    account: &'a mut dyn Account,
+    end: Vec<Origin<'static>>,
+}
+
+impl<'a> Tail<'a> {
+    pub(super) fn new(account: &'a mut dyn Account) -> Self {
+        Self { account, end: Vec::new() }
+    }
+
+    /// Hands them on. `inserted` lines stand in front of the `last` ones; `counted`: every line has a number of its own.
+    pub(super) fn end(self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
+        let Self { account, end } = self;
+        let later = |origin: &Origin<'static>, lines: u32| Origin {
+            line: origin.line + u64::from(lines),
+            number: origin.number.map(|number| if counted { number + lines } else { number }),
+            ..*origin
+        };
+        let (before, behind) = end.split_at(end.len().saturating_sub(last));
+        before.iter().try_for_each(|origin| account.line(origin))?;
+        let more = u32::try_from(inserted).unwrap_or_default();
+        if let Some(first) = behind.first() {
+            let first = Origin { step: "check", number: first.number.filter(|_| counted), ..*first };
+            (0..more).try_for_each(|index| account.line(&later(&first, index)))?;
+        }
+        behind.iter().try_for_each(|origin| account.line(&later(origin, more)))
+    }
+}
+
+impl Account for Tail<'_> {
+    fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
+        if origin.step != "end" {
+            return self.account.line(origin);
+        }
+        self.end.push(Origin { standing: None, ..*origin });
+        Ok(())
     }
 }
 
@@ -185,12 +198,12 @@ impl MapFile {
         Map::begin::<M>(out, cl, control).map_err(|error| Failure::unwritable(&self.path, error))
     }
 
-    pub(super) fn finish(self) -> Result<(), Failure> {
-        self.target.finish(|_| false).map(drop).map_err(|error| Failure::unwritable(&self.path, error))
+    /// Takes the map of an earlier program away, before there is another program.
+    pub(super) fn clear(&self) -> Result<(), Failure> {
+        self.target.clear().map_err(|error| Failure::unwritable(&self.path, error))
     }
 
-    /// The program was rejected: nothing stands under the name, not even the map of an earlier one.
-    pub(super) fn discard(self) -> Result<(), Failure> {
-        self.target.discard().map_err(|error| Failure::unwritable(&self.path, error))
+    pub(super) fn finish(self) -> Result<(), Failure> {
+        self.target.finish(|_| false).map(drop).map_err(|error| Failure::unwritable(&self.path, error))
     }
 }

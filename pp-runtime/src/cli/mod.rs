@@ -113,7 +113,7 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
     let result = match command {
         Command::Post(args) => posting::run::<M>(&args, &mut streams, post),
         Command::Check(args) => check::run::<M>(&args, &mut streams),
-        Command::ExplainBlock(args) => explain_block::run::<M>(&args, &mut streams),
+        Command::ExplainBlock(args) => explain_block::run::<M>(&args, &mut streams, post),
         Command::Config(args) => {
             let config = control::starting_point(args.control());
             let text = if args.schema { config::schema::<M>(&config) } else { config::print::<M>(&config) };

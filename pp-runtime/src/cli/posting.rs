@@ -1,6 +1,7 @@
 //! `post IN.cls -o OUT`: from CL data to a program under its name, checked, and with its map; or to nothing of the kind.
 
 use std::io::{BufWriter, Seek as _, Write};
+use std::path::Path;
 
 use crate::check::Checked;
 use crate::config::Config;
@@ -10,7 +11,7 @@ use crate::kinematics::Machine;
 use crate::post::{Account, Job, PostError, Report};
 
 use super::args::{MessageFormat, PostArgs};
-use super::map::MapFile;
+use super::map::{Map, MapFile, Tail};
 use super::messages::{Messages, headline};
 use super::self_check::{self, Checking, SelfCheck};
 use super::source::{Source, same_file};
@@ -45,17 +46,25 @@ pub(super) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
         Some(target) => target.writer(),
         None => &mut *streams.output,
     };
-    let run = Run { args, config: &config, control: args.set_up.control(), post };
-    let told = match run.write::<M>(&mut source, out, map_file.as_mut(), &mut messages)? {
+    let control = args.set_up.control();
+    let run = Run { input: &args.input, output: &args.output, no_check: args.no_check, config: &config, control, post };
+    let mut map = map_file.as_mut().map(|file| file.begin::<M>(&cl_name(&args.input), control)).transpose()?;
+    let written = run.write::<M>(&mut source, out, map.as_mut().map(|map| map as &mut dyn Account), &mut messages)?;
+    let ended = map.map_or(Ok(()), Map::end);
+    let told = match written {
         Ok(told) => told,
         Err(reason) => {
-            reject(args, target, map_file, &reason, &mut messages)?;
+            reject(args, target, &reason, &mut messages)?;
+            // Nobody shall look into the map of yesterday's program.
+            map_file.map_or(Ok(()), |file| file.clear())?;
             return Ok(Status::Rejected);
         }
     };
+    ended.map_err(|error| Failure::unwritable(args.map.as_deref().unwrap_or(&args.output), error))?;
     told.iter().for_each(|line| messages.note(line));
+    map_file.as_ref().map_or(Ok(()), MapFile::clear)?;
     if let Some(target) = target {
-        let removed = target.finish(|line| is_rejected(run.control, line)).map_err(unwritable)?;
+        let removed = target.finish(|line| is_rejected(control, line)).map_err(unwritable)?;
         if removed {
             messages.note(&format!("removed {} of an earlier run", rejected_path(&args.output).display()));
         }
@@ -66,52 +75,57 @@ pub(super) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
 }
 
 /// One run of the posting.
-struct Run<'a> {
-    args: &'a PostArgs,
-    config: &'a Config,
-    control: &'static dyn Control,
-    post: Post<'a>,
+pub(super) struct Run<'a> {
+    pub(super) input: &'a Path,
+    /// As messages name it.
+    pub(super) output: &'a Path,
+    pub(super) no_check: bool,
+    pub(super) config: &'a Config,
+    pub(super) control: &'static dyn Control,
+    pub(super) post: Post<'a>,
 }
 
 impl Run<'_> {
     /// Posts, checks, and closes the program: with its end code, or with why it has none.
-    fn write<M: Machine>(
+    pub(super) fn write<M: Machine>(
         &self,
         source: &mut Source,
         out: &mut dyn Write,
-        map_file: Option<&mut MapFile>,
+        account: Option<&mut dyn Account>,
         messages: &mut Messages<'_>,
     ) -> Result<Written, Failure> {
-        let Self { args, config, control, .. } = *self;
+        let Self { output, config, control, .. } = *self;
         let name = source.name().to_owned();
         let unreadable = |error| Failure::Unreadable(name.clone(), error);
-        let unwritable = |error| Failure::unwritable(&args.output, error);
-        let closing = 1 + control.spellings().closing.len();
-        let check = (!args.no_check).then(|| SelfCheck::start::<M>(config, control, source)).transpose();
+        let unwritable = |error| Failure::unwritable(output, error);
+        let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().counted);
+        let check = (!self.no_check).then(|| SelfCheck::start::<M>(config, control, source)).transpose();
         let mut checking = Checking::new(out, check.map_err(unreadable)?, closing);
-        let mut map = map_file.map(|file| file.begin::<M>(&cl_name(&args.input), control)).transpose()?;
-        let report = self.report(source, &mut checking, map.as_mut().map(|map| map as &mut dyn Account))?;
+        let mut tail = account.map(Tail::new);
+        let report = self.report(source, &mut checking, tail.as_mut().map(|tail| tail as &mut dyn Account))?;
         if !report.diagnostics.is_empty() {
             source.rewind().map_err(unreadable)?;
             messages.diagnostics(&name, source, &report.diagnostics);
         }
+        let account_for = |tail: Option<Tail<'_>>, lines| {
+            tail.map_or(Ok(()), |tail| tail.end(lines, closing, counted)).map_err(unwritable)
+        };
         if let Some(reason) = refused(&report, &name) {
             checking.close().map_err(unwritable)?;
+            account_for(tail, 0)?;
             return Ok(Err(reason));
         }
-        let checked = checking.verdict().transpose().map_err(|error| check::failure(error, &name, &args.output))?;
+        let checked = checking.verdict().transpose().map_err(|error| check::failure(error, &name, output))?;
         if let Some(reason) = self_check::against(checked.as_ref(), &name, source, messages) {
             let lines = [format!("ERROR: {reason}"), "the program ends here: do not run it".to_owned()];
-            checking.close_with(&lines.map(|line| comment(control, &line))).map_err(unwritable)?;
+            let lines: Vec<Vec<u8>> = lines.iter().flat_map(|line| comments(control, line)).collect();
+            checking.close_with(&lines).map_err(unwritable)?;
             return Ok(Err(reason));
         }
         let verdict = verdict(checked.as_ref());
-        let footer = if config.program.checked { comments(control, &plain(&verdict)) } else { Vec::new() };
-        checking.close_behind(&footer, control.spellings().counted).map_err(unwritable)?;
-        if let Some(map) = map {
-            map.end(footer.len(), closing, control.spellings().counted)
-                .map_err(|error| Failure::unwritable(args.map.as_deref().unwrap_or(&args.output), error))?;
-        }
+        let footer = if config.program.checked { comments(control, &verdict) } else { Vec::new() };
+        checking.close_behind(&footer, counted).map_err(unwritable)?;
+        account_for(tail, footer.len())?;
         let assumed = "assumed: lengths of the configuration file are in mm (`units` is not set there)";
         let mut told: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
         told.append(&mut report.summary());
@@ -126,11 +140,11 @@ impl Run<'_> {
         checking: &mut Checking<'_>,
         account: Option<&mut dyn Account>,
     ) -> Result<Report, Failure> {
-        let Self { args, config, control, post } = *self;
-        let cl_name = cl_name(&args.input);
-        let job = Job { cl_name: &cl_name, config, control, units: config.cl_units };
+        let cl_name = cl_name(self.input);
+        let unwritable = |error| Failure::unwritable(self.output, error);
+        let job = Job { cl_name: &cl_name, config: self.config, control: self.control, units: self.config.cl_units };
         let mut sink = Sink::new(checking);
-        let posted = post(&job, source, &mut sink, account);
+        let posted = (self.post)(&job, source, &mut sink, account);
         let written = sink.flush();
         // What could not be written is not tried again.
         drop(sink.into_parts());
@@ -142,9 +156,9 @@ impl Run<'_> {
         let report = posted.map_err(|error| match error {
             PostError::Input(error) => Failure::Unreadable(name, error),
             PostError::Operations(text) => Failure::Argument(text),
-            PostError::Output(error) => Failure::unwritable(&args.output, error),
+            PostError::Output(error) => unwritable(error),
         })?;
-        written.map_err(|error| Failure::unwritable(&args.output, error))?;
+        written.map_err(unwritable)?;
         Ok(report)
     }
 }
@@ -157,31 +171,19 @@ fn refused(report: &Report, name: &str) -> Option<String> {
     first.map(|found| headline(name, found)).or_else(unnamed)
 }
 
-/// In letters that every control has.
-fn plain(verdict: &str) -> String {
-    verdict.replace('µ', "u").replace('°', " deg")
-}
-
 /// What the check has found, in a line.
 fn verdict(checked: Option<&Checked>) -> String {
     checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary())
 }
 
 /// Says where the program went that was cut short, and sees to it that nothing stands under the final name.
-fn reject(
-    args: &PostArgs,
-    target: Option<Target>,
-    map: Option<MapFile>,
-    reason: &str,
-    messages: &mut Messages<'_>,
-) -> Result<(), Failure> {
-    map.map_or(Ok(()), MapFile::discard)?;
+fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut Messages<'_>) -> Result<(), Failure> {
     let Some(target) = target else {
         messages.note("rejected: the program on standard output is not complete and must not be run");
         return Ok(());
     };
-    let first_line = comment(args.set_up.control(), &format!("{REJECTED}{reason}"));
-    let rejected = target.reject(&first_line).map_err(|error| Failure::unwritable(&args.output, error))?;
+    let first = comments(args.set_up.control(), &format!("{REJECTED}{reason}")).join(&b'\n');
+    let rejected = target.reject(&first).map_err(|error| Failure::unwritable(&args.output, error))?;
     let out = args.output.display();
     messages.note(&match rejected {
         Rejected { path: None, .. } => format!("rejected: the program on {out} is not complete and must not be run"),
@@ -196,6 +198,11 @@ fn reject(
 /// Nothing that is written may replace a file that is read, or another that is written.
 fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
     let output = Some(&args.output).filter(|path| !is_standard(path));
+    // Standard output may have been led into a file.
+    if let Some(map) = args.map.as_ref().filter(|map| output.is_none() && same_file(map, Path::new(STANDARD_OUTPUT))) {
+        let what = "the program on standard output".to_owned();
+        return Err(Failure::Overwrites(map.display().to_string(), what));
+    }
     let rejected = output.map(|path| rejected_path(path));
     let read = [
         (Some(&args.input).filter(|path| !is_standard(path)), "CL data"),
@@ -215,17 +222,16 @@ fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Where standard output goes, on systems that name it.
+const STANDARD_OUTPUT: &str = "/dev/stdout";
+
 /// How the first line of a rejected program begins, inside the comment.
 const REJECTED: &str = "REJECTED ";
 
-/// A comment of one line as the control spells it.
-fn comment(control: &dyn Control, text: &str) -> Vec<u8> {
-    comments(control, text).into_iter().next().unwrap_or_default()
-}
-
 /// A comment as the control spells it, on as many lines as it needs.
 fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
-    let lines = control::lines_of(text.as_bytes(), control.spellings().comment.length);
+    let text = control::legible(text.as_bytes());
+    let lines = control::lines_of(&text, control.spellings().comment.length);
     let spelled = lines.map(|text| {
         let mut line = Vec::new();
         control.comment(text, &mut line);
@@ -237,7 +243,7 @@ fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
 /// Whether a line is the first one of a rejected program.
 fn is_rejected(control: &dyn Control, line: &[u8]) -> bool {
     // The comment without what closes it.
-    let mark = comment(control, REJECTED);
+    let mark = comments(control, REJECTED).concat();
     let end = mark.windows(REJECTED.len()).position(|window| window == REJECTED.as_bytes());
     end.is_some_and(|at| line.starts_with(&mark[..at + REJECTED.len()]))
 }

@@ -36,21 +36,26 @@ pub(super) struct Rejected {
 impl Target {
     /// Makes sure that `path` can be written, and starts the temporary file.
     pub(super) fn create(path: &Path) -> io::Result<Self> {
-        // A link is followed, so that the link survives and its target is replaced.
-        let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
-        let path = if is_link { fs::canonicalize(path)? } else { path.to_owned() };
-        match fs::metadata(&path) {
+        match fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => {
                 return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a directory"));
             }
             Ok(metadata) if !metadata.is_file() => {
-                let kind = Kind::Direct(OpenOptions::new().write(true).open(&path)?);
-                return Ok(Self { path, kind });
+                let kind = Kind::Direct(OpenOptions::new().write(true).open(path)?);
+                return Ok(Self { path: path.to_owned(), kind });
             }
             // A rename would replace a write-protected file: ask first.
-            Ok(_) => drop(OpenOptions::new().append(true).open(&path)?),
+            Ok(_) => drop(OpenOptions::new().append(true).open(path)?),
             Err(_) => {}
         }
+        // A link is followed, so that the link survives and its target is replaced.
+        let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
+        let path = match is_link {
+            true => fs::canonicalize(path).map_err(|error| {
+                io::Error::new(error.kind(), format!("it is a link to where nothing stands: {error}"))
+            })?,
+            false => path.to_owned(),
+        };
         let kind = Kind::Renamed(temporary_beside(&path)?);
         Ok(Self { path, kind })
     }
@@ -72,16 +77,11 @@ impl Target {
         Ok(first_line(&rejected).is_ok_and(|line| is_rejected(&line)) && fs::remove_file(rejected).is_ok())
     }
 
-    /// Leaves nothing under the final name.
-    pub(super) fn discard(self) -> io::Result<()> {
-        match self.kind {
-            Kind::Renamed(_) => self.clear().map(drop),
-            Kind::Direct(_) => Ok(()),
-        }
-    }
-
     /// Removes what stands under the final name; whether there was anything.
-    fn clear(&self) -> io::Result<bool> {
+    fn remove(&self) -> io::Result<bool> {
+        if let Kind::Direct(_) = self.kind {
+            return Ok(false);
+        }
         match fs::remove_file(&self.path) {
             Ok(()) => Ok(true),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(false),
@@ -89,12 +89,14 @@ impl Target {
         }
     }
 
+    /// Leaves nothing under the final name, for now.
+    pub(super) fn clear(&self) -> io::Result<()> {
+        self.remove().map(drop)
+    }
+
     /// Puts the program beside the final name with `reason` as its first line, and removes what stands there.
     pub(super) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
-        let removed = match self.kind {
-            Kind::Renamed(_) => self.clear()?,
-            Kind::Direct(_) => false,
-        };
+        let removed = self.remove()?;
         let Kind::Renamed(mut file) = self.kind else { return Ok(Rejected { path: None, removed }) };
         let path = rejected_path(&self.path);
         let mut whole = temporary_beside(&path)?;

@@ -5,6 +5,7 @@ mod cycles;
 mod frames;
 mod values;
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use crate::config::{ControlSetup, Mode, Program, Smoothing, Stock, ToolPosture, Units};
@@ -79,6 +80,25 @@ fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {
         Some(blank) => (&text[..blank], Some(&text[blank + 1..])),
         None => (&text[..length], Some(&text[length..])),
     }
+}
+
+/// A text in letters that every control has, as far as it holds signs that are written in other ways, too.
+pub(crate) fn legible(text: &[u8]) -> Cow<'_, [u8]> {
+    if text.is_ascii() {
+        return text.into();
+    }
+    let mut out = Vec::with_capacity(text.len());
+    for chunk in text.utf8_chunks() {
+        for letter in chunk.valid().chars() {
+            match letter {
+                '°' => out.extend_from_slice(b" deg"),
+                'µ' => out.push(b'u'),
+                other => out.extend_from_slice(other.encode_utf8(&mut [0; 4]).as_bytes()),
+            }
+        }
+        out.extend_from_slice(chunk.invalid());
+    }
+    out.into()
 }
 
 /// A text in lines of so many bytes; none of an empty one.
@@ -219,7 +239,8 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// # Errors
     /// Those of the output.
     pub fn comment(&mut self, text: &[u8]) -> io::Result<()> {
-        for piece in lines_of(text, self.codes.comment.length) {
+        let text = legible(text);
+        for piece in lines_of(&text, self.codes.comment.length) {
             self.line.clear();
             self.control.comment(piece, &mut self.line);
             self.writer.line(&self.line)?;

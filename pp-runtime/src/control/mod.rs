@@ -22,7 +22,7 @@ use std::ops::RangeInclusive;
 use crate::config::Units;
 
 pub use encoder::Encoder;
-pub(crate) use encoder::lines_of;
+pub(crate) use encoder::{legible, lines_of};
 pub use fanuc::Fanuc;
 pub use fit::{abilities, check, starting_point, unsuited};
 pub use haas::Haas;

@@ -115,6 +115,9 @@ impl<S: Sink> Sink for Gate<'_, S> {
 
     #[inline]
     fn stand(&mut self, standing: &Standing<'_>) {
-        self.sink.stand(standing);
+        // What is not written reaches no place.
+        if self.shown {
+            self.sink.stand(standing);
+        }
     }
 }

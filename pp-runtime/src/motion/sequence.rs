@@ -159,7 +159,7 @@ impl<M: Machine> Planner<'_, M> {
         }
         self.leave(at, sink)?;
         sink.serve(at, Why::Start);
-        if (self.abilities.length_moves || self.framed) && self.restarts > 0 {
+        if (self.abilities.length_moves || self.framed) && self.restarts > 0 && !opens {
             // What the safety line cancels must not move the tool down, or turn it in the part.
             self.machine_retract(at, sink)?;
         }

@@ -26,7 +26,7 @@ const ANYWHERE: f64 = 1e5;
 const SETTLING: f64 = 0.008;
 
 /// A block that waits until the joints have settled, for ten seconds at most.
-pub(super) const SETTLED: &str = "M66 P0 L3 Q10";
+pub(super) const SETTLED: &str = "M66 P0 L3 Q50";
 
 /// Name of the file in which the sampler writes.
 pub(super) const SAMPLES: &str = "samples.txt";

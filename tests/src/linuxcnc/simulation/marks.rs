@@ -1,8 +1,8 @@
 //! Where the joints stand at the end of each block, exactly.
 //!
 //! Behind a block the program waits until the joints have settled and counts an analog output up, which the sampler writes
-//! down beside joints and axes in every servo cycle: the first sample with a number is what was reached there. Both waits
-//! count servo cycles and no time, so that a busy computer makes the control late and nothing else.
+//! down beside joints and axes in every servo cycle: the first sample with a number is what was reached there. That the
+//! joints stand is counted in servo cycles, so that a busy computer makes the control late and nothing else, up to 50 s a block.
 
 use std::fmt::Write as _;
 use std::fs::File;
@@ -124,10 +124,10 @@ mod tests {
     #[test]
     fn marks_stand_behind_the_blocks_that_are_named() {
         let text = marked("G0 X1\nG0 X2\nM2\n", &[2], 7, Look::AsProgrammed);
-        assert_eq!(text, "G0 X1\nG0 X2\nM66 P0 L3 Q10\nM68 E0 Q7\nM2\n");
+        assert_eq!(text, "G0 X1\nG0 X2\nM66 P0 L3 Q50\nM68 E0 Q7\nM2\n");
         let text = marked("G0 X1\n", &[1], 1, Look::ThroughKinematics);
         let through = "M68 E1 Q1\nM66 E0 L0\nM68 E0 Q1\nM68 E1 Q0\nM66 E0 L0\n";
-        assert_eq!(text, format!("G0 X1\nM66 P0 L3 Q10\n{through}"));
+        assert_eq!(text, format!("G0 X1\nM66 P0 L3 Q50\n{through}"));
     }
 
     #[test]

@@ -35,7 +35,7 @@ const START: Duration = Duration::from_secs(40);
 const LIFETIME: &str = "300";
 
 /// How long nothing may be reached before a program counts as hanging.
-const STANDSTILL: Duration = Duration::from_secs(20);
+const STANDSTILL: Duration = Duration::from_secs(60);
 
 /// A running control. It ends with this value.
 pub struct Simulation {
