@@ -199,7 +199,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         // The way down from the approach point is a rapid if the CL data has it so.
         let approaches = motion.starts || self.approached || self.turns(block);
         let as_feed =
-            !motion.rapid || (self.config.rapid == Rapid::Feed && !approaches && !(self.in_thread() && !feeds));
+            !motion.rapid || (self.config.rapid == Rapid::Feed && !approaches && (feeds || !self.in_thread()));
         if feeds != as_feed {
             let text =
                 if feeds { "a rapid of the CL data is run at feed" } else { "a cut of the CL data is run at rapid" };
