@@ -7,6 +7,7 @@
 //! - [`further`]: machines of kinds that the papers do not have.
 //! - [`heap`]: an allocator that counts.
 //! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
+//! - [`damage`]: programs with one character wrong.
 //! - [`program`]: NC programs, read back word by word.
 //! - [`linuxcnc`]: a real control, its interpreter alone and the whole of it, simulated.
 //! - [`binaries`]: the machines' binaries, built and run.
@@ -16,6 +17,7 @@
 pub mod binaries;
 pub mod block;
 pub mod conformance;
+pub mod damage;
 pub mod further;
 pub mod heap;
 pub mod linuxcnc;

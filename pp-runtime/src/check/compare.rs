@@ -20,7 +20,7 @@ use super::report::{Shown, Tally};
 use super::travel::Travel;
 use super::words::Words;
 use crate::cl;
-use crate::config::{Config, Mode, Units};
+use crate::config::{Config, Mode, Rapid, Units};
 use crate::kinematics::{AxisKind, Machine, Side};
 use crate::program::Location;
 
@@ -49,6 +49,8 @@ pub(super) struct Slack {
     pub(super) tip: f64,
     /// Their tool axes, rad.
     pub(super) axis: f64,
+    /// Those that are put at the pole, rad.
+    pub(super) pole: f64,
     /// Tool axes of rotary words alone, rad: the angles of a tilted plane are coarser.
     pub(super) rotary: f64,
     /// One unit of rotary words, rad.
@@ -109,6 +111,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) tilted: bool,
     /// The axes may go to their parking places.
     pub(super) parks: bool,
+    /// Along the first rotary axis, where it is free.
+    pub(super) pole: Option<nalgebra::Vector3<f64>>,
     /// No rotary axis is in the head, and the tool stands along the retract axis.
     pub(super) straight: bool,
 }
@@ -129,9 +133,10 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let rotaries = words.rotary_mask.count_ones();
         // Three angles of a plane, half a thousandth of a degree each.
         let in_plane = if config.mode == Mode::Plane { 3.0 * 0.5e-3_f64.to_radians() } else { 0.0 };
-        let rotary = 0.5 * angle * f64::from(rotaries) * 1.01 + config.axis_tolerance.max(AXIS_NOISE);
+        let rotary = 0.5 * angle * f64::from(rotaries) * 1.01 + AXIS_NOISE;
+        let pole = rotary.max(rotary - AXIS_NOISE + config.axis_tolerance);
         let tip = 0.5 * unit * corner(&machine) + 1e-6;
-        let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, angle };
+        let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, pole: pole + in_plane, angle };
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
         tally.outcome.tolerance = config.tolerance;
@@ -166,6 +171,9 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             arc_plane: None,
             parked: 0,
             length: None,
+            pole: (0..M::AXES.len())
+                .find(|&index| M::AXES[index].kind == AxisKind::Rotary && !M::AXES[index].held)
+                .map(|index| machine.joint(index).direction.into_inner()),
             stopped: false,
             tilted: false,
             straight: straight(&machine),
@@ -199,9 +207,9 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         match block.action {
             Action::Nothing => {}
             Action::ToolChange => self.change(shown),
-            Action::Dwell(seconds) => self.dwell(seconds, shown),
-            Action::Stop => self.stop(block, false, shown),
-            Action::OptionalStop => self.stop(block, true, shown),
+            Action::Dwell(seconds) => self.dwell(seconds, shown)?,
+            Action::Stop => self.stop(block, false, shown)?,
+            Action::OptionalStop => self.stop(block, true, shown)?,
             Action::End => self.end(block, shown)?,
             _ => self.moves(block, shown)?,
         }
@@ -228,7 +236,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         self.tally.outcome.blocks += 1;
         self.take_tool();
         match block.action {
-            Action::Machine => self.machine_block(block, shown),
+            Action::Machine => self.machine_block(block, shown)?,
             Action::Reference => {
                 self.phase = Phase::Clear(0);
                 self.here = None;
@@ -291,11 +299,16 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             self.phase = Phase::Path;
             self.lost = true;
         }
-        if self.serve(block, &end, shown)? {
+        let rapid = block.action == Action::Rapid;
+        let lifts = |checker: &mut Self| {
+            (rapid || checker.config.rapid == Rapid::Feed) && checker.lifts_for_cycle(block, &end, shown)
+        };
+        // Motions that need no block may stand before the hole.
+        if lifts(self) || self.serve(block, &end, shown)? || lifts(self) {
             self.here = Some(end);
             return Ok(());
         }
-        if block.action != Action::Rapid || !self.leads_out(block, &end, shown) {
+        if !(rapid && self.leads_out(block, &end, shown)?) {
             self.resume(block, &end, shown)?;
         }
         self.here = Some(end);

@@ -69,6 +69,8 @@ pub(super) struct Item {
     pub(super) wanted: Wanted,
     /// The hole that it belongs to, which a cycle of the control may make.
     pub(super) hole: Option<hole::Wanted>,
+    /// What the last SPINDL before it asks for, if it stands behind a motion of its operation.
+    standing: Option<(f64, Rotation)>,
     pub(super) kind: Kind,
 }
 
@@ -105,6 +107,8 @@ struct Follow<'a> {
     calls: BTreeMap<u32, ToolCall>,
     request: (Option<f64>, Option<Rotation>),
     spindle_off: bool,
+    /// What the last SPINDL behind a motion of its operation asks for.
+    standing: Option<(f64, Rotation)>,
     /// What SPINDL said since the operation before ended.
     in_start: ((Option<f64>, Option<Rotation>), bool),
     coolant: Coolant,
@@ -169,6 +173,11 @@ impl<'a, R: Read> Expect<'a, R> {
         self.queue.pop_front()
     }
 
+    /// What the last SPINDL that is to be written asks for, before what comes next.
+    pub(super) fn standing(&self) -> Option<(f64, Rotation)> {
+        self.queue.front().map_or(self.follow.standing, |item| item.standing)
+    }
+
     /// The first thing that the reader could not take.
     pub(super) fn fault(&self) -> Option<Diagnostic> {
         let errors = self.reader.diagnostics().iter().filter(|found| found.severity == Severity::Error);
@@ -211,6 +220,7 @@ impl<'a> Follow<'a> {
             calls: BTreeMap::new(),
             request: (None, None),
             spindle_off: false,
+            standing: None,
             in_start: ((None, None), false),
             coolant: Coolant::Off,
             start: true,
@@ -296,7 +306,9 @@ impl<'a> Follow<'a> {
             Event::Tool(call) => self.tool(Some(at), &call),
             Event::Spindle(spindle) => {
                 take(&mut self.request, &mut self.spindle_off, spindle);
-                if self.start {
+                if !self.start {
+                    self.standing = self.spindle();
+                } else {
                     take(&mut self.in_start.0, &mut self.in_start.1, spindle);
                 }
             }
@@ -312,7 +324,10 @@ impl<'a> Follow<'a> {
             Event::Code { letter, number } => {
                 self.interrupt(at, Kind::Raw(format!("{}{number}", char::from(letter)).into_bytes()));
             }
-            Event::SafeSequence => self.begin(),
+            Event::SafeSequence => {
+                self.begin();
+                self.there = false;
+            }
             Event::Frame(number) => {
                 self.begin();
                 self.there = false;
@@ -357,6 +372,7 @@ impl<'a> Follow<'a> {
 
     fn tool(&mut self, at: Option<Location>, call: &ToolCall) {
         self.begin();
+        self.there = false;
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.config.tools.get(&call.number);
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
@@ -476,7 +492,7 @@ impl<'a> Follow<'a> {
             Some(Operations::From(_)) => self.reached,
         };
         if shown {
-            self.out.push_back(Item { at, wanted: self.wanted, hole: self.hole, kind });
+            self.out.push_back(Item { at, wanted: self.wanted, hole: self.hole, standing: self.standing, kind });
         }
     }
 }

@@ -184,6 +184,29 @@ impl FeedLaw {
         })
     }
 
+    /// The tip stands, as far as its ends tell.
+    pub(super) fn is_still(&self, stroke: &Stroke) -> bool {
+        stroke.length < 2.5 * self.unit
+    }
+
+    /// Where only the tool axis turns, and how far its rotary axes turn is not known: degrees a minute, at most those of
+    /// a turn of all rotary axes together.
+    pub(super) fn wrong_on_the_spot(&self, state: &State) -> Option<String> {
+        let largest = self.reorient.to_degrees() * f64::from(self.rotary_mask.count_ones()).sqrt();
+        let feed = state.feed.unwrap_or(0.0);
+        (feed <= 0.0 || feed > largest + 0.5 * 10_f64.powi(-(self.decimals as i32))).then(|| {
+            format!("F is {feed} a minute, and only the tool axis turns: at most {largest:.6} degrees are allowed")
+        })
+    }
+
+    /// Where the speeds of axes hold a block back, and how far these move is not known: at most the feed of the tip.
+    pub(super) fn too_fast(&self, stroke: &Stroke, state: &State) -> Option<String> {
+        let most = self.expected(&Stroke { change: [0.0; MAX_AXES], ..*stroke })?;
+        let feed = state.feed.unwrap_or(0.0);
+        (state.feed_mode != Some(most.mode) || feed <= 0.0 || feed > most.value + most.slack)
+            .then(|| format!("F is {feed} a minute, it is to be at most {:.6}", most.value))
+    }
+
     /// Whether a block runs as it should: `None`, or what it should be.
     pub(super) fn wrong(&self, stroke: &Stroke, state: &State) -> Option<String> {
         let expected = self.expected(stroke)?;

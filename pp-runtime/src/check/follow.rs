@@ -7,11 +7,11 @@ use super::compare::{Checker, Phase};
 use super::expect::{Kind, Motion, Wanted};
 use super::feed::Stroke;
 use super::path::{Segment, Shape, angle_between};
-use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl};
+use super::read::{Action, ArcMove, Block, Family, MAX_AXES, TipControl};
 use super::report::Shown;
 use crate::config::{Rapid, Rewind, ToolPosture, Transition};
 use crate::kinematics::Machine;
-use crate::program::{Feed, Location};
+use crate::program::{Drilling, Feed, Location};
 
 /// A motion within this angle of the tool axis leads along it, rad.
 const ALONG: f64 = 1e-3;
@@ -22,11 +22,15 @@ const PLACE: f64 = 0.02;
 const MOST_PLACES: f64 = 400.0;
 
 /// A share that suits both tip and axis leaves each of them this much farther off than its own best would.
-const BOTH: f64 = std::f64::consts::SQRT_2;
+pub(super) const BOTH: f64 = std::f64::consts::SQRT_2;
 
 /// An arc that ends where it should has gone round as often as it should if its angle is nearer to that than this, rad.
 /// How far words of centre and ends let it swell is looked at along its way.
 const SAME_TURN: f64 = std::f64::consts::PI;
+
+/// The end of an arc by its angle may be off by so many times what rounded words may be: pole and start are rounded, and
+/// the start may be the end of another.
+const POLAR: f64 = 3.0;
 
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
@@ -54,6 +58,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 return Ok(false);
             }
             let segment = self.segment(&motion, end);
+            // A whole turn ends where it began, like a motion to the same place before it; so does a rapid behind a cut
+            // that goes nowhere.
+            let other = matches!(block.action, Action::Arc(_)) || (block.action == Action::Rapid && !motion.rapid);
+            if other && self.needs_no_block(&segment) {
+                self.pass();
+                continue;
+            }
             let share = self.fits(&segment, &motion, block, end);
             let share = share.or_else(|| if in_hole { self.stops_on_way(&segment, &motion, end) } else { None });
             if let Some(share) = share {
@@ -75,7 +86,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// Rounded words of its end are those in force already.
     pub(super) fn needs_no_block(&self, segment: &Segment) -> bool {
-        let here = self.here.filter(|_| matches!(segment.shape, Shape::Line));
+        let short = segment.length() <= 2.0 * self.slack.tip;
+        let here = self.here.filter(|_| short || matches!(segment.shape, Shape::Line));
         here.is_some_and(|here| self.is_at(&here, &segment.to))
     }
 
@@ -92,44 +104,61 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     pub(super) fn is_at(&self, here: &Placed, there: &Placed) -> bool {
-        (here.tip - there.tip).norm() <= self.slack.tip && angle_between(&here.axis, &there.axis) <= self.slack.axis
+        (here.tip - there.tip).norm() <= self.slack.tip
+            && angle_between(&here.axis, &there.axis) <= self.axis_slack(&there.axis)
+    }
+
+    /// How far the tool may be off a tool axis: one that is nearly at the pole is put there.
+    pub(super) fn axis_slack(&self, axis: &nalgebra::Vector3<f64>) -> f64 {
+        let near = self.pole.is_some_and(|pole| pole.cross(axis).norm() <= self.config.axis_tolerance);
+        if near { self.slack.pole } else { self.slack.axis }
     }
 
     /// The share of a motion that is done when a block ends there; `None` if it ends elsewhere.
     fn fits(&self, segment: &Segment, motion: &Motion, block: &Block, end: &Placed) -> Option<f64> {
+        let past_pole = self.pole.is_some_and(|pole| {
+            segment.axis_distance(&pole).min(segment.axis_distance(&-pole)) <= self.config.axis_tolerance
+        });
+        let ends = if past_pole { self.slack.pole } else { self.slack.axis };
         let by_angle = match (&block.action, &segment.shape) {
-            (Action::Arc(arc), Shape::Arc(round)) => Some(self.along + round.share_of(arc.sweep.abs())),
+            (Action::Arc(arc), Shape::Arc(round)) => {
+                Some(round.share_near(&end.tip, self.along + round.share_of(arc.sweep.abs())))
+            }
             _ => None,
         };
-        let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip / self.slack.axis));
-        let whole = !matches!(segment.shape, Shape::Arc(_)) || (share - 1.0).abs() * segment.angle() < SAME_TURN;
-        if whole && self.is_at(end, &segment.to) {
+        let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip / ends));
+        let done = (share - 1.0).abs() * segment.angle() < SAME_TURN;
+        if (done || !matches!(segment.shape, Shape::Arc(_))) && self.is_at(end, &segment.to) {
+            return Some(1.0);
+        }
+        // An arc by its angle ends where its rounded centre takes it, not at a place of the words.
+        let polar = if by_angle.is_some() && self.family == Family::Heidenhain { POLAR } else { 1.0 };
+        if polar > 1.0 && done && (end.tip - segment.to.tip).norm() <= polar * self.slack.tip {
             return Some(1.0);
         }
         if motion.rapid && self.config.rapid != Rapid::Feed {
             return self.corner(segment, end);
         }
-        if !(self.along - SHARE..=1.0 + SHARE).contains(&share) && !self.just_before(segment, share) {
-            return None;
+        let swings = self.config.retract.rewind == Rewind::Follow
+            && !self.needs_no_block(segment)
+            && self.here.is_some_and(|here| (here.tip - end.tip).norm() <= 2.0 * self.slack.tip);
+        let before = swings.then_some(self.along);
+        if !(self.along - SHARE..=1.0 + SHARE).contains(&share) && !self.just_before(segment, share, ends) {
+            return before;
         }
         let on = segment.at(share.clamp(0.0, 1.0));
-        let near = (end.tip - on.tip).norm() <= BOTH * self.slack.tip
-            && angle_between(&end.axis, &on.axis) <= BOTH * self.slack.axis;
-        if near {
-            return Some(share.clamp(self.along, 1.0));
-        }
-        let swings = self.config.retract.rewind == Rewind::Follow
-            && self.here.is_some_and(|here| (here.tip - end.tip).norm() <= 2.0 * self.slack.tip);
-        swings.then_some(self.along)
+        let near = (end.tip - on.tip).norm() <= BOTH * polar * self.slack.tip
+            && angle_between(&end.axis, &on.axis) <= BOTH * ends;
+        if near { Some(share.clamp(self.along, 1.0)) } else { before }
     }
 
-    /// Rounding may put an end a little before the place where the last block ended.
-    fn just_before(&self, segment: &Segment, share: f64) -> bool {
+    /// Rounding may put an end a little before the place where the last block ended, which was put a little on by it.
+    fn just_before(&self, segment: &Segment, share: f64, axis: f64) -> bool {
         let back = self.along - share;
         let over = share - 1.0;
         let (length, turn) = (segment.length(), segment.turn());
-        let near = |part: f64| part * length <= self.slack.tip && part * turn <= self.slack.axis;
-        near(back.max(over))
+        let near = |part: f64, most: f64| part * length <= most * self.slack.tip && part * turn <= most * axis;
+        near(back, 2.0 * BOTH) && near(over, 1.0)
     }
 
     /// A rapid that leads down to a hole may stop on its way: a cycle of the control goes back to where it began.
@@ -168,7 +197,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.state_at_path(block, &wanted, shown);
         let feeds = block.action != Action::Rapid;
         // The way down from the approach point is a rapid if the CL data has it so.
-        let as_feed = !motion.rapid || (self.config.rapid == Rapid::Feed && !motion.starts && !self.turns(block));
+        let approaches = motion.starts || self.approached || self.turns(block);
+        let as_feed =
+            !motion.rapid || (self.config.rapid == Rapid::Feed && !approaches && (feeds || !self.in_thread()));
         if feeds != as_feed {
             let text =
                 if feeds { "a rapid of the CL data is run at feed" } else { "a cut of the CL data is run at rapid" };
@@ -189,6 +220,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         } else if motion.rapid {
             self.reached = Some(*end);
         }
+    }
+
+    /// What comes next belongs to a thread, whose motions are a cycle of their own on some controls.
+    fn in_thread(&self) -> bool {
+        let hole = self.expect.get(0).and_then(|item| item.hole);
+        hole.is_some_and(|wanted| matches!(wanted.hole.drilling, Drilling::Tap { .. }))
     }
 
     /// A rotary axis turns by more than the index angle.
@@ -233,18 +270,20 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let sweep = sweep(block);
         let places = places(turned + sweep);
         let (mut tip, mut axis) = (0.0_f64, 0.0_f64);
-        let mut after = self.along;
         let mut place = 1.0;
         while place <= places {
             let share = place / (places + 1.0);
             let words = between(&before, block, share, self.words.linear_places());
             let on = self.words.place(&words, &block.state);
-            tip = tip.max(segment.distance(&on, after));
+            tip = tip.max(match &segment.shape {
+                Shape::Arc(round) if sweep > 0.0 => {
+                    let gone = self.along + round.share_of(sweep * share);
+                    (on.tip - segment.at(round.share_near(&on.tip, gone).clamp(0.0, 1.0)).tip).norm()
+                }
+                _ => segment.distance(&on, self.along),
+            });
             if turned > 0.0 {
                 axis = axis.max(segment.axis_distance(&on.axis));
-            }
-            if sweep > 0.0 {
-                after = self.along + (sweep / segment.angle()) * share * 0.999;
             }
             place += 1.0;
         }
@@ -256,7 +295,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             let text = format!("along this block the tip leaves its path by {tip:.4} mm, {largest:.4} mm are allowed");
             self.found(shown, &text);
         }
-        let largest = self.config.axis_tolerance_path + self.slack.axis;
+        let largest = self.config.axis_tolerance_path + self.slack.pole;
         if axis > largest && !swings {
             let (axis, largest) = (axis.to_degrees(), largest.to_degrees());
             let text =
@@ -292,7 +331,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             _ => (segment.at(share).tip - segment.at(self.along).tip).norm(),
         };
         let stroke = self.stroke(block, part, feed, wanted);
-        if let Some(text) = self.law.wrong(&stroke, &block.state) {
+        let wrong = match block.state.vector {
+            // How far the rotary axes turn is the control's to find.
+            Some(_) if self.law.is_still(&stroke) && segment.turn() > 0.0 => self.law.wrong_on_the_spot(&block.state),
+            Some(_) if self.law.needs_axes() => self.law.too_fast(&stroke, &block.state),
+            _ => self.law.wrong(&stroke, &block.state),
+        };
+        if let Some(text) = wrong {
             self.found(shown, &text);
         }
     }

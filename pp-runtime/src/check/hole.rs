@@ -100,7 +100,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// A hole by a cycle of the control.
     pub(super) fn cycle(&mut self, block: &Block, cycle: &CycleMove, shown: Shown<'_>) -> std::io::Result<()> {
         self.expect.fill(2)?;
-        while matches!(self.expect.get(0), Some(Item { hole: None, .. })) && self.needless(0) {
+        while self.needless(0) && self.is_last_of_hole() {
             self.pass();
             self.expect.fill(2)?;
         }
@@ -165,6 +165,34 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             return Ok(None);
         }
         Ok(self.expect.ahead()?.iter().position(makes))
+    }
+
+    /// A cycle goes back to the level where it began: over its hole the tool comes to that level first, and down again to
+    /// a thread by a motion; `false` if the block does something else.
+    pub(super) fn lifts_for_cycle(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> bool {
+        let Some(Item { wanted, hole: Some(front), kind: Kind::Motion(next), .. }) = self.expect.get(0) else {
+            return false;
+        };
+        let (wanted, hole, next) = (*wanted, front.hole, *next);
+        let cuts = !next.rapid;
+        let (top, axis) = (hole.top.tip.coords, hole.top.axis.into_inner());
+        let at = |height: f64| self.is_at(end, &Placed { tip: top + axis * height, axis });
+        let over = self.here.is_some_and(|here| {
+            let height = (here.tip - top).dot(&axis);
+            height >= hole.clearance - self.slack.tip && (here.tip - top - axis * height).norm() <= 2.0 * self.slack.tip
+        });
+        let asked = self.is_at(end, &next.to);
+        let lifts = over && (at(hole.back_to) && !asked || cuts && at(hole.clearance));
+        if lifts {
+            self.state_at_path(block, &wanted, shown);
+        }
+        lifts
+    }
+
+    /// What comes next belongs to no hole, or nothing else of its hole is left.
+    fn is_last_of_hole(&self) -> bool {
+        let number = |index: usize| self.expect.get(index).and_then(|item| item.hole).map(|hole| hole.number);
+        number(0).is_none() || number(0) != number(1)
     }
 
     /// Where the tool is at a level of a cycle.

@@ -3,6 +3,8 @@
 //! A straight motion turns its axis evenly along the great circle between its ends; arcs and curves hold theirs. Shares
 //! run from 0 to 1.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Point3, Vector3};
 
 use super::chain::Placed;
@@ -14,6 +16,9 @@ const NARROW: f64 = 1e-7;
 
 /// A motion whose square is shorter than this has no direction, mm².
 const POINT: f64 = 1e-18;
+
+/// Rounding may put a point of an arc so far before the one before it, mm.
+const ROUNDED: f64 = 1e-3;
 
 /// Steps of the search for the nearest place of a curve.
 const STEPS: usize = 32;
@@ -80,16 +85,28 @@ impl Round {
         angle / self.angle
     }
 
+    /// The share whose angle is that of a point, in the turn that a share says: rounding of ends and centre may have
+    /// made an arc longer or shorter.
+    pub(super) fn share_near(&self, point: &Vector3<f64>, share: f64) -> f64 {
+        let angle = self.angle_of(point);
+        let turns = ((share * self.angle - angle) / TAU).round();
+        (angle + turns * TAU) / self.angle
+    }
+
+    /// Where a point stands about the normal, from the start.
+    fn angle_of(&self, point: &Vector3<f64>) -> f64 {
+        let from = point - self.centre;
+        from.dot(&self.v).atan2(from.dot(&self.u))
+    }
+
     /// The share whose angle is that of a point, as near behind `after` as a turn lets it be.
     fn share(&self, point: &Vector3<f64>, after: f64) -> f64 {
-        use std::f64::consts::TAU;
-        let from = point - self.centre;
-        let angle = from.dot(&self.v).atan2(from.dot(&self.u));
+        let angle = self.angle_of(point);
         let turns = ((after * self.angle - angle) / TAU).ceil();
         let on = angle + turns * TAU;
         // Rounding may have put the point a little before the place where the last block ended.
         let back = on - TAU;
-        let slack = 1e-3 / self.radii[0].max(1.0) + 1e-9;
+        let slack = (ROUNDED / self.radii[0].max(ROUNDED)) + 1e-9;
         let chosen = if after * self.angle - back < slack { back } else { on };
         (chosen / self.angle).clamp(0.0, 1.0 + TAU / self.angle)
     }
@@ -136,7 +153,7 @@ impl Segment {
     pub(super) fn angle(&self) -> f64 {
         match &self.shape {
             Shape::Arc(round) => round.angle,
-            Shape::Line | Shape::Cubic(_) => std::f64::consts::TAU,
+            Shape::Line | Shape::Cubic(_) => TAU,
         }
     }
 

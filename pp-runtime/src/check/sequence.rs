@@ -1,12 +1,14 @@
 //! What leads from one cut to the next: retract, tool, approach, stop and end, as the specification has them.
 
+use std::f64::consts::TAU;
 use std::io::{self, Read};
 
 use super::chain::Placed;
 use super::compare::{Checker, Phase};
 use super::expect::{Item, Kind, Motion};
+use super::follow::BOTH;
 use super::path::{Segment, Shape, angle_between};
-use super::read::{Action, Block, Family, Length, MAX_AXES, stated};
+use super::read::{Action, Block, Family, Length, stated};
 use super::report::Shown;
 use crate::config::Mode;
 use crate::kinematics::Machine;
@@ -55,10 +57,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// Passes over motions that need no block.
-    fn pass_needless(&mut self) {
+    fn pass_needless(&mut self) -> io::Result<()> {
         while self.needless(0) {
             self.pass();
+            self.expect.fill(2)?;
         }
+        Ok(())
     }
 
     /// An approach that has begun has to end at the approach point.
@@ -69,8 +73,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// A block in machine coordinates.
-    pub(super) fn machine_block(&mut self, block: &Block, shown: Shown<'_>) {
-        self.pass_needless();
+    pub(super) fn machine_block(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
+        self.pass_needless()?;
         let retract = 1 << self.words.retract;
         let position = self.config.retract.position;
         let there = (block.values[self.words.retract] - position).abs() <= 0.6 * self.slack.unit;
@@ -85,7 +89,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                     &format!("machine coordinates are not those of the retract, {position} mm of its axis alone"),
                 );
             }
-            return;
+            return Ok(());
         }
         if let Some(text) = self.travel.check_machine(self.words.retract, block.values[self.words.retract]) {
             self.tally.outcome.limits += 1;
@@ -98,7 +102,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         // Where nobody knows where the tool is, behind a stop, the operator has the coolant in hand.
         let dry = self.phase != Phase::Unknown && (!rewinds || self.config.retract.rewind_dry);
-        let tilts = matches!(self.phase, Phase::Path | Phase::Out);
+        // The stop may have been in the plane.
+        let stopped = self.phase == Phase::Unknown && !self.config.stop_retract;
+        let tilts = matches!(self.phase, Phase::Path | Phase::Out) || stopped;
         self.state_at_retract(block, dry, tilts, shown);
         self.phase = Phase::Clear(0);
         self.retracted = true;
@@ -109,6 +115,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.expect.pop();
             self.parks = true;
         }
+        Ok(())
     }
 
     /// The motion ahead is a cut that goes on where the tool stands.
@@ -122,7 +129,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if rewinds {
             self.rewound = self.here_on_path();
         }
-        let enough = match self.distance_out() {
+        let enough = match self.here.and_then(|here| self.distance_out(&here)) {
             Some(distance) => self.led_out + 2.0 * self.slack.tip >= distance,
             None => self.straight || self.led_out > ON_LINE,
         };
@@ -142,8 +149,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// How far out along its axis the tool has to go, from where it stood before it was led out.
-    fn distance_out(&self) -> Option<f64> {
-        let here = self.here?;
+    fn distance_out(&self, here: &Placed) -> Option<f64> {
         let clearance = self.last.map_or(self.config.retract.clearance, |(_, wanted)| wanted.clearance);
         let axis = nalgebra::UnitVector3::new_normalize(here.axis);
         let out = clearance.and_then(|clearance| way_out(&clearance, &here.tip.into(), &axis));
@@ -151,17 +157,20 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// Out along the tool axis, before the machine retract; `false` if the block is no such way.
-    pub(super) fn leads_out(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> bool {
-        let Some(here) = self.here.filter(|_| self.phase == Phase::Path) else { return false };
-        let Some(distance) = self.distance_out() else { return false };
-        self.pass_needless();
-        let Some(from) = self.here_on_path() else { return false };
-        let rest = if self.config.retract.distance.is_some() { distance } else { distance - self.led_out };
-        let out = Placed { tip: from.tip + from.axis * rest, axis: from.axis };
+    pub(super) fn leads_out(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<bool> {
+        let Some(here) = self.here.filter(|_| self.phase == Phase::Path) else { return Ok(false) };
+        self.pass_needless()?;
+        let Some(from) = self.here_on_path() else { return Ok(false) };
         let still = angle_between(&here.axis, &end.axis) <= SAME_AXIS;
-        if !still || !self.is_at(end, &out) {
-            return false;
-        }
+        // Near the pole the tool stands at the pole, and leaves along it.
+        let found = [from.axis, here.axis].into_iter().find_map(|axis| {
+            let from = Placed { tip: from.tip, axis };
+            let distance = self.distance_out(&from)?;
+            let rest = if self.config.retract.distance.is_some() { distance } else { distance - self.led_out };
+            let out = Placed { tip: from.tip + axis * rest, axis };
+            self.is_far_out(end, &out, rest).then_some((rest, out))
+        });
+        let Some((rest, out)) = found.filter(|_| still) else { return Ok(false) };
         let rewinds = self.rewinds();
         if rewinds {
             self.rewound = self.here_on_path();
@@ -170,7 +179,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.state_at_leave(block, !rewinds || self.config.retract.rewind_dry, shown);
         self.phase = Phase::Out;
         self.led_out += rest;
-        true
+        Ok(true)
+    }
+
+    /// At a point so far out along a tool axis that is known to its rounding.
+    fn is_far_out(&self, end: &Placed, out: &Placed, distance: f64) -> bool {
+        let slack = BOTH * self.slack.tip + distance.abs() * self.slack.axis;
+        (end.tip - out.tip).norm() <= slack && angle_between(&end.axis, &out.axis) <= self.axis_slack(&out.axis)
     }
 
     /// A rapid from the retract position: one of the steps to the approach point.
@@ -235,12 +250,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         let stands = self.words.chain.place(&self.words.values(&block.values)).axis;
         let off = angle_between(&stands, &end.axis);
-        if off > self.slack.axis {
+        if off > self.axis_slack(&end.axis) {
             let off = off.to_degrees();
             self.found(shown, &format!("the rotary axes stand {off:.4} deg off the plane that the control tilts"));
         } else if let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) {
             let off = angle_between(&stands, &motion.to.axis);
-            if off > self.slack.rotary {
+            let at_pole = self.axis_slack(&motion.to.axis) > self.slack.axis;
+            if off > if at_pole { self.slack.pole } else { self.slack.rotary } {
                 let off = off.to_degrees();
                 self.found(shown, &format!("the rotary axes stand {off:.4} deg off the tool axis of the CL data"));
             }
@@ -292,10 +308,17 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// Above the place where the rotary axes were rewound.
     fn come_back(&mut self, pose: Placed, end: &Placed, shown: Shown<'_>) {
-        let along = (end.tip - pose.tip).dot(&pose.axis);
-        let above = Placed { tip: pose.tip + pose.axis * along, axis: pose.axis };
-        let above = self.rewound_out.take().unwrap_or(above);
-        if along < -self.slack.tip || !self.is_at(end, &above) {
+        // Far above, the rounding of the rotary axes counts: along the tool axis as it stands.
+        let mut over = [pose.axis, end.axis].map(|axis| {
+            let along = (end.tip - pose.tip).dot(&axis);
+            (along, Placed { tip: pose.tip + axis * along, axis })
+        });
+        if let Some(out) = self.rewound_out.take() {
+            over[0].1 = out;
+        }
+        let back = over.iter().find(|(along, above)| *along >= -self.slack.tip && self.is_far_out(end, above, *along));
+        let (_, above) = *back.unwrap_or(&over[0]);
+        if back.is_none() || angle_between(&pose.axis, &end.axis) > self.axis_slack(&pose.axis) {
             self.found(shown, "behind a rewind the tool does not come back above the place that it left");
         }
         self.back = Some(Segment { from: above, to: pose, shape: Shape::Line });
@@ -353,33 +376,41 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// Rotary axes at their parking places.
     fn park(&mut self, block: &Block, shown: Shown<'_>) {
-        self.parks = true;
         self.state_at_park(block, shown);
+        self.parks = true;
         if !self.parks_rotary(block) {
             self.found(shown, "the CL data has no motion here, and this is no parking place of the configuration");
         }
     }
 
+    /// To their places, or nearer to them: an axis that takes the short way goes there in steps of less than half a turn.
     fn parks_rotary(&self, block: &Block) -> bool {
-        self.parked(block, &self.words.values(&block.values), self.words.rotary_mask, 0.6 * self.slack.angle)
+        let values = self.words.values(&block.values);
+        let before = self.words.values(&self.before.0);
+        let nearer = |(index, axis): (usize, &crate::kinematics::Axis)| {
+            let bit = 1 << index;
+            let off = |value: f64, place: f64| (value - place - ((value - place) / TAU).round() * TAU).abs();
+            block.written & bit == 0
+                || self.config.park.get(&axis.letter).is_some_and(|place| {
+                    let wraps = self.config.wrap.contains_key(&axis.letter) && self.before.1 & bit != 0;
+                    off(values[index], *place) <= 0.6 * self.slack.angle
+                        || wraps && off(values[index], *place) < off(before[index], *place)
+                })
+        };
+        block.written & !self.words.rotary_mask == 0 && M::AXES.iter().enumerate().all(nearer)
     }
 
     fn parks_linear(&self, block: &Block) -> bool {
-        self.parked(block, &block.values, self.words.linear_mask, 0.6 * self.slack.unit)
-    }
-
-    fn parked(&self, block: &Block, values: &[f64; MAX_AXES], mask: u16, slack: f64) -> bool {
         let at = |(index, axis): (usize, &crate::kinematics::Axis)| {
             let place = self.config.park.get(&axis.letter);
             block.written & (1 << index) == 0
-                || place.is_some_and(|place| self.same_place(index, values[index], *place, slack))
+                || place.is_some_and(|place| (block.values[index] - place).abs() <= 0.6 * self.slack.unit)
         };
-        block.written & !mask == 0 && M::AXES.iter().enumerate().all(at)
+        block.written & !self.words.linear_mask == 0 && M::AXES.iter().enumerate().all(at)
     }
 
     /// A rotary axis without limits may stand whole turns away.
     fn same_place(&self, index: usize, value: f64, place: f64, slack: f64) -> bool {
-        use std::f64::consts::TAU;
         let off = value - place;
         let rotary = self.words.rotary_mask & (1 << index) != 0;
         (if rotary { off - (off / TAU).round() * TAU } else { off }).abs() <= slack
@@ -395,23 +426,24 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// A wait.
-    pub(super) fn dwell(&mut self, seconds: f64, shown: Shown<'_>) {
-        self.pass_needless();
+    pub(super) fn dwell(&mut self, seconds: f64, shown: Shown<'_>) -> io::Result<()> {
+        self.pass_needless()?;
         if let Some(Item { kind: Kind::Dwell(wanted), .. }) = self.expect.get(0)
             && (wanted - seconds).abs() <= WAIT
         {
             self.expect.pop();
-            return;
+            return Ok(());
         }
         let spindle = self.config.spindle_dwell;
         if spindle <= 0.0 || (spindle - seconds).abs() > WAIT {
             self.found(shown, &format!("a wait of {seconds} s that nothing asks for"));
         }
+        Ok(())
     }
 
     /// M0 and M1.
-    pub(super) fn stop(&mut self, block: &Block, optional: bool, shown: Shown<'_>) {
-        self.pass_needless();
+    pub(super) fn stop(&mut self, block: &Block, optional: bool, shown: Shown<'_>) -> io::Result<()> {
+        self.pass_needless()?;
         match self.expect.get(0) {
             Some(Item { kind: Kind::Stop { optional: wanted }, .. }) if *wanted == optional => {
                 self.expect.pop();
@@ -427,15 +459,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         self.broken_off(shown);
         self.forget();
+        Ok(())
     }
 
     /// The end code.
     pub(super) fn end(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
         self.expect.fill(1)?;
-        while self.needless(0) {
-            self.pass();
-            self.expect.fill(1)?;
-        }
+        self.pass_needless()?;
         if self.expect.get(0).is_some() {
             self.found(shown, "the program ends before the CL data does");
         }

@@ -36,8 +36,9 @@ pub(super) fn vocabulary<M: Machine>(family: Family, config: &Config, units: Uni
     let lines = config.program.start.iter().chain(&config.program.end);
     let lines = lines.chain(setup.safety.iter().flatten()).chain(setup.tool_change.iter().flatten());
     let clamps = config.clamp.values().flat_map(|codes| [&codes.on, &codes.off]);
+    let coolants = setup.coolant.iter().flatten().flatten();
     let mut known: Vec<Vec<u8>> = Vec::new();
-    for line in lines.chain(clamps) {
+    for line in lines.chain(clamps).chain(coolants) {
         known.push(line.trim().as_bytes().to_vec());
         known.extend(line.split_whitespace().map(|word| word.as_bytes().to_vec()));
     }
@@ -59,6 +60,7 @@ pub(super) fn vocabulary<M: Machine>(family: Family, config: &Config, units: Uni
         axes: M::AXES.iter().map(axis).collect(),
         known,
         coolant: switches,
+        plain: setup.point == Some(false),
         tools: tools.collect(),
         rounding: 0.5 * 10_f64.powi(-(config.formats.linear(units) as i32)) * units.in_mm(),
     }

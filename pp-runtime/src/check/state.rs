@@ -74,6 +74,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
+    /// The spindle may turn on as it did in the cut, or as a SPINDL behind it has it, or stand; behind a stop it stands.
+    fn turns_on(&self, state: &State) -> Option<(f64, Rotation)> {
+        state.spindle.flatten().filter(|_| !self.stopped)?;
+        let cut = self.last.and_then(|(_, wanted)| wanted.spindle);
+        let asked = self.expect.standing();
+        if spindle(state, asked).is_none() { asked } else { cut }
+    }
+
     /// In machine coordinates; `tilts`: a plane may be tilted yet.
     pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, tilts: bool, shown: Shown<'_>) {
         let state = &block.state;
@@ -83,9 +91,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let ends = matches!(self.family, Family::Fanuc | Family::Haas | Family::Siemens);
         let length = (ends && state.length != Some(Length::Off))
             .then(|| "machine coordinates, and the length compensation has not been switched off".to_owned());
-        // It may turn on as it did in the cut, or stand; behind a stop it stands.
-        let on = state.spindle.flatten().is_some() && !self.stopped;
-        let turns = self.last.and_then(|(_, wanted)| wanted.spindle).filter(|_| on);
+        let turns = self.turns_on(state);
         let found = self
             .everywhere(state, Side::None)
             .or_else(|| inverse(state))
@@ -97,13 +103,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.say(found, shown);
     }
 
-    /// Rotary axes to their parking places.
+    /// Rotary axes to their parking places; behind GOHOME the spindle may turn on.
     pub(super) fn state_at_park(&mut self, block: &Block, shown: Shown<'_>) {
         let state = &block.state;
+        let turns = if self.parks { self.turns_on(state) } else { None };
         let found = self
             .everywhere(state, Side::None)
             .or_else(|| self.frame(state, false))
-            .or_else(|| spindle(state, None))
+            .or_else(|| spindle(state, turns))
             .or_else(|| coolant(state, 0));
         self.say(found, shown);
     }
@@ -141,7 +148,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         // Heidenhain says the plane with the tool.
         let unsaid = self.family == Family::Heidenhain && state.plane.is_none() && self.phase == Phase::Unknown;
-        let of_arc = self.phase == Phase::Path && state.plane.is_some() && state.plane == self.arc_plane;
+        // Behind a stop that does not retract, that of the last arc is in force as well.
+        let of_arc = matches!(self.phase, Phase::Path | Phase::Unknown)
+            && state.plane.is_some()
+            && state.plane == self.arc_plane;
         if state.plane != Some(WorkPlane::Xy) && !unsaid && !of_arc {
             return Some("the plane is not that of X and Y".to_owned());
         }

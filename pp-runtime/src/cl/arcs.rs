@@ -88,9 +88,11 @@ pub(super) fn arc(circle: &Pending, start: &Pose, end: &Pose, feed: Option<Feed>
     }
     let chord = (v - u).norm();
     let swept = n.dot(&u.cross(&v)).atan2(u.dot(&v)).rem_euclid(TAU);
-    let part = if chord <= SAME_POINT_MM {
+    // Straight along the axis leads no arc: a helix that ends over its start has gone round.
+    let rise = (end.tip - start.tip).dot(&n).abs();
+    let part = if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise > ARC_TOLERANCE_MM) {
         TAU
-    } else if chord < SHORTEST_CHORD_MM && swept > TAU / 2.0 {
+    } else if chord < SHORTEST_CHORD_MM && circle.angle.is_none() {
         return Err(fault(format!("the ends of an arc are {chord:.5} mm apart: it may be nothing or a whole turn")));
     } else {
         swept

@@ -163,6 +163,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             posture: posture(codes, layout),
             swivel_data: format!("\"{}\"", setup.swivel_data.as_deref().unwrap_or_default()),
             numerals,
+            timed: Numerals { plus: false, point: numerals.point || codes.numerals.point },
             ..Values::default()
         };
         Self {

@@ -135,6 +135,12 @@ fn fanuc_writes_points_calls_the_length_with_z_and_cancels_it_with_z() {
 }
 
 #[test]
+fn a_wait_of_haas_has_its_point_where_lengths_have_none() {
+    let control = ControlSetup { point: Some(false), ..ControlSetup::default() };
+    assert!(steps(&Haas, &edges(control), &[Step::Dwell { seconds: 2.0 }]).iter().any(|line| line == "G04 P2."));
+}
+
+#[test]
 fn haas_writes_two_digits_and_a_dwell_in_seconds() {
     let text = whole(&Haas, &layout());
     assert_eq!(text[1], "O00001 (PART 7)");

@@ -20,6 +20,9 @@ use super::place::Place;
 use super::planner::{Planned, Planner, SAME_AXIS, stop};
 use super::step::{Sink, Step};
 
+/// Points of CL data are rounded: a motion is in the plane if it leaves it by no more than this, mm, however fine the words.
+const FLAT: f64 = 5e-4;
+
 /// What CUTCOM asked for last, and what is in force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Cutter {
@@ -150,7 +153,7 @@ impl<M: Machine> Planner<'_, M> {
         let from = self.place;
         let step = self.in_program(&from, motion).map_err(fault);
         let unit = self.placer.unit_mm();
-        let flat = |step: &Vector3<f64>| step.z.abs() <= 0.5 * unit;
+        let flat = |step: &Vector3<f64>| step.z.abs() <= (0.5 * unit).max(FLAT);
         let line = |step: &Vector3<f64>| !motion.rapid && flat(step) && step.x.hypot(step.y) >= unit;
         match self.cutter.state {
             State::Off => {}

@@ -118,7 +118,8 @@ impl Feeds {
         let minutes = programmed.max(stroke.least).max(self.shortest).max(self.path(stroke) / self.largest);
         let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min does not fit into a word"));
         let (feed, word) = if stroke.turn == 0.0 && stroke.square {
-            let feed = if minutes > programmed { stroke.length / minutes } else { feed };
+            // A way that is nothing but rounding is one unit of the words.
+            let feed = if minutes > programmed { feed.min(stroke.length.max(self.still) / minutes) } else { feed };
             let word = Decimal::fixed(feed / self.length_unit * self.per_length, self.decimals).map_err(overflow)?;
             (Feed::PerMinute(word), word)
         } else {
@@ -218,6 +219,19 @@ mod tests {
         assert!(feeds(Units::Millimetres).pace(0.0, stroke(1.0, 1.0)).is_err());
         assert!(feeds(Units::Millimetres).pace(-5.0, stroke(1.0, 0.0)).is_err());
         assert!(feeds(Units::Millimetres).pace(f64::NAN, stroke(1.0, 0.0)).is_err());
+    }
+
+    #[test]
+    fn a_block_that_goes_nowhere_has_an_f_where_blocks_are_stretched() {
+        let mut config = Config::default();
+        config.feed.shortest_block = 0.12;
+        let feeds = Feeds::new(&config, Units::Millimetres, 1e-3, &abilities());
+        let word = |length| feeds.pace(500.0, stroke(length, 0.0)).map(|pace| pace.feed);
+        // One unit of the words in two thousandths of a minute.
+        assert_eq!(word(0.0), Ok(Feed::PerMinute(Decimal { units: 500, decimals: 3 })));
+        assert_eq!(word(0.0004), word(0.0));
+        assert_eq!(word(0.1), Ok(Feed::PerMinute(Decimal { units: 50_000, decimals: 3 })));
+        assert_eq!(word(5.0), Ok(Feed::PerMinute(Decimal { units: 500_000, decimals: 3 })));
     }
 
     #[test]

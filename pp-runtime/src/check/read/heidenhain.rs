@@ -339,10 +339,10 @@ impl Parameters<'_> {
 /// Cycles 200 and up that make one hole.
 fn hole(number: u32, q: &Parameters<'_>) -> Option<Cycle> {
     let surface = q.value(203)?;
-    let (reference, bottom) = (surface + q.value(200)?, surface + q.value(201)?);
+    let depth = -q.value(201)?;
+    let (reference, bottom) = (surface + q.value(200)?, surface - depth);
     let back_to = q.value(204).map_or(reference, |second| (surface + second).max(reference));
     // Steps count from the surface.
-    let depth = surface - bottom;
     let step = q.value(202).filter(|step| *step > 0.0 && *step < depth);
     let kind = match number {
         200 => step.map_or(CycleKind::Drill, CycleKind::Peck),

@@ -1,7 +1,8 @@
 //! Programs of letters and numbers: LinuxCNC, Fanuc, Haas.
 //!
 //! A block may hold one code of each modal group. On Fanuc and Haas a length without a decimal point counts least
-//! increments (0.001 mm, 0.0001 in, 0.001 degree); Haas reads an F without one by a setting, so that it is refused here.
+//! increments (0.001 mm, 0.0001 in, 0.001 degree), unless the set-up says that the control reads them plainly; Haas reads
+//! an F without one by a setting, so that it is refused here.
 //! A dwell is P in seconds on LinuxCNC, and milliseconds on Fanuc and Haas where P has no point.
 //!
 //! Known besides blocks: `%`, `O1234`, comments, `/`, and guards: `o1 if [..]` with nothing in it but messages, and on
@@ -23,6 +24,8 @@ const LEAST_INCH: f64 = 1e-4;
 #[derive(Debug)]
 pub(super) struct Iso {
     family: Family,
+    /// Numbers mean the same with and without a decimal point.
+    plain: bool,
     /// The label of a guard that is open.
     guard: Option<u32>,
     /// A jump over an alarm, and where it leads.
@@ -83,9 +86,10 @@ mod group {
 }
 
 impl Iso {
-    pub(super) fn new(family: Family) -> Self {
+    pub(super) fn new(family: Family, plain: bool) -> Self {
         Self {
             family,
+            plain: plain || family == Family::LinuxCnc,
             guard: None,
             jump: None,
             tilt: frames::EulerWords::default(),
@@ -276,7 +280,7 @@ impl Iso {
                 twice
             }
             b'F' => {
-                if self.family == Family::Haas && !number.point {
+                if self.family == Family::Haas && !number.point && !self.plain {
                     bad("F without a decimal point means what a setting says".to_owned());
                 }
                 draft.feed.replace(number.value).is_some()
@@ -300,7 +304,7 @@ impl Iso {
 
     /// A length or an angle as written: least increments where there is no point.
     fn length(&self, number: Number, machine: &Interpreter, draft: &Draft, rotary: bool) -> f64 {
-        if number.point || self.family == Family::LinuxCnc {
+        if number.point || self.plain {
             return number.value;
         }
         let inches = draft.units.or(machine.state.units) == Some(Units::Inches);

@@ -79,7 +79,7 @@ impl Interpreter {
         block.guard = draft.guard;
         block.action = Action::Nothing;
         block.written = draft.written;
-        if draft.groups != 0 || draft.written != 0 {
+        if draft.groups != 0 || draft.written != 0 || draft.vector_written != 0 {
             self.set_state(draft, &mut block.faults);
         }
         self.state_bits(draft, block.restart);
@@ -278,7 +278,9 @@ impl Interpreter {
     }
 
     fn motion(&mut self, draft: &Draft, block: &mut Block) -> Action {
-        if draft.written == 0 {
+        // Under tip control a block may turn the tool axis alone.
+        let turns = draft.vector_written != 0 && self.state.tip_control != TipControl::Off;
+        if draft.written == 0 && !turns {
             if draft.call {
                 return self.hole(&mut block.faults);
             }
@@ -415,7 +417,8 @@ impl Interpreter {
         let wrap = self.axes[index].wrap.or(any);
         let Some(wrap) = wrap else { return value };
         if self.known & (1 << index) == 0 {
-            return value;
+            // Its sign is the way there, not the place.
+            return if wrap == Wrap::Sign { value.abs() } else { value };
         }
         let from = self.values[index];
         match wrap {

@@ -74,6 +74,8 @@ pub(crate) struct Vocabulary {
     pub(crate) known: Vec<Vec<u8>>,
     /// Codes that switch coolant, and the bits they switch on and off.
     pub(crate) coolant: Vec<(Vec<u8>, u8, bool)>,
+    /// A length without a decimal point counts millimetres or inches, whatever is usual on the control.
+    pub(crate) plain: bool,
     /// Tools by name.
     pub(crate) tools: Vec<(String, u32)>,
     /// Half a unit of a linear word, mm.
@@ -105,7 +107,7 @@ impl<R: Read> Reader<R> {
     pub(crate) fn new(input: R, vocabulary: Vocabulary) -> Self {
         let family = vocabulary.family;
         let syntax = match family {
-            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::new(family)),
+            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::new(family, vocabulary.plain)),
             Family::Siemens => Syntax::Siemens(Siemens::default()),
             Family::Heidenhain => Syntax::Heidenhain(Heidenhain::default()),
         };
@@ -151,21 +153,20 @@ impl<R: Read> Reader<R> {
     fn read_line(&mut self) -> bool {
         let (draft, block, machine) = (&mut self.draft, &mut self.block, &self.machine);
         let Vocabulary { known, tools, coolant, .. } = &self.vocabulary;
-        // Codes of the configuration are lines of their own.
-        if let Some((_, bits, on)) = coolant.iter().find(|(code, _, _)| is_line(code, &self.line)) {
-            draft.groups = 1 << 31;
-            if *on {
-                draft.coolant_on = *bits;
-            } else {
-                draft.coolant_off = *bits;
-            }
-            return true;
-        }
         let is_block = match &mut self.syntax {
             Syntax::Iso(iso) => iso.line(&self.line, machine, draft, block, known),
             Syntax::Siemens(siemens) => siemens.line(&self.line, machine, draft, block, known, tools),
             Syntax::Heidenhain(heidenhain) => heidenhain.line(&self.line, machine, draft, block, known),
         };
+        // Codes of the configuration are lines of their own; what goes off by them goes off beside what the control
+        // switches off.
+        if let Some((_, bits, on)) = coolant.iter().find(|(code, _, _)| is_line(code, &self.line)) {
+            draft.groups |= 1 << 31;
+            match on {
+                true => draft.coolant_on = *bits,
+                false => draft.coolant_off |= *bits,
+            }
+        }
         // What the shop writes into its programs is the shop's to know.
         if !block.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {
             block.faults.clear();

@@ -12,6 +12,7 @@ fn vocabulary(family: Family) -> Vocabulary {
         axes: ["C", "B", "X", "Y", "Z"].map(name).to_vec(),
         known: vec![b"M10".to_vec()],
         coolant: Vec::new(),
+        plain: false,
         tools: vec![("MILL 10".to_owned(), 7)],
         rounding: 0.5e-3,
     }
@@ -345,4 +346,56 @@ fn lines_of_any_length_and_any_bytes_are_read_without_harm() {
         let mut reader = Reader::new(&bytes[..], vocabulary(family));
         while reader.next_block().expect("memory").is_some() {}
     }
+}
+
+#[test]
+fn one_code_ends_what_the_set_up_and_the_control_have_switched_on() {
+    for family in [Family::Fanuc, Family::Siemens, Family::Heidenhain] {
+        let mut vocabulary = vocabulary(family);
+        vocabulary.coolant = vec![(b"M7".to_vec(), coolant::MIST, true), (b"M9".to_vec(), coolant::MIST, false)];
+        vocabulary.known.push(b"M7".to_vec());
+        let text = if family == Family::Heidenhain { "1 M8\n2 M9\n3 M7\n4 M9\n" } else { "M8\nM9\nM7\nM9\n" };
+        let mut reader = Reader::new(text.as_bytes(), vocabulary);
+        let mut found = Vec::new();
+        while let Some((block, _)) = reader.next_block().expect("text in memory") {
+            assert_eq!(block.faults, [], "{family:?}");
+            found.push(block.state.coolant);
+        }
+        assert_eq!(found, [Some(coolant::FLOOD), Some(0), Some(coolant::MIST), Some(0)], "{family:?}");
+    }
+}
+
+#[test]
+fn the_sign_of_a_rolling_axis_is_its_way_and_not_its_place() {
+    let mut vocabulary = vocabulary(Family::Fanuc);
+    vocabulary.axes[0].wrap = Some(crate::config::Wrap::Sign);
+    let mut reader = Reader::new(&b"G21 G90 G94 G17\nG0 C-181.5\nG0 C-181.5\nG0 C-180.\n"[..], vocabulary);
+    let mut places = Vec::new();
+    while let Some((block, _)) = reader.next_block().expect("text in memory") {
+        places.push(block.values[0].to_degrees());
+    }
+    for (place, wanted) in places[1..].iter().zip([181.5, 181.5, 180.0]) {
+        assert!((place - wanted).abs() < 1e-9, "{places:?}");
+    }
+}
+
+#[test]
+fn numbers_without_a_point_are_plain_where_the_set_up_says_so() {
+    for (plain, wanted) in [(false, 0.01), (true, 10.0)] {
+        let vocabulary = Vocabulary { plain, ..vocabulary(Family::Haas) };
+        let mut reader = Reader::new(&b"G21 G90 G94 G17\nG00 X10\n"[..], vocabulary);
+        let mut last = f64::NAN;
+        while let Some((block, _)) = reader.next_block().expect("text in memory") {
+            last = block.values[2];
+        }
+        assert!((last - wanted).abs() < 1e-12, "{plain}: {last}");
+    }
+}
+
+#[test]
+fn under_tip_control_a_block_may_turn_the_tool_alone() {
+    let text = "G710 G17 G90 G94\nTRAORI\nG1 X0 Y0 Z0 A3=0 B3=0 C3=1 F100\nA3=0 B3=0.6 C3=0.8\n";
+    let block = last(Family::Siemens, text);
+    assert_eq!(block.action, Action::Feed);
+    assert!((block.state.vector.expect("a tool axis").y - 0.6).abs() < 1e-12);
 }

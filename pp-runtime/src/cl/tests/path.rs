@@ -131,10 +131,20 @@ fn an_arc_whose_end_is_not_on_its_circle_is_refused() {
 }
 
 #[test]
+fn a_helix_that_ends_over_its_start_has_gone_round() {
+    for end in ["GOTO/10,.0002,-3", "GOTO/10,-.0002,-3", "GOTO/10,0,-3"] {
+        let found = events(&format!("GOTO/10,0,0\nCIRCLE/0,0,-3,0,0,1\n{end}\n"));
+        assert!(found.iter().any(|event| event.contains("through 360.")), "{end}: {found:?}");
+    }
+}
+
+#[test]
 fn a_chord_that_may_be_rounding_is_neither_nothing_nor_a_turn() {
+    let found = errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,.0002,0\n");
+    assert!(found[0].contains("it may be nothing or a whole turn"), "{found:?}");
     let found = errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,-.0002,0\n");
     assert!(found[0].contains("it may be nothing or a whole turn"), "{found:?}");
-    assert_eq!(errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,.0002,0\n"), [""; 0]);
+    assert_eq!(errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,.001,0\n"), [""; 0]);
 }
 
 #[test]

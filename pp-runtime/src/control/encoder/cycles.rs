@@ -150,6 +150,8 @@ impl<W: Write> Encoder<'_, W> {
 
     /// A thread by a motion: over to it, down to where it begins, in and out, and up to where the tool is to stand.
     fn thread(&mut self, cycle: &Cycle, code: &'static str, pitch: Decimal) -> io::Result<()> {
+        // The way over to it would be another hole of the cycle before.
+        self.before_cycle()?;
         let mut z = Words { mask: 1 << cycle.z, ..Words::default() };
         self.rapid(&cycle.words)?;
         z.units[cycle.z] = cycle.clearance;

@@ -28,6 +28,8 @@ pub(super) struct Values {
     pub(super) swivel_data: String,
     pub(super) hole: Option<HoleValues>,
     pub(super) numerals: Numerals,
+    /// Those of a wait: without its point it counts milliseconds, whatever the set-up says of lengths.
+    pub(super) timed: Numerals,
 }
 
 /// A hole, where a cycle is defined by a template.
@@ -66,7 +68,7 @@ impl Values {
             Field::Offset => whole(self.offset),
             Field::Radius => whole(self.radius),
             Field::Speed => self.speed.map(|speed| text(speed, Numerals::default())),
-            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), plain)),
+            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), self.timed)),
             Field::Posture => Some(self.posture.to_owned()),
             Field::First => Some(text(self.plane[0], self.numerals)),
             Field::Second => Some(text(self.plane[1], self.numerals)),

@@ -128,6 +128,21 @@ fn on_takes_the_side_and_the_register_that_were_given_last() {
 }
 
 #[test]
+fn what_is_rounded_out_of_the_plane_is_in_it_with_fine_words_as_well() {
+    let mut config = set_up(Some(CutterPath::Centre));
+    config.formats.linear_mm = 5;
+    let events = from_below(&[
+        asked(CutterSide::Left),
+        feed([0.0, 0.0, 0.0001], UP),
+        feed([30.0, 0.0, 0.0], UP),
+        asked(CutterSide::Off),
+        feed([40.0, 30.0, 0.0], UP),
+    ]);
+    let found = cuts(&run::<Xyz>(&config, &events));
+    assert!(found.iter().any(|line| line.starts_with("G41 ") && line.contains("Y0")), "{found:?}");
+}
+
+#[test]
 fn the_tool_may_be_led_to_where_the_line_begins() {
     let events = from_below(&[
         asked(CutterSide::Left),

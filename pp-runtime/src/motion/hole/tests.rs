@@ -136,6 +136,14 @@ fn a_thread_follows_the_spindle_and_is_never_expanded() {
 }
 
 #[test]
+fn the_way_to_a_thread_is_no_other_hole_of_the_cycle_before() {
+    let tap = hole([9.0, 2.0, 0.0], Drilling::Tap { pitch: Some(1.0) }, 2.0, None);
+    let events = behind([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], Drilling::Drill, 2.0, None), tap]);
+    let found = lines(&set_up(CycleOutput::Native), &events);
+    assert_eq!(found[..4], ["G99 G81 X1 Y2 Z-5 R2 F100", "G80", "G0 X9", "Z2"]);
+}
+
+#[test]
 fn a_hole_with_too_many_steps_is_refused() {
     let dust = hole([0.0; 3], Drilling::Peck { first: 1e-6, later: 1e-6 }, 2.0, None);
     let run = run::<Xyz>(&set_up(CycleOutput::Expanded), &behind([0.0, 0.0, 9.0], &[dust]));

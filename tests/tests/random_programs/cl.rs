@@ -1,0 +1,585 @@
+//! Random CL programs that a CAM system could have written: operations with tools, spindle and coolant, in which the tool
+//! comes from above, cuts lines, arcs, contours, surfaces and holes, and goes up again.
+//!
+//! Points are made in the frame of an operation, its third direction along the tool, and written in that of the part.
+//! Everything is drawn from one stream of random numbers: the same seed gives the same bytes.
+
+use std::fmt::Write as _;
+
+use nalgebra::{Matrix3, Vector3};
+use tests::random::Random;
+
+/// Tool axes that a machine reaches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Leaning {
+    /// Upright.
+    Never,
+    /// About X only.
+    AboutX,
+    /// Up to so many degrees in any direction.
+    UpTo(u32),
+}
+
+/// What of the set-up the program has to know.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Needs {
+    pub(crate) leaning: Leaning,
+    /// The rotary axes stand still in every cut.
+    pub(crate) still: bool,
+    pub(crate) inches: bool,
+    /// CUTCOM may be used.
+    pub(crate) compensation: bool,
+    /// CYCLE as NX writes it, else as ISO 4343 has it.
+    pub(crate) nx: bool,
+    /// INSERT may be used.
+    pub(crate) insert: bool,
+    /// The control has registers of lengths.
+    pub(crate) registers: bool,
+    /// A bare GOHOME has a place to go.
+    pub(crate) park: bool,
+}
+
+/// Tools that may be called.
+pub(crate) const TOOLS: usize = 4;
+
+/// A program in the making.
+struct Program<'r> {
+    random: &'r mut Random,
+    needs: Needs,
+    text: String,
+    /// Decimals of coordinates and of directions.
+    decimals: [usize; 2],
+    /// Directions across and along the tool, and the origin of the operation, mm.
+    frame: Matrix3<f64>,
+    origin: Vector3<f64>,
+    /// Where the tool is in that frame, mm.
+    here: Vector3<f64>,
+    /// The tool axis as it was written last.
+    axis: Option<Vector3<f64>>,
+    /// Height over everything that is cut, mm.
+    clear: f64,
+}
+
+/// The CL data of a seed.
+pub(crate) fn program(random: &mut Random, needs: Needs) -> String {
+    let decimals = [3 + random.below(4), 6 + random.below(4)];
+    let mut program = Program {
+        random,
+        needs,
+        text: String::new(),
+        decimals,
+        frame: Matrix3::identity(),
+        origin: Vector3::zeros(),
+        here: Vector3::zeros(),
+        axis: None,
+        clear: 30.0,
+    };
+    program.all();
+    program.text
+}
+
+impl Program<'_> {
+    fn all(&mut self) {
+        self.line("PARTNO RANDOM");
+        self.line(if self.needs.inches { "UNITS/INCHES" } else { "UNITS/MM" });
+        if self.random.chance(0.15) {
+            self.line("$$ a remark");
+        }
+        if self.random.chance(0.1) {
+            self.point("FROM", Vector3::new(0.0, 0.0, 200.0), Some(Vector3::z()));
+        }
+        for _ in 0..1 + self.random.below(4) {
+            self.operation();
+        }
+        match self.random.below(4) {
+            0 if self.needs.park => self.line("GOHOME"),
+            1 => self.point("GOHOME", Vector3::new(0.0, 0.0, 150.0), Some(Vector3::z())),
+            _ => {}
+        }
+        if self.random.chance(0.5) {
+            self.line("COOLNT/OFF");
+        }
+        if self.random.chance(0.5) {
+            self.line("SPINDL/OFF");
+        }
+        self.line("END");
+        self.line("FINI");
+    }
+
+    fn operation(&mut self) {
+        let tool = 1 + self.random.below(TOOLS);
+        let name = 1 + self.random.below(90);
+        if self.needs.nx {
+            self.line(&format!("TOOL PATH/OP_{name},TOOL,T{tool}"));
+            self.line("TLDATA/MILL,10.0000,0.0000,50.0000,0.0000,0.0000");
+            self.line("MSYS/0,0,0,1,0,0,0,1,0");
+        }
+        match self.random.below(3) {
+            0 if self.needs.registers => self.line(&format!("LOAD/TOOL,{tool},ADJUST,{tool}")),
+            1 => self.line(&format!("LOAD/TOOL,{tool}")),
+            _ => self.line(&format!("LOADTL/{tool}")),
+        }
+        self.spindle();
+        self.coolant();
+        if self.random.chance(0.1) {
+            let height = self.length(150.0);
+            self.line(&format!("CLEARP/XYPLAN,{height}"));
+        }
+        self.begin();
+        let still = self.needs.still || self.needs.leaning == Leaning::Never;
+        match self.random.below(10) {
+            0..=3 => self.flat(),
+            4..=5 => self.holes(),
+            6 if self.needs.compensation => self.contour(),
+            _ if still => self.flat(),
+            _ => self.surface(),
+        }
+        if self.random.chance(0.2) {
+            self.stop();
+            self.flat();
+        }
+        if self.needs.nx {
+            self.line("END-OF-PATH");
+        }
+    }
+
+    /// A frame, and the tool over it.
+    fn begin(&mut self) {
+        let axis = self.some_axis();
+        self.turn(axis);
+        self.origin = Vector3::new(self.around(60.0), self.around(60.0), self.around(20.0));
+        self.clear = self.random.between(15.0, 60.0);
+        self.axis = None;
+        self.above();
+    }
+
+    /// Across and along a tool axis.
+    fn turn(&mut self, axis: Vector3<f64>) {
+        let across = if axis.x.abs() < 0.9 { Vector3::x() } else { Vector3::y() };
+        let second = axis.cross(&across).normalize();
+        self.frame = Matrix3::from_columns(&[second.cross(&axis), second, axis]);
+    }
+
+    fn above(&mut self) {
+        self.here = Vector3::new(self.around(40.0), self.around(40.0), self.clear);
+        self.line("RAPID");
+        self.go();
+        if self.random.chance(0.6) {
+            self.here.z = self.random.between(1.0, 5.0);
+            if self.random.chance(0.7) {
+                self.line("RAPID");
+            } else {
+                self.feed();
+            }
+            self.go();
+        }
+        self.feed();
+    }
+
+    /// A tool axis: upright, a round angle, or any.
+    fn some_axis(&mut self) -> Vector3<f64> {
+        let most = match self.needs.leaning {
+            Leaning::Never => return Vector3::z(),
+            Leaning::AboutX => 80.0,
+            Leaning::UpTo(most) => f64::from(most),
+        };
+        let lean = match self.random.below(4) {
+            0 => return Vector3::z(),
+            1 => 15.0 * self.random.below((most / 15.0) as usize + 1) as f64,
+            2 => self.random.between(0.0, 2.0),
+            _ => self.random.between(0.0, most),
+        };
+        let azimuth = match (self.needs.leaning, self.random.below(2)) {
+            (Leaning::AboutX, _) => 90.0 * self.random.sign(),
+            (_, 0) => 45.0 * self.random.below(8) as f64,
+            _ => self.random.between(-180.0, 180.0),
+        };
+        direction(lean, azimuth)
+    }
+
+    // ------------------------------------------------------------------ operations
+
+    /// Lines and arcs at one tool axis.
+    fn flat(&mut self) {
+        for _ in 0..2 + self.random.below(12) {
+            match self.random.below(16) {
+                0..=3 => self.stroke(100.0),
+                4 => self.stroke(0.02),
+                5 => self.go(),
+                6 => self.plunge(),
+                7..=9 => self.arc(),
+                10 => self.helix(),
+                11 => self.arc_upright(),
+                12 => self.over(),
+                13 => self.delta(),
+                _ => self.between(),
+            }
+        }
+        self.leave();
+    }
+
+    /// Tool axes that change from point to point, over the pole now and then.
+    fn surface(&mut self) {
+        let (mut lean, mut azimuth) = leaning(&self.frame.column(2).into_owned());
+        if self.needs.leaning == Leaning::AboutX && lean < 1e-9 {
+            azimuth = 90.0;
+        }
+        let pole = self.random.chance(0.3);
+        let most = match self.needs.leaning {
+            Leaning::UpTo(most) => f64::from(most),
+            _ => 80.0,
+        };
+        let turning = self.random.between(-12.0, 12.0);
+        let tilting = if pole { -lean / 5.0 - 0.3 } else { self.random.between(-3.0, 3.0) };
+        // The tip keeps its place while the axis turns about it: frames of one origin.
+        let mut tip = self.origin + self.frame * self.here;
+        for step in 0..4 + self.random.below(16) {
+            match self.random.below(14) {
+                0 => self.between(),
+                1 => self.repeat(tip),
+                _ => {}
+            }
+            lean += tilting;
+            if lean < 0.0 {
+                (lean, azimuth) = (-lean, azimuth + 180.0);
+            }
+            lean = lean.min(most);
+            if self.needs.leaning != Leaning::AboutX {
+                azimuth += turning;
+            }
+            let axis = if pole && step == 5 { Vector3::z() } else { direction(lean, azimuth) };
+            if self.random.chance(0.9) {
+                tip += Vector3::new(self.around(8.0), self.around(8.0), self.around(2.0));
+            }
+            self.turn(axis);
+            self.point("GOTO", tip, Some(axis));
+            self.axis = Some(axis);
+        }
+        self.origin = tip;
+        self.here = Vector3::zeros();
+        self.leave();
+    }
+
+    /// A contour with cutter compensation.
+    fn contour(&mut self) {
+        let side = if self.random.chance(0.5) { "LEFT" } else { "RIGHT" };
+        self.here.z = -self.random.between(0.5, 4.0);
+        self.go();
+        self.line(&format!("CUTCOM/{side}"));
+        self.stroke_flat(30.0);
+        for _ in 0..1 + self.random.below(5) {
+            if self.random.chance(0.5) {
+                self.stroke_flat(60.0)
+            } else {
+                self.round(1, 0.0)
+            }
+            if self.random.chance(0.1) {
+                self.feed();
+            }
+        }
+        self.line("CUTCOM/OFF");
+        self.stroke_flat(30.0);
+        self.leave();
+    }
+
+    /// Holes at one tool axis, one cycle or more.
+    fn holes(&mut self) {
+        self.here.z = self.clear;
+        self.line("RAPID");
+        self.go();
+        for _ in 0..1 + self.random.below(3) {
+            self.cycle();
+            for _ in 0..1 + self.random.below(4) {
+                let level = if self.random.chance(0.8) { 0.0 } else { self.around(6.0) };
+                self.here = Vector3::new(self.around(40.0), self.around(40.0), level);
+                self.go();
+            }
+            self.line("CYCLE/OFF");
+            if self.random.chance(0.2) {
+                self.between();
+            }
+        }
+        self.leave();
+    }
+
+    fn cycle(&mut self) {
+        let kind = ["DRILL", "DRILL", "FACE", "CSINK", "REAM", "BORE", "THRU", "DEEP", "BRKCHP", "TAP"];
+        let kind = kind[self.random.below(kind.len())];
+        let depth = self.random.between(2.0, 25.0);
+        let clear = self.random.between(8.0, 12.0);
+        let mut words = vec![format!("CYCLE/{kind}")];
+        let step = match kind {
+            "DEEP" | "BRKCHP" => format!(",STEP,{}", self.some_length(depth / 6.0, depth / 1.1)),
+            _ => String::new(),
+        };
+        let depth = self.length(depth);
+        let clear = self.length(clear);
+        let back = self.some_length(12.0, 30.0);
+        let (per_turn, per_minute) = if self.needs.inches { ("IPR", "IPM") } else { ("MMPR", "MMPM") };
+        let feed = match kind {
+            "TAP" => {
+                let pitch = [0.5, 0.8, 1.0, 1.25, 1.5][self.random.below(5)];
+                format!(",{per_turn},{}", self.length(pitch))
+            }
+            _ if self.random.chance(0.15) => format!(",{per_turn},{}", self.some_length(0.05, 0.4)),
+            _ => format!(",{per_minute},{}", self.some_length(40.0, 400.0)),
+        };
+        if self.needs.nx {
+            words.push(format!("{step},RAPTO,{clear},FEDTO,-{depth}"));
+            match self.random.below(3) {
+                0 => words.push(",RTRCTO,AUTO".to_owned()),
+                1 => words.push(format!(",RTRCTO,{back}")),
+                _ => {}
+            }
+        } else {
+            words.push(format!(",DEPTH,{depth}{step},CLEAR,{clear}"));
+            if self.random.chance(0.5) {
+                words.push(format!(",RETURN,{back}"));
+            }
+        }
+        match self.random.below(5) {
+            0 => words.push(",DWELL,0.5".to_owned()),
+            1 => words.push(",DWELL,REV,3".to_owned()),
+            _ => {}
+        }
+        words.push(feed);
+        self.line(&words.concat());
+    }
+
+    // --------------------------------------------------------------------- motions
+
+    fn stroke(&mut self, most: f64) {
+        let [x, y] = [self.around(most), self.around(most)];
+        self.here += Vector3::new(x, y, 0.0);
+        self.bound();
+        if self.random.chance(0.3) {
+            self.here.z = self.around(5.0);
+        }
+        self.go();
+    }
+
+    /// Long enough to bring compensation on.
+    fn stroke_flat(&mut self, most: f64) {
+        let length = self.random.between(5.0, most);
+        let angle = self.random.between(0.0, std::f64::consts::TAU);
+        self.here += Vector3::new(length * angle.cos(), length * angle.sin(), 0.0);
+        self.go();
+    }
+
+    fn plunge(&mut self) {
+        self.here.z = self.around(5.0);
+        self.go();
+    }
+
+    fn delta(&mut self) {
+        let step = self.random.between(0.5, 6.0);
+        let step_text = self.length(step);
+        self.line(&format!("GODLTA/{step_text}"));
+        self.here.z += step;
+    }
+
+    fn arc(&mut self) {
+        match self.random.below(8) {
+            0 => self.round(1, 1.0),
+            1 => {
+                let turns = 2 + self.random.below(3);
+                self.round(turns, 0.0);
+            }
+            _ => self.round(1, 0.0),
+        }
+    }
+
+    /// About the tool axis, `turns` of them; whole ones with the probability `whole`.
+    fn round(&mut self, turns: usize, whole: f64) {
+        let radius = if self.random.chance(0.1) { 0.3 } else { self.random.between(1.0, 40.0) };
+        let start = self.random.between(0.0, std::f64::consts::TAU);
+        let sweep = if self.random.chance(whole) { 0.0 } else { self.random.between(0.1, 6.2) };
+        let centre = self.here - Vector3::new(start.cos(), start.sin(), 0.0) * radius;
+        let end = centre + Vector3::new((start + sweep).cos(), (start + sweep).sin(), 0.0) * radius;
+        self.circle(centre, Vector3::z(), radius, turns);
+        self.here = if sweep > 0.0 { end } else { self.here };
+        self.go();
+    }
+
+    fn helix(&mut self) {
+        let radius = self.random.between(1.0, 20.0);
+        let start = self.random.between(0.0, std::f64::consts::TAU);
+        let sweep = self.random.between(0.0, 6.2);
+        let mut centre = self.here - Vector3::new(start.cos(), start.sin(), 0.0) * radius;
+        let drop = self.random.between(-4.0, 4.0);
+        let turns = 1 + self.random.below(4);
+        let end = centre + Vector3::new((start + sweep).cos() * radius, (start + sweep).sin() * radius, drop);
+        centre.z = end.z;
+        self.circle(centre, Vector3::z(), radius, turns);
+        self.here = end;
+        self.go();
+    }
+
+    /// In a plane that holds the tool axis.
+    fn arc_upright(&mut self) {
+        let radius = self.random.between(1.0, 15.0);
+        let start = self.random.between(0.0, std::f64::consts::TAU);
+        let sweep = self.random.between(0.2, 3.0);
+        let [normal, first] = match self.random.below(2) {
+            0 => [Vector3::x(), Vector3::y()],
+            _ => [Vector3::y(), Vector3::x()],
+        };
+        let on = |angle: f64| (first * angle.cos() + Vector3::z() * angle.sin()) * radius;
+        let centre = self.here - on(start);
+        self.circle(centre, normal, radius, 1);
+        self.here = centre + on(start + sweep);
+        self.go();
+    }
+
+    fn circle(&mut self, centre: Vector3<f64>, normal: Vector3<f64>, radius: f64, turns: usize) {
+        let centre = self.coordinates(self.origin + self.frame * centre);
+        let sense = self.random.sign();
+        let normal = self.directions(self.frame * normal * sense);
+        let radius = self.length(radius);
+        let tail = if self.needs.nx { ",0.0600,0.5000,10.0000,0.0000" } else { "" };
+        let times = if turns > 1 { format!(",TIMES,{turns}") } else { String::new() };
+        self.line(&format!("CIRCLE/{centre},{normal},{radius}{tail}{times}"));
+    }
+
+    /// Up, across and down again at rapid.
+    fn over(&mut self) {
+        self.here.z = self.clear;
+        self.line("RAPID");
+        self.go();
+        if self.random.chance(0.8) {
+            self.here.x += self.around(30.0);
+            self.here.y += self.around(30.0);
+            self.bound();
+            self.line("RAPID");
+            self.go();
+            self.here.z = self.random.between(1.0, 4.0);
+            self.line("RAPID");
+            self.go();
+        }
+    }
+
+    fn leave(&mut self) {
+        self.here.z = self.clear + self.random.between(0.0, 20.0);
+        if self.random.chance(0.6) {
+            self.line("RAPID");
+        }
+        self.go();
+    }
+
+    /// Something that is no motion.
+    fn between(&mut self) {
+        match self.random.below(11) {
+            0 => self.spindle(),
+            1 | 2 => self.coolant(),
+            3 => self.line("DELAY/0.75"),
+            4 => self.line("DELAY/2,REV"),
+            5..=7 => self.feed(),
+            8 => {
+                let tolerance = self.some_length(0.002, 0.009);
+                self.line(&format!("LINTOL/{tolerance}"));
+            }
+            9 if self.needs.insert => self.line("INSERT CHECK THE PART"),
+            _ => self.line("PPRINT NOTE"),
+        }
+    }
+
+    /// The machine stops, and the tool comes back from above.
+    fn stop(&mut self) {
+        let word = if self.random.chance(0.5) { "OPSTOP" } else { "STOP" };
+        self.line(word);
+        if self.random.chance(0.3) {
+            self.spindle();
+        }
+        self.axis = None;
+        self.above();
+    }
+
+    fn repeat(&mut self, tip: Vector3<f64>) {
+        let axis = self.axis;
+        self.point("GOTO", tip, axis);
+    }
+
+    fn spindle(&mut self) {
+        let speed = 500 + self.random.below(9000);
+        self.line(&format!("SPINDL/RPM,{speed},CLW"));
+    }
+
+    fn coolant(&mut self) {
+        let kinds = ["ON", "ON", "FLOOD", "MIST", "OFF"];
+        let kind = kinds[self.random.below(kinds.len())];
+        self.line(&format!("COOLNT/{kind}"));
+    }
+
+    fn feed(&mut self) {
+        let (per_turn, per_minute) = if self.needs.inches { ("IPR", "IPM") } else { ("MMPR", "MMPM") };
+        let text = match self.random.below(8) {
+            0 => format!("FEDRAT/{per_turn},{}", self.some_length(0.02, 0.5)),
+            _ => format!("FEDRAT/{per_minute},{}", self.some_length(50.0, 3000.0)),
+        };
+        self.line(&text);
+    }
+
+    // ------------------------------------------------------------------------ text
+
+    fn go(&mut self) {
+        let axis = self.frame.column(2).into_owned();
+        let written = self.axis.is_none_or(|last| last != axis) || self.random.chance(0.1);
+        self.axis = Some(axis);
+        self.point("GOTO", self.origin + self.frame * self.here, written.then_some(axis));
+    }
+
+    fn point(&mut self, word: &str, tip: Vector3<f64>, axis: Option<Vector3<f64>>) {
+        let tip = self.coordinates(tip);
+        let axis = axis.map_or(String::new(), |axis| format!(",{}", self.directions(axis)));
+        self.line(&format!("{word}/{tip}{axis}"));
+    }
+
+    fn coordinates(&self, point: Vector3<f64>) -> String {
+        format!("{},{},{}", self.length(point.x), self.length(point.y), self.length(point.z))
+    }
+
+    fn directions(&self, direction: Vector3<f64>) -> String {
+        let digits = self.decimals[1];
+        let [i, j, k] = [direction.x, direction.y, direction.z].map(|part| if part.abs() < 1e-12 { 0.0 } else { part });
+        format!("{i:.digits$},{j:.digits$},{k:.digits$}")
+    }
+
+    /// In the unit of the file.
+    fn length(&self, mm: f64) -> String {
+        let digits = self.decimals[0] + usize::from(self.needs.inches);
+        let value = if self.needs.inches { mm / 25.4 } else { mm };
+        format!("{value:.digits$}")
+    }
+
+    fn some_length(&mut self, lower: f64, upper: f64) -> String {
+        let mm = self.random.between(lower, upper);
+        self.length(mm)
+    }
+
+    fn line(&mut self, text: &str) {
+        let _ = writeln!(self.text, "{text}");
+    }
+
+    fn around(&mut self, most: f64) -> f64 {
+        let value = self.random.between(-most, most);
+        // Round numbers are as common as any others.
+        if self.random.chance(0.3) && most > 2.0 { value.round() } else { value }
+    }
+
+    fn bound(&mut self) {
+        self.here.x = self.here.x.clamp(-80.0, 80.0);
+        self.here.y = self.here.y.clamp(-80.0, 80.0);
+    }
+}
+
+/// A tool axis, degrees.
+fn direction(lean: f64, azimuth: f64) -> Vector3<f64> {
+    let (sin, cos) = lean.to_radians().sin_cos();
+    let (across, along) = azimuth.to_radians().sin_cos();
+    Vector3::new(sin * along, sin * across, cos)
+}
+
+/// Lean and azimuth of a tool axis, degrees.
+fn leaning(axis: &Vector3<f64>) -> (f64, f64) {
+    (axis.x.hypot(axis.y).atan2(axis.z).to_degrees(), axis.y.atan2(axis.x).to_degrees())
+}

@@ -1,0 +1,301 @@
+//! Random programs on random set-ups: whatever is posted passes its check, and is the same when it is posted again.
+//!
+//! CL data that is refused with a reason is fine, as long as most of it is not. A program that fails is made shorter, as
+//! long as it fails in the same way, and shown. `PP_RANDOM_PROGRAMS=N` asks for more programs than usual and tells what
+//! became of them, `PP_RANDOM_SEED=S` begins with that seed; one program alone is shown as it is.
+
+mod cl;
+mod set_up;
+mod shorten;
+
+use std::collections::BTreeMap;
+use std::io::Cursor;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
+use pp_runtime::config::Mode;
+use pp_runtime::control::{self, Control};
+use pp_runtime::diag::Severity;
+use pp_runtime::kinematics::Machine;
+use pp_runtime::{check, machine, post};
+use tests::damage::damage;
+use tests::further::HeadTable;
+use tests::random::Random;
+
+use cl::Leaning;
+use set_up::Kind;
+
+machine! {
+    /// Three axes.
+    pub struct Mill;
+    chain: X Y | Z;
+}
+
+/// Programs of a test run.
+const PROGRAMS: usize = 600;
+
+/// Faulty programs that are shown.
+const SHOWN: usize = 3;
+
+const KINDS: &[Kind] = &[
+    Kind {
+        name: "spinner",
+        rotaries: &['C', 'B'],
+        travel: &[('C', -200, 200), ('B', -100, 100)],
+        endless: &['C'],
+        leaning: Leaning::UpTo(90),
+        table: true,
+        head: false,
+    },
+    Kind {
+        name: "dmu",
+        rotaries: &['C', 'B'],
+        travel: &[('C', -190, 270), ('B', -180, 180)],
+        endless: &['C'],
+        leaning: Leaning::UpTo(85),
+        table: true,
+        head: false,
+    },
+    Kind {
+        name: "lola",
+        rotaries: &['A', 'B'],
+        travel: &[('A', -100, 100), ('B', -110, 110)],
+        endless: &['A', 'B'],
+        leaning: Leaning::UpTo(80),
+        table: false,
+        head: true,
+    },
+    Kind {
+        name: "multiprodesk",
+        rotaries: &['A'],
+        travel: &[('A', -100, 100)],
+        endless: &['A'],
+        leaning: Leaning::AboutX,
+        table: true,
+        head: false,
+    },
+    Kind {
+        name: "head_table",
+        rotaries: &['C', 'B'],
+        travel: &[('C', -200, 200), ('B', -100, 100)],
+        endless: &['C', 'B'],
+        leaning: Leaning::UpTo(85),
+        table: true,
+        head: true,
+    },
+    Kind { name: "mill", rotaries: &[], travel: &[], endless: &[], leaning: Leaning::Never, table: false, head: false },
+];
+
+/// A program to be posted, all of it as text.
+#[derive(Clone)]
+struct Case {
+    kind: &'static Kind,
+    control: &'static dyn Control,
+    mode: Mode,
+    set_up: String,
+    cl: String,
+}
+
+/// What became of it.
+#[derive(Debug, Clone, PartialEq)]
+enum Outcome {
+    /// Machine, control and set-up do not suit each other.
+    Unsuited(String),
+    /// The CL data cannot be posted.
+    Refused(String),
+    /// It passes its check.
+    Passed(Vec<u8>),
+    /// It does not, for this reason.
+    Wrong(String, Vec<u8>),
+}
+
+impl Case {
+    /// The case of a seed.
+    fn of(seed: u64) -> Self {
+        let mut random = Random::new(seed);
+        let random = &mut random;
+        let kind = &KINDS[random.below(KINDS.len())];
+        let control = control::CONTROLS[random.below(control::CONTROLS.len())];
+        let mode = match random.below(4) {
+            _ if kind.rotaries.is_empty() => Mode::Axes,
+            0 | 1 => Mode::Axes,
+            2 => Mode::Tcp,
+            _ => Mode::Plane,
+        };
+        let mode = match mode {
+            Mode::Plane if control.spellings().plane.is_none() => Mode::Axes,
+            mode => mode,
+        };
+        let (set_up, needs) = set_up::set_up(random, kind, control.spellings().name, mode);
+        let cl = cl::program(random, needs);
+        Self { kind, control, mode, set_up, cl }
+    }
+
+    fn run(&self) -> Outcome {
+        let run = || match self.kind.name {
+            "spinner" => run::<SpinnerU5620>(self),
+            "dmu" => run::<Dmu70e>(self),
+            "lola" => run::<LolaXoyzba>(self),
+            "multiprodesk" => run::<MultiProDesk>(self),
+            "head_table" => run::<HeadTable>(self),
+            _ => run::<Mill>(self),
+        };
+        catch_unwind(AssertUnwindSafe(run)).unwrap_or_else(|_| Outcome::Wrong("a panic".to_owned(), Vec::new()))
+    }
+
+    fn name(&self) -> String {
+        format!("{} {} {}", self.kind.name, self.control.spellings().name, self.mode.name())
+    }
+}
+
+/// Posts a case twice and checks it.
+fn run<M: Machine>(case: &Case) -> Outcome {
+    let config = match control::starting_point(case.control).read_over::<M>(&case.set_up) {
+        Ok(config) => pp_runtime::config::Config { mode: case.mode, ..config },
+        Err(faults) => return Outcome::Unsuited(faults[0].text.clone()),
+    };
+    let mut faults = control::check(case.control, &config);
+    faults.extend(control::unsuited::<M>(case.control, &config));
+    if let Some(fault) = faults.into_iter().next() {
+        return Outcome::Unsuited(fault);
+    }
+    let job = post::Job { cl_name: "random.cls", config: &config, control: case.control, units: None };
+    let posted = || {
+        let mut program = Vec::new();
+        let report = post::post::<M>(&job, &mut Cursor::new(&case.cl), &mut program).expect("memory takes it");
+        (report, program)
+    };
+    let (report, program) = posted();
+    if report.failed {
+        let error = report.diagnostics.iter().find(|found| found.severity == Severity::Error).expect("an error");
+        return Outcome::Refused(error.text.clone());
+    }
+    if posted().1 != program {
+        return Outcome::Wrong("the second time another program".to_owned(), program);
+    }
+    let job = check::Job { config: &config, control: case.control, units: None };
+    let checked = check::check::<M>(&job, Cursor::new(&case.cl), &program[..]).expect("it can be read");
+    let first = checked.outcome.findings.first().or(checked.fault.as_ref());
+    match first {
+        Some(first) => Outcome::Wrong(format!("CL line {}: {}", first.location.line, first.text), program),
+        None if checked.outcome.passed() => Outcome::Passed(program),
+        None => Outcome::Wrong("a finding that is not told".to_owned(), program),
+    }
+}
+
+/// A number from the environment.
+fn asked(name: &str) -> Option<usize> {
+    std::env::var(name).ok().map(|text| text.parse().unwrap_or_else(|_| panic!("{name} is a number, not {text}")))
+}
+
+/// Without its numbers and names: what kind of text it is.
+fn kind_of(text: &str) -> String {
+    let text = text.split("; line").next().unwrap_or_default();
+    let mut kind = String::new();
+    for letter in text.chars() {
+        match letter {
+            '0'..='9' if kind.ends_with('#') => {}
+            '0'..='9' => kind.push('#'),
+            '.' | '-' if kind.ends_with('#') => {}
+            letter => kind.push(letter),
+        }
+    }
+    kind
+}
+
+#[test]
+fn whatever_is_posted_passes_its_check() {
+    let count = asked("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS);
+    let first = asked("PP_RANDOM_SEED").unwrap_or(0) as u64;
+    let mut tally: BTreeMap<String, [usize; 4]> = BTreeMap::new();
+    let mut reasons: BTreeMap<String, (usize, String)> = BTreeMap::new();
+    let mut wrong: BTreeMap<String, (usize, u64)> = BTreeMap::new();
+    for seed in first..first + count as u64 {
+        let case = Case::of(seed);
+        if count == 1 {
+            println!("{}\n{}\n{}", case.name(), case.set_up, case.cl);
+        }
+        let place = match case.run() {
+            Outcome::Unsuited(reason) => {
+                let text = format!("{seed}: {reason}");
+                reasons.entry(format!("unsuited: {}", kind_of(&reason))).or_insert((0, text)).0 += 1;
+                0
+            }
+            Outcome::Refused(reason) => {
+                reasons.entry(kind_of(&reason)).or_insert_with(|| (0, format!("{seed}: {reason}"))).0 += 1;
+                1
+            }
+            Outcome::Passed(_) => 2,
+            Outcome::Wrong(text, _) => {
+                println!("seed {seed}, {}: {text}", case.name());
+                wrong.entry(kind_of(&text)).or_insert((0, seed)).0 += 1;
+                3
+            }
+        };
+        tally.entry(case.name()).or_default()[place] += 1;
+    }
+    if asked("PP_RANDOM_PROGRAMS").is_some() {
+        tell(&tally, &reasons);
+    }
+    wrong.iter().for_each(|(text, (count, seed))| println!("wrong: {count} like seed {seed}: {text}"));
+    let shown: Vec<String> = wrong.values().take(SHOWN).map(|(_, seed)| shorten::shown(&Case::of(*seed))).collect();
+    assert!(wrong.is_empty(), "{} kinds of fault\n{}", wrong.len(), shown.join("\n=====\n"));
+    let passed: usize = tally.values().map(|[_, _, passed, _]| passed).sum();
+    assert!(passed * 2 >= count, "only {passed} of {count} programs are posted");
+}
+
+/// What became of all programs.
+fn tell(tally: &BTreeMap<String, [usize; 4]>, reasons: &BTreeMap<String, (usize, String)>) {
+    for (name, [unsuited, refused, passed, wrong]) in tally {
+        println!("{name:32} unsuited {unsuited:5} refused {refused:5} passed {passed:5} wrong {wrong:5}");
+    }
+    let mut reasons: Vec<_> = reasons.iter().collect();
+    reasons.sort_by_key(|(_, (count, _))| std::cmp::Reverse(*count));
+    reasons.iter().for_each(|(_, (count, first))| println!("{count:6} like seed {first}"));
+}
+
+/// Damages of each program.
+const DAMAGES: usize = 5;
+
+#[test]
+fn a_damaged_program_is_read_to_its_end() {
+    let count = asked("PP_RANDOM_PROGRAMS").unwrap_or(PROGRAMS / 4);
+    let first = asked("PP_RANDOM_SEED").unwrap_or(1_000_000) as u64;
+    let mut damaged = 0;
+    for seed in first..first + count as u64 {
+        let case = Case::of(seed);
+        let Outcome::Passed(program) = case.run() else { continue };
+        let mut random = Random::new(!seed);
+        for _ in 0..DAMAGES {
+            let (program, what) = damage(&program, &mut random);
+            let lines = program.split(|byte| *byte == b'\n').count() as u64;
+            let findings = catch_unwind(AssertUnwindSafe(|| case.findings(&program)));
+            let Ok((count, listed)) = findings else { panic!("{} seed {seed}: a panic where {what}", case.name()) };
+            assert!(count <= 8 * lines && listed <= 2000, "{} seed {seed}: {count} findings where {what}", case.name());
+            damaged += 1;
+        }
+    }
+    assert!(damaged >= count, "{damaged} damages of {count} programs");
+}
+
+impl Case {
+    /// How many findings a program of this case has, and how many of them are listed.
+    fn findings(&self, program: &[u8]) -> (u64, usize) {
+        match self.kind.name {
+            "spinner" => findings::<SpinnerU5620>(self, program),
+            "dmu" => findings::<Dmu70e>(self, program),
+            "lola" => findings::<LolaXoyzba>(self, program),
+            "multiprodesk" => findings::<MultiProDesk>(self, program),
+            "head_table" => findings::<HeadTable>(self, program),
+            _ => findings::<Mill>(self, program),
+        }
+    }
+}
+
+fn findings<M: Machine>(case: &Case, program: &[u8]) -> (u64, usize) {
+    let config = control::starting_point(case.control).read_over::<M>(&case.set_up).expect("it has been read before");
+    let config = pp_runtime::config::Config { mode: case.mode, ..config };
+    let job = check::Job { config: &config, control: case.control, units: None };
+    let outcome = check::check::<M>(&job, Cursor::new(&case.cl), program).expect("it can be read").outcome;
+    (outcome.count, outcome.findings.len())
+}

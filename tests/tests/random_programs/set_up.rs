@@ -1,0 +1,268 @@
+//! Random set-ups, as configuration files that a shop could have written.
+
+use std::collections::BTreeMap;
+
+use pp_runtime::config::Mode;
+use tests::random::Random;
+
+use super::cl::{Leaning, Needs, TOOLS};
+
+/// What a set-up has to know of a machine.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Kind {
+    pub(crate) name: &'static str,
+    pub(crate) rotaries: &'static [char],
+    /// Travel of these, degrees; wide enough for every tool axis that is asked for.
+    pub(crate) travel: &'static [(char, i32, i32)],
+    /// Rotary axes that turn on and on.
+    pub(crate) endless: &'static [char],
+    pub(crate) leaning: Leaning,
+    /// A rotary axis turns the part.
+    pub(crate) table: bool,
+    /// A rotary axis turns the tool.
+    pub(crate) head: bool,
+}
+
+/// Keys of a file by section; the empty name for those in front.
+struct File<'r> {
+    random: &'r mut Random,
+    sections: BTreeMap<&'static str, Vec<String>>,
+}
+
+/// A file, and what the CL data has to keep to with it.
+pub(crate) fn set_up(random: &mut Random, kind: &Kind, control: &str, mode: Mode) -> (String, Needs) {
+    let mut file = File { random, sections: BTreeMap::new() };
+    file.put("", "units = \"mm\"");
+    file.reading();
+    let insert = file.random.chance(0.3);
+    if insert {
+        file.put("cl", "insert = \"comment\"");
+    }
+    let nx = file.random.chance(0.6);
+    if !nx {
+        file.put("cl", "dialect = \"iso\"");
+    }
+    file.place(kind, control, mode);
+    file.ways(kind);
+    let park = file.park(kind);
+    file.course(kind);
+    file.words(kind, control);
+    file.tips(kind, control, mode);
+    let compensation = mode != Mode::Tcp && (mode == Mode::Plane || !kind.head) && file.random.chance(0.4);
+    if compensation {
+        let path = ["centre", "contour"][file.random.below(2)];
+        file.put("compensation", format!("path = \"{path}\""));
+    }
+    let inches = file.random.chance(0.2);
+    let still = mode == Mode::Plane;
+    let registers = registers(control);
+    let needs = Needs { leaning: kind.leaning, still, inches, compensation, nx, insert, park, registers };
+    (file.text(), needs)
+}
+
+/// The control has registers of lengths and radii.
+fn registers(control: &str) -> bool {
+    matches!(control, "linuxcnc" | "fanuc" | "haas")
+}
+
+impl File<'_> {
+    fn put(&mut self, section: &'static str, line: impl Into<String>) {
+        self.sections.entry(section).or_default().push(line.into());
+    }
+
+    /// Writes a line with some probability.
+    fn maybe(&mut self, probability: f64, section: &'static str, line: impl Into<String>) -> bool {
+        let chosen = self.random.chance(probability);
+        if chosen {
+            self.put(section, line);
+        }
+        chosen
+    }
+
+    fn one_of(&mut self, probability: f64, section: &'static str, key: &str, values: &[&str]) {
+        let value = values[self.random.below(values.len())];
+        self.maybe(probability, section, format!("{key} = {value}"));
+    }
+
+    fn between(&mut self, lower: f64, upper: f64) -> f64 {
+        let value = self.random.between(lower, upper);
+        if self.random.chance(0.5) { value.round() } else { (value * 1e4).round() / 1e4 }
+    }
+
+    fn text(self) -> String {
+        let section = |(name, lines): (&str, Vec<String>)| {
+            let head = if name.is_empty() { String::new() } else { format!("[{name}]\n") };
+            format!("{head}{}\n\n", lines.join("\n"))
+        };
+        self.sections.into_iter().map(section).collect()
+    }
+
+    /// Tolerances and the like.
+    fn reading(&mut self) {
+        self.one_of(0.4, "", "tolerance", &["0.02", "0.005", "0.05", "0.003"]);
+        self.one_of(0.2, "", "axis_tolerance_path", &["0.05", "0.5", "0.02"]);
+        self.one_of(0.15, "", "output_units", &["\"mm\"", "\"in\""]);
+        self.one_of(0.3, "arcs", "output", &["\"native\"", "\"lines\""]);
+        self.one_of(0.3, "arcs", "form", &["\"centre\"", "\"radius\""]);
+        self.one_of(0.1, "arcs", "largest_radius", &["20.0", "200.0"]);
+        self.one_of(0.3, "cycles", "output", &["\"native\"", "\"expanded\""]);
+        self.one_of(0.3, "cycles", "rigid", &["true", "false"]);
+        self.one_of(0.1, "cl", "allow_lintol", &["true"]);
+        self.put("defaults", "speed = 2000");
+        self.put("defaults", "direction = \"CLW\"");
+        self.one_of(0.2, "defaults", "peck_gap", &["0.2", "1.0"]);
+        self.one_of(0.2, "defaults", "coolant", &["\"mist\"", "\"flood\""]);
+    }
+
+    /// Part and tools.
+    fn place(&mut self, kind: &Kind, control: &str, mode: Mode) {
+        if self.random.chance(0.7) {
+            let [x, y, z] = [self.between(-60.0, 60.0), self.between(-60.0, 60.0), self.between(-40.0, 120.0)];
+            self.put("", format!("part_origin = [{x:?}, {y:?}, {z:?}]"));
+        }
+        let turned = kind.leaning != Leaning::Never && kind.leaning != Leaning::AboutX;
+        self.maybe(if turned { 0.1 } else { 0.0 }, "", "part_rotation = [0.0, 0.0, 30.0]");
+        self.one_of(0.1, "", "program_zero", &["\"table\"", "\"part\""]);
+        self.one_of(0.1, "", "length_mode", &["\"gauge\"", "\"tip\""]);
+        let offsets = ["\"G54\"", "\"G55\"", "\"G57\""];
+        self.one_of(0.4, "", "work_offset", &offsets);
+        for tool in 1..=TOOLS {
+            let length = self.between(60.0, 160.0);
+            let registers = if registers(control) { [", offset = 7", ", radius_offset = 9"] } else { [""; 2] };
+            let more = ["", ", coolant = \"mist\"", registers[0], registers[1]][self.random.below(4)];
+            self.put("tools", format!("{tool} = {{ length = {length:?}{more} }}"));
+        }
+        if mode == Mode::Axes && self.random.chance(0.1) && !kind.rotaries.is_empty() {
+            let letter = kind.rotaries[self.random.below(kind.rotaries.len())];
+            self.put("rotary_offset", format!("{letter} = 12.5"));
+        }
+        if self.random.chance(0.3) {
+            self.put("machine_zero", "X = 0.0\nY = 0.0\nZ = -700.0");
+            self.put("limits", "X = [-900.0, 900.0]\nY = [-900.0, 900.0]\nZ = [-1500.0, 900.0]");
+        }
+    }
+
+    /// Rapids, retracts and transitions.
+    fn ways(&mut self, kind: &Kind) {
+        let rapid = self.random.below(6);
+        match rapid {
+            0 => self.put("", "rapid = \"split\""),
+            1 => self.put("", "rapid = \"feed\"\nrapid_feed = 8000.0"),
+            _ => {}
+        }
+        self.one_of(0.15, "", "transition", &["\"direct\""]);
+        self.one_of(0.15, "", "stop_retract", &["false"]);
+        self.one_of(0.3, "", "spindle_dwell", &["1.0", "2.5"]);
+        self.one_of(0.1, "", "index_angle", &["0.0", "10.0", "45.0"]);
+        self.one_of(0.2, "", "reorient_speed", &["720.0", "3600.0"]);
+        if kind.head || self.random.chance(0.7) {
+            let distance = self.between(20.0, 120.0);
+            self.put("retract", format!("distance = {distance:?}"));
+        } else if self.random.chance(0.6) {
+            let geometries = [
+                "{ plane = 200.0 }",
+                "{ box = [[-200, -200, -200], [200, 200, 200]] }",
+                "{ cylinder = { radius = 220, lower = -200, upper = 200 } }",
+            ];
+            let geometry = geometries[self.random.below(3)];
+            self.put("retract", format!("clearance = {geometry}"));
+        }
+        self.one_of(0.2, "retract", "position", &["-5.0", "0.0"]);
+        self.one_of(0.2, "retract", "rewind", &["\"follow\"", "\"leave\""]);
+        self.one_of(0.1, "retract", "rewind_dry", &["true"]);
+        if self.random.chance(0.5) {
+            let distance = self.between(5.0, 80.0);
+            self.put("approach", format!("distance = {distance:?}"));
+        }
+        self.one_of(0.3, "feed", "largest", &["5000.0", "30000.0", "900.0"]);
+        self.one_of(0.1, "feed", "keep_speeds", &["false"]);
+        self.one_of(0.2, "feed", "shortest_block", &["0.01", "0.1"]);
+    }
+
+    /// Whether anything is parked.
+    fn park(&mut self, kind: &Kind) -> bool {
+        let mut park = self.maybe(0.2, "park", "Y = 200.0");
+        for letter in kind.rotaries {
+            park |= self.maybe(0.2, "park", format!("{letter} = 0.0"));
+        }
+        park
+    }
+
+    /// Branches, turns, clamps.
+    fn course(&mut self, kind: &Kind) {
+        if kind.rotaries.is_empty() {
+            return;
+        }
+        self.one_of(0.2, "course", "start_branch", &["\"first\"", "\"second\""]);
+        self.one_of(0.2, "course", "greedy", &["true"]);
+        self.one_of(0.1, "course", "axis_tolerance", &["0.05", "0.5"]);
+        let letter = kind.rotaries[self.random.below(kind.rotaries.len())];
+        let side = ["+", "-"][self.random.below(2)];
+        self.maybe(0.2, "course", format!("prefer = \"{letter}{side}\""));
+        for &(letter, lower, upper) in kind.travel {
+            if self.random.chance(0.3) {
+                self.put("limits", format!("{letter} = [{lower}, {upper}]"));
+            } else if kind.endless.contains(&letter) {
+                self.one_of(0.25, "wrap", &letter.to_string(), &["\"0..360\"", "\"+-180\"", "\"sign\"", "\"none\""]);
+            }
+        }
+        for (index, letter) in kind.rotaries.iter().enumerate() {
+            let codes = ["{ on = \"M10\", off = \"M11\" }", "{ on = \"M68\", off = \"M69\" }"][index];
+            self.maybe(0.15, "clamp", format!("{letter} = {codes}"));
+            self.maybe(0.3, "speeds", format!("{letter} = 3600.0"));
+        }
+        self.maybe(0.3, "speeds", "X = 10000.0\nY = 10000.0\nZ = 8000.0");
+    }
+
+    /// How words are written.
+    fn words(&mut self, kind: &Kind, control: &str) {
+        self.one_of(0.2, "formats", "linear_mm", &["2", "4", "5"]);
+        self.one_of(0.1, "formats", "linear_inch", &["3", "5"]);
+        self.one_of(0.2, "formats", "rotary", &["3", "5", "2"]);
+        self.one_of(0.2, "formats", "feed", &["1", "2", "4"]);
+        self.one_of(0.1, "formats", "speed", &["1"]);
+        if control != "heidenhain" {
+            self.one_of(0.3, "program", "line_numbers", &["1", "5", "10"]);
+        }
+        self.one_of(0.1, "program", "times", &["true"]);
+        self.one_of(0.15, "control", "every_word", &["true"]);
+        self.one_of(0.1, "control", "preselect", &["true", "false"]);
+        self.one_of(0.1, "control", "point", &["true", "false"]);
+        self.one_of(0.2, "", "length_guard", &["true", "false"]);
+        // Codes that builders of machines add.
+        self.put("control", "coolant = { mist = [\"M7\", \"M9\"] }");
+        let norms: &[&str] = match control {
+            "heidenhain" => &["\"xyz\"", "\"xyz+deg\""],
+            _ => &["\"xyz\"", "\"xyz+deg\"", "\"g93_min\""],
+        };
+        if !kind.rotaries.is_empty() {
+            self.one_of(0.2, "control", "path_norm", norms);
+        }
+        let smoothings: &[&str] = if control == "linuxcnc" { &["\"none\""] } else { &["\"finish\"", "\"rough\""] };
+        self.one_of(0.2, "control", "smoothing", smoothings);
+    }
+
+    /// What tip control and planes need.
+    fn tips(&mut self, kind: &Kind, control: &str, mode: Mode) {
+        if mode == Mode::Axes {
+            return;
+        }
+        self.put("", "tcp_confirmed = true");
+        if mode == Mode::Plane {
+            return;
+        }
+        if control == "linuxcnc" {
+            self.put("control", "tip_control = [\"M428\", \"M429\"]");
+        }
+        let frames = ["\"table_at_zero\"", "\"table_at_start\"", "\"not_turning\""];
+        if control == "fanuc" && kind.table {
+            let frame = frames[self.random.below(3)];
+            self.put("", format!("tcp_frame = {frame}"));
+        }
+        if matches!(control, "fanuc" | "siemens" | "heidenhain") && self.random.chance(0.25) {
+            self.put("", "tcp_words = \"vectors\"\ntool_posture = \"plane\"");
+        } else if matches!(control, "siemens" | "heidenhain") {
+            self.one_of(0.15, "", "tool_posture", &["\"plane\""]);
+        }
+    }
+}
