@@ -70,7 +70,7 @@ fn under_tip_control_the_way_of_a_rapid_stays_within_the_limits_too() {
 #[test]
 fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
     let arc = "GOTO/20.0,0.0,0.0,0.0,0.0,1.0\nFEDRAT/MMPM,500.0\nGOTO/20.0,0.0,-1.0\n\
-        CIRCLE/0.0,0.0,-1.0,0.0,0.0,1.0,20.0\nGOTO/-20.0,0.0,-1.0\n";
+        CIRCLE/0.0,0.0,-1.0,0.0,0.0,1.0,20.0\nGOTO/-20.0,0.0,-1.0\nGOTO/-20.0,-1.0,-1.0\n";
     let within = |limit: f64| {
         format!(
             "machine_zero = {{ X = 0, Y = 0, Z = -600 }}\n[retract]\ndistance = 20\n[limits]\nY = [-{limit}, {limit}]\n"
@@ -85,6 +85,7 @@ fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
         let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..wide };
         let found = narrow.findings(&narrow.program);
         assert!(found.len() == 1 && found[0].text.contains("on its way Y goes to"), "{found:?}");
+        assert_eq!(found[0].location.line, 10, "the line that the arc serves: {found:?}");
     }
 }
 
@@ -167,4 +168,38 @@ fn lines_that_are_lost_together_are_named_together() {
     let found = posted.findings(&without(&without(&posted.program, at), at));
     assert_eq!(found.len(), 1, "{found:?}");
     assert!(found[0].text.contains("what lines 8 to 9 of the CL data ask for"), "{found:?}");
+}
+
+#[test]
+fn what_a_subprogram_should_have_done_is_named_with_the_line_that_is_next() {
+    let part = "DEFSUB/1\nGOTO/10,0,5\nGOTO/20,0,5\nGOTO/20,10,5\nENDSUB\nRAPID\nGOTO/0,0,100,0,0,1\n\
+        FEDRAT/MMPM,500\nGOTO/0,-10,5\nGOTO/10,-10,5\nCALSUB/1\nGOTO/20,20,5\n";
+    let posted = Posted::new("linuxcnc", "", &format!("{HEAD}{part}"));
+    let lines: Vec<&str> = posted.program.lines().collect();
+    let first = lines.iter().position(|line| *line == "X10").expect("the line in front of the subprogram");
+    // That line and the first of the subprogram.
+    let lost: Vec<&str> =
+        lines.iter().enumerate().filter(|(at, _)| *at != first && *at != first + 1).map(|(_, line)| *line).collect();
+    let found = posted.findings(&lost.join("\n"));
+    assert!(found.iter().any(|found| found.text.contains("line 15 of the CL data and what it calls ask")), "{found:?}");
+}
+
+#[test]
+fn findings_speak_as_people_at_the_machine_do() {
+    let posted = Posted::new("fanuc", "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
+    let edited = |from: &str, to: &str| {
+        // Behind the head, which says the same in a comment.
+        let at = posted.program.rfind(from).unwrap_or_else(|| panic!("{from}: {}", posted.program));
+        let found = posted.findings(&[&posted.program[..at], to, &posted.program[at + from.len()..]].concat());
+        found.into_iter().map(|found| found.text).collect::<Vec<String>>().join("; ")
+    };
+    for (from, to, told) in [
+        ("G54", "G55", "the work offset is G55, it is to be G54"),
+        ("S1000", "S1500", "S is 1500, it is to be 1000"),
+        ("G43 H1", "G43 H7", "the length compensation is that of register 7, it is to be that of register 1"),
+        ("X11.", "/X11.", "whether this block runs depends on a switch of the control (block delete)"),
+    ] {
+        let found = edited(from, to);
+        assert!(found.contains(told) && !found.contains("Some("), "{from} {to}: {found}");
+    }
 }

@@ -97,6 +97,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     /// The state of the last motion.
     pub(super) last: Option<(Location, Wanted)>,
     pub(super) ended: bool,
+    /// The record that was to be served when the last block that moves began.
+    pub(super) served: Location,
     /// The approach to the motion ahead has been made.
     pub(super) approached: bool,
     /// Plane of the last arc of this operation.
@@ -140,9 +142,11 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
         tally.outcome.tolerance = config.tolerance;
+        let travel = Travel::new(&machine, config, &words);
+        tally.outcome.limited = travel.limited();
         Self {
             law: FeedLaw::new(&machine, config, family, units, masks, (unit, angle)),
-            travel: Travel::new(&machine, config, &words),
+            travel,
             expect: Expect::new::<M>(reader, config, family),
             config,
             family,
@@ -166,6 +170,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             restarted: false,
             last: None,
             ended: false,
+            served: Location::default(),
             approached: false,
             parks: false,
             arc_plane: None,
@@ -234,6 +239,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
 
     fn moves(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
         self.tally.outcome.blocks += 1;
+        self.served = self.location();
         self.take_tool();
         match block.action {
             Action::Machine => self.machine_block(block, shown)?,

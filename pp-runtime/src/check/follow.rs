@@ -1,5 +1,6 @@
 //! Blocks at the part: which motion of the CL data each serves, and how well.
 
+use std::cmp::Ordering;
 use std::io::{self, Read};
 
 use super::chain::Placed;
@@ -415,9 +416,15 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 let segment = self.segment(motion, end);
                 let off = segment.distance(end, self.along);
                 let turn = angle_between(&end.axis, &motion.to.axis).to_degrees();
-                format!(
-                    "this block serves no motion of the CL data: its end is {off:.4} mm off the next one and {turn:.4} deg off its axis"
-                )
+                match off <= self.slack.tip && turn.to_radians() <= self.slack.axis {
+                    true => "this block ends on the next motion of the CL data and is not that motion: it goes there another \
+                             way, or at rapid in the place of feed"
+                        .to_owned(),
+                    false => format!(
+                        "this block serves no motion of the CL data: its end is {off:.4} mm off the next one and {turn:.4}° \
+                         off its axis"
+                    ),
+                }
             }
             Some(Kind::Stop { .. }) => "the program moves on before the stop of the CL data".to_owned(),
             Some(Kind::Raw(_)) => "the program moves on before the block that INSERT asks for".to_owned(),
@@ -432,9 +439,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let mut lines = asked.filter_map(|index| self.expect.get(index)).map(|item| item.at);
         if let Some(first) = lines.next() {
             let last = lines.next_back().unwrap_or(first);
-            let which = match last.line - first.line {
-                0 => format!("line {} of the CL data asks", first.line),
-                _ => format!("lines {} to {} of the CL data ask", first.line, last.line),
+            let which = match last.line.cmp(&first.line) {
+                Ordering::Equal => format!("line {} of the CL data asks", first.line),
+                Ordering::Greater => format!("lines {} to {} of the CL data ask", first.line, last.line),
+                // What a subprogram asks stands where it is defined.
+                Ordering::Less => format!("line {} of the CL data and what it calls ask", first.line),
             };
             let text = format!("no block in front of this one does what {which} for: lost, or elsewhere");
             self.tally.found(first, shown, &text, None);

@@ -242,7 +242,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             _ => false,
         };
         if !same {
-            let text = format!("the cycle makes {:?}, the CL data wants {:?}", cycle.kind, hole.drilling);
+            let text = format!("the cycle makes {}, the CL data wants {}", cycle.kind, made(hole));
             self.found(shown, &text);
         }
     }
@@ -292,6 +292,17 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             }
             self.pass();
         }
+    }
+}
+
+/// A hole of the CL data as the words of a cycle have it.
+fn made(hole: &Hole) -> CycleKind {
+    match hole.drilling {
+        Drilling::Drill => CycleKind::Drill,
+        Drilling::Ream => CycleKind::Ream,
+        Drilling::Peck { later, .. } => CycleKind::Peck(later),
+        Drilling::ChipBreak { step, .. } => CycleKind::ChipBreak(step),
+        Drilling::Tap { pitch } => CycleKind::Tap(pitch.unwrap_or(0.0)),
     }
 }
 

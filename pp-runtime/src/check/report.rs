@@ -21,6 +21,8 @@ pub struct Outcome {
     pub path: f64,
     /// How far it may be, mm.
     pub tolerance: f64,
+    /// The travel of some axis is declared.
+    pub limited: bool,
     /// Points outside the travel of an axis.
     pub limits: u64,
     /// What is wrong, each with the line of the CL data and the block; more of a kind are counted.
@@ -44,14 +46,17 @@ impl Outcome {
             1 => ", 1 finding".to_owned(),
             count => format!(", {} findings", grouped(count)),
         };
+        let limits = match self.limited {
+            true => format!("{} outside limits", grouped(self.limits)),
+            false => "no limits declared".to_owned(),
+        };
         format!(
-            "checked: {} blocks, tip {} µm, axis {:.4}°, path {} µm of {}, {} outside limits{found}",
+            "checked: {} moving blocks, tip {} µm, axis {:.4}°, path {} µm of {}, {limits}{found}",
             grouped(self.blocks),
             short(self.tip * 1e3),
             self.axis.to_degrees(),
             short(self.path * 1e3),
             short(self.tolerance * 1e3),
-            self.limits,
         )
     }
 }

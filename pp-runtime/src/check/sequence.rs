@@ -246,19 +246,19 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let twist = self.words.twist(&block.values, &tilt.rotation);
         if twist > 2.0 * self.slack.axis {
             let twist = twist.to_degrees();
-            self.found(shown, &format!("the plane is turned by {twist:.4} deg against where the rotary axes stand"));
+            self.found(shown, &format!("the plane is turned by {twist:.4}° against where the rotary axes stand"));
         }
         let stands = self.words.chain.place(&self.words.values(&block.values)).axis;
         let off = angle_between(&stands, &end.axis);
         if off > self.axis_slack(&end.axis) {
             let off = off.to_degrees();
-            self.found(shown, &format!("the rotary axes stand {off:.4} deg off the plane that the control tilts"));
+            self.found(shown, &format!("the rotary axes stand {off:.4}° off the plane that the control tilts"));
         } else if let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) {
             let off = angle_between(&stands, &motion.to.axis);
             let at_pole = self.axis_slack(&motion.to.axis) > self.slack.axis;
             if off > if at_pole { self.slack.pole } else { self.slack.rotary } {
                 let off = off.to_degrees();
-                self.found(shown, &format!("the rotary axes stand {off:.4} deg off the tool axis of the CL data"));
+                self.found(shown, &format!("the rotary axes stand {off:.4}° off the tool axis of the CL data"));
             }
         }
     }
@@ -288,7 +288,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             let (off, turn) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis).to_degrees());
             self.found(
                 shown,
-                &format!("the approach ends {off:.4} mm from the approach point, its tool axis {turn:.4} deg off"),
+                &format!("the approach ends {off:.4} mm from the approach point, its tool axis {turn:.4}° off"),
             );
         } else {
             let outcome = &mut self.tally.outcome;

@@ -1,5 +1,6 @@
 //! The state in which a block moves, beside the one that it should move in.
 
+use std::fmt::Display;
 use std::io::Read;
 
 use super::compare::{Checker, Phase};
@@ -156,7 +157,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             return Some("the plane is not that of X and Y".to_owned());
         }
         if state.side.unwrap_or_default() != side {
-            return Some(format!("cutter compensation is {:?} here, the CL data asks for {side:?}", state.side));
+            return Some(format!(
+                "the cutter runs {} its path here, the CL data asks for {}",
+                state.side.unwrap_or_default().told(),
+                side.told()
+            ));
         }
         if state.shortest && self.config.wrap.is_empty() {
             return Some("rotary axes take the shorter way here, and their words count on past a turn".to_owned());
@@ -191,7 +196,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn offsets(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {
         let offset = self.offsets.iter().find(|(frame, _)| *frame == wanted.frame).map(|(_, offset)| *offset);
         if state.work_offset != offset {
-            return Some(format!("the work offset is {:?}, it is to be {offset:?}", state.work_offset));
+            return Some(format!("the work offset is {}, it is to be {}", told(state.work_offset), told(offset)));
         }
         if !length {
             return None;
@@ -202,7 +207,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             (LengthMode::Tip, None) => return None,
         };
         if state.length.unwrap_or(Length::Off) != register {
-            return Some(format!("the length compensation is {:?}, it is to be {register:?}", state.length));
+            return Some(format!("the length compensation is {}, it is to be {register}", told(state.length)));
         }
         None
     }
@@ -210,9 +215,16 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// The register of the tool's radius. A cutting edge, and a row of the tool table, hold the radius with the length.
     fn radius(&self, state: &State, wanted: &Wanted) -> Option<String> {
         let apart = matches!(self.family, Family::LinuxCnc | Family::Fanuc | Family::Haas);
-        (apart && state.diameter != Some(wanted.radius))
-            .then(|| format!("the register of the radius is {:?}, it is to be D{}", state.diameter, wanted.radius))
+        (apart && state.diameter != Some(wanted.radius)).then(|| {
+            let register = state.diameter.map(|register| format!("D{register}"));
+            format!("the register of the radius is {}, it is to be D{}", told(register), wanted.radius)
+        })
     }
+}
+
+/// What is in force, for people.
+fn told<T: Display>(value: Option<T>) -> String {
+    value.map_or_else(|| "not said".to_owned(), |value| value.to_string())
 }
 
 fn tilted(state: &State) -> Option<String> {
@@ -234,7 +246,7 @@ fn spindle(state: &State, wanted: Option<(f64, Rotation)>) -> Option<String> {
         }),
         Some((speed, _)) => match state.speed {
             Some(written) if (written - speed).abs() <= 1e-6 * speed => None,
-            written => Some(format!("S is {written:?}, it is to be {speed}")),
+            written => Some(format!("S is {}, it is to be {speed}", told(written))),
         },
     }
 }

@@ -185,7 +185,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let slack = if place.is_empty() { NOISE } else { self.config.tolerance };
         let Some(text) = self.travel.check(&self.words, &values, block.known, slack) else { return true };
         self.tally.outcome.limits += 1;
-        self.found(shown, &format!("{place}{text}"));
+        self.tally.found(self.served, shown, &format!("{place}{text}"), None);
         false
     }
 }
@@ -193,6 +193,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 impl Axis {
     fn outside(&self, place: f64, slack: f64) -> Option<String> {
         let Limits { lower, upper } = self.limits;
+        let slack = if self.rotary { NOISE } else { slack };
         if (lower - slack..=upper + slack).contains(&place) {
             return None;
         }

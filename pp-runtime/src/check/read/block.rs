@@ -3,6 +3,8 @@
 //! Lengths are mm and angles rad, whatever the unit of the program; levels and centres count as the words of the program
 //! do. Nothing in here knows a machine or CL data.
 
+use std::fmt;
+
 use nalgebra::{Matrix3, Vector3};
 
 use crate::program::{Rotation, Units};
@@ -68,6 +70,17 @@ impl Side {
     }
 }
 
+impl Side {
+    /// Where the cutter runs, in front of `its path`.
+    pub(crate) const fn told(self) -> &'static str {
+        match self {
+            Self::None => "on",
+            Self::Left => "left of",
+            Self::Right => "right of",
+        }
+    }
+}
+
 /// A settable offset.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WorkOffset {
@@ -86,6 +99,26 @@ pub enum Length {
     Off,
     /// That of a register, of a cutting edge, or of the tool's row.
     Register(u32),
+}
+
+impl fmt::Display for WorkOffset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Code(tenths) if tenths % 10 == 0 => write!(f, "G{}", tenths / 10),
+            Self::Code(tenths) => write!(f, "G{}.{}", tenths / 10, tenths % 10),
+            Self::Further(number) => write!(f, "P{number} of the further ones"),
+            Self::Row(row) => write!(f, "row {row} of the datum table"),
+        }
+    }
+}
+
+impl fmt::Display for Length {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Off => f.write_str("off"),
+            Self::Register(number) => write!(f, "that of register {number}"),
+        }
+    }
 }
 
 /// A control that keeps the tip on its path.
@@ -230,6 +263,20 @@ pub enum CycleKind {
     Tap(f64),
     /// G86, G76: in at feed, out with the spindle still or turned.
     Bore,
+}
+
+impl fmt::Display for CycleKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Drill => f.write_str("a hole in one go"),
+            Self::Ream => f.write_str("a reamed hole"),
+            Self::Bore => f.write_str("a bored hole"),
+            Self::Peck(step) => write!(f, "a hole in steps of {step} mm, the chips cleared"),
+            Self::ChipBreak(step) => write!(f, "a hole in steps of {step} mm, the chips broken"),
+            Self::Tap(pitch) if *pitch < 0.0 => write!(f, "a left-hand thread of {} mm a turn", -pitch),
+            Self::Tap(pitch) => write!(f, "a thread of {pitch} mm a turn"),
+        }
+    }
 }
 
 /// One hole of a cycle; levels count along the normal of the plane as program words do, mm.

@@ -167,6 +167,9 @@ impl<R: Read> Reader<R> {
                 false => draft.coolant_off |= *bits,
             }
         }
+        if self.line.trim_ascii_start().first() == Some(&b'/') && draft.groups | u32::from(draft.written) != 0 {
+            fault(&mut block.faults, 0, "whether this block runs depends on a switch of the control (block delete)");
+        }
         // What the shop writes into its programs is the shop's to know.
         if !block.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {
             block.faults.clear();
