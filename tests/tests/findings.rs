@@ -203,3 +203,16 @@ fn findings_speak_as_people_at_the_machine_do() {
         assert!(found.contains(told) && !found.contains("Some("), "{from} {to}: {found}");
     }
 }
+
+#[test]
+fn behind_a_lost_line_the_program_is_found_again_where_it_stops() {
+    let part = TWO.replace("OPSTOP", "STOP");
+    for control in ["linuxcnc", "siemens", "heidenhain"] {
+        let posted = Posted::new(control, "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", &part);
+        // The last cut, which leaves nothing that the way out could begin from.
+        let lost = posted.program.lines().position(|line| line.contains("43") && line.contains("37"));
+        let found = posted.findings(&without(&posted.program, lost.expect("the cut")));
+        let told: Vec<(u64, &str)> = found.iter().map(|found| (found.location.line, &*found.text)).collect();
+        assert!(!told.is_empty() && told.iter().all(|(line, _)| (14..=16).contains(line)), "{control}: {told:#?}");
+    }
+}

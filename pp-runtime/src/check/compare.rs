@@ -211,7 +211,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         self.plane_given_up(block, shown);
         match block.action {
             Action::Nothing => {}
-            Action::ToolChange => self.change(shown),
+            Action::ToolChange => self.change(block, shown)?,
             Action::Dwell(seconds) => self.dwell(seconds, shown)?,
             Action::Stop => self.stop(block, false, shown)?,
             Action::OptionalStop => self.stop(block, true, shown)?,

@@ -417,12 +417,30 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// A tool change.
-    pub(super) fn change(&mut self, shown: Shown<'_>) {
+    pub(super) fn change(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
+        let tool = block.state.tool;
+        if self.expect.get(0).is_none_or(|item| item.wanted.tool != tool) {
+            self.find_again(|item| item.wanted.tool == tool, shown)?;
+        }
         if !matches!(self.phase, Phase::Clear(_)) || !self.retracted {
             self.found(shown, "the tool is changed where the machine has not retracted");
         }
         self.broken_off(shown);
         self.forget();
+        Ok(())
+    }
+
+    /// Where something has been lost and the program has not been found again: it goes on where this is asked for.
+    fn find_again(&mut self, is_it: impl Fn(&Item) -> bool, shown: Shown<'_>) -> io::Result<()> {
+        if self.lost
+            && let Some(count) = self.expect.ahead()?.iter().position(is_it)
+        {
+            self.skip(count, shown);
+            self.lost = false;
+            // What looked like a rewind was the way out.
+            (self.rewound, self.back) = (None, None);
+        }
+        Ok(())
     }
 
     /// A wait.
@@ -444,8 +462,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// M0 and M1.
     pub(super) fn stop(&mut self, block: &Block, optional: bool, shown: Shown<'_>) -> io::Result<()> {
         self.pass_needless()?;
+        let is_it = |item: &Item| matches!(item.kind, Kind::Stop { optional: wanted } if wanted == optional);
+        self.find_again(is_it, shown)?;
         match self.expect.get(0) {
-            Some(Item { kind: Kind::Stop { optional: wanted }, .. }) if *wanted == optional => {
+            Some(item) if is_it(item) => {
                 self.expect.pop();
             }
             _ => self.found(shown, "a stop that the CL data does not ask for here"),
