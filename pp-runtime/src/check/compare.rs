@@ -143,7 +143,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         Self {
             law: FeedLaw::new(&machine, config, family, units, masks, (unit, angle)),
             travel: Travel::new(&machine, config, &words),
-            expect: Expect::new::<M>(reader, config, family),
+            expect: Expect::new::<M>(reader, config, family, unit),
             config,
             family,
             words,
