@@ -147,7 +147,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         Self {
             law: FeedLaw::new(&machine, config, family, units, masks, (unit, angle)),
             travel,
-            expect: Expect::new::<M>(reader, config, family),
+            expect: Expect::new::<M>(reader, config, family, unit),
             config,
             family,
             words,

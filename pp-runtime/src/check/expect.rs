@@ -23,7 +23,7 @@ use crate::program::{
 /// Items are read ahead up to this many, so that a block can be sought among them.
 const AHEAD: usize = 64;
 
-/// A line is square to the tool within this height, and longer than this, mm.
+/// Points of CL data are rounded: a line is square to the tool within this height, mm, or half a unit of coarser words.
 const SQUARE: f64 = 5e-4;
 
 /// The state that belongs to a motion.
@@ -103,6 +103,8 @@ struct Follow<'a> {
     family: Family,
     /// Rotary axes in the head.
     head: bool,
+    /// One unit of linear words, mm.
+    unit: f64,
     wanted: Wanted,
     calls: BTreeMap<u32, ToolCall>,
     request: (Option<f64>, Option<Rotation>),
@@ -137,13 +139,14 @@ struct Follow<'a> {
 }
 
 impl<'a, R: Read> Expect<'a, R> {
-    pub(super) fn new<M: Machine>(reader: cl::Reader<R>, config: &'a Config, family: Family) -> Self {
+    /// `unit`: one unit of linear words, mm.
+    pub(super) fn new<M: Machine>(reader: cl::Reader<R>, config: &'a Config, family: Family, unit: f64) -> Self {
         let rotary = |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held;
         let head = M::AXES.iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
         Self {
             reader,
             setting: Setting::new(config),
-            follow: Follow::new(config, family, head),
+            follow: Follow::new(config, family, head, unit),
             queue: VecDeque::new(),
             ended: false,
         }
@@ -198,7 +201,7 @@ impl<'a, R: Read> Expect<'a, R> {
 }
 
 impl<'a> Follow<'a> {
-    fn new(config: &'a Config, family: Family, head: bool) -> Self {
+    fn new(config: &'a Config, family: Family, head: bool, unit: f64) -> Self {
         let wanted = Wanted {
             tool: None,
             called: None,
@@ -216,6 +219,7 @@ impl<'a> Follow<'a> {
             config,
             family,
             head,
+            unit,
             wanted,
             calls: BTreeMap::new(),
             request: (None, None),
@@ -416,7 +420,7 @@ impl<'a> Follow<'a> {
         let Some(here) = self.here.filter(|_| !self.start && !motion.rapid) else { return false };
         let step = motion.pose.tip - here.tip;
         let along = step.dot(&motion.pose.axis);
-        along.abs() <= SQUARE && (step.norm_squared() - along * along).sqrt() > SQUARE
+        along.abs() <= SQUARE.max(0.5 * self.unit) && (step.norm_squared() - along * along).sqrt() >= self.unit
     }
 
     fn motion(&mut self, at: Location, motion: &Move, shape: Shape) {

@@ -144,7 +144,7 @@ impl FeedLaw {
         if least > 0.0 && minutes > programmed {
             rough = rough.max(2.0 * self.unit / linear.max(self.unit)).max(self.angle / turn.max(self.angle));
         }
-        let step = 0.5 * 10_f64.powi(-(self.decimals as i32));
+        let step = self.step();
         let along = |path: f64, rough: f64| {
             let value = path / minutes;
             Expected { mode: FeedMode::PerMinute, value, slack: step + value * (rough + NOISE) }
@@ -184,6 +184,39 @@ impl FeedLaw {
         })
     }
 
+    /// Where the tip stands and rotary axes turn, these take their time, or the way of the tip its own: which of the two,
+    /// and how long, ends that are known to a unit do not tell.
+    fn fits_standing(&self, stroke: &Stroke, state: &State) -> bool {
+        let standing = |units: f64| self.expected(&Stroke { length: units * self.unit, ..*stroke });
+        let (Some(none), Some(most)) = (standing(0.0), standing(1.0 - NOISE)) else { return false };
+        let low = (none.value - none.slack).min(most.value - most.slack);
+        let high = (none.value + none.slack).max(most.value + most.slack);
+        let written = state.feed.unwrap_or(0.0);
+        self.turns(stroke) && state.feed_mode == Some(none.mode) && low <= written && written <= high
+    }
+
+    /// Whether F is that of a block which is held back, being shorter than it seems by the rounding of its ends.
+    fn fits_held_back(&self, stroke: &Stroke, wanted: &Expected, state: &State) -> bool {
+        let length = (stroke.length - 2.0 * self.unit).max(self.unit);
+        let written = state.feed.unwrap_or(0.0);
+        let least = self.expected(&Stroke { length, ..*stroke });
+        !self.turns(stroke)
+            && state.feed_mode == Some(wanted.mode)
+            && written < wanted.value
+            && least
+                .is_some_and(|least| least.mode == wanted.mode && written >= least.value * (1.0 - NOISE) - self.step())
+    }
+
+    /// Half a unit of an F per minute.
+    fn step(&self) -> f64 {
+        0.5 * 10_f64.powi(-(self.decimals as i32))
+    }
+
+    fn turns(&self, stroke: &Stroke) -> bool {
+        let rotary = |index: usize| self.rotary_mask & (1 << index) != 0;
+        stroke.change.iter().enumerate().any(|(index, change)| rotary(index) && change.abs() >= 0.25 * self.angle)
+    }
+
     /// The tip stands, as far as its ends tell.
     pub(super) fn is_still(&self, stroke: &Stroke) -> bool {
         stroke.length < 2.5 * self.unit
@@ -212,10 +245,14 @@ impl FeedLaw {
         let expected = self.expected(stroke)?;
         let written = state.feed.unwrap_or(0.0);
         // Whether so short a way stands still, its ends do not tell.
-        if stroke.length < 2.5 * self.unit && self.fits_shorter_or_longer(stroke, state) {
+        let short = stroke.length < 2.5 * self.unit;
+        if short && (self.fits_shorter_or_longer(stroke, state) || self.fits_standing(stroke, state)) {
             return None;
         }
         if state.feed_mode == Some(expected.mode) && (written - expected.value).abs() <= expected.slack {
+            return None;
+        }
+        if self.fits_held_back(stroke, &expected, state) {
             return None;
         }
         let (name, unit) = match expected.mode {
@@ -239,4 +276,59 @@ fn square<M: Machine>(machine: &M) -> bool {
     let pairs = directions.iter().enumerate().flat_map(|(index, a)| directions[..index].iter().map(move |b| (a, b)));
     let mut pairs = pairs;
     pairs.all(|(a, b)| a.dot(b).abs() < 1e-12)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// X and a rotary axis that turns by 1800 degrees a minute; a block takes 0.01 s at least.
+    fn law(shortest: f64) -> FeedLaw {
+        FeedLaw {
+            norm: PathNorm::G93Minutes,
+            square: true,
+            rotary_mask: 2,
+            linear_mask: 1,
+            speeds: Vec::new(),
+            largest: f64::INFINITY,
+            shortest: shortest / 60.0,
+            reorient: 1800_f64.to_radians(),
+            unit: 0.01,
+            angle: 1e-3_f64.to_radians(),
+            decimals: 2,
+            digits: 6,
+            along_tip: false,
+            per_mm: 1.0,
+        }
+    }
+
+    fn stroke(length: f64, degrees: f64, feed: f64) -> Stroke {
+        let mut change = [0.0; MAX_AXES];
+        (change[0], change[1]) = (length, degrees.to_radians());
+        Stroke { length, change, feed: Some(Feed::PerMinute(feed)), speed: None }
+    }
+
+    fn passes(law: &FeedLaw, stroke: &Stroke, mode: FeedMode, feed: f64) -> bool {
+        let state = State { feed: Some(feed), feed_mode: Some(mode), ..State::default() };
+        law.wrong(stroke, &state).is_none()
+    }
+
+    #[test]
+    fn a_block_may_be_held_back_for_a_length_that_rounding_has_hidden() {
+        // 598.39 mm/min for 0.01 s are 0.0997 mm: a block of 0.0985 mm that looks 0.105 mm long is held back.
+        let (law, seen) = (law(0.01), stroke(0.105, 0.0, 598.39));
+        let feeds = [598.39, 591.13, 505.0, 600.0];
+        assert_eq!(feeds.map(|feed| passes(&law, &seen, FeedMode::PerMinute, feed)), [true, true, false, false]);
+        // Nothing holds back a longer one.
+        assert!(!passes(&law, &stroke(0.2, 0.0, 598.39), FeedMode::PerMinute, 591.13));
+    }
+
+    #[test]
+    fn a_tip_that_stands_may_take_the_time_of_its_rotary_axes_or_of_its_way() {
+        // 0.003 degrees take 1/600 000 min; 0.0084 mm of the tip 1/71 429 min, and it may stand as well.
+        let (law, seen) = (law(0.0), stroke(0.0084, 0.003, 600.0));
+        let feeds = [600_000.0, 300_000.0, 71_429.0, 1_000_000.0];
+        let told = feeds.map(|feed| passes(&law, &seen, FeedMode::InverseTime, feed));
+        assert_eq!(told, [true, true, true, false]);
+    }
 }

@@ -211,7 +211,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         } else if self.turns(block) && self.config.transition == Transition::Safe {
             self.found(shown, "a rapid turns the rotary axes at the part: the retract before it is missing");
         }
-        self.follow_out(&on);
+        // The machine leaves along the axis that it has: axes of the CL data that are the same to it turn nothing.
+        self.follow_out(&Placed { axis: end.axis, ..on });
         self.along = share;
         self.lost = false;
         self.restarted = false;

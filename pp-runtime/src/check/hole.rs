@@ -25,7 +25,7 @@ const SAME_AXIS: f64 = 1e-6;
 /// Waits are written to a thousandth of a second.
 const WAIT: f64 = 6e-4;
 
-/// A pitch may be off by this share of it.
+/// A pitch may be off by this share of it: 4 µm in a thread 20 mm long.
 const PITCH: f64 = 2e-4;
 
 /// More steps than this are no drilling: the planner refuses them.

@@ -99,7 +99,18 @@ impl Round {
         from.dot(&self.v).atan2(from.dot(&self.u))
     }
 
-    /// The share whose angle is that of a point, as near behind `after` as a turn lets it be.
+    /// The share nearest to a point whose angle is about this one: on a steep helix a small error of the angle is a large
+    /// one of the height, and the foot of the point lies between the shares of both.
+    fn foot(&self, point: &Vector3<f64>, share: f64) -> f64 {
+        let rise = self.heights[1] - self.heights[0];
+        let round = self.angle * f64::midpoint(self.radii[0], self.radii[1]);
+        let height = (point - self.centre).dot(&self.normal);
+        let off = height - self.heights[0] - rise * share;
+        let whole = rise * rise + round * round;
+        if whole > POINT { share + off * rise / whole } else { share }
+    }
+
+    /// The nearest share whose angle is that of a point, as near behind `after` as a turn lets it be.
     fn share(&self, point: &Vector3<f64>, after: f64) -> f64 {
         let angle = self.angle_of(point);
         let turns = ((after * self.angle - angle) / TAU).ceil();
@@ -108,7 +119,7 @@ impl Round {
         let back = on - TAU;
         let slack = (ROUNDED / self.radii[0].max(ROUNDED)) + 1e-9;
         let chosen = if after * self.angle - back < slack { back } else { on };
-        (chosen / self.angle).clamp(0.0, 1.0 + TAU / self.angle)
+        self.foot(point, chosen / self.angle).clamp(0.0, 1.0 + TAU / self.angle)
     }
 }
 
@@ -238,4 +249,31 @@ fn polar(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> Ve
         }
     }
     d[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::UnitVector3;
+
+    use super::*;
+
+    #[test]
+    fn a_rounded_point_of_a_steep_helix_is_as_near_as_its_rounding() {
+        let (radius, rise, angle) = (1.025, 3.58, 0.45_f64);
+        let axis = UnitVector3::new_normalize(Vector3::z());
+        let at = |turn: f64, out: f64| {
+            let (sine, cosine) = turn.sin_cos();
+            let tip = Point3::new((radius + out) * cosine, (radius + out) * sine, rise * turn / angle);
+            Pose { tip, axis }
+        };
+        let (start, end) = (at(0.0, 0.0), at(angle, 0.0));
+        let arc = Arc { centre: Point3::origin(), normal: axis, start, end, angle, feed: None };
+        let segment = Segment { from: placed(&start), to: placed(&end), shape: Shape::Arc(Round::of(&arc)) };
+        let half = placed(&at(0.5 * angle, 0.0));
+        // Half a unit of three decimals across the helix, where its angle says another height.
+        let across = Vector3::new(-(0.5 * angle).sin(), (0.5 * angle).cos(), 0.0) * 5e-4;
+        let off = |step: Vector3<f64>| segment.distance(&Placed { tip: half.tip + step, ..half }, 0.0);
+        assert!(off(across) < 5e-4 && off(-across) < 5e-4, "{} {}", off(across), off(-across));
+        assert!(off(across * 20.0) > 1e-3, "{}", off(across * 20.0));
+    }
 }

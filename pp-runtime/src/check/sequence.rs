@@ -383,21 +383,25 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
-    /// To their places, or nearer to them: an axis that takes the short way goes there in steps of less than half a turn.
+    /// To their places, or nearer to them: where an axis takes the short way they go there together, in steps of less than
+    /// half a turn of it.
     fn parks_rotary(&self, block: &Block) -> bool {
         let values = self.words.values(&block.values);
         let before = self.words.values(&self.before.0);
-        let nearer = |(index, axis): (usize, &crate::kinematics::Axis)| {
-            let bit = 1 << index;
-            let off = |value: f64, place: f64| (value - place - ((value - place) / TAU).round() * TAU).abs();
-            block.written & bit == 0
-                || self.config.park.get(&axis.letter).is_some_and(|place| {
-                    let wraps = self.config.wrap.contains_key(&axis.letter) && self.before.1 & bit != 0;
-                    off(values[index], *place) <= 0.6 * self.slack.angle
-                        || wraps && off(values[index], *place) < off(before[index], *place)
-                })
+        let off = |value: f64, place: f64| (value - place - ((value - place) / TAU).round() * TAU).abs();
+        let there = |index: usize, place: f64| off(values[index], place) <= 0.6 * self.slack.angle;
+        let known = |index: usize| self.before.1 & (1 << index) != 0;
+        let nearer = |index: usize, place: f64| known(index) && off(values[index], place) < off(before[index], place);
+        let moved = || M::AXES.iter().enumerate().filter(|(index, _)| block.written & (1 << index) != 0);
+        let place = |letter: &char| self.config.park.get(letter).copied();
+        let in_steps = moved().any(|(index, axis)| {
+            self.config.wrap.contains_key(&axis.letter)
+                && place(&axis.letter).is_some_and(|place| !there(index, place) && nearer(index, place))
+        });
+        let parks = |(index, axis): (usize, &crate::kinematics::Axis)| {
+            place(&axis.letter).is_some_and(|place| there(index, place) || in_steps && nearer(index, place))
         };
-        block.written & !self.words.rotary_mask == 0 && M::AXES.iter().enumerate().all(nearer)
+        block.written & !self.words.rotary_mask == 0 && moved().all(parks)
     }
 
     fn parks_linear(&self, block: &Block) -> bool {

@@ -23,8 +23,8 @@ const MOST_STEPS: u32 = 10_000;
 /// Levels closer than this are the same, mm.
 const SAME_LEVEL: f64 = 1e-9;
 
-/// What a pitch may be off by its rounding, of the whole: less than a hundredth of a millimetre in a thread 20 mm long.
-const PITCH: f64 = 5e-4;
+/// What a pitch may be off by its rounding, of the whole: 4 µm in a thread 20 mm long.
+const PITCH: f64 = 2e-4;
 
 /// What F of a thread may be off pitch times speed by its rounding, of the whole.
 const THREAD_FEED: f64 = 1e-4;
@@ -396,7 +396,8 @@ impl<M: Machine> Planner<'_, M> {
         let exact = pitch / self.feeds.length_unit();
         let pitch = Decimal::fixed(exact, self.abilities.cycles.pitch_decimals).map_err(too_large)?;
         if (pitch.value() / exact - 1.0).abs() > PITCH {
-            return Err(Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word")));
+            let fault = Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word"));
+            return Err(fault.help("`output_units` of the drawing give a pitch that fits"));
         }
         Ok(CycleKind::Tap {
             pitch,

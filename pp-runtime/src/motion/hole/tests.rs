@@ -382,6 +382,10 @@ fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
     let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.010_33) }, 2.0, None)]);
     let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut super::super::Nowhere);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
+    // 1.25 mm in inches: with four decimals 1.249 68 mm would be cut.
+    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(1.25 / 25.4) }, 2.0, None)]);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut super::super::Nowhere);
+    assert!(found[0].text.contains("has too many digits"), "{found:?}");
 }
 
 fn any_steps() -> impl Strategy<Value = Drilling> {
