@@ -227,7 +227,7 @@ impl FeedLaw {
     pub(super) fn wrong_on_the_spot(&self, state: &State) -> Option<String> {
         let largest = self.reorient.to_degrees() * f64::from(self.rotary_mask.count_ones()).sqrt();
         let feed = state.feed.unwrap_or(0.0);
-        (feed <= 0.0 || feed > largest + 0.5 * 10_f64.powi(-(self.decimals as i32))).then(|| {
+        (feed <= 0.0 || feed > largest + self.step()).then(|| {
             format!("F is {feed} a minute, and only the tool axis turns: at most {largest:.6} degrees are allowed")
         })
     }
@@ -245,8 +245,7 @@ impl FeedLaw {
         let expected = self.expected(stroke)?;
         let written = state.feed.unwrap_or(0.0);
         // Whether so short a way stands still, its ends do not tell.
-        let short = stroke.length < 2.5 * self.unit;
-        if short && (self.fits_shorter_or_longer(stroke, state) || self.fits_standing(stroke, state)) {
+        if self.is_still(stroke) && (self.fits_shorter_or_longer(stroke, state) || self.fits_standing(stroke, state)) {
             return None;
         }
         if state.feed_mode == Some(expected.mode) && (written - expected.value).abs() <= expected.slack {

@@ -388,10 +388,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn parks_rotary(&self, block: &Block) -> bool {
         let values = self.words.values(&block.values);
         let before = self.words.values(&self.before.0);
-        let off = |value: f64, place: f64| (value - place - ((value - place) / TAU).round() * TAU).abs();
-        let there = |index: usize, place: f64| off(values[index], place) <= 0.6 * self.slack.angle;
+        let there = |index: usize, place: f64| apart(values[index], place) <= 0.6 * self.slack.angle;
         let known = |index: usize| self.before.1 & (1 << index) != 0;
-        let nearer = |index: usize, place: f64| known(index) && off(values[index], place) < off(before[index], place);
+        let nearer =
+            |index: usize, place: f64| known(index) && apart(values[index], place) < apart(before[index], place);
         let moved = || M::AXES.iter().enumerate().filter(|(index, _)| block.written & (1 << index) != 0);
         let place = |letter: &char| self.config.park.get(letter).copied();
         let in_steps = moved().any(|(index, axis)| {
@@ -411,13 +411,6 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 || place.is_some_and(|place| (block.values[index] - place).abs() <= 0.6 * self.slack.unit)
         };
         block.written & !self.words.linear_mask == 0 && M::AXES.iter().enumerate().all(at)
-    }
-
-    /// A rotary axis without limits may stand whole turns away.
-    fn same_place(&self, index: usize, value: f64, place: f64, slack: f64) -> bool {
-        let off = value - place;
-        let rotary = self.words.rotary_mask & (1 << index) != 0;
-        (if rotary { off - (off / TAU).round() * TAU } else { off }).abs() <= slack
     }
 
     /// A tool change.
@@ -509,7 +502,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         for (index, axis) in M::AXES.iter().enumerate().filter(|(_, axis)| !axis.held) {
             let Some(place) = self.config.park.get(&axis.letter) else { continue };
             let rotary = self.words.rotary_mask & (1 << index) != 0;
-            let turned = rotary && self.same_place(index, values[index], *place, 0.6 * self.slack.angle);
+            let turned = rotary && apart(values[index], *place) <= 0.6 * self.slack.angle;
             let retracted =
                 index == self.words.retract && (place - self.config.retract.position).abs() < self.slack.unit;
             if !turned && !retracted && self.parked & (1 << index) == 0 {
@@ -551,4 +544,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.found(shown, &format!("the guard compares with {length} mm, the tool is {wanted} mm long"));
         }
     }
+}
+
+/// How far a rotary axis is from a place, rad; without limits it may stand whole turns away.
+fn apart(value: f64, place: f64) -> f64 {
+    let off = value - place;
+    (off - (off / TAU).round() * TAU).abs()
 }

@@ -158,7 +158,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         if state.side.unwrap_or_default() != side {
             return Some(format!(
-                "the cutter runs {} its path here, the CL data asks for {}",
+                "the cutter runs {} its path here, it is to run {} it",
                 state.side.unwrap_or_default().told(),
                 side.told()
             ));

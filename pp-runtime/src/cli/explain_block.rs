@@ -7,8 +7,7 @@ use std::io::{self, Seek as _};
 use std::path::Path;
 
 use crate::kinematics::{Axis, AxisKind, Machine, Pose};
-use crate::motion::Standing;
-use crate::post::{Account, Origin};
+use crate::post::{Account, Origin, Stand};
 use crate::program::Location;
 
 use super::args::{BlockName, ExplainBlockArgs, MessageFormat};
@@ -27,22 +26,19 @@ const MOST: usize = 20;
 /// A line that was asked for, and where the machine stands behind it.
 struct Found {
     origin: Origin<'static>,
-    stand: Option<(Standing<'static>, Option<Pose>, Vec<f64>)>,
+    stand: Option<Stand>,
 }
 
 impl Found {
     fn of(origin: &Origin<'_>) -> Self {
-        let stand = origin.standing.map(|standing| {
-            let bare = Standing { pose: None, axes: &[], ..standing };
-            (bare, standing.pose.copied(), standing.axes.to_vec())
-        });
-        Self { origin: Origin { standing: None, ..*origin }, stand }
+        Self {
+            origin: Origin { standing: None, ..*origin },
+            stand: origin.standing.map(|standing| Stand::of(&standing)),
+        }
     }
 
     fn origin(&self) -> Origin<'_> {
-        let stand = self.stand.as_ref();
-        let standing = stand.map(|(bare, pose, axes)| Standing { pose: pose.as_ref(), axes, ..*bare });
-        Origin { standing, ..self.origin }
+        Origin { standing: self.stand.as_ref().map(Stand::standing), ..self.origin }
     }
 }
 

@@ -76,14 +76,9 @@ static SPELLINGS: Spellings = Spellings {
             ..CycleAbilities::CODES
         },
         form: CycleForm::Codes(CycleCodes {
-            returns: ["G99", "G98"],
-            drill: ["G81", "G82"],
-            peck: "G83",
-            chip_break: "G73",
-            ream: ["G85", "G89"],
             thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
             dwell: "P{milliseconds}",
-            end: "G80",
+            ..CycleCodes::USUAL
         }),
     }),
     motion_modal: true,

@@ -15,7 +15,7 @@ use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Numerals;
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip,
+    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, Length, LengthCall, Spellings, Tilting, Tip,
     ascii_in_brackets,
 };
 use super::{Control, LengthGuard, numbered};
@@ -66,16 +66,7 @@ static SPELLINGS: Spellings = Spellings {
     },
     cycles: Some(Cycles {
         can: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
-        form: CycleForm::Codes(CycleCodes {
-            returns: ["G99", "G98"],
-            drill: ["G81", "G82"],
-            peck: "G83",
-            chip_break: "G73",
-            ream: ["G85", "G89"],
-            thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "" },
-            dwell: "P{seconds}",
-            end: "G80",
-        }),
+        form: CycleForm::Codes(CycleCodes::USUAL),
     }),
     motion_modal: true,
     centre: "",

@@ -158,6 +158,20 @@ pub struct CycleCodes {
     pub end: &'static str,
 }
 
+impl CycleCodes {
+    /// What controls with these codes agree on; threads are their own.
+    pub const USUAL: Self = Self {
+        returns: ["G99", "G98"],
+        drill: ["G81", "G82"],
+        peck: "G83",
+        chip_break: "G73",
+        ream: ["G85", "G89"],
+        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "" },
+        dwell: "P{seconds}",
+        end: "G80",
+    };
+}
+
 /// A cycle by blocks that are templates.
 #[derive(Debug)]
 pub struct CycleDefinitions {

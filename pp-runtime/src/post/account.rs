@@ -36,7 +36,7 @@ pub trait Account {
 
 /// Where the machine stands, by value.
 #[derive(Debug, Clone, Copy)]
-struct Stand {
+pub(crate) struct Stand {
     pose: Option<Pose>,
     branch: Branch,
     axes: [f64; MAX_AXES],
@@ -45,14 +45,14 @@ struct Stand {
 }
 
 impl Stand {
-    fn of(standing: &Standing<'_>) -> Self {
+    pub(crate) fn of(standing: &Standing<'_>) -> Self {
         let count = standing.axes.len().min(MAX_AXES);
         let mut axes = [0.0; MAX_AXES];
         axes[..count].copy_from_slice(&standing.axes[..count]);
         Self { pose: standing.pose.copied(), branch: standing.branch, axes, count, mask: standing.mask }
     }
 
-    fn standing(&self) -> Standing<'_> {
+    pub(crate) fn standing(&self) -> Standing<'_> {
         let Self { ref pose, branch, ref axes, count, mask } = *self;
         Standing { pose: pose.as_ref(), branch, axes: &axes[..count], mask, inserted: None }
     }

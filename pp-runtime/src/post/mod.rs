@@ -26,6 +26,7 @@ use crate::motion::{Chorded, Cost, Course, Gate, Moving, Navigator, Nowhere, Pla
 use crate::program::Location;
 
 use account::Recorded;
+pub(crate) use account::Stand;
 pub use account::{Account, Origin};
 pub use proof::{Proof, prove};
 pub(crate) use setting::Setting;

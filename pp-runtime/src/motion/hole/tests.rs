@@ -164,6 +164,18 @@ fn on_a_head_only_holes_along_z_are_cycles() {
     assert_eq!([counted(UP), counted([0.3, 0.0, 0.9])], [1, 0]);
 }
 
+/// Stops on the way at rapid, and there and back, are no other way.
+fn simplify(path: &mut Vec<([i64; 3], bool)>) {
+    path.dedup_by(|next, before| {
+        let same = next.1 && before.1 && next.0[..2] == before.0[..2];
+        if same {
+            before.0 = next.0;
+        }
+        same
+    });
+    path.dedup_by(|next, before| next.1 && next.0 == before.0);
+}
+
 /// Where the tip goes, as a control runs the program: rapids, feeds and cycles of `G81`, `G82`, `G85`, `G89`.
 fn travelled(run: &Run) -> Vec<([i64; 3], bool)> {
     let (mut at, mut motion, mut cycle, mut initial) = ([0_i64; 3], String::new(), [0_i64; 2], 0_i64);
@@ -218,15 +230,7 @@ fn travelled(run: &Run) -> Vec<([i64; 3], bool)> {
             go(words, motion == "G0");
         }
     }
-    // Stops on the way at rapid, and there and back, are no other way.
-    path.dedup_by(|next, before| {
-        let same = next.1 && before.1 && next.0[..2] == before.0[..2];
-        if same {
-            before.0 = next.0;
-        }
-        same
-    });
-    path.dedup_by(|next, before| next.1 && next.0 == before.0);
+    simplify(&mut path);
     path
 }
 
@@ -318,14 +322,7 @@ fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec
     assert!(diagnostics.iter().all(|found| found.severity == Severity::Warning), "{diagnostics:?}");
     assert!(!steps.0.rapid_below, "the tool goes over below the clearance level");
     let mut path = steps.0.path;
-    path.dedup_by(|next, before| {
-        let same = next.1 && before.1 && next.0[..2] == before.0[..2];
-        if same {
-            before.0 = next.0;
-        }
-        same
-    });
-    path.dedup_by(|next, before| next.1 && next.0 == before.0);
+    simplify(&mut path);
     (path, steps.0.cycles)
 }
 
