@@ -1,0 +1,48 @@
+//! Set-ups for the targets that go the whole way: every control and mode, for the Spinner U5-620.
+
+use std::sync::LazyLock;
+
+use machines::SpinnerU5620;
+use pp_runtime::cl::{Frames, Insert};
+use pp_runtime::config::Config;
+use pp_runtime::control::{self, CONTROLS, Control};
+use pp_runtime::program::{Rotation, Units};
+
+/// Units of CL data that does not say.
+pub const UNITS: Option<Units> = Some(Units::Millimetres);
+
+/// A control, and how it is programmed.
+pub struct SetUp {
+    pub control: &'static dyn Control,
+    pub config: Config,
+}
+
+/// What stands in the set-up file for each mode.
+const MODES: [&str; 3] = ["", "mode = 'tcp'\ntcp_frame = 'table_at_zero'\n", "mode = 'plane'\n"];
+
+/// In the order of [`CONTROLS`], modes innermost; `None` where a control has no such mode.
+static SET_UPS: LazyLock<Vec<Option<SetUp>>> = LazyLock::new(|| {
+    let pairs = CONTROLS.iter().flat_map(|&control| MODES.map(|mode| (control, mode)));
+    pairs.map(|(control, mode)| set_up(control, mode)).collect()
+});
+
+fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
+    let mut config = control::starting_point(control).read_over::<SpinnerU5620>(mode).ok()?;
+    config.defaults.speed = Some(3000.0);
+    config.defaults.rotation = Some(Rotation::Clockwise);
+    config.defaults.tool = Some(1);
+    config.retract.distance = Some(50.0);
+    config.cl.insert = Insert::Write;
+    config.cl.frames = Frames::Main;
+    config.output_units = UNITS;
+    config.control.tip_control = control.spellings().tip.is_none().then(|| ["M428".to_owned(), "M429".to_owned()]);
+    control::unfit::<SpinnerU5620>(control, &config).is_empty().then_some(SetUp { control, config })
+}
+
+/// The set-up that the first byte chooses, and the other bytes.
+#[must_use]
+pub fn chosen(data: &[u8]) -> Option<(&'static SetUp, &[u8])> {
+    let (choice, rest) = data.split_first()?;
+    let place = usize::from(choice.wrapping_sub(b'A')) % SET_UPS.len();
+    Some((SET_UPS[place].as_ref()?, rest))
+}
