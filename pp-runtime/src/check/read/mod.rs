@@ -10,6 +10,7 @@ mod draft;
 mod frames;
 mod heidenhain;
 mod iso;
+mod line;
 mod machine;
 mod siemens;
 mod text;
@@ -28,8 +29,10 @@ pub(crate) use machine::AxisName;
 use draft::{Draft, fault};
 use heidenhain::Heidenhain;
 use iso::Iso;
+use line::Line;
 use machine::Interpreter;
 use siemens::Siemens;
+use text::Cursor;
 
 /// A line longer than this is no line of a program, bytes.
 const LONGEST: usize = 1 << 16;
@@ -107,7 +110,7 @@ impl<R: Read> Reader<R> {
     pub(crate) fn new(input: R, vocabulary: Vocabulary) -> Self {
         let family = vocabulary.family;
         let syntax = match family {
-            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::new(family, vocabulary.plain)),
+            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::default()),
             Family::Siemens => Syntax::Siemens(Siemens::default()),
             Family::Heidenhain => Syntax::Heidenhain(Heidenhain::default()),
         };
@@ -151,28 +154,35 @@ impl<R: Read> Reader<R> {
     }
 
     fn read_line(&mut self) -> bool {
-        let (draft, block, machine) = (&mut self.draft, &mut self.block, &self.machine);
-        let Vocabulary { known, tools, coolant, .. } = &self.vocabulary;
+        let Vocabulary { known, coolant, .. } = &self.vocabulary;
+        let mut line = Line {
+            vocabulary: &self.vocabulary,
+            machine: &self.machine,
+            at: Cursor::new(&self.line),
+            draft: &mut self.draft,
+            faults: &mut self.block.faults,
+        };
         let is_block = match &mut self.syntax {
-            Syntax::Iso(iso) => iso.line(&self.line, machine, draft, block, known),
-            Syntax::Siemens(siemens) => siemens.line(&self.line, machine, draft, block, known, tools),
-            Syntax::Heidenhain(heidenhain) => heidenhain.line(&self.line, machine, draft, block, known),
+            Syntax::Iso(iso) => iso.line(&mut line),
+            Syntax::Siemens(siemens) => siemens.line(&mut line),
+            Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
         };
         // Codes of the configuration are lines of their own; what goes off by them goes off beside what the control
         // switches off.
         if let Some((_, bits, on)) = coolant.iter().find(|(code, _, _)| is_line(code, &self.line)) {
-            draft.groups |= 1 << 31;
+            line.draft.speaks();
             match on {
-                true => draft.coolant_on = *bits,
-                false => draft.coolant_off |= *bits,
+                true => line.draft.coolant_on = *bits,
+                false => line.draft.coolant_off |= *bits,
             }
         }
-        if self.line.trim_ascii_start().first() == Some(&b'/') && draft.groups | u32::from(draft.written) != 0 {
-            fault(&mut block.faults, 0, "whether this block runs depends on a switch of the control (block delete)");
+        if self.line.trim_ascii_start().first() == Some(&b'/') && line.draft.groups | u32::from(line.draft.written) != 0
+        {
+            line.fault(0, "whether this block runs depends on a switch of the control (block delete)");
         }
         // What the shop writes into its programs is the shop's to know.
-        if !block.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {
-            block.faults.clear();
+        if !line.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {
+            line.faults.clear();
         }
         is_block
     }
