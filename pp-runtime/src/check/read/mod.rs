@@ -37,6 +37,9 @@ use text::Cursor;
 /// A line longer than this is no line of a program, bytes.
 const LONGEST: usize = 1 << 16;
 
+/// Byte order marks, and what a text that begins with one is written in.
+const MARKS: [(&[u8], &str); 3] = [(b"\xEF\xBB\xBF", "UTF-8"), (b"\xFF\xFE", "UTF-16"), (b"\xFE\xFF", "UTF-16")];
+
 /// Kinds of programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
@@ -130,17 +133,25 @@ impl<R: Read> Reader<R> {
     /// The next line that is more than a comment, and its text.
     pub(crate) fn next_block(&mut self) -> io::Result<Option<(&Block, &[u8])>> {
         loop {
+            let begins = self.number == 0;
             let Some(long) = self.next_line()? else { return Ok(None) };
             self.block.faults.clear();
             self.draft = Draft::default();
+            let mark = if begins { self.byte_order_mark() } else { None };
+            let is_block = long || self.read_line();
             if long {
-                fault(
-                    &mut self.block.faults,
-                    0,
-                    format!("this line is longer than {LONGEST} bytes and has not been read"),
-                );
+                let text = format!("this line is longer than {LONGEST} bytes and has not been read");
+                fault(&mut self.block.faults, 0, text);
             }
-            if long || self.read_line() || !self.block.faults.is_empty() {
+            if let Some(encoding) = mark {
+                let text = format!(
+                    "the program begins with a byte order mark ({encoding}), which the control takes for a part of its \
+                     first block: save the file as plain ASCII, or without the mark"
+                );
+                // In front of what follows from it.
+                self.block.faults.insert(0, Fault { column: 1, text });
+            }
+            if is_block || !self.block.faults.is_empty() {
                 self.block.line = self.number;
                 self.machine.execute(&self.draft, &mut self.block);
                 return Ok(Some((&self.block, &self.line)));
@@ -151,6 +162,14 @@ impl<R: Read> Reader<R> {
     /// Lines read so far.
     pub(crate) fn lines(&self) -> u64 {
         self.number
+    }
+
+    /// Takes away what an editor may put in front of the first block; the encoding that it stands for. No control is known
+    /// that reads past it: the first block is refused there, or is no program number any more.
+    fn byte_order_mark(&mut self) -> Option<&'static str> {
+        let (mark, encoding) = MARKS.into_iter().find(|(mark, _)| self.line.starts_with(mark))?;
+        self.line.drain(..mark.len());
+        Some(encoding)
     }
 
     fn read_line(&mut self) -> bool {
