@@ -194,6 +194,30 @@ fn where_the_control_turns_the_tool_axis_in_a_plane_its_axes_are_followed() {
     }
 }
 
+/// Through the pole the axes would go on to B -17.5, outside its -5: the control takes the position with C half a turn on.
+#[test]
+fn where_an_axis_would_leave_its_travel_the_control_takes_the_other_position() {
+    let through = "GOTO/30.0,5.0,0.0,0.2,0.0,0.9797959\nFEDRAT/MMPM,500.0\n\
+        GOTO/30.0,5.0,0.0,-0.3,0.0,0.9539392\nGOTO/30.0,5.0,1.0,-0.3,0.0,0.9539392\n";
+    let config = |most: f64| {
+        format!(
+            "mode = 'tcp'\ntcp_frame = 'table_at_zero'\ntcp_words = 'vectors'\ntool_posture = 'plane'\n\
+             machine_zero = {{ X = 0, Y = 0, Z = -600 }}\n[retract]\ndistance = 20\n[limits]\nB = [-5, {most}]\n"
+        )
+    };
+    for control in ["siemens", "heidenhain"] {
+        let posted = Posted::new(control, &config(110.0), &format!("{HEAD}{through}"));
+        assert_eq!(posted.findings(&posted.program), [], "{}", posted.program);
+        let narrow = control::starting_point(posted.control).read_over::<SpinnerU5620>(&config(17.0));
+        let config = Config { output_units: Some(Units::Millimetres), ..narrow.expect("a configuration") };
+        let narrow = Posted { config, ..posted };
+        let found = narrow.findings(&narrow.program);
+        // Now neither position is inside.
+        let outside = |found: &Diagnostic| found.text.starts_with("B goes to -17.45");
+        assert!(!found.is_empty() && found.iter().all(outside), "{control}: {found:?}");
+    }
+}
+
 /// A tool that mills, and one that drills; each line of it asks for one thing.
 const TWO: &str = "UNITS/MM
 LOADTL/1,LENGTH,100.0
