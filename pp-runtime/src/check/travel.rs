@@ -229,20 +229,19 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             let words = between(&before, block, share, places);
             self.words.axes(&words, &block.state).map(|values| Place { share, words, values })
         };
-        let start = Place { share: 0.0, words: before, values: [0.0; MAX_AXES] };
-        let (Some(first), Some(last)) = (at(0.0, &start), at(1.0, &start)) else { return };
+        let Some(values) = self.words.axes(&before, &block.state) else { return };
+        let first = Place { share: 0.0, words: before, values };
         let (quiet, step) = (self.travel.quiet(&self.words), step(turned, sweep));
-        let mut search = Search { at, quiet: &quiet, axes: self.travel.mask(), reach: Reach::of(&first.values) };
+        let mut search = Search { at, quiet: &quiet, axes: self.travel.mask(), reach: Reach::of(&values) };
         // Turns of a helix differ by its rise alone: what goes farthest does so in the first or the last.
         let turn = TAU / sweep;
-        if turned <= 0.0 && turn < 0.5 {
+        let late = if turned <= 0.0 && turn < 0.5 {
             search.go(first, turn, step);
-            if let Some(late) = (search.at)(1.0 - turn, &first) {
-                search.go(late, 1.0, step);
-            }
+            (search.at)(1.0 - turn, &first).unwrap_or(first)
         } else {
-            search.go(first, 1.0, step);
-        }
+            first
+        };
+        let last = search.go(late, 1.0, step);
         let reach = search.reach;
         self.judge(&reach, [&first.values, &last.values], "on its way ", shown);
     }
