@@ -102,7 +102,7 @@ fn told(found: &Diagnostic) -> f64 {
     behind.split(',').next().and_then(|number| number.parse().ok()).expect("a number")
 }
 
-/// Lines of 100 mm about the middle, at a slope: the arc between two of them is highest between two of its samples.
+/// An arc over the top of a circle, begun ever farther before it, so that the top lies anywhere between two samples.
 #[test]
 fn the_furthest_place_of_an_arc_is_told_and_none_is_passed_over() {
     let within = |limit: f64| {
@@ -113,7 +113,7 @@ fn the_furthest_place_of_an_arc_is_told_and_none_is_passed_over() {
     for turn in 1..40 {
         let angle = 0.07 * f64::from(turn);
         let (sine, cosine) = angle.sin_cos();
-        // From `angle` below the top of the circle to as far behind it, and a little on.
+        // From `angle` before the top to half as far behind it.
         let radius = 60.0;
         let (x, y) = (radius * sine, radius * cosine);
         let data = format!(
