@@ -1,12 +1,15 @@
 //! What the check of a program says, and of which line: programs that are posted and then edited as a person might.
 
+use std::f64::consts::PI;
 use std::io::Cursor;
 
 use machines::SpinnerU5620;
+use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::check::{Job, check};
 use pp_runtime::config::{Config, Units};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Diagnostic;
+use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::post::{self, post};
 
 /// A program beside its CL data.
@@ -58,10 +61,14 @@ fn under_tip_control_the_way_of_a_rapid_stays_within_the_limits_too() {
     let (linear, apart) = ("linear_rapids = true", "linear_rapids = false");
     for (control, usual) in [("fanuc", apart), ("siemens", linear), ("heidenhain", linear), ("haas", apart)] {
         // Together they lead Y out to 23 mm on the way, each on its own to 40 mm.
+        let steps = (0..=10_000).map(|step| 1e-4 * f64::from(step));
+        let farthest = steps.map(|share| 40.0 * (1.0 - share) * (PI * share).sin()).fold(0.0, f64::max);
         assert_eq!(found(control, linear, 30.0), "", "{control}");
-        assert!(found(control, linear, 15.0).starts_with("on its way Y goes to -15."), "{control}");
+        let text = found(control, linear, 15.0);
+        assert!(text.starts_with(&format!("on its way Y goes to -{farthest:.4},")), "{control}: {text}");
         let text = found(control, apart, 30.0);
-        assert!(text.starts_with("where each axis of this rapid runs on its own, Y goes to -3"), "{control}: {text}");
+        let wanted = "where each axis of this rapid runs on its own, Y goes to -40.0000,";
+        assert!(text.starts_with(wanted), "{control}: {text}");
         assert_eq!(found(control, apart, 41.0), "", "{control}");
         assert_eq!(found(control, "", 30.0), found(control, usual, 30.0), "{control}");
     }
@@ -86,6 +93,128 @@ fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
         let found = narrow.findings(&narrow.program);
         assert!(found.len() == 1 && found[0].text.contains("on its way Y goes to"), "{found:?}");
         assert_eq!(found[0].location.line, 10, "the line that the arc serves: {found:?}");
+    }
+}
+
+/// Coordinates that a finding tells: where an axis goes.
+fn told(found: &Diagnostic) -> f64 {
+    let behind = found.text.split(" goes to ").nth(1).expect("a place");
+    behind.split(',').next().and_then(|number| number.parse().ok()).expect("a number")
+}
+
+/// An arc over the top of a circle, begun ever farther before it, so that the top lies anywhere between two samples.
+#[test]
+fn the_furthest_place_of_an_arc_is_told_and_none_is_passed_over() {
+    let within = |limit: f64| {
+        format!(
+            "machine_zero = {{ X = 0, Y = 0, Z = -600 }}\n[retract]\ndistance = 20\n[limits]\nY = [-{limit}, {limit}]\n"
+        )
+    };
+    for turn in 1..40 {
+        let angle = 0.07 * f64::from(turn);
+        let (sine, cosine) = angle.sin_cos();
+        // From `angle` before the top to half as far behind it.
+        let radius = 60.0;
+        let (x, y) = (radius * sine, radius * cosine);
+        let data = format!(
+            "{HEAD}GOTO/{x:.4},{y:.4},20.0,0.0,0.0,1.0\nFEDRAT/MMPM,500.0\nGOTO/{x:.4},{y:.4},-1.0\n\
+             CIRCLE/0.0,0.0,-1.0,0.0,0.0,1.0,{radius}\nGOTO/{:.4},{:.4},-1.0\n",
+            -radius * (0.5 * angle).sin(),
+            radius * (0.5 * angle).cos(),
+        );
+        let posted = Posted::new("linuxcnc", &within(61.0), &data);
+        let limit = y.max(radius * (0.5 * angle).cos()).max(59.9);
+        let narrow =
+            control::starting_point(posted.control).read_over::<SpinnerU5620>(&within(limit)).expect("it reads");
+        let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..posted };
+        let found = narrow.findings(&narrow.program);
+        let over = radius > limit + narrow.config.tolerance + 0.002;
+        let on_way: Vec<_> = found.iter().filter(|found| found.text.starts_with("on its way Y")).collect();
+        assert_eq!(on_way.len(), usize::from(over), "{turn}: {found:?}");
+        // The words of the ends and of the centre are rounded to a thousandth.
+        assert!(on_way.iter().all(|found| (told(found) - radius).abs() < 2.5e-3), "{turn}: {found:?}");
+    }
+}
+
+/// A cut in which the tool axis turns by 58 degrees and passes the pole at 9 degrees, where C turns fast.
+const PAST_THE_POLE: &str = "GOTO/60.0,0.0,0.0,0.5,0.0,0.8660254\nFEDRAT/MMPM,500.0\n\
+    GOTO/10.0,30.0,0.0,-0.4330127,0.25,0.8660254\nGOTO/10.0,30.0,1.0,-0.4330127,0.25,0.8660254\n";
+
+/// How far Y goes there at the most to either side if the tool axis turns in the plane of its ends: the generated inverse
+/// at a hundred thousand places.
+fn past_the_pole() -> (f64, f64) {
+    let machine = SpinnerU5620::default();
+    let (from, to) = (Vector3::new(0.5, 0.0, 0.75_f64.sqrt()), Vector3::new(-0.433_012_7, 0.25, 0.75_f64.sqrt()));
+    let (tips, angle) = ([Vector3::new(60.0, 0.0, 0.0), Vector3::new(10.0, 30.0, 0.0)], from.angle(&to));
+    let values = (0..=100_000).map(|step| {
+        let share = 1e-5 * f64::from(step);
+        let axis = (from * (angle * (1.0 - share)).sin() + to * (angle * share).sin()) / angle.sin();
+        let tip = Point3::from(tips[0].lerp(&tips[1], share));
+        let pose = Pose { tip, axis: UnitVector3::new_normalize(axis) };
+        let solutions = machine.inverse_kinematics(&pose, &SpinnerU5620::HELD);
+        let upright = solutions.iter().find(|solution| solution.axes[1] >= 0.0).expect("a solution");
+        upright.axes[3]
+    });
+    values.fold((f64::MAX, f64::MIN), |(low, high), y| (low.min(y), high.max(y)))
+}
+
+#[test]
+fn where_the_control_turns_the_tool_axis_in_a_plane_its_axes_are_followed() {
+    let (low, high) = past_the_pole();
+    assert!(low < -20.0, "{low} {high}");
+    for (control, words) in [
+        ("siemens", "angles"),
+        ("siemens", "vectors"),
+        ("fanuc", "angles"),
+        ("fanuc", "vectors"),
+        ("heidenhain", "angles"),
+        ("heidenhain", "vectors"),
+    ] {
+        let config = |least: f64| {
+            format!(
+                "mode = 'tcp'\ntcp_frame = 'table_at_zero'\ntcp_words = '{words}'\ntool_posture = 'plane'\n\
+                 machine_zero = {{ X = 0, Y = 0, Z = -600 }}\n[retract]\ndistance = 20\n[limits]\n\
+                 Y = [{least:.3}, {:.3}]\n",
+                high + 20.0
+            )
+        };
+        let posted = Posted::new(control, &config(-200.0), &format!("{HEAD}{PAST_THE_POLE}"));
+        assert!(posted.findings(&posted.program).is_empty(), "{}", posted.program);
+        let narrowed = |least: f64| {
+            let narrow = control::starting_point(posted.control).read_over::<SpinnerU5620>(&config(least));
+            let config = Config { output_units: Some(Units::Millimetres), ..narrow.expect("a configuration") };
+            let (data, program) = (posted.data.clone(), posted.program.clone());
+            let narrow = Posted { config, control: posted.control, data, program };
+            narrow.findings(&narrow.program)
+        };
+        assert_eq!(narrowed(low - 0.001), [], "{control} {words}");
+        let found = narrowed(low + 0.1);
+        assert!(found.len() == 1 && found[0].text.starts_with("on its way Y goes to"), "{control} {words}: {found:?}");
+        assert!((told(&found[0]) - low).abs() < 2e-3, "{control} {words}: {low} {found:?}");
+    }
+}
+
+/// Through the pole the axes would go on to B -17.5, outside its -5: the control takes the position with C half a turn on.
+#[test]
+fn where_an_axis_would_leave_its_travel_the_control_takes_the_other_position() {
+    let through = "GOTO/30.0,5.0,0.0,0.2,0.0,0.9797959\nFEDRAT/MMPM,500.0\n\
+        GOTO/30.0,5.0,0.0,-0.3,0.0,0.9539392\nGOTO/30.0,5.0,1.0,-0.3,0.0,0.9539392\n";
+    let config = |most: f64| {
+        format!(
+            "mode = 'tcp'\ntcp_frame = 'table_at_zero'\ntcp_words = 'vectors'\ntool_posture = 'plane'\n\
+             machine_zero = {{ X = 0, Y = 0, Z = -600 }}\n[retract]\ndistance = 20\n[limits]\nB = [-5, {most}]\n"
+        )
+    };
+    for control in ["siemens", "heidenhain"] {
+        let posted = Posted::new(control, &config(110.0), &format!("{HEAD}{through}"));
+        assert_eq!(posted.findings(&posted.program), [], "{}", posted.program);
+        let narrow = control::starting_point(posted.control).read_over::<SpinnerU5620>(&config(17.0));
+        let config = Config { output_units: Some(Units::Millimetres), ..narrow.expect("a configuration") };
+        let narrow = Posted { config, ..posted };
+        let found = narrow.findings(&narrow.program);
+        // Now neither position is inside.
+        let outside = |found: &Diagnostic| found.text.starts_with("B goes to -17.45");
+        assert!(!found.is_empty() && found.iter().all(outside), "{control}: {found:?}");
     }
 }
 

@@ -64,6 +64,22 @@ impl Chain {
         Placed { tip, axis }
     }
 
+    /// Tool axis, and how it changes with each axis value, 1/rad.
+    pub(super) fn axis_rates(&self, values: &[f64; MAX_AXES]) -> (Vector3<f64>, [Vector3<f64>; MAX_AXES]) {
+        let (mut axis, mut rates) = (self.tool_axis, [Vector3::zeros(); MAX_AXES]);
+        for (index, (link, value)) in
+            self.links.iter().zip(values).enumerate().rev().filter(|(_, (link, _))| link.rotary)
+        {
+            let (sine, cosine) = value.sin_cos();
+            axis = link.turned(axis, sine, cosine);
+            for rate in &mut rates[index + 1..] {
+                *rate = link.turned(*rate, sine, cosine);
+            }
+            rates[index] = link.direction.cross(&axis);
+        }
+        (axis, rates)
+    }
+
     /// How the tool is turned on the workpiece against where it stands with all axes at zero.
     pub(super) fn rotation(&self, values: &[f64; MAX_AXES]) -> Matrix3<f64> {
         let turned = |unit: Vector3<f64>| {
@@ -143,6 +159,28 @@ mod tests {
         let placed = Chain::of(&machine).place(&all);
         let (tip, axis) = product(&machine, &values);
         assert!((placed.tip - tip).norm() < 1e-10 && (placed.axis - axis).norm() < 1e-13, "{placed:?} {tip} {axis}");
+    }
+
+    #[test]
+    fn the_rates_of_the_tool_axis_are_its_differences() {
+        let mut machine = Head::default();
+        machine.set_up(Vector3::new(3.0, -4.0, 25.0), 120.0);
+        for chain in [Chain::of(&machine), Chain::of(&Cb::default())] {
+            for turn in 0..20 {
+                let at = 0.37 * f64::from(turn);
+                let values: [f64; MAX_AXES] = std::array::from_fn(|index| at + 0.3 * index as f64);
+                let (axis, rates) = chain.axis_rates(&values);
+                assert!((axis - chain.place(&values).axis).norm() < 1e-14);
+                for (index, rate) in rates.into_iter().enumerate() {
+                    let moved = |step: f64| {
+                        let mut moved = values;
+                        moved[index] += step;
+                        chain.place(&moved).axis
+                    };
+                    assert!(((moved(1e-5) - moved(-1e-5)) / 2e-5 - rate).norm() < 1e-9, "{index} of {values:?}");
+                }
+            }
+        }
     }
 
     #[test]

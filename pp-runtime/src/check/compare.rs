@@ -73,6 +73,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) phase: Phase,
     /// Words behind the last block, and which of them are known.
     pub(super) before: ([f64; MAX_AXES], u16),
+    /// The same words with the rotary axes as the control has turned them, where that is known.
+    pub(super) stands: Option<[f64; MAX_AXES]>,
     /// Where the tool stands by the program.
     pub(super) here: Option<Placed>,
     /// Where it stands on the CL data: the end of the last motion, or the approach point.
@@ -157,6 +159,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             tally,
             phase: Phase::Unknown,
             before: ([0.0; MAX_AXES], 0),
+            stands: None,
             here: None,
             reached: None,
             along: 0.0,
@@ -256,8 +259,10 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             _ => self.part(block, shown)?,
         }
         if !matches!(block.action, Action::Machine | Action::Reference) {
-            self.limits(block, shown);
             self.limits_on_way(block, shown);
+            self.limits(block, shown);
+        } else if block.known & self.words.rotary_mask != self.words.rotary_mask {
+            self.stands = None;
         }
         self.before = (block.values, block.known);
         Ok(())

@@ -264,7 +264,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             return;
         }
         let evenly = evenly && block.action == Action::Feed;
-        let turned = if evenly { 0.0 } else { self.rotary_way(&before, &block.values) };
+        let turned = if evenly { 0.0 } else { self.words.rotary_way(&before, &block.values) };
         let straight = matches!(block.action, Action::Feed);
         if straight && turned <= 0.0 && matches!(segment.shape, Shape::Line) {
             return;
@@ -304,12 +304,6 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 format!("along this block the tool axis leaves its turn by {axis:.4}°, {largest:.4}° are allowed");
             self.found(shown, &text);
         }
-    }
-
-    /// Largest turn of a rotary axis in a block, rad.
-    pub(super) fn rotary_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
-        let turned = |index: &usize| self.words.rotary_mask & (1 << index) != 0;
-        (0..MAX_AXES).filter(turned).map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
     }
 
     /// F of a block.
@@ -362,7 +356,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         let (before, known) = self.before;
         let rotary = self.words.rotary_mask;
-        if known & rotary == rotary && self.rotary_way(&before, &block.values) > 1.5 * self.slack.angle {
+        if known & rotary == rotary && self.words.rotary_way(&before, &block.values) > 1.5 * self.slack.angle {
             self.found(
                 shown,
                 "the rotary axes turn on the way back: they are to be rewound where the machine has retracted",

@@ -12,6 +12,7 @@ mod feed;
 mod follow;
 mod hole;
 mod path;
+mod reach;
 pub mod read;
 mod report;
 mod sequence;

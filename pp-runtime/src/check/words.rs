@@ -4,13 +4,20 @@
 //! value minus its offset; tip and axis follow through the chain. Under tip control the linear words are the tip itself, in
 //! a frame that the control keeps with the table, or not. In a tilted plane they are the tip in that plane.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 
 use super::chain::{Chain, Placed};
 use super::path::angle_between;
 use super::read::{MAX_AXES, State, TipControl};
 use crate::config::{Config, LengthMode, ProgramZero, TcpFrame};
 use crate::kinematics::{AxisKind, Machine};
+
+/// Steps in which rotary axes come to a tool axis that is near, and how near they come, rad.
+const NEWTON: u32 = 30;
+const TURNED_TO: f64 = 1e-9;
+
+/// What a rotary axis that turns the tool by less than a thousandth of its own turn is left alone by.
+const DAMPED: f64 = 1e-8;
 
 /// What stands between words and axis values, by position in the chain.
 #[derive(Debug, Clone)]
@@ -165,11 +172,16 @@ impl Words {
 
     /// Axis values behind a block, whatever its words count; `None` where the control chooses the rotary axes.
     pub(super) fn axes(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
+        if state.vector.is_some() { None } else { self.axes_turned(words, state) }
+    }
+
+    /// The same where the rotary words are those that the control has chosen.
+    pub(super) fn axes_turned(&self, words: &[f64; MAX_AXES], state: &State) -> Option<[f64; MAX_AXES]> {
         let mut values = self.values(words);
         if state.tip_control == TipControl::Off && state.tilt.is_none() {
             return Some(values);
         }
-        let ([x, y, z], None) = (self.linear_three()?, state.vector) else { return None };
+        let [x, y, z] = self.linear_three()?;
         let tip = self.place(words, state).tip;
         for index in [x, y, z] {
             values[index] = 0.0;
@@ -187,6 +199,48 @@ impl Words {
 
     fn linear_three(&self) -> Option<[usize; 3]> {
         self.linear[..].try_into().ok()
+    }
+
+    /// Words with the rotary ones of others.
+    pub(super) fn with_rotary(&self, words: [f64; MAX_AXES], rotary: &[f64; MAX_AXES]) -> [f64; MAX_AXES] {
+        std::array::from_fn(|index| if self.rotary_mask & (1 << index) == 0 { words[index] } else { rotary[index] })
+    }
+
+    /// Largest turn of a rotary axis between words, rad.
+    pub(super) fn rotary_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
+        let turned = |index: &usize| self.rotary_mask & (1 << index) != 0;
+        (0..MAX_AXES).filter(turned).map(|index| (to[index] - from[index]).abs()).fold(0.0, f64::max)
+    }
+
+    /// Tool axis on the workpiece where the rotary words are known.
+    pub(super) fn tool_axis(&self, words: &[f64; MAX_AXES]) -> Vector3<f64> {
+        self.chain.place(&self.values(words)).axis
+    }
+
+    /// Words whose rotary axes bring the tool to an axis of the workpiece, as near as may be to where they stand.
+    ///
+    /// Newton's method with the smallest step that does it (normal equations, damped by [`DAMPED`]): near the pole, where a
+    /// rotary axis turns the tool by next to nothing, that axis is left alone. `None` if it does not come there.
+    pub(super) fn turned_to(&self, words: &[f64; MAX_AXES], axis: &Vector3<f64>) -> Option<[f64; MAX_AXES]> {
+        let mut words = *words;
+        for _ in 0..NEWTON {
+            let (stands, rates) = self.chain.axis_rates(&self.values(&words));
+            let off = axis - stands;
+            if off.norm() < TURNED_TO {
+                return Some(words);
+            }
+            let mut turning = (0..MAX_AXES).filter(|index| self.rotary_mask & (1 << index) != 0);
+            let (first, second) = (turning.next()?, turning.next());
+            let columns = [rates[first], second.map_or(Vector3::zeros(), |second| rates[second])];
+            let jacobian = Matrix3x2::from_columns(&columns);
+            let normal = jacobian.tr_mul(&jacobian) + Matrix2::identity() * DAMPED;
+            let step = normal.try_inverse()? * jacobian.tr_mul(&off);
+            words[first] += step.x;
+            if let Some(second) = second {
+                words[second] += step.y;
+            }
+        }
+        None
     }
 
     /// How far the axes of a plane are turned against those that the rotary axes give the linear words, rad.

@@ -7,6 +7,34 @@ use nalgebra::{Matrix3, Vector3};
 use super::block::{CycleKind, Fault, FeedMode, MAX_AXES, Side, WorkOffset, WorkPlane};
 use crate::program::{Rotation, Units};
 
+/// Groups of codes of which a block may hold one, as bits of a draft.
+pub(super) mod group {
+    pub(in super::super) const MOTION: u32 = 0;
+    pub(in super::super) const PLANE: u32 = 1;
+    pub(in super::super) const DISTANCE: u32 = 2;
+    pub(in super::super) const FEED: u32 = 3;
+    pub(in super::super) const UNITS: u32 = 4;
+    pub(in super::super) const SIDE: u32 = 5;
+    pub(in super::super) const LENGTH: u32 = 6;
+    pub(in super::super) const OFFSET: u32 = 7;
+    pub(in super::super) const RETURN: u32 = 8;
+    pub(in super::super) const PATH: u32 = 9;
+    pub(in super::super) const TILT: u32 = 10;
+    pub(in super::super) const ALONE: u32 = 11;
+    pub(in super::super) const STOP: u32 = 12;
+    pub(in super::super) const SPINDLE: u32 = 13;
+    pub(in super::super) const CENTRE: u32 = 14;
+    pub(in super::super) const COOLANT: u32 = 16;
+    /// Whatever may stand beside anything.
+    pub(in super::super) const FREE: u32 = 31;
+}
+
+/// Puts a code in its place; its group.
+pub(super) fn set<T>(place: &mut Option<T>, code: T, group: u32) -> u32 {
+    *place = Some(code);
+    group
+}
+
 /// A motion code.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Code {
@@ -146,6 +174,11 @@ impl Draft {
         let first = self.groups & (1 << group) == 0;
         self.groups |= 1 << group;
         first
+    }
+
+    /// Notes that the block says something.
+    pub(super) fn speaks(&mut self) {
+        self.groups |= 1 << group::FREE;
     }
 
     /// Takes the word of an axis; `false` if it stands there already.

@@ -12,10 +12,8 @@ pub(super) fn turn(axis: usize, degrees: f64) -> Matrix3<f64> {
 }
 
 /// Words of G68.2 and G268.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct EulerWords {
-    /// X Y Z.
-    pub(super) origin: [f64; 3],
     /// I J K, degrees.
     pub(super) angles: [f64; 3],
     /// Q: the order of the turns.

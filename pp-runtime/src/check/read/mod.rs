@@ -10,6 +10,7 @@ mod draft;
 mod frames;
 mod heidenhain;
 mod iso;
+mod line;
 mod machine;
 mod siemens;
 mod text;
@@ -28,11 +29,16 @@ pub(crate) use machine::AxisName;
 use draft::{Draft, fault};
 use heidenhain::Heidenhain;
 use iso::Iso;
+use line::Line;
 use machine::Interpreter;
 use siemens::Siemens;
+use text::Cursor;
 
 /// A line longer than this is no line of a program, bytes.
 const LONGEST: usize = 1 << 16;
+
+/// Byte order marks, and what a text that begins with one is written in.
+const MARKS: [(&[u8], &str); 3] = [(b"\xEF\xBB\xBF", "UTF-8"), (b"\xFF\xFE", "UTF-16"), (b"\xFE\xFF", "UTF-16")];
 
 /// Kinds of programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -107,7 +113,7 @@ impl<R: Read> Reader<R> {
     pub(crate) fn new(input: R, vocabulary: Vocabulary) -> Self {
         let family = vocabulary.family;
         let syntax = match family {
-            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::new(family, vocabulary.plain)),
+            Family::LinuxCnc | Family::Fanuc | Family::Haas => Syntax::Iso(Iso::default()),
             Family::Siemens => Syntax::Siemens(Siemens::default()),
             Family::Heidenhain => Syntax::Heidenhain(Heidenhain::default()),
         };
@@ -127,17 +133,25 @@ impl<R: Read> Reader<R> {
     /// The next line that is more than a comment, and its text.
     pub(crate) fn next_block(&mut self) -> io::Result<Option<(&Block, &[u8])>> {
         loop {
+            let begins = self.number == 0;
             let Some(long) = self.next_line()? else { return Ok(None) };
             self.block.faults.clear();
             self.draft = Draft::default();
+            let mark = if begins { self.byte_order_mark() } else { None };
+            let is_block = long || self.read_line();
             if long {
-                fault(
-                    &mut self.block.faults,
-                    0,
-                    format!("this line is longer than {LONGEST} bytes and has not been read"),
-                );
+                let text = format!("this line is longer than {LONGEST} bytes and has not been read");
+                fault(&mut self.block.faults, 0, text);
             }
-            if long || self.read_line() || !self.block.faults.is_empty() {
+            if let Some(encoding) = mark {
+                let text = format!(
+                    "the program begins with a byte order mark ({encoding}), which the control takes for a part of its \
+                     first block: save the file as plain ASCII, or without the mark"
+                );
+                // In front of what follows from it.
+                self.block.faults.insert(0, Fault { column: 1, text });
+            }
+            if is_block || !self.block.faults.is_empty() {
                 self.block.line = self.number;
                 self.machine.execute(&self.draft, &mut self.block);
                 return Ok(Some((&self.block, &self.line)));
@@ -150,29 +164,44 @@ impl<R: Read> Reader<R> {
         self.number
     }
 
+    /// Takes away what an editor may put in front of the first block; the encoding that it stands for. No control is known
+    /// that reads past it: the first block is refused there, or is no program number any more.
+    fn byte_order_mark(&mut self) -> Option<&'static str> {
+        let (mark, encoding) = MARKS.into_iter().find(|(mark, _)| self.line.starts_with(mark))?;
+        self.line.drain(..mark.len());
+        Some(encoding)
+    }
+
     fn read_line(&mut self) -> bool {
-        let (draft, block, machine) = (&mut self.draft, &mut self.block, &self.machine);
-        let Vocabulary { known, tools, coolant, .. } = &self.vocabulary;
+        let Vocabulary { known, coolant, .. } = &self.vocabulary;
+        let mut line = Line {
+            vocabulary: &self.vocabulary,
+            machine: &self.machine,
+            at: Cursor::new(&self.line),
+            draft: &mut self.draft,
+            faults: &mut self.block.faults,
+        };
         let is_block = match &mut self.syntax {
-            Syntax::Iso(iso) => iso.line(&self.line, machine, draft, block, known),
-            Syntax::Siemens(siemens) => siemens.line(&self.line, machine, draft, block, known, tools),
-            Syntax::Heidenhain(heidenhain) => heidenhain.line(&self.line, machine, draft, block, known),
+            Syntax::Iso(iso) => iso.line(&mut line),
+            Syntax::Siemens(siemens) => siemens.line(&mut line),
+            Syntax::Heidenhain(heidenhain) => heidenhain.line(&mut line),
         };
         // Codes of the configuration are lines of their own; what goes off by them goes off beside what the control
         // switches off.
         if let Some((_, bits, on)) = coolant.iter().find(|(code, _, _)| is_line(code, &self.line)) {
-            draft.groups |= 1 << 31;
+            line.draft.speaks();
             match on {
-                true => draft.coolant_on = *bits,
-                false => draft.coolant_off |= *bits,
+                true => line.draft.coolant_on = *bits,
+                false => line.draft.coolant_off |= *bits,
             }
         }
-        if self.line.trim_ascii_start().first() == Some(&b'/') && draft.groups | u32::from(draft.written) != 0 {
-            fault(&mut block.faults, 0, "whether this block runs depends on a switch of the control (block delete)");
+        if self.line.trim_ascii_start().first() == Some(&b'/') && line.draft.groups | u32::from(line.draft.written) != 0
+        {
+            line.fault(0, "whether this block runs depends on a switch of the control (block delete)");
         }
         // What the shop writes into its programs is the shop's to know.
-        if !block.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {
-            block.faults.clear();
+        if !line.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {
+            line.faults.clear();
         }
         is_block
     }

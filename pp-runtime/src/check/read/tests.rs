@@ -393,6 +393,48 @@ fn numbers_without_a_point_are_plain_where_the_set_up_says_so() {
 }
 
 #[test]
+fn the_levels_of_a_cycle_count_as_the_other_lengths_do() {
+    for (plain, unit) in [(false, 1e-3), (true, 1.0)] {
+        let vocabulary = Vocabulary { plain, ..vocabulary(Family::Haas) };
+        let text = b"G21 G90 G94 G17\nG00 X0. Y0. Z25.\nG98 G83 X1. Y2. Z-10 R2 Q3 F100.\n";
+        let mut reader = Reader::new(&text[..], vocabulary);
+        let mut last = Action::Nothing;
+        while let Some((block, _)) = reader.next_block().expect("text in memory") {
+            last = block.action;
+        }
+        let Action::Cycle(hole) = last else { panic!("{last:?}") };
+        let CycleKind::Peck(step) = hole.kind else { panic!("{hole:?}") };
+        assert!(near([hole.bottom, hole.reference, step], [-10.0 * unit, 2.0 * unit, 3.0 * unit]), "{hole:?}");
+    }
+}
+
+#[test]
+fn a_byte_order_mark_is_told_once_and_what_stands_behind_it_is_read() {
+    let texts = [
+        (Family::LinuxCnc, "%\nG21 G90 G94 G17\nG0 X1"),
+        (Family::Fanuc, "O1 (A)\nG21 G90 G94 G17\nG0 X1."),
+        (Family::Siemens, "G710 G90 G94 G17\nG0 X1"),
+        (Family::Heidenhain, "0 BEGIN PGM A MM\n1 L X+1 R0 FMAX"),
+    ];
+    for (family, text) in texts {
+        let marked = format!("\u{feff}{text}");
+        let found = faults(family, &marked);
+        assert!(found.len() == 1 && found[0].contains("byte order mark (UTF-8)"), "{family:?}: {found:?}");
+        let (with, without) = (read(family, &marked), last(family, text));
+        assert_eq!(with.last(), Some(&without), "{family:?}");
+    }
+    // Also in front of a line that the shop writes into its programs.
+    let vocabulary = |family| Vocabulary { known: vec![b"(*) SHOP".to_vec()], ..vocabulary(family) };
+    let mut reader = Reader::new("\u{feff}(*) SHOP\n".as_bytes(), vocabulary(Family::LinuxCnc));
+    let (block, _) = reader.next_block().expect("text in memory").expect("a block");
+    assert_eq!(block.faults.len(), 1, "{:?}", block.faults);
+    let wide: Vec<u8> = "\u{feff}G0 X1\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let mut reader = Reader::new(&wide[..], vocabulary(Family::LinuxCnc));
+    let (block, _) = reader.next_block().expect("text in memory").expect("a block");
+    assert!(block.faults[0].text.contains("byte order mark (UTF-16)"), "{:?}", block.faults);
+}
+
+#[test]
 fn under_tip_control_a_block_may_turn_the_tool_alone() {
     let text = "G710 G17 G90 G94\nTRAORI\nG1 X0 Y0 Z0 A3=0 B3=0 C3=1 F100\nA3=0 B3=0.6 C3=0.8\n";
     let block = last(Family::Siemens, text);

@@ -33,6 +33,18 @@ impl<'a> Cursor<'a> {
         &self.line[self.at.min(self.line.len())..]
     }
 
+    /// What has been taken from a column on.
+    pub(super) fn read_from(&self, column: usize) -> &'a [u8] {
+        &self.line[column..self.at]
+    }
+
+    /// Goes to the end; what was left.
+    pub(super) fn take_rest(&mut self) -> &'a [u8] {
+        let rest = self.rest();
+        self.at = self.line.len();
+        rest
+    }
+
     pub(super) fn peek(&self) -> Option<u8> {
         self.line.get(self.at).copied()
     }
@@ -66,6 +78,14 @@ impl<'a> Cursor<'a> {
             self.at += word.len();
         }
         found
+    }
+
+    /// Takes a letter and the number behind it, blanks between them or not.
+    pub(super) fn letter_and_number(&mut self) -> Option<(u8, Number)> {
+        let letter = self.peek().filter(u8::is_ascii_alphabetic)?;
+        self.at += 1;
+        self.blanks();
+        Some((letter, self.number()?))
     }
 
     /// Takes letters, digits and underscores.

@@ -1,0 +1,101 @@
+//! One line while it is read: the place in its text, what it has said so far, and what was in force before it.
+
+use super::block::{Fault, WorkPlane};
+use super::draft::{Draft, fault};
+use super::machine::Interpreter;
+use super::text::{Cursor, shown};
+use super::{Family, Vocabulary};
+use crate::program::Units;
+
+/// A line on its way into a draft.
+///
+/// Vocabulary and machine live as long as the program and are only asked; place, draft and faults as long as the line.
+/// What a family has to remember from one line to the next is in its own reader.
+#[derive(Debug)]
+pub(super) struct Line<'a> {
+    pub(super) vocabulary: &'a Vocabulary,
+    /// The state in front of the line.
+    pub(super) machine: &'a Interpreter,
+    pub(super) at: Cursor<'a>,
+    pub(super) draft: &'a mut Draft,
+    pub(super) faults: &'a mut Vec<Fault>,
+}
+
+impl<'a> Line<'a> {
+    pub(super) fn family(&self) -> Family {
+        self.vocabulary.family
+    }
+
+    /// Notes what is wrong at a column, from 0.
+    #[cold]
+    pub(super) fn fault(&mut self, column: usize, text: impl Into<String>) {
+        fault(self.faults, column, text);
+    }
+
+    /// Says that a word stands twice, unless it is the first.
+    pub(super) fn once(&mut self, first: bool, word: &[u8], column: usize) {
+        if !first {
+            self.fault(column, format!("two {} words", shown(word)));
+        }
+    }
+
+    /// What has been read from a column on.
+    pub(super) fn read_from(&self, column: usize) -> &'a [u8] {
+        self.at.read_from(column)
+    }
+
+    /// Whether the set-up brings a text into programs.
+    pub(super) fn in_set_up(&self, text: &[u8]) -> bool {
+        self.vocabulary.known.iter().any(|known| known.eq_ignore_ascii_case(text))
+    }
+
+    /// Says that what has been read from a column on is not known, unless the set-up brings it in.
+    #[cold]
+    pub(super) fn unknown(&mut self, column: usize) {
+        let text = self.read_from(column);
+        if !self.in_set_up(text) {
+            self.fault(column, format!("`{}` is not known here", shown(text)));
+        }
+    }
+
+    /// Position of an axis in the chain, by its name in the program.
+    pub(super) fn axis(&self, name: &[u8]) -> Option<usize> {
+        self.machine.axes.iter().position(|axis| axis.name == name)
+    }
+
+    /// Takes the word of I, J or K; `false` if it stands there already.
+    pub(super) fn centre(&mut self, letter: u8, value: f64) -> bool {
+        let axis = usize::from(letter - b'I');
+        let first = self.draft.centre_written & (1 << axis) == 0;
+        self.draft.centre[axis] = value;
+        self.draft.centre_written |= 1 << axis;
+        first
+    }
+
+    /// Takes a component of the tool axis, X being 0.
+    pub(super) fn vector(&mut self, axis: usize, value: f64) {
+        self.draft.vector[axis] = value;
+        self.draft.vector_written |= 1 << axis;
+    }
+
+    /// The unit in which the line counts.
+    pub(super) fn units(&self) -> Option<Units> {
+        self.draft.units.or(self.machine.state.units)
+    }
+
+    /// The same, mm.
+    pub(super) fn unit(&self) -> f64 {
+        self.units().map_or(1.0, Units::in_mm)
+    }
+
+    /// Whether the words of the line are distances.
+    pub(super) fn incremental(&self) -> bool {
+        self.draft.distances.or(self.machine.state.incremental) == Some(true)
+    }
+
+    /// Position of the axis along the normal of the plane in which the line acts.
+    pub(super) fn normal(&self) -> Option<usize> {
+        let [_, _, normal] = self.draft.plane.or(self.machine.state.plane).map(WorkPlane::axes)?;
+        self.machine.linear[normal]
+    }
+}
