@@ -12,7 +12,7 @@ use std::io::{self, Read};
 
 use super::Checked;
 use super::chain::Placed;
-use super::expect::{Expect, Wanted};
+use super::expect::{Expect, Motion, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
 use super::read::{Action, Block, Family, Length, MAX_AXES, WorkOffset, WorkPlane};
@@ -86,6 +86,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) rewound_out: Option<Placed>,
     /// How far the last motions have led out along the tool axis, mm.
     pub(super) led_out: f64,
+    /// Arcs that have ended by their angle since words said where the tool is.
+    pub(super) by_angle: u32,
     /// From where the next motion leads out.
     pub(super) out_from: Option<Placed>,
     /// The last block served nothing: where the next begins is not to be judged.
@@ -94,6 +96,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) retracted: bool,
     /// A complete state has begun since the last motion on the path.
     pub(super) restarted: bool,
+    /// The cut that the last block has ended.
+    pub(super) done: Option<(Motion, Wanted)>,
     /// The state of the last motion.
     pub(super) last: Option<(Location, Wanted)>,
     pub(super) ended: bool,
@@ -164,10 +168,12 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             rewound: None,
             rewound_out: None,
             led_out: 0.0,
+            by_angle: 0,
             out_from: None,
             lost: false,
             retracted: false,
             restarted: false,
+            done: None,
             last: None,
             ended: false,
             served: Location::default(),
@@ -252,6 +258,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             Action::Cycle(cycle) => self.cycle(block, &cycle, shown)?,
             _ => self.part(block, shown)?,
         }
+        self.follow_angles(block);
         if !matches!(block.action, Action::Machine | Action::Reference) {
             self.limits(block, shown);
             self.limits_on_way(block, shown);
@@ -309,6 +316,12 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let lifts = |checker: &mut Self| {
             (rapid || checker.config.rapid == Rapid::Feed) && checker.lifts_for_cycle(block, &end, shown)
         };
+        // Where rapids of the CL data are run at feed, one at the part is no share of them.
+        let out = rapid && self.config.rapid == Rapid::Feed && !self.approached;
+        if out && self.leads_out(block, &end, shown)? {
+            self.here = Some(end);
+            return Ok(());
+        }
         // Motions that need no block may stand before the hole.
         if lifts(self) || self.serve(block, &end, shown)? || lifts(self) {
             self.here = Some(end);

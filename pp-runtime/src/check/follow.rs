@@ -8,7 +8,7 @@ use super::compare::{Checker, Phase};
 use super::expect::{Kind, Motion, Wanted};
 use super::feed::Stroke;
 use super::path::{Segment, Shape, angle_between};
-use super::read::{Action, ArcMove, Block, Family, MAX_AXES, TipControl};
+use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl, WorkPlane};
 use super::report::Shown;
 use crate::config::{Rapid, Rewind, ToolPosture, Transition};
 use crate::kinematics::Machine;
@@ -29,9 +29,10 @@ pub(super) const BOTH: f64 = std::f64::consts::SQRT_2;
 /// How far words of centre and ends let it swell is looked at along its way.
 const SAME_TURN: f64 = std::f64::consts::PI;
 
-/// The end of an arc by its angle may be off by so many times what rounded words may be: pole and start are rounded, and
-/// the start may be the end of another.
-const POLAR: f64 = 3.0;
+/// The end of an arc by its angle is off by so many times more of what rounded words may be than its start was: half a unit
+/// along both axes of its plane may the pole be off the place from which start and end are equally far, these distances
+/// differ by up to twice that, and three words are off by up to √3/2 units.
+const POLE: f64 = 1.64;
 
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
@@ -41,6 +42,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn serve(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<bool> {
         if let Some(back) = self.back {
             return Ok(self.serve_back(&back, block, end, shown));
+        }
+        if self.is_rest(block, end) {
+            return Ok(true);
         }
         loop {
             self.expect.fill(2)?;
@@ -89,7 +93,20 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn needs_no_block(&self, segment: &Segment) -> bool {
         let short = segment.length() <= 2.0 * self.slack.tip;
         let here = self.here.filter(|_| short || matches!(segment.shape, Shape::Line));
-        here.is_some_and(|here| self.is_at(&here, &segment.to))
+        here.is_some_and(|here| self.is_near(&here, &segment.to, drift(self.by_angle)))
+    }
+
+    /// Counts the arcs that have ended by their angle since words said where the tool is in their plane.
+    pub(super) fn follow_angles(&mut self, block: &Block) {
+        if let Action::Arc(ArcMove { by_angle: true, .. }) = block.action {
+            self.by_angle += 1;
+            return;
+        }
+        let Some([first, second, _]) = block.state.plane.map(WorkPlane::axes) else { return };
+        let said = |axis: usize| self.words.linear_places()[axis].is_none_or(|index| block.written & (1 << index) != 0);
+        if said(first) && said(second) {
+            self.by_angle = 0;
+        }
     }
 
     /// The motion ahead is done.
@@ -105,7 +122,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     pub(super) fn is_at(&self, here: &Placed, there: &Placed) -> bool {
-        (here.tip - there.tip).norm() <= self.slack.tip
+        self.is_near(here, there, 1.0)
+    }
+
+    /// At a place, but for so many times what rounded words may be off.
+    fn is_near(&self, here: &Placed, there: &Placed, times: f64) -> bool {
+        (here.tip - there.tip).norm() <= times * self.slack.tip
             && angle_between(&here.axis, &there.axis) <= self.axis_slack(&there.axis)
     }
 
@@ -133,7 +155,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             return Some(1.0);
         }
         // An arc by its angle ends where its rounded centre takes it, not at a place of the words.
-        let polar = if by_angle.is_some() && self.family == Family::Heidenhain { POLAR } else { 1.0 };
+        let polar = match &block.action {
+            Action::Arc(ArcMove { by_angle: true, .. }) => drift(self.by_angle + 1),
+            _ => 1.0,
+        };
         if polar > 1.0 && done && (end.tip - segment.to.tip).norm() <= polar * self.slack.tip {
             return Some(1.0);
         }
@@ -217,11 +242,35 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.lost = false;
         self.restarted = false;
         self.last = Some((at, wanted));
+        self.done = (share >= 1.0 && feeds && !motion.rapid).then_some((*motion, wanted));
         if share >= 1.0 {
             self.pass();
         } else if motion.rapid {
             self.reached = Some(*end);
         }
+    }
+
+    /// The rest of a cut that is done but for rounding, as it should be run: near the pole the rotary axes may have far to
+    /// turn where the tool axis is at its end already.
+    fn is_rest(&self, block: &Block, end: &Placed) -> bool {
+        let (before, known) = self.before;
+        let solved = self.solved(block);
+        let Some((motion, wanted)) = self.done.filter(|_| block.action == Action::Feed && known & solved == solved) else {
+            return false;
+        };
+        let turned = self.rotary_way(&before, &block.values);
+        let stays = |share: f64| {
+            let words = between(&before, block, share, self.words.linear_places());
+            let on = self.words.place(&words, &block.state);
+            (on.tip - motion.to.tip).norm() <= wanted.tolerance
+                && angle_between(&on.axis, &motion.to.axis) <= self.axis_slack(&motion.to.axis)
+        };
+        let count = places(turned);
+        turned > 0.0
+            && self.is_at(end, &motion.to)
+            && (1..).map(f64::from).take_while(|place| *place <= count).all(|place| stays(place / (count + 1.0)))
+            && self.fault_at_path(block, &wanted).is_none()
+            && self.law.wrong(&self.stroke(block, 0.0, motion.feed, &wanted), &block.state).is_none()
     }
 
     /// What comes next belongs to a thread, whose motions are a cycle of their own on some controls.
@@ -453,6 +502,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 }
 
+/// How many times what rounded words may be off the tool is off its path behind so many arcs by their angle.
+fn drift(arcs: u32) -> f64 {
+    1.0 + POLE * f64::from(arcs)
+}
+
 /// How far an arc goes round, rad; 0 for everything else.
 pub(super) fn sweep(block: &Block) -> f64 {
     if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 }
@@ -472,7 +526,7 @@ pub(super) fn between(
 ) -> [f64; MAX_AXES] {
     let mut words: [f64; MAX_AXES] =
         std::array::from_fn(|index| before[index] + (block.values[index] - before[index]) * share);
-    if let (Action::Arc(ArcMove { centre, sweep }), Some(plane)) = (&block.action, block.state.plane) {
+    if let (Action::Arc(ArcMove { centre, sweep, .. }), Some(plane)) = (&block.action, block.state.plane) {
         let [u, v, _] = plane.axes();
         if let (Some(first), Some(second)) = (linear[u], linear[v]) {
             let (x, y) = (before[first] - centre[u], before[second] - centre[v]);

@@ -111,3 +111,6 @@ fn family(job: &Job<'_>) -> Result<Family, CheckError> {
     Family::of_control(job.control.spellings().name)
         .ok_or_else(|| CheckError::Impossible("programs of this control cannot be read back".to_owned()))
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,115 @@
+//! Programs that are written right, each of a kind whose check has to look twice.
+
+use std::io::Cursor;
+
+use super::*;
+use crate::config::Mode;
+use crate::{control, post};
+
+crate::machine! {
+    /// Both rotary axes in the table.
+    struct Tables;
+    chain: C B | X Y Z;
+    d = (0, 0, 150);
+    limits = { B: -5..110, C: free };
+}
+
+crate::machine! {
+    /// B in the head, C in the table.
+    struct HeadTable;
+    chain: C | X Y Z B;
+    d = { C: (0, 0, 0), B: (8, 0, 140) };
+}
+
+/// What the check says of a program that has just been posted, and the program.
+fn posted<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str) -> (Vec<String>, String) {
+    let control = control::by_name(control).expect("a control");
+    let set_up = format!("defaults = {{ speed = 2000, direction = \"CLW\" }}\n{set_up}");
+    let config = control::starting_point(control).read_over::<M>(&set_up).expect("a configuration");
+    let config = Config { mode, ..config };
+    let mut program = Vec::new();
+    let job = post::Job { cl_name: "part.cls", config: &config, control, units: None };
+    let report = post::post::<M>(&job, &mut Cursor::new(data), &mut program).expect("memory takes it");
+    assert!(!report.failed, "{:?}", report.diagnostics);
+    let found = findings::<M>(&config, control, data, &program);
+    (found, String::from_utf8(program).expect("ASCII"))
+}
+
+fn findings<M: Machine>(config: &Config, control: &dyn Control, data: &str, program: &[u8]) -> Vec<String> {
+    let job = Job { config, control, units: None };
+    let outcome = check::<M>(&job, Cursor::new(data), program).expect("it can be read").outcome;
+    outcome.findings.into_iter().map(|found| format!("{}: {}", found.location.line, found.text)).collect()
+}
+
+/// Behind arcs by their angle the tool stands a few roundings off the words of their ends; a point that is there already and
+/// whole turns from there are run from where it is.
+#[test]
+fn whole_turns_behind_a_helix_by_its_angle_begin_where_it_ended() {
+    let data = "UNITS/MM
+LOAD/TOOL,2
+FEDRAT/MMPR,0.268
+GOTO/76.426,-51.334,43.783,0.000000,0.032708,0.999465
+GOTO/94.105,28.469,-8.345
+CIRCLE/106.910,40.359,-12.472,0.000000,0.032708,0.999465,17.562,0.0600,0.5000,10.0000,0.0000,TIMES,2
+GOTO/113.839,56.488,-13.000
+GOTO/113.839,56.488,-13.000
+CIRCLE/114.197,49.241,-12.763,0.000000,0.032708,0.999465,7.260,0.0600,0.5000,10.0000,0.0000,TIMES,4
+GOTO/107.909,45.614,-12.644,0.000000,0.032708,0.999465
+";
+    let (found, program) = posted::<Tables>("heidenhain", Mode::Plane, "retract = { clearance = { plane = 200 } }", data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert_eq!(program.matches("CP IPA").count(), 7, "{program}");
+}
+
+/// The way out before the rotary axes turn leads along the very line that the rapid of the CL data takes.
+#[test]
+fn a_way_out_along_a_rapid_that_is_run_at_feed_is_no_share_of_it() {
+    let set_up = "rapid = \"feed\"
+rapid_feed = 8000.0
+course = { start_branch = \"second\" }
+retract = { distance = 49.7634 }
+";
+    let data = "UNITS/MM
+LOAD/TOOL,2,ADJUST,2
+COOLNT/ON
+FEDRAT/MMPM,655.27178
+GOTO/102.24687,25.91054,-31.17297,-0.15802802,-0.24200521,0.95731950
+GOTO/103.30457,18.02925,-33.17161,0.01045449,0.02399867,0.99965732
+RAPID
+GOTO/103.88313,19.35737,22.15070
+";
+    let (found, program) = posted::<Tables>("haas", Mode::Tcp, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("M09\nG00 X103.825 Y19.224 Z16.575\nG49\n"), "{program}");
+}
+
+/// At the pole the tool axis is at its end to the digits of the CL data while the table has some of its turn left.
+#[test]
+fn the_rest_of_a_turn_at_the_pole_belongs_to_the_cut_that_it_ends() {
+    let set_up = "part_origin = [28.0, 8.0, 9.0]
+course = { prefer = \"C+\" }
+retract = { distance = 64.2854 }
+tools = { 2 = { length = 98.0 } }
+";
+    let data = "UNITS/MM
+LOADTL/2
+FEDRAT/MMPM,1956.54971
+GOTO/96.05179,26.39804,55.30254,0.00489612,-0.00468027,0.99997706
+GOTO/95.34271,33.39804,56.69310,-0.00108154,0.00098819,0.99999893
+GOTO/98.05225,27.16281,54.78549,0.00510202,-0.00445492,0.99997706
+GOTO/98.05225,27.16281,54.78549,-0.00112496,0.00093846,0.99999893
+GOTO/91.47771,38.20112,52.70413,0.00548234,-0.00397755,0.99997706
+GOTO/75.36590,-15.06366,31.66462,0.00007868,-0.00008427,0.99999999
+GOTO/80.08815,-15.06366,32.33409,-0.00686730,0.00513161,0.99996325
+GOTO/77.08815,-14.78550,32.90465,0.00010311,-0.00005157,0.99999999
+GOTO/79.97308,-18.87726,32.14992,-0.00822510,0.00241681,0.99996325
+GOTO/79.20920,-11.04755,30.60343,0.00011462,-0.00001241,0.99999999
+GOTO/75.20920,-13.12958,30.67634,-0.00855173,-0.00060099,0.99996325
+GOTO/75.20920,-13.12958,30.67634,0.00011176,0.00002832,0.99999999
+RAPID
+GOTO/75.21182,-13.12891,54.11004
+";
+    let (found, program) = posted::<HeadTable>("linuxcnc", Mode::Axes, set_up, data);
+    assert_eq!(found, [""; 0]);
+    assert!(program.contains("\nX-126.814 Y22.324 C-1605.7805 F24965.3\nG94\n"), "{program}");
+}
