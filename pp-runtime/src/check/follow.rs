@@ -71,7 +71,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 continue;
             }
             let share = self.fits(&segment, &motion, block, end);
-            let share = share.or_else(|| if in_hole { self.stops_on_way(&segment, &motion, end) } else { None });
+            let on_way = in_hole && !self.needs_no_block(&segment);
+            let share = share.or_else(|| if on_way { self.stops_on_way(&segment, &motion, end) } else { None });
             if let Some(share) = share {
                 self.travelled(block, end, &segment, &motion, share, (at, wanted), shown);
                 return Ok(true);
@@ -255,7 +256,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn is_rest(&self, block: &Block, end: &Placed) -> bool {
         let (before, known) = self.before;
         let solved = self.solved(block);
-        let Some((motion, wanted)) = self.done.filter(|_| block.action == Action::Feed && known & solved == solved) else {
+        let Some((motion, wanted)) = self.done.filter(|_| block.action == Action::Feed && known & solved == solved)
+        else {
             return false;
         };
         let turned = self.rotary_way(&before, &block.values);

@@ -56,7 +56,8 @@ GOTO/113.839,56.488,-13.000
 CIRCLE/114.197,49.241,-12.763,0.000000,0.032708,0.999465,7.260,0.0600,0.5000,10.0000,0.0000,TIMES,4
 GOTO/107.909,45.614,-12.644,0.000000,0.032708,0.999465
 ";
-    let (found, program) = posted::<Tables>("heidenhain", Mode::Plane, "retract = { clearance = { plane = 200 } }", data);
+    let (found, program) =
+        posted::<Tables>("heidenhain", Mode::Plane, "retract = { clearance = { plane = 200 } }", data);
     assert_eq!(found, [""; 0], "{program}");
     assert_eq!(program.matches("CP IPA").count(), 7, "{program}");
 }
@@ -112,4 +113,21 @@ GOTO/75.21182,-13.12891,54.11004
     let (found, program) = posted::<HeadTable>("linuxcnc", Mode::Axes, set_up, data);
     assert_eq!(found, [""; 0]);
     assert!(program.contains("\nX-126.814 Y22.324 C-1605.7805 F24965.3\nG94\n"), "{program}");
+}
+
+/// The points of two holes put their levels a fraction of a unit apart: the tool is lifted by the last digit of a word.
+#[test]
+fn a_lift_of_less_than_a_unit_between_two_holes_is_that_lift() {
+    let data = "UNITS/MM
+TOOL PATH/OP_53,TOOL,T1
+LOADTL/1
+RAPID
+GOTO/-55.998,55.486,50.327,-0.96050546,0.10218595,0.25881905
+CYCLE/REAM,RAPTO,8.548,FEDTO,-5.269,MMPM,387.055
+GOTO/-20.726,47.908,-27.552
+GOTO/-10.032,64.619,5.538
+";
+    let (found, program) = posted::<HeadTable>("heidenhain", Mode::Tcp, "", data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("Z-25.34\n47 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
 }
