@@ -66,18 +66,19 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             // A whole turn ends where it began, like a motion to the same place before it; so does a rapid behind a cut
             // that goes nowhere.
             let other = matches!(block.action, Action::Arc(_)) || (block.action == Action::Rapid && !motion.rapid);
-            if other && self.needs_no_block(&segment) {
+            let needless = self.needs_no_block(&segment);
+            // A block that goes on from the end of a motion belongs to one behind it.
+            if needless && (other || !self.is_at(end, &motion.to)) {
                 self.pass();
                 continue;
             }
             let share = self.fits(&segment, &motion, block, end);
-            let on_way = in_hole && !self.needs_no_block(&segment);
-            let share = share.or_else(|| if on_way { self.stops_on_way(&segment, &motion, end) } else { None });
+            let share = share.or_else(|| if in_hole { self.stops_on_way(&segment, &motion, end) } else { None });
             if let Some(share) = share {
                 self.travelled(block, end, &segment, &motion, share, (at, wanted), shown);
                 return Ok(true);
             }
-            if !self.needs_no_block(&segment) {
+            if !needless {
                 return Ok(false);
             }
             self.pass();

@@ -129,11 +129,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if rewinds {
             self.rewound = self.here_on_path();
         }
-        let enough = match self.here.and_then(|here| self.distance_out(&here)) {
+        let enough = |here: Placed| match self.distance_out(&here) {
             Some(distance) => self.led_out + 2.0 * self.slack.tip >= distance,
             None => self.straight || self.led_out > ON_LINE,
         };
-        if !enough {
+        // Along an axis that hardly leads to a plane the rounding of a place is a long way: the CL data has come there.
+        let on_path = self.here_on_path().filter(|place| self.here.is_some_and(|here| self.is_at(&here, place)));
+        if !self.here.into_iter().chain(on_path).any(enough) {
             self.found(shown, "the machine retract does not begin with the way out along the tool axis");
         }
     }

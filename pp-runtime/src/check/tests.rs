@@ -21,6 +21,12 @@ crate::machine! {
     d = { C: (0, 0, 0), B: (8, 0, 140) };
 }
 
+crate::machine! {
+    /// Three axes.
+    struct Mill;
+    chain: X Y | Z;
+}
+
 /// What the check says of a program that has just been posted, and the program.
 fn posted<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str) -> (Vec<String>, String) {
     let control = control::by_name(control).expect("a control");
@@ -130,4 +136,42 @@ GOTO/-10.032,64.619,5.538
     let (found, program) = posted::<HeadTable>("heidenhain", Mode::Tcp, "", data);
     assert_eq!(found, [""; 0], "{program}");
     assert!(program.contains("Z-25.34\n47 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
+}
+
+/// RETRCT ends in the clearance plane; seen from the rounded place 0.4 µm below it that plane is 2.9 µm away along the tool.
+#[test]
+fn a_retract_to_a_plane_along_a_grazing_axis_has_led_out() {
+    let data = |z: f64| {
+        format!(
+            "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,900
+CLEARP/XYPLAN,{z}
+GOTO/-50.2403,17.9907,45.0580,-0.487056,0.861664,0.142517
+RETRCT
+"
+        )
+    };
+    for tenth in 0..10 {
+        let (found, program) = posted::<Tables>("haas", Mode::Axes, "", &data(150.0 + 1e-4 * f64::from(tenth)));
+        assert_eq!(found, [""; 0], "{program}");
+    }
+}
+
+/// Points that repeat stand before a step of a little more than half a unit: its block belongs to none of them.
+#[test]
+fn points_that_repeat_leave_a_small_step_to_its_own_record() {
+    let data = "UNITS/INCHES
+LOADTL/1
+FEDRAT/IPM,29.0
+GOTO/1.0,1.0,0.0
+GOTO/1.1003,1.1003,0.0
+GOTO/1.1003,1.1003,0.0
+GOTO/1.1003,1.1003,0.0
+GOTO/1.1007,1.1007,0.0
+GOTO/1.2,1.3,0.3
+";
+    let (found, program) = posted::<Mill>("heidenhain", Mode::Axes, "formats = { linear_inch = 3 }", data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains(" L X+1.101 Y+1.101\n"), "{program}");
 }
