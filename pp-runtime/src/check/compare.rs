@@ -12,7 +12,7 @@ use std::io::{self, Read};
 
 use super::Checked;
 use super::chain::Placed;
-use super::expect::{Expect, Motion, Wanted};
+use super::expect::{Expect, Item, Motion, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
 use super::read::{Action, Block, Family, Length, MAX_AXES, WorkOffset, WorkPlane};
@@ -96,6 +96,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) retracted: bool,
     /// A complete state has begun since the last motion on the path.
     pub(super) restarted: bool,
+    /// The rapid that the last block at the part has done, where it may have been the way out before it as well.
+    pub(super) left: Option<Item>,
     /// The cut that the last block has ended.
     pub(super) done: Option<(Motion, Wanted)>,
     /// The state of the last motion.
@@ -173,6 +175,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             lost: false,
             retracted: false,
             restarted: false,
+            left: None,
             done: None,
             last: None,
             ended: false,
@@ -316,8 +319,12 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let lifts = |checker: &mut Self| {
             (rapid || checker.config.rapid == Rapid::Feed) && checker.lifts_for_cycle(block, &end, shown)
         };
-        // Where rapids of the CL data are run at feed, one at the part is no share of them.
-        let out = rapid && self.config.rapid == Rapid::Feed && !self.approached;
+        // Where rapids of the CL data are run at feed, or it asks for coolant, a dry rapid at the part is none of them.
+        let dry = self.expect.get(0).is_some_and(|item| item.wanted.coolant != 0) && block.state.coolant == Some(0);
+        if self.back.is_none() {
+            self.left = if rapid { self.rapid_or_way_out(&end) } else { None };
+        }
+        let out = rapid && (dry || self.config.rapid == Rapid::Feed) && !self.approached;
         if out && self.leads_out(block, &end, shown)? {
             self.here = Some(end);
             return Ok(());

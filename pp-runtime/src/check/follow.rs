@@ -5,7 +5,7 @@ use std::io::{self, Read};
 
 use super::chain::Placed;
 use super::compare::{Checker, Phase};
-use super::expect::{Kind, Motion, Wanted};
+use super::expect::{Item, Kind, Motion, Wanted};
 use super::feed::Stroke;
 use super::path::{Segment, Shape, angle_between};
 use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl, WorkPlane};
@@ -409,6 +409,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// The way back to where the rotary axes were rewound.
     fn serve_back(&mut self, back: &Segment, block: &Block, end: &Placed, shown: Shown<'_>) -> bool {
+        if let (Action::Rapid, Some(Item { wanted, .. })) = (block.action, self.left.take())
+            && self.is_at(end, &back.to)
+        {
+            // What looked like a rewind was the way out before a rapid, and this is the rapid.
+            self.state_at_path(block, &wanted, shown);
+            self.back = None;
+            return true;
+        }
         if block.action == Action::Rapid || !self.is_at(end, &back.to) {
             return false;
         }

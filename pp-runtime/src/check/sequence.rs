@@ -162,17 +162,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn leads_out(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<bool> {
         let Some(here) = self.here.filter(|_| self.phase == Phase::Path) else { return Ok(false) };
         self.pass_needless()?;
-        let Some(from) = self.here_on_path() else { return Ok(false) };
-        let still = angle_between(&here.axis, &end.axis) <= SAME_AXIS;
-        // Near the pole the tool stands at the pole, and leaves along it.
-        let found = [from.axis, here.axis].into_iter().find_map(|axis| {
-            let from = Placed { tip: from.tip, axis };
-            let distance = self.distance_out(&from)?;
-            let rest = if self.config.retract.distance.is_some() { distance } else { distance - self.led_out };
-            let out = Placed { tip: from.tip + axis * rest, axis };
-            self.is_far_out(end, &out, rest).then_some((rest, out))
-        });
-        let Some((rest, out)) = found.filter(|_| still) else { return Ok(false) };
+        let Some((rest, out)) = self.way_out_to(&here, end) else { return Ok(false) };
         let rewinds = self.rewinds();
         if rewinds {
             self.rewound = self.here_on_path();
@@ -184,6 +174,50 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         Ok(true)
     }
 
+    /// How far out along its axis the tool has yet to go, and where it is then, if that is where a block ends.
+    fn way_out_to(&self, here: &Placed, end: &Placed) -> Option<(f64, Placed)> {
+        let from = self.here_on_path().filter(|_| angle_between(&here.axis, &end.axis) <= SAME_AXIS)?;
+        // Near the pole the tool stands at the pole, and leaves along it.
+        [from.axis, here.axis].into_iter().find_map(|axis| {
+            let from = Placed { tip: from.tip, axis };
+            let distance = self.distance_out(&from)?;
+            let rest = if self.config.retract.distance.is_some() { distance } else { distance - self.led_out };
+            let out = Placed { tip: from.tip + axis * rest, axis };
+            self.is_far_out(end, &out, rest).then_some((rest, out))
+        })
+    }
+
+    /// The rapid ahead, if a block that ends there may be the way out before it as well.
+    pub(super) fn rapid_or_way_out(&self, end: &Placed) -> Option<Item> {
+        let here = self.here.filter(|_| self.phase == Phase::Path)?;
+        let next = (0..).find(|index| !self.needless(*index)).and_then(|index| self.expect.get(index));
+        let item = next.filter(|item| {
+            matches!(item.kind, Kind::Motion(Motion { rapid: true, starts: false, to, .. }) if self.is_at(end, &to))
+        })?;
+        self.way_out_to(&here, end).map(|_| item.clone())
+    }
+
+    /// A rapid that has been taken for done, and was the way out before it: the tool comes back to it.
+    fn take_back(&mut self, block: &Block, end: Option<&Placed>) {
+        let Some(left) = self.left.take() else { return };
+        let Kind::Motion(rapid) = left.kind else { return };
+        let next = match self.expect.get(0).map(|item| &item.kind) {
+            Some(Kind::Motion(next)) => Some(*next),
+            _ => None,
+        };
+        let Some(end) = end else {
+            let elsewhere = next.is_none() && !self.parks_rotary(block);
+            return if elsewhere { self.expect.push_front(left) } else { self.left = Some(left) };
+        };
+        let arrives = next.is_some_and(|next| self.is_at(end, &self.approach_point(&next)));
+        if !arrives {
+            self.expect.push_front(left);
+            if !self.is_at(end, &self.approach_point(&rapid)) {
+                self.expect.pop();
+            }
+        }
+    }
+
     /// At a point so far out along a tool axis that is known to its rounding.
     fn is_far_out(&self, end: &Placed, out: &Placed, distance: f64) -> bool {
         let slack = BOTH * self.slack.tip + distance.abs() * self.slack.axis;
@@ -193,6 +227,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// A rapid from the retract position: one of the steps to the approach point.
     pub(super) fn approach(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
         self.expect.fill(8)?;
+        self.take_back(block, None);
         let retract = 1 << self.words.retract;
         let (rotary, linear) = (self.words.rotary_mask, self.words.linear_mask);
         // Under tip control all linear axes come down together; in a plane its own Z comes last.
@@ -277,6 +312,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         while let Some(Item { kind: Kind::Dwell(_), .. }) = self.expect.get(0) {
             self.skip(1, shown);
         }
+        self.take_back(block, Some(end));
         let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) else {
             self.found(shown, "an approach, and the CL data has no motion here");
             return;

@@ -22,6 +22,14 @@ crate::machine! {
 }
 
 crate::machine! {
+    /// Both in the table, the second about a line inclined by 45°.
+    struct Nutating;
+    chain: C B | X Y Z;
+    axes = { B: Rx(-45 deg) * Y };
+    d = (0, 0, 0);
+}
+
+crate::machine! {
     /// Three axes.
     struct Mill;
     chain: X Y | Z;
@@ -174,4 +182,30 @@ GOTO/1.2,1.3,0.3
     let (found, program) = posted::<Mill>("heidenhain", Mode::Axes, "formats = { linear_inch = 3 }", data);
     assert_eq!(found, [""; 0], "{program}");
     assert!(program.contains(" L X+1.101 Y+1.101\n"), "{program}");
+}
+
+/// RETRCT leads to the clearance plane, and so does the way out before the rotary axes turn for it.
+#[test]
+fn a_way_out_that_ends_where_a_rapid_does_is_told_from_it_by_what_follows() {
+    let data = |coolant: &str, more: &str| {
+        format!(
+            "UNITS/MM
+LOADTL/1
+COOLNT/{coolant}
+CLEARP/XYPLAN,150
+FEDRAT/MMPM,1615
+GOTO/60.795,-81.941,0.754,-0.00737508,0.03053267,0.99950656
+GOTO/58.795,-78.030,0.581,0.00256954,-0.02605053,0.99965732
+RETRCT
+{more}"
+        )
+    };
+    let set_up = "limits = { C = [-190, 270], B = [-180, 180] }\ncourse = { start_branch = \"first\" }";
+    for coolant in ["ON", "OFF"] {
+        for more in ["", "STOP\n", "GOTO/50,-78,160\n", "RAPID\nGOTO/50,-78,160\nGOTO/50,-78,100\n", "GOHOME/0,0,180\n"] {
+            let (found, program) = posted::<Nutating>("siemens", Mode::Axes, set_up, &data(coolant, more));
+            assert_eq!(found, [""; 0], "{coolant} {more}{program}");
+            assert!(program.matches("SUPA G0 Z0 D0").count() > 3, "{program}");
+        }
+    }
 }
