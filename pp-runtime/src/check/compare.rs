@@ -12,8 +12,9 @@ use std::io::{self, Read};
 
 use super::Checked;
 use super::chain::Placed;
-use super::expect::{Expect, Item, Motion, Wanted};
+use super::expect::{Expect, Item, Wanted};
 use super::feed::FeedLaw;
+use super::follow::Done;
 use super::path::Segment;
 use super::read::{Action, Block, Family, Length, MAX_AXES, WorkOffset, WorkPlane};
 use super::report::{Shown, Tally};
@@ -98,8 +99,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) restarted: bool,
     /// The rapid that the last block at the part has done, where it may have been the way out before it as well.
     pub(super) left: Option<Item>,
-    /// The cut that the last block has ended.
-    pub(super) done: Option<(Motion, Wanted)>,
+    /// The motion that the last block has ended.
+    pub(super) done: Option<Done>,
     /// The state of the last motion.
     pub(super) last: Option<(Location, Wanted)>,
     pub(super) ended: bool,

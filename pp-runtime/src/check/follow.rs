@@ -37,6 +37,15 @@ const POLE: f64 = 1.64;
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
 
+/// A motion that has been done.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Done {
+    motion: Motion,
+    wanted: Wanted,
+    /// At feed.
+    feeds: bool,
+}
+
 impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// Lets the block serve the motion ahead, passing over motions that need no block; `false` if it does not fit.
     pub(super) fn serve(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<bool> {
@@ -244,7 +253,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.lost = false;
         self.restarted = false;
         self.last = Some((at, wanted));
-        self.done = (share >= 1.0 && feeds && !motion.rapid).then_some((*motion, wanted));
+        self.done = (share >= 1.0).then_some(Done { motion: *motion, wanted, feeds });
         if share >= 1.0 {
             self.pass();
         } else if motion.rapid {
@@ -252,15 +261,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
-    /// The rest of a cut that is done but for rounding, as it should be run: near the pole the rotary axes may have far to
-    /// turn where the tool axis is at its end already.
+    /// The rest of a motion that is done but for rounding, run as it should be: a step of a unit, or near the pole a turn of
+    /// the rotary axes that have far to go where the tool axis is at its end already.
     fn is_rest(&self, block: &Block, end: &Placed) -> bool {
         let (before, known) = self.before;
         let solved = self.solved(block);
-        let Some((motion, wanted)) = self.done.filter(|_| block.action == Action::Feed && known & solved == solved)
-        else {
-            return false;
-        };
+        let Some(Done { motion, wanted, feeds }) = self.done.filter(|_| known & solved == solved) else { return false };
+        let as_before = if feeds { block.action == Action::Feed } else { block.action == Action::Rapid };
         let turned = self.rotary_way(&before, &block.values);
         let stays = |share: f64| {
             let words = between(&before, block, share, self.words.linear_places());
@@ -269,11 +276,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 && angle_between(&on.axis, &motion.to.axis) <= self.axis_slack(&motion.to.axis)
         };
         let count = places(turned);
-        turned > 0.0
+        let feed = if motion.rapid { self.config.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
+        as_before
             && self.is_at(end, &motion.to)
             && (1..).map(f64::from).take_while(|place| *place <= count).all(|place| stays(place / (count + 1.0)))
             && self.fault_at_path(block, &wanted).is_none()
-            && self.law.wrong(&self.stroke(block, 0.0, motion.feed, &wanted), &block.state).is_none()
+            && (!feeds || self.law.wrong(&self.stroke(block, 0.0, feed, &wanted), &block.state).is_none())
     }
 
     /// What comes next belongs to a thread, whose motions are a cycle of their own on some controls.

@@ -317,10 +317,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.found(shown, "an approach, and the CL data has no motion here");
             return;
         };
-        let motion = *motion;
         if motion.starts {
             self.complete_state(block, shown);
         }
+        self.come_to_hole(end);
+        let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) else { return };
+        let motion = *motion;
         let above = self.approach_point(&motion);
         if !self.is_at(end, &above) {
             let (off, turn) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis).to_degrees());
@@ -341,6 +343,21 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.out_from = Some(motion.to);
         if above == motion.to {
             self.pass();
+        }
+    }
+
+    /// An approach to a hole leads straight over it: the lift from where the tool stood and the way over are not needed.
+    fn come_to_hole(&mut self, end: &Placed) {
+        let ahead = |index: usize| {
+            let item = self.expect.get(index)?;
+            let Kind::Motion(motion) = item.kind else { return None };
+            Some((item.hole?.number, motion))
+        };
+        let Some((number, _)) = ahead(0) else { return };
+        let rapids = (0..).map_while(ahead).take_while(|(hole, motion)| *hole == number && motion.rapid);
+        let found = rapids.enumerate().find(|(index, (_, motion))| self.is_at(end, &self.approach_point_of(*index, motion)));
+        if let Some((count, _)) = found {
+            (0..count).for_each(|_| self.pass());
         }
     }
 
@@ -365,7 +382,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// Above the first point by the approach distance, or that point itself where the next lies straight below it.
     fn approach_point(&self, first: &Motion) -> Placed {
-        let next = (1..).map_while(|index| self.expect.get(index)).find_map(|item| match &item.kind {
+        self.approach_point_of(0, first)
+    }
+
+    /// The same for a motion that stands so far ahead.
+    fn approach_point_of(&self, index: usize, first: &Motion) -> Placed {
+        let next = (index + 1..).map_while(|index| self.expect.get(index)).find_map(|item| match &item.kind {
             Kind::Motion(motion) => Some((!motion.starts).then_some(motion)),
             Kind::Dwell(_) => None,
             _ => Some(None),

@@ -30,6 +30,14 @@ crate::machine! {
 }
 
 crate::machine! {
+    /// A in the table, over a moving Y.
+    struct OneTable;
+    chain: A Y | X Z;
+    signs = { A: -, Y: - };
+    d = (0, 0, 0);
+}
+
+crate::machine! {
     /// Three axes.
     struct Mill;
     chain: X Y | Z;
@@ -208,4 +216,56 @@ RETRCT
             assert!(program.matches("SUPA G0 Z0 D0").count() > 3, "{program}");
         }
     }
+}
+
+/// Down along the tool to a hole lies one more unit across: a rapid in two blocks ends in both of them.
+#[test]
+fn the_last_unit_of_a_split_rapid_belongs_to_it() {
+    let data = "UNITS/MM
+LOADTL/3
+FEDRAT/MMPM,76
+GOTO/-68.472,67.416,-80.310,0.95142594,0.00000000,0.30787771
+RAPID
+GOTO/-14.973,67.416,-62.999
+GOHOME/-29.247,3.710,139.000,0.00000000,0.00000000,1.00000000
+";
+    let set_up = "rapid = \"split\"\nretract = { distance = 105.0 }\ntools = { 3 = { length = 116.4222 } }\n";
+    let (found, program) = posted::<HeadTable>("haas", Mode::Axes, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("G00 X223.457 Z-248.087\nZ-248.088\n"), "{program}");
+}
+
+/// The words of a cycle say its place at the clearance level; 18 mm above it the rounded plane leads 0.1 µm elsewhere.
+#[test]
+fn a_cycle_goes_back_along_the_tool_axis_of_its_plane() {
+    let data = "UNITS/MM
+TOOL PATH/OP_22,TOOL,T1
+LOAD/TOOL,1
+RAPID
+GOTO/34.817064,28.465358,-6.227757,0.0000000,0.9117994,0.4106359
+CYCLE/DRILL,RAPTO,9.956617,FEDTO,-4.576551,RTRCTO,AUTO,MMPM,50.365638
+GOTO/-19.250494,-27.870271,37.489579
+";
+    let (found, program) = posted::<OneTable>("haas", Mode::Plane, "", data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("G98 G81 X-19.25 Y45.628 Z-14.594 R-0.061"), "{program}");
+}
+
+/// Where the rotary axes turn on the way to a hole, the tool is neither lifted first nor led over it.
+#[test]
+fn an_approach_leads_straight_over_a_hole() {
+    let data = "UNITS/MM
+TOOL PATH/OP_65,TOOL,T4
+LOADTL/4
+ROTABL/NEXT,CCLW
+TLAXIS/0.0214170,0.0214170,0.9995412
+RAPID
+GOTO/44.6709,39.8953,13.9747
+CYCLE/DEEP,STEP,3.1775,RAPTO,11.9233,FEDTO,-8.3729,DWELL,0.5,MMPM,265.6276
+GOTO/39.2282,4.3779,28.3778
+";
+    let set_up = "course = { prefer = \"C+\" }\nlimits = { C = [-200, 200] }\nretract = { distance = 76 }\n";
+    let (found, program) = posted::<Tables>("siemens", Mode::Tcp, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert_eq!(program.matches("TRAORI").count(), 2, "{program}");
 }
