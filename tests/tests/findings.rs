@@ -216,3 +216,18 @@ fn behind_a_lost_line_the_program_is_found_again_where_it_stops() {
         assert!(!told.is_empty() && told.iter().all(|(line, _)| (14..=16).contains(line)), "{control}: {told:#?}");
     }
 }
+
+#[test]
+fn a_program_that_breaks_off_is_told_from_one_without_an_end_code() {
+    let posted =
+        Posted::new("linuxcnc", "[retract]\ndistance = 20\n", &format!("{HEAD}GOTO/1.0,0.0,0.0\nGOTO/2.0,0.0,0.0\n"));
+    let said = |program: &str| -> Vec<(u64, String)> {
+        posted.findings(program).into_iter().map(|found| (found.location.line, found.text)).collect()
+    };
+    let without_end = posted.program.replace("M2\n", "");
+    let [(_, text)] = &said(&without_end)[..] else { panic!("{:?}", said(&without_end)) };
+    assert!(text.contains("no end code"), "{text}");
+    let last = without_end.find("G1 ").expect("the cut");
+    let [(7, text)] = &said(&without_end[..last])[..] else { panic!("{:?}", said(&without_end[..last])) };
+    assert!(text.contains("breaks off before the CL data ends"), "{text}");
+}

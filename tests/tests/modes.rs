@@ -113,9 +113,9 @@ impl<M: Machine> Sink for Listener<M> {
 /// What the program says at each motion, and the first fault.
 fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_>]) -> Result<Vec<Says>, String> {
     let machine = config.machine::<M>().expect("valid");
-    let unsuited = control::unsuited::<M>(control, config);
-    if !unsuited.is_empty() {
-        return Err(unsuited.join("\n"));
+    let unfit = control::unfit::<M>(control, config);
+    if !unfit.is_empty() {
+        return Err(unfit.join("\n"));
     }
     let mut navigator = Navigator::new(machine.clone(), config);
     events.iter().for_each(|event| navigator.event(event));
@@ -514,7 +514,7 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
         let mut config = set_up(mode, None, control, &mut random);
         config.tcp_confirmed = false;
         change(&mut config);
-        control::unsuited::<SpinnerU5620>(control, &config).join("\n")
+        control::unfit::<SpinnerU5620>(control, &config).join("\n")
     };
     let (linuxcnc, fanuc, haas) = (&control::LinuxCnc, &control::Fanuc, &control::Haas);
     assert!(refused(linuxcnc, Mode::Plane, &|_| {}).contains("tilts no plane; mode axes works on any control"));
@@ -542,8 +542,8 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
     assert_eq!(refused(linuxcnc, Mode::Tcp, &codes), "");
     let config = set_up(Mode::Tcp, None, haas, &mut random);
     let unconfirmed = Config { tcp_confirmed: false, ..config };
-    assert_eq!(control::unsuited::<SpinnerU5620>(haas, &unconfirmed), Vec::<String>::new());
-    let quill = control::unsuited::<Quill>(haas, &unconfirmed).join("\n");
+    assert_eq!(control::unfit::<SpinnerU5620>(haas, &unconfirmed), Vec::<String>::new());
+    let quill = control::unfit::<Quill>(haas, &unconfirmed).join("\n");
     assert!(quill.contains("a held axis") && quill.contains("`tcp_confirmed = true`"), "{quill}");
-    assert_eq!(control::unsuited::<Quill>(haas, &Config { tcp_confirmed: true, ..unconfirmed }), Vec::<String>::new());
+    assert_eq!(control::unfit::<Quill>(haas, &Config { tcp_confirmed: true, ..unconfirmed }), Vec::<String>::new());
 }

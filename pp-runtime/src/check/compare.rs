@@ -12,7 +12,7 @@ use std::io::{self, Read};
 
 use super::Checked;
 use super::chain::Placed;
-use super::expect::{Expect, Item, Wanted};
+use super::expect::{Expect, Item, Kind, Wanted};
 use super::feed::FeedLaw;
 use super::follow::Done;
 use super::path::Segment;
@@ -234,7 +234,10 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
     /// The figures and findings, behind the last line of the program.
     pub(super) fn conclude(mut self, lines: u64) -> Checked {
         if !self.ended {
-            self.found(Shown { line: lines, text: b"" }, "the program has no end code");
+            let cut = self.expect.get(0).is_some_and(|item| matches!(item.kind, Kind::Motion(_)));
+            let text =
+                if cut { "the program breaks off before the CL data ends" } else { "the program has no end code" };
+            self.found(Shown { line: lines, text: b"" }, text);
         }
         self.tally.outcome.lines = lines;
         let fault = self.expect.fault();

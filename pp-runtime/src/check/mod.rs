@@ -26,7 +26,7 @@ pub use report::Outcome;
 
 use crate::cl;
 use crate::config::{Config, Units};
-use crate::control::Control;
+use crate::control::{self, Control};
 use crate::diag::Diagnostic;
 use crate::kinematics::Machine;
 use compare::Checker;
@@ -52,7 +52,7 @@ pub enum CheckError {
     /// The program cannot be read.
     #[error("cannot read the program: {0}")]
     Program(#[source] io::Error),
-    /// Nothing is known of this control or machine.
+    /// Nothing is known of this control or machine, or the configuration does not fit the two.
     #[error("{0}")]
     Impossible(String),
 }
@@ -76,6 +76,10 @@ pub fn check<M: Machine>(
     program: impl Read,
 ) -> Result<Checked, CheckError> {
     let family = family(job)?;
+    let unfit = control::unfit::<M>(job.control, job.config);
+    if !unfit.is_empty() {
+        return Err(CheckError::Impossible(unfit.join("\n")));
+    }
     let machine = job.config.machine::<M>().map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let units = match job.config.output_units {

@@ -171,8 +171,7 @@ fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Res
 
 /// Whether the control can do what the configuration asks for.
 fn fit<M: Machine>(control: &dyn Control, config: &Config) -> Result<(), Failure> {
-    let mut unfit = control::check(control, config);
-    unfit.append(&mut control::unsuited::<M>(control, config));
+    let unfit = control::unfit::<M>(control, config);
     if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
 }
 

@@ -155,7 +155,7 @@ impl Run<'_> {
         }
         let report = posted.map_err(|error| match error {
             PostError::Input(error) => Failure::Unreadable(name, error),
-            PostError::Operations(text) => Failure::Argument(text),
+            PostError::Unfit(text) | PostError::Operations(text) => Failure::Argument(text),
             PostError::Output(error) => unwritable(error),
         })?;
         written.map_err(unwritable)?;

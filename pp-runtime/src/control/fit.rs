@@ -2,7 +2,7 @@
 
 use crate::config::{Config, LengthMode, Mode, PathNorm, Smoothing, TcpWords};
 use crate::kinematics::Machine;
-use crate::motion::{Abilities, CycleAbilities, PlaneAbility, TipAbility};
+use crate::motion::{self, Abilities, CycleAbilities, PlaneAbility, TipAbility};
 use crate::program::Coolant;
 
 use super::Control;
@@ -14,9 +14,18 @@ pub fn starting_point(control: &dyn Control) -> Config {
     Config { formats: control.spellings().formats.clone(), ..Config::default() }
 }
 
-/// What of the configuration the control cannot do, one sentence each.
+/// What of the configuration the control cannot do, and why machine, control and configuration do not suit the mode that is
+/// asked for: one sentence each, none if a program can be written.
 #[must_use]
-pub fn check(control: &dyn Control, config: &Config) -> Vec<String> {
+pub fn unfit<M: Machine>(control: &dyn Control, config: &Config) -> Vec<String> {
+    let Abilities { tip, plane, .. } = abilities(control, config);
+    let mut faults = beyond(control, config);
+    faults.append(&mut motion::unsuited::<M>(config, control.spellings().title, tip, plane));
+    faults
+}
+
+/// What of the configuration the control cannot do.
+fn beyond(control: &dyn Control, config: &Config) -> Vec<String> {
     let (codes, setup) = (control.spellings(), &config.control);
     let title = codes.title;
     let mut faults = Vec::new();
@@ -72,13 +81,6 @@ fn tip_ability(control: &dyn Control, config: &Config) -> Option<TipAbility> {
     });
     let plain = TipAbility { frame_is_set: false, turns_in_plane: false, takes_vectors: false };
     own.or_else(|| config.control.tip_control.is_some().then_some(plain))
-}
-
-/// Why the machine, the control and the configuration do not suit the mode that is asked for, one sentence each.
-#[must_use]
-pub fn unsuited<M: Machine>(control: &dyn Control, config: &Config) -> Vec<String> {
-    let Abilities { tip, plane, .. } = abilities(control, config);
-    crate::motion::unsuited::<M>(config, control.spellings().title, tip, plane)
 }
 
 /// The letters of a centre mean the tool axis, and no arc can be said.

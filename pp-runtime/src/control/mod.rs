@@ -24,7 +24,7 @@ use crate::config::Units;
 pub use encoder::Encoder;
 pub(crate) use encoder::{legible, lines_of};
 pub use fanuc::Fanuc;
-pub use fit::{abilities, check, starting_point, unsuited};
+pub use fit::{abilities, starting_point, unfit};
 pub use haas::Haas;
 pub use heidenhain::Heidenhain;
 pub use layout::Layout;

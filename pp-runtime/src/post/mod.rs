@@ -54,6 +54,9 @@ pub enum PostError {
     /// The program cannot be written.
     #[error("cannot write the program: {0}")]
     Output(#[source] io::Error),
+    /// The control cannot do what the configuration asks for, or the machine does not suit the mode: one sentence a line.
+    #[error("{0}")]
+    Unfit(String),
     /// The operations that are wanted are not there.
     #[error("{0}")]
     Operations(String),
@@ -191,7 +194,7 @@ fn course_text(course: &Course, config: &Config) -> String {
 /// error comment in the place of the end code.
 ///
 /// # Errors
-/// [`PostError`] if the input cannot be read or the output not written.
+/// [`PostError`] if the configuration does not fit, the input cannot be read or the output not written.
 pub fn post<M: Machine>(
     job: &Job<'_>,
     input: &mut (impl Read + Seek),
@@ -210,6 +213,10 @@ pub fn post_with_account<M: Machine>(
     output: &mut impl Write,
     account: Option<&mut dyn Account>,
 ) -> Result<Report, PostError> {
+    let unfit = control::unfit::<M>(job.control, job.config);
+    if !unfit.is_empty() {
+        return Err(PostError::Unfit(unfit.join("\n")));
+    }
     let start = input.stream_position().map_err(PostError::Input)?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let machine = job.config.machine::<M>();

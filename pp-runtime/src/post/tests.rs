@@ -5,7 +5,7 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::*;
-use crate::config::{Operations, Tool, Wrap};
+use crate::config::{Mode, Operations, Tool, Wrap};
 use crate::control::{Heidenhain, LinuxCnc, Siemens};
 use crate::motion::machines::{Cb, Head, Xyz};
 use crate::program::{Clearance, Plane, Rotation};
@@ -102,6 +102,16 @@ fn a_heidenhain_program_begins_with_the_blank_of_the_configuration_or_a_box_arou
 }
 
 #[test]
+fn nothing_is_written_for_a_configuration_that_the_control_cannot_do() {
+    let config = Config { mode: Mode::Plane, ..Config::default() };
+    let job = Job { cl_name: "part.cls", config: &config, control: &LinuxCnc, units: None };
+    let mut out = Vec::new();
+    let refused = post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out);
+    assert!(matches!(&refused, Err(PostError::Unfit(text)) if text.contains("LinuxCNC tilts no plane")), "{refused:?}");
+    assert!(out.is_empty());
+}
+
+#[test]
 fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
     let mut config = control::starting_point(&Siemens);
     config.control.file_header = true;
@@ -111,8 +121,8 @@ fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
     post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out).expect("memory neither fails nor fills");
     let text = String::from_utf8(out).expect("ASCII");
     assert!(text.starts_with("%_N_OP_10__A_BRACKET_WITH_A__MPF\n;$PATH=/_N_MPF_DIR\n; PROGRAM"), "{}", &text[..90]);
-    assert_eq!(control::check(&Siemens, &config), Vec::<String>::new());
-    assert_eq!(control::check(&LinuxCnc, &config).len(), 1);
+    assert_eq!(control::unfit::<Cb>(&Siemens, &config), Vec::<String>::new());
+    assert_eq!(control::unfit::<Cb>(&LinuxCnc, &config).len(), 1);
 }
 
 #[test]

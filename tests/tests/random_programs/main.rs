@@ -154,9 +154,7 @@ fn run<M: Machine>(case: &Case) -> Outcome {
         Ok(config) => pp_runtime::config::Config { mode: case.mode, ..config },
         Err(faults) => return Outcome::Unsuited(faults[0].text.clone()),
     };
-    let mut faults = control::check(case.control, &config);
-    faults.extend(control::unsuited::<M>(case.control, &config));
-    if let Some(fault) = faults.into_iter().next() {
+    if let Some(fault) = control::unfit::<M>(case.control, &config).into_iter().next() {
         return Outcome::Unsuited(fault);
     }
     let job = post::Job { cl_name: "random.cls", config: &config, control: case.control, units: None };

@@ -1,8 +1,8 @@
 //! What LinuxCNC is told of the machine: its INI and HAL files, remapped codes, tool table and offsets.
 //!
 //! The control starts with joints as axes; M428 switches to the kinematics of the machine, M429 back, as the documentation of
-//! switchable kinematics has it. Two analog outputs belong to the harness: 0 counts marks, 1 is the kinematics wanted. Digital
-//! input 0 tells the program that the joints have settled.
+//! switchable kinematics has it. Three analog outputs belong to the harness: 0 counts marks, 1 is the kinematics wanted, 2 is
+//! never read. Digital input 0 tells the program that the joints have settled.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -25,8 +25,17 @@ const ANYWHERE: f64 = 1e5;
 /// follows by four cycles.
 const SETTLING: f64 = 0.008;
 
-/// A block that waits until the joints have settled, for ten seconds at most.
-pub(super) const SETTLED: &str = "M66 P0 L3 Q50";
+/// An order of its own, for an output that nobody reads: behind it everything in front of it has been planned.
+///
+/// The servo thread takes an order first and plans behind it, and a task that looks in between sees the machine as it was:
+/// standing, where the motion in front has not begun, or with the kinematics in force before. The next order is taken a
+/// cycle later.
+const PLANNED: &str = "M68 E2 Q0\n";
+
+/// Blocks that wait until the joints have settled, for 50 seconds at most.
+pub(super) fn settled() -> String {
+    format!("{PLANNED}M66 P0 L3 Q50\n")
+}
 
 /// Name of the file in which the sampler writes.
 pub(super) const SAMPLES: &str = "samples.txt";
@@ -34,7 +43,7 @@ pub(super) const SAMPLES: &str = "samples.txt";
 /// Blocks that change the kinematics: 0 joints as axes, 1 those of the machine. An input is read so that the interpreter
 /// waits, and asks where the axes are now.
 pub(super) fn switch(kinematics: u32) -> String {
-    format!("M68 E1 Q{kinematics}\nM66 E0 L0\n")
+    format!("M68 E1 Q{kinematics}\n{PLANNED}M66 E0 L0\n")
 }
 
 /// A machine on the simulated control. mm and degrees.
@@ -66,7 +75,7 @@ impl Control {
         for (name, kinematics) in [("m428", 1), ("m429", 0)] {
             // The joints follow the axes by some servo cycles, and the switch takes them as they stand. At accelerations
             // of a real machine that is nothing; at this one it would be tenths of a degree.
-            let lines = format!("o<{name}>sub\n{SETTLED}\n{}o<{name}>endsub\nM2\n", switch(kinematics));
+            let lines = format!("o<{name}>sub\n{}{}o<{name}>endsub\nM2\n", settled(), switch(kinematics));
             write(&format!("{name}.ngc"), lines)?;
         }
         Ok(())
@@ -108,7 +117,7 @@ impl Control {
         let joints = self.letters.len();
         let mut hal = format!(
             "loadrt [KINS]KINEMATICS\n\
-             loadrt motmod servo_period_nsec={SERVO_PERIOD} num_joints={joints} num_dio=1 num_aio=2\n\
+             loadrt motmod servo_period_nsec={SERVO_PERIOD} num_joints={joints} num_dio=1 num_aio=3\n\
              loadrt timedelay\n\
              loadrt sampler depth=16000 cfg=fb{}\n\
              addf motion-command-handler servo-thread\naddf motion-controller servo-thread\n\

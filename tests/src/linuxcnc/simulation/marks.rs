@@ -9,7 +9,7 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::configuration::{SETTLED, switch};
+use super::configuration::{settled, switch};
 
 /// What the control is told to look through at a mark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,7 +45,7 @@ pub(super) fn marked(program: &str, lines: &[usize], first: usize, look: Look) -
             // The joints stand: what M428 and M429 do, without their wait.
             Look::ThroughKinematics => (switch(1), switch(0)),
         };
-        let _ = write!(text, "{SETTLED}\n{before}M68 E0 Q{mark}\n{behind}");
+        let _ = write!(text, "{}{before}M68 E0 Q{mark}\n{behind}", settled());
         mark += 1;
     }
     text
@@ -123,11 +123,11 @@ mod tests {
 
     #[test]
     fn marks_stand_behind_the_blocks_that_are_named() {
+        let (settled, on, off) = (settled(), switch(1), switch(0));
         let text = marked("G0 X1\nG0 X2\nM2\n", &[2], 7, Look::AsProgrammed);
-        assert_eq!(text, "G0 X1\nG0 X2\nM66 P0 L3 Q50\nM68 E0 Q7\nM2\n");
+        assert_eq!(text, format!("G0 X1\nG0 X2\n{settled}M68 E0 Q7\nM2\n"));
         let text = marked("G0 X1\n", &[1], 1, Look::ThroughKinematics);
-        let through = "M68 E1 Q1\nM66 E0 L0\nM68 E0 Q1\nM68 E1 Q0\nM66 E0 L0\n";
-        assert_eq!(text, format!("G0 X1\nM66 P0 L3 Q50\n{through}"));
+        assert_eq!(text, format!("G0 X1\n{settled}{on}M68 E0 Q1\n{off}"));
     }
 
     #[test]

@@ -32,7 +32,7 @@ const OTHERS: Duration = Duration::from_secs(360);
 const START: Duration = Duration::from_secs(40);
 
 /// Seconds after which the control is ended, whoever has forgotten it.
-const LIFETIME: &str = "300";
+const LIFETIME: &str = "600";
 
 /// How long nothing may be reached before a program counts as hanging.
 const STANDSTILL: Duration = Duration::from_secs(60);
