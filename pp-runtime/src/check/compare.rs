@@ -14,7 +14,7 @@ use super::Checked;
 use super::chain::Placed;
 use super::expect::{Expect, Item, Kind, Wanted};
 use super::feed::FeedLaw;
-use super::follow::Done;
+use super::follow::{Done, Steps};
 use super::path::Segment;
 use super::read::{Action, Block, Family, Length, MAX_AXES, WorkOffset, WorkPlane};
 use super::report::{Shown, Tally};
@@ -99,6 +99,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) restarted: bool,
     /// The rapid that the last block at the part has done, where it may have been the way out before it as well.
     pub(super) left: Option<Item>,
+    /// The rapid that the last block was a step of.
+    pub(super) steps: Option<Steps>,
     /// The motion that the last block has ended.
     pub(super) done: Option<Done>,
     /// The state of the last motion.
@@ -177,6 +179,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             retracted: false,
             restarted: false,
             left: None,
+            steps: None,
             done: None,
             last: None,
             ended: false,

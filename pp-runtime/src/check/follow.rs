@@ -37,6 +37,13 @@ const POLE: f64 = 1.64;
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
 
+/// A rapid that is run in steps: words where it began, and behind the first of them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Steps {
+    start: [f64; MAX_AXES],
+    first: [f64; MAX_AXES],
+}
+
 /// A motion that has been done.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Done {
@@ -78,13 +85,16 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             let needless = self.needs_no_block(&segment);
             // A block that goes on from the end of a motion belongs to one behind it.
             if needless && (other || !self.is_at(end, &motion.to)) {
-                self.pass();
+                self.pass_over();
                 continue;
             }
             let share = self.fits(&segment, &motion, block, end);
             let share = share.or_else(|| if in_hole { self.stops_on_way(&segment, &motion, end) } else { None });
             if let Some(share) = share {
                 self.travelled(block, end, &segment, &motion, share, (at, wanted), shown);
+                return Ok(true);
+            }
+            if motion.rapid && self.goes_in_steps(block) {
                 return Ok(true);
             }
             if !needless {
@@ -130,6 +140,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         self.along = 0.0;
         self.approached = false;
+    }
+
+    /// Passes over a motion that needs no block. The rotary axes may turn for a rapid all the same.
+    pub(super) fn pass_over(&mut self) {
+        let item = self.expect.get(0).filter(|item| matches!(item.kind, Kind::Motion(Motion { rapid: true, .. })));
+        self.left = self.left.take().or_else(|| item.cloned());
+        self.pass();
     }
 
     pub(super) fn is_at(&self, here: &Placed, there: &Placed) -> bool {
@@ -204,6 +221,37 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         (near && segment.axis_distance(&end.axis) <= BOTH * self.slack.axis).then_some(0.0)
     }
 
+    /// A rapid is cut where an axis takes the short way and has half a turn to go or more: all axes go their share together.
+    /// Whether they did is seen where it ends.
+    fn goes_in_steps(&mut self, block: &Block) -> bool {
+        let before = self.before.0;
+        let turns = |(index, axis): (usize, &crate::kinematics::Axis)| {
+            self.config.wrap.contains_key(&axis.letter)
+                && (block.values[index] - before[index]).abs() > self.slack.angle
+        };
+        let direct = block.action == Action::Rapid && self.config.transition == Transition::Direct;
+        if !direct || !M::AXES.iter().enumerate().any(turns) {
+            return false;
+        }
+        let on = self.steps.is_none_or(|steps| self.lies_on_way(&steps, &block.values));
+        self.steps = self.steps.or(Some(Steps { start: before, first: block.values }));
+        on
+    }
+
+    /// Whether the first step lies on the way from where it began to some words, each but for a unit.
+    fn lies_on_way(&self, steps: &Steps, to: &[f64; MAX_AXES]) -> bool {
+        let Steps { start, first } = steps;
+        let way = |index: usize| to[index] - start[index];
+        let rotary = (0..MAX_AXES).filter(|index| self.words.rotary_mask & (1 << index) != 0);
+        let most = rotary.max_by(|a, b| way(*a).abs().total_cmp(&way(*b).abs()));
+        let Some(most) = most.filter(|most| way(*most).abs() > 0.0) else { return false };
+        let share = (first[most] - start[most]) / way(most);
+        (0..MAX_AXES).all(|index| {
+            let unit = if self.words.rotary_mask & (1 << index) != 0 { self.slack.angle } else { self.slack.unit };
+            (start[index] + share * way(index) - first[index]).abs() <= 1.01 * unit
+        })
+    }
+
     /// A rapid in two blocks, along the tool axis and across it.
     fn corner(&self, segment: &Segment, end: &Placed) -> Option<f64> {
         let here = self.here.filter(|_| self.config.rapid == Rapid::Split)?;
@@ -246,6 +294,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.feed(block, segment, motion, share, &wanted, shown);
         } else if self.turns(block) && self.config.transition == Transition::Safe {
             self.found(shown, "a rapid turns the rotary axes at the part: the retract before it is missing");
+        }
+        if let Some(steps) = self.steps.take()
+            && !self.lies_on_way(&steps, &block.values)
+        {
+            self.found(shown, "the steps of this rapid do not lie on its way");
         }
         // The machine leaves along the axis that it has: axes of the CL data that are the same to it turn nothing.
         self.follow_out(&Placed { axis: end.axis, ..on });
@@ -454,7 +507,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// A block that serves nothing that comes next: says so, and seeks among the motions ahead where the program goes on.
     /// What lies between has been lost.
     pub(super) fn resume(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<()> {
-        self.back = None;
+        (self.back, self.steps) = (None, None);
         self.out_from = Some(*end);
         self.led_out = 0.0;
         let queue = self.expect.ahead()?;

@@ -59,7 +59,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// Passes over motions that need no block.
     fn pass_needless(&mut self) -> io::Result<()> {
         while self.needless(0) {
-            self.pass();
+            self.pass_over();
             self.expect.fill(2)?;
         }
         Ok(())
@@ -355,7 +355,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         };
         let Some((number, _)) = ahead(0) else { return };
         let rapids = (0..).map_while(ahead).take_while(|(hole, motion)| *hole == number && motion.rapid);
-        let found = rapids.enumerate().find(|(index, (_, motion))| self.is_at(end, &self.approach_point_of(*index, motion)));
+        let found =
+            rapids.enumerate().find(|(index, (_, motion))| self.is_at(end, &self.approach_point_of(*index, motion)));
         if let Some((count, _)) = found {
             (0..count).for_each(|_| self.pass());
         }

@@ -45,16 +45,26 @@ crate::machine! {
 
 /// What the check says of a program that has just been posted, and the program.
 fn posted<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str) -> (Vec<String>, String) {
-    let control = control::by_name(control).expect("a control");
-    let set_up = format!("defaults = {{ speed = 2000, direction = \"CLW\" }}\n{set_up}");
-    let config = control::starting_point(control).read_over::<M>(&set_up).expect("a configuration");
-    let config = Config { mode, ..config };
+    let (control, config) = configured::<M>(control, mode, set_up);
     let mut program = Vec::new();
     let job = post::Job { cl_name: "part.cls", config: &config, control, units: None };
     let report = post::post::<M>(&job, &mut Cursor::new(data), &mut program).expect("memory takes it");
     assert!(!report.failed, "{:?}", report.diagnostics);
     let found = findings::<M>(&config, control, data, &program);
     (found, String::from_utf8(program).expect("ASCII"))
+}
+
+fn configured<M: Machine>(control: &str, mode: Mode, set_up: &str) -> (&'static dyn Control, Config) {
+    let control = control::by_name(control).expect("a control");
+    let set_up = format!("defaults = {{ speed = 2000, direction = \"CLW\" }}\n{set_up}");
+    let config = control::starting_point(control).read_over::<M>(&set_up).expect("a configuration");
+    (control, Config { mode, ..config })
+}
+
+/// What the check says of a program that somebody has changed.
+fn again<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str, program: &str) -> Vec<String> {
+    let (control, config) = configured::<M>(control, mode, set_up);
+    findings::<M>(&config, control, data, program.as_bytes())
 }
 
 fn findings<M: Machine>(config: &Config, control: &dyn Control, data: &str, program: &[u8]) -> Vec<String> {
@@ -210,7 +220,8 @@ RETRCT
     };
     let set_up = "limits = { C = [-190, 270], B = [-180, 180] }\ncourse = { start_branch = \"first\" }";
     for coolant in ["ON", "OFF"] {
-        for more in ["", "STOP\n", "GOTO/50,-78,160\n", "RAPID\nGOTO/50,-78,160\nGOTO/50,-78,100\n", "GOHOME/0,0,180\n"] {
+        for more in ["", "STOP\n", "GOTO/50,-78,160\n", "RAPID\nGOTO/50,-78,160\nGOTO/50,-78,100\n", "GOHOME/0,0,180\n"]
+        {
             let (found, program) = posted::<Nutating>("siemens", Mode::Axes, set_up, &data(coolant, more));
             assert_eq!(found, [""; 0], "{coolant} {more}{program}");
             assert!(program.matches("SUPA G0 Z0 D0").count() > 3, "{program}");
@@ -268,4 +279,53 @@ GOTO/39.2282,4.3779,28.3778
     let (found, program) = posted::<Tables>("siemens", Mode::Tcp, set_up, data);
     assert_eq!(found, [""; 0], "{program}");
     assert_eq!(program.matches("TRAORI").count(), 2, "{program}");
+}
+
+/// ROTABL/NEXT turns the table for a point that repeats, and the tool comes back to it.
+#[test]
+fn a_point_that_repeats_is_come_back_to_where_the_table_turns_for_it() {
+    let data = |more: &str| {
+        format!(
+            "UNITS/MM
+LOADTL/3
+FEDRAT/MMPM,300
+ROTABL/NEXT,CCLW
+RAPID
+GOTO/-0.810,-17.985,39.439,-0.4155124,-0.2781177,0.8660254
+RAPID
+GOTO/-0.810,-17.985,39.439
+{more}"
+        )
+    };
+    let set_up = "course = { prefer = \"C+\" }\nlimits = { C = [-200, 200] }\nretract = { distance = 86 }
+tools = { 3 = { length = 156.9346 } }\n";
+    for more in ["", "GOTO/5,-18,39\n", "RAPID\nGOTO/5,-18,39\n", "STOP\n"] {
+        let (found, program) = posted::<HeadTable>("fanuc", Mode::Axes, set_up, &data(more));
+        assert_eq!(found, [""; 0], "{more}{program}");
+        assert!(program.matches("G53 G0 Z0.").count() > 3, "{program}");
+    }
+}
+
+/// An axis that takes the short way makes half a turn in two blocks, and everything else goes half its way with it.
+#[test]
+fn a_rapid_of_half_a_turn_goes_in_steps_where_axes_take_the_short_way() {
+    let data = "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,300
+GOTO/10,20,5,0.6,0,0.8
+GOTO/10,20,50
+RAPID
+GOTO/-10,20,50,-0.6,0,0.8
+GOTO/-10,20,5
+";
+    let set_up = "transition = \"direct\"\nwrap = { C = \"0..360\" }\nlimits = { B = [0, 110] }\n";
+    for control in ["linuxcnc", "heidenhain"] {
+        let (found, program) = posted::<Tables>(control, Mode::Axes, set_up, data);
+        assert_eq!(found, [""; 0], "{program}");
+        let half = if control == "heidenhain" { "Y+0 C+90" } else { "Y0 C90" };
+        assert!(program.contains(half), "{program}");
+        let aside = program.replace(half, &half.replace("90", "91"));
+        let found = again::<Tables>(control, Mode::Axes, set_up, data, &aside);
+        assert!(found.len() == 1 && found[0].starts_with("7: the steps of this rapid"), "{found:?}");
+    }
 }
