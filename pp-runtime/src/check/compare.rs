@@ -290,7 +290,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
     }
 
     /// The tool of the motion that comes gives the chain its length.
-    fn take_tool(&mut self) {
+    pub(super) fn take_tool(&mut self) {
         let next = self.expect.get(0).filter(|_| matches!(self.phase, Phase::Clear(_) | Phase::Unknown));
         let Some(item) = next else { return };
         let length = item.wanted.length.unwrap_or(0.0);

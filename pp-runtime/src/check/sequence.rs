@@ -206,8 +206,18 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             _ => None,
         };
         let Some(end) = end else {
-            let elsewhere = next.is_none() && !self.parks_rotary(block);
-            return if elsewhere { self.expect.push_front(left) } else { self.left = Some(left) };
+            // What begins an operation begins with a complete state.
+            let elsewhere = match next {
+                Some(next) => next.starts && !self.restarted,
+                None => !self.parks_rotary(block),
+            };
+            if elsewhere {
+                self.expect.push_front(left);
+                self.take_tool();
+            } else {
+                self.left = Some(left);
+            }
+            return;
         };
         let arrives = next.is_some_and(|next| self.is_at(end, &self.approach_point(&next)));
         if !arrives {

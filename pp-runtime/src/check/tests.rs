@@ -220,7 +220,9 @@ RETRCT
     };
     let set_up = "limits = { C = [-190, 270], B = [-180, 180] }\ncourse = { start_branch = \"first\" }";
     for coolant in ["ON", "OFF"] {
-        for more in ["", "STOP\n", "GOTO/50,-78,160\n", "RAPID\nGOTO/50,-78,160\nGOTO/50,-78,100\n", "GOHOME/0,0,180\n"]
+        let tool = "LOADTL/2\nGOTO/-34,34,34,0,0,1\n";
+        for more in
+            ["", "STOP\n", tool, "GOTO/50,-78,160\n", "RAPID\nGOTO/50,-78,160\nGOTO/50,-78,100\n", "GOHOME/0,0,180\n"]
         {
             let (found, program) = posted::<Nutating>("siemens", Mode::Axes, set_up, &data(coolant, more));
             assert_eq!(found, [""; 0], "{coolant} {more}{program}");
