@@ -10,6 +10,7 @@ use super::feed::Stroke;
 use super::path::{Segment, Shape, angle_between};
 use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl, WorkPlane};
 use super::report::Shown;
+use super::steps::Done;
 use crate::config::{Rapid, Rewind, ToolPosture, Transition};
 use crate::kinematics::Machine;
 use crate::program::{Drilling, Feed, Location};
@@ -36,22 +37,6 @@ const POLE: f64 = 1.64;
 
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
-
-/// A rapid that is run in steps: words where it began, and behind the first of them.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Steps {
-    start: [f64; MAX_AXES],
-    first: [f64; MAX_AXES],
-}
-
-/// A motion that has been done.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Done {
-    motion: Motion,
-    wanted: Wanted,
-    /// At feed.
-    feeds: bool,
-}
 
 impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// Lets the block serve the motion ahead, passing over motions that need no block; `false` if it does not fit.
@@ -221,46 +206,6 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         (near && segment.axis_distance(&end.axis) <= BOTH * self.slack.axis).then_some(0.0)
     }
 
-    /// A rapid is cut where an axis takes the short way and has half a turn to go or more: all axes go their share together.
-    /// Whether they did is seen where it ends.
-    fn goes_in_steps(&mut self, block: &Block) -> bool {
-        let before = self.before.0;
-        let turns = |(index, axis): (usize, &crate::kinematics::Axis)| {
-            self.config.wrap.contains_key(&axis.letter)
-                && (block.values[index] - before[index]).abs() > self.slack.angle
-        };
-        let direct = block.action == Action::Rapid && self.config.transition == Transition::Direct;
-        if !direct || !M::AXES.iter().enumerate().any(turns) {
-            return false;
-        }
-        let on = self.steps.is_none_or(|steps| self.lies_on_way(&steps, &block.values));
-        self.steps = self.steps.or(Some(Steps { start: before, first: block.values }));
-        on
-    }
-
-    /// Whether the first step lies on the way from where it began to some words, each but for a unit.
-    fn lies_on_way(&self, steps: &Steps, to: &[f64; MAX_AXES]) -> bool {
-        let Steps { start, first } = steps;
-        let way = |index: usize| to[index] - start[index];
-        let rotary = (0..MAX_AXES).filter(|index| self.words.rotary_mask & (1 << index) != 0);
-        let most = rotary.max_by(|a, b| way(*a).abs().total_cmp(&way(*b).abs()));
-        let Some(most) = most.filter(|most| way(*most).abs() > 0.0) else { return false };
-        let share = (first[most] - start[most]) / way(most);
-        (0..MAX_AXES).all(|index| {
-            let unit = if self.words.rotary_mask & (1 << index) != 0 { self.slack.angle } else { self.slack.unit };
-            (start[index] + share * way(index) - first[index]).abs() <= 1.01 * unit
-        })
-    }
-
-    /// A rapid in two blocks, along the tool axis and across it.
-    fn corner(&self, segment: &Segment, end: &Placed) -> Option<f64> {
-        let here = self.here.filter(|_| self.config.rapid == Rapid::Split)?;
-        let step = segment.to.tip - here.tip;
-        let along = segment.to.axis * step.dot(&segment.to.axis);
-        let corner = if step.dot(&segment.to.axis) > 0.0 { here.tip + along } else { segment.to.tip - along };
-        ((end.tip - corner).norm() <= 2.0 * self.slack.tip).then_some(0.0)
-    }
-
     /// A block that serves a motion: its state, its way, its feed.
     #[expect(clippy::too_many_arguments, reason = "both sides of one comparison")]
     fn travelled(
@@ -312,29 +257,6 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         } else if motion.rapid {
             self.reached = Some(*end);
         }
-    }
-
-    /// The rest of a motion that is done but for rounding, run as it should be: a step of a unit, or near the pole a turn of
-    /// the rotary axes that have far to go where the tool axis is at its end already.
-    fn is_rest(&self, block: &Block, end: &Placed) -> bool {
-        let (before, known) = self.before;
-        let solved = self.solved(block);
-        let Some(Done { motion, wanted, feeds }) = self.done.filter(|_| known & solved == solved) else { return false };
-        let as_before = if feeds { block.action == Action::Feed } else { block.action == Action::Rapid };
-        let turned = self.rotary_way(&before, &block.values);
-        let stays = |share: f64| {
-            let words = between(&before, block, share, self.words.linear_places());
-            let on = self.words.place(&words, &block.state);
-            (on.tip - motion.to.tip).norm() <= wanted.tolerance
-                && angle_between(&on.axis, &motion.to.axis) <= self.axis_slack(&motion.to.axis)
-        };
-        let count = places(turned);
-        let feed = if motion.rapid { self.config.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
-        as_before
-            && self.is_at(end, &motion.to)
-            && (1..).map(f64::from).take_while(|place| *place <= count).all(|place| stays(place / (count + 1.0)))
-            && self.fault_at_path(block, &wanted).is_none()
-            && (!feeds || self.law.wrong(&self.stroke(block, 0.0, feed, &wanted), &block.state).is_none())
     }
 
     /// What comes next belongs to a thread, whose motions are a cycle of their own on some controls.
@@ -458,7 +380,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// A block that leads its tip so far, mm.
-    fn stroke(&self, block: &Block, length: f64, feed: Option<Feed>, wanted: &Wanted) -> Stroke {
+    pub(super) fn stroke(&self, block: &Block, length: f64, feed: Option<Feed>, wanted: &Wanted) -> Stroke {
         let axes = |words: &[f64; MAX_AXES]| match self.law.needs_axes() {
             true => self.words.axes(words, &block.state).unwrap_or_else(|| self.words.values(words)),
             false => self.words.values(words),

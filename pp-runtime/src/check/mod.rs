@@ -2,8 +2,8 @@
 //!
 //! `read` makes blocks of a program, knowing the control and nothing else. `chain` and `words` make tip and tool axis of
 //! them: matrices at run time, not the generated functions. `expect` says what the CL data asks for, `path` where the tool
-//! is on its way, `feed` how fast. `compare` brings the two together, with `follow` at the part, `sequence` between cuts
-//! and `state` for everything modal. Memory is constant in the length of the program.
+//! is on its way, `feed` how fast. `compare` brings the two together, with `follow` and `steps` at the part, `sequence` and
+//! `out` between cuts, and `state` for everything modal. Memory is constant in the length of the program.
 
 mod chain;
 mod compare;
@@ -11,12 +11,14 @@ mod expect;
 mod feed;
 mod follow;
 mod hole;
+mod out;
 mod path;
 pub mod read;
 mod report;
 mod sequence;
 mod set_up;
 mod state;
+mod steps;
 mod travel;
 mod words;
 
