@@ -20,9 +20,6 @@ const POINT: f64 = 1e-18;
 /// Rounding may put a point of an arc so far before the one before it, mm.
 const ROUNDED: f64 = 1e-3;
 
-/// Steps of the search for the nearest place of a curve.
-const STEPS: usize = 32;
-
 /// What the tip follows.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shape {
@@ -219,18 +216,62 @@ fn cubic(points: &[Vector3<f64>; 4], t: f64) -> Vector3<f64> {
     points[0] * (s * s * s) + points[1] * (3.0 * s * s * t) + points[2] * (3.0 * s * t * t) + points[3] * (t * t * t)
 }
 
-/// The nearest place of a cubic: the best of some, made better by sections.
+/// The nearest place of a cubic that is not before `after`; the first of those that are as near but for rounding.
+///
+/// `(B(t) - tip) . B'(t)` vanishes there, or it is an end. Both sides of a narrow bend are looked at, however narrow it is.
 fn nearest(points: &[Vector3<f64>; 4], tip: &Vector3<f64>, after: f64) -> f64 {
-    let distance = |t: f64| (cubic(points, t) - tip).norm_squared();
-    let step = (1.0 - after).max(0.0) / STEPS as f64;
-    let place = |index: usize| after + step * index as f64;
-    let best = (0..=STEPS).min_by(|a, b| distance(place(*a)).total_cmp(&distance(place(*b)))).unwrap_or(0);
-    let (mut low, mut high) = (place(best.saturating_sub(1)), place((best + 1).min(STEPS)));
-    for _ in 0..60 {
-        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
-        if distance(a) < distance(b) { high = b } else { low = a }
+    let from = after.min(1.0);
+    let distance = |t: f64| (cubic(points, t) - tip).norm();
+    let (found, count) = roots(&slope(points, tip), from, 1.0);
+    let places = || std::iter::once(from).chain(found[..count].iter().copied()).chain([1.0]);
+    let least = places().map(distance).fold(f64::INFINITY, f64::min);
+    places().find(|place| distance(*place) <= least + ROUNDED).unwrap_or(1.0)
+}
+
+/// `(B(t) - tip) . B'(t)` by powers of t, half the derivative of the square of the distance.
+fn slope(points: &[Vector3<f64>; 4], tip: &Vector3<f64>) -> [f64; 6] {
+    let [p, q, r, s] = points;
+    let powers = [p - tip, (q - p) * 3.0, (p - q * 2.0 + r) * 3.0, s - p + (q - r) * 3.0];
+    let mut slope = [0.0; 6];
+    for (i, power) in powers.iter().enumerate() {
+        for (j, other) in powers.iter().enumerate().skip(1) {
+            slope[i + j - 1] += power.dot(other) * j as f64;
+        }
     }
-    f64::midpoint(low, high)
+    slope
+}
+
+/// Where a polynomial, lowest power first, changes its sign between two places, in ascending order: between neighbouring
+/// zeros of its derivative it is monotone, so that sections find them all.
+fn roots(polynomial: &[f64; 6], low: f64, high: f64) -> ([f64; 5], usize) {
+    let mut derivatives = [*polynomial; 5];
+    for level in 1..5 {
+        let before = derivatives[level - 1];
+        derivatives[level] = std::array::from_fn(|i| before.get(i + 1).map_or(0.0, |above| above * (i + 1) as f64));
+    }
+    let (mut found, mut count) = ([0.0; 5], 0);
+    for polynomial in derivatives.iter().rev() {
+        let value = |t: f64| polynomial.iter().rev().fold(0.0, |sum, factor| sum * t + factor);
+        let (turns, between) = (found, count);
+        count = 0;
+        for index in 0..=between {
+            let mut a = if index == 0 { low } else { turns[index - 1] };
+            let mut b = if index == between { high } else { turns[index] };
+            if value(a).is_sign_negative() == value(b).is_sign_negative() {
+                continue;
+            }
+            // Until there is no number between the two.
+            while let middle = f64::midpoint(a, b)
+                && a < middle
+                && middle < b
+            {
+                if value(middle).is_sign_negative() == value(a).is_sign_negative() { a = middle } else { b = middle }
+            }
+            found[count] = b;
+            count += 1;
+        }
+    }
+    (found, count)
 }
 
 /// The polynomial pieces of a cubic B-spline, as Bézier points.
@@ -275,5 +316,33 @@ mod tests {
         let off = |step: Vector3<f64>| segment.distance(&Placed { tip: half.tip + step, ..half }, 0.0);
         assert!(off(across) < 5e-4 && off(-across) < 5e-4, "{} {}", off(across), off(-across));
         assert!(off(across * 20.0) > 1e-3, "{}", off(across * 20.0));
+    }
+
+    #[test]
+    fn a_point_of_a_narrow_bend_belongs_to_its_own_side() {
+        // Up by 60 and down again, 0.05 mm beside.
+        let points = [[0.0, 0.0, 0.0], [0.0, 80.0, 0.0], [0.05, 80.0, 0.0], [0.05, 0.0, 0.0]].map(Vector3::from);
+        let mut after = 0.0;
+        for step in 1..=200 {
+            let share = f64::from(step) / 200.0;
+            let tip = cubic(&points, share).map(|value| (value * 1e3).round() / 1e3);
+            let found = nearest(&points, &tip, after);
+            let off = (cubic(&points, found) - tip).norm();
+            assert!((found - share).abs() < 0.01 && off < 2e-3, "{share}: {found}, {off} mm");
+            after = found;
+        }
+    }
+
+    #[test]
+    fn every_change_of_sign_is_found() {
+        // (t - 0.1) (t - 0.3) (t - 0.5) (t - 0.7) (t - 0.9), multiplied out.
+        let polynomial = [-0.00945, 0.1689, -0.95, 2.3, -2.5, 1.0];
+        let (found, count) = roots(&polynomial, 0.0, 1.0);
+        assert_eq!(count, 5);
+        for (found, wanted) in found.iter().zip([0.1, 0.3, 0.5, 0.7, 0.9]) {
+            assert!((found - wanted).abs() < 1e-9, "{found} {wanted}");
+        }
+        assert_eq!(roots(&polynomial, 0.4, 0.6).1, 1);
+        assert_eq!(roots(&[1.0, 0.0, 1.0, 0.0, 0.0, 0.0], 0.0, 1.0).1, 0);
     }
 }
