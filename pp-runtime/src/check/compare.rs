@@ -12,11 +12,12 @@ use std::io::{self, Read};
 
 use super::Checked;
 use super::chain::Placed;
-use super::expect::{Expect, Kind, Wanted};
+use super::expect::{Expect, Item, Kind, Wanted};
 use super::feed::FeedLaw;
 use super::path::Segment;
 use super::read::{Action, Block, Family, Length, MAX_AXES, WorkOffset, WorkPlane};
 use super::report::{Shown, Tally};
+use super::steps::{Done, Steps};
 use super::travel::Travel;
 use super::words::Words;
 use crate::cl;
@@ -88,6 +89,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) rewound_out: Option<Placed>,
     /// How far the last motions have led out along the tool axis, mm.
     pub(super) led_out: f64,
+    /// Arcs that have ended by their angle since words said where the tool is.
+    pub(super) by_angle: u32,
     /// From where the next motion leads out.
     pub(super) out_from: Option<Placed>,
     /// The last block served nothing: where the next begins is not to be judged.
@@ -96,6 +99,12 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) retracted: bool,
     /// A complete state has begun since the last motion on the path.
     pub(super) restarted: bool,
+    /// The rapid that the last block at the part has done, where it may have been the way out before it as well.
+    pub(super) left: Option<Item>,
+    /// The rapid that the last block was a step of.
+    pub(super) steps: Option<Steps>,
+    /// The motion that the last block has ended.
+    pub(super) done: Option<Done>,
     /// The state of the last motion.
     pub(super) last: Option<(Location, Wanted)>,
     pub(super) ended: bool,
@@ -167,10 +176,14 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             rewound: None,
             rewound_out: None,
             led_out: 0.0,
+            by_angle: 0,
             out_from: None,
             lost: false,
             retracted: false,
             restarted: false,
+            left: None,
+            steps: None,
+            done: None,
             last: None,
             ended: false,
             served: Location::default(),
@@ -258,6 +271,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             Action::Cycle(cycle) => self.cycle(block, &cycle, shown)?,
             _ => self.part(block, shown)?,
         }
+        self.follow_angles(block);
         if !matches!(block.action, Action::Machine | Action::Reference) {
             self.limits_on_way(block, shown);
             self.limits(block, shown);
@@ -281,7 +295,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
     }
 
     /// The tool of the motion that comes gives the chain its length.
-    fn take_tool(&mut self) {
+    pub(super) fn take_tool(&mut self) {
         let next = self.expect.get(0).filter(|_| matches!(self.phase, Phase::Clear(_) | Phase::Unknown));
         let Some(item) = next else { return };
         let length = item.wanted.length.unwrap_or(0.0);
@@ -317,6 +331,16 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let lifts = |checker: &mut Self| {
             (rapid || checker.config.rapid == Rapid::Feed) && checker.lifts_for_cycle(block, &end, shown)
         };
+        // Where rapids of the CL data are run at feed, or it asks for coolant, a dry rapid at the part is none of them.
+        let dry = self.expect.get(0).is_some_and(|item| item.wanted.coolant != 0) && block.state.coolant == Some(0);
+        if self.back.is_none() {
+            self.left = if rapid { self.rapid_or_way_out(&end) } else { None };
+        }
+        let out = rapid && (dry || self.config.rapid == Rapid::Feed) && !self.approached;
+        if out && self.leads_out(block, &end, shown)? {
+            self.here = Some(end);
+            return Ok(());
+        }
         // Motions that need no block may stand before the hole.
         if lifts(self) || self.serve(block, &end, shown)? || lifts(self) {
             self.here = Some(end);

@@ -172,6 +172,11 @@ impl<'a, R: Read> Expect<'a, R> {
         self.queue.get(index)
     }
 
+    /// Asks for an item that has been taken once more.
+    pub(super) fn push_front(&mut self, item: Item) {
+        self.queue.push_front(item);
+    }
+
     pub(super) fn pop(&mut self) -> Option<Item> {
         self.queue.pop_front()
     }

@@ -5,11 +5,12 @@ use std::io::{self, Read};
 
 use super::chain::Placed;
 use super::compare::{Checker, Phase};
-use super::expect::{Kind, Motion, Wanted};
+use super::expect::{Item, Kind, Motion, Wanted};
 use super::feed::Stroke;
 use super::path::{Segment, Shape, angle_between};
-use super::read::{Action, ArcMove, Block, Family, MAX_AXES, TipControl};
+use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl, WorkPlane};
 use super::report::Shown;
+use super::steps::Done;
 use crate::config::{Rapid, Rewind, ToolPosture, Transition};
 use crate::kinematics::Machine;
 use crate::program::{Drilling, Feed, Location};
@@ -29,9 +30,10 @@ pub(super) const BOTH: f64 = std::f64::consts::SQRT_2;
 /// How far words of centre and ends let it swell is looked at along its way.
 const SAME_TURN: f64 = std::f64::consts::PI;
 
-/// The end of an arc by its angle may be off by so many times what rounded words may be: pole and start are rounded, and
-/// the start may be the end of another.
-const POLAR: f64 = 3.0;
+/// The end of an arc by its angle is off by so many times more of what rounded words may be than its start was: half a unit
+/// along both axes of its plane may the pole be off the place from which start and end are equally far, these distances
+/// differ by up to twice that, and three words are off by up to √3/2 units.
+const POLE: f64 = 1.64;
 
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
@@ -41,6 +43,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn serve(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<bool> {
         if let Some(back) = self.back {
             return Ok(self.serve_back(&back, block, end, shown));
+        }
+        if self.is_rest(block, end) {
+            return Ok(true);
         }
         loop {
             self.expect.fill(2)?;
@@ -62,8 +67,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             // A whole turn ends where it began, like a motion to the same place before it; so does a rapid behind a cut
             // that goes nowhere.
             let other = matches!(block.action, Action::Arc(_)) || (block.action == Action::Rapid && !motion.rapid);
-            if other && self.needs_no_block(&segment) {
-                self.pass();
+            let needless = self.needs_no_block(&segment);
+            // A block that goes on from the end of a motion belongs to one behind it.
+            if needless && (other || !self.is_at(end, &motion.to)) {
+                self.pass_over();
                 continue;
             }
             let share = self.fits(&segment, &motion, block, end);
@@ -72,7 +79,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 self.travelled(block, end, &segment, &motion, share, (at, wanted), shown);
                 return Ok(true);
             }
-            if !self.needs_no_block(&segment) {
+            if motion.rapid && self.goes_in_steps(block) {
+                return Ok(true);
+            }
+            if !needless {
                 return Ok(false);
             }
             self.pass();
@@ -89,7 +99,20 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn needs_no_block(&self, segment: &Segment) -> bool {
         let short = segment.length() <= 2.0 * self.slack.tip;
         let here = self.here.filter(|_| short || matches!(segment.shape, Shape::Line));
-        here.is_some_and(|here| self.is_at(&here, &segment.to))
+        here.is_some_and(|here| self.is_near(&here, &segment.to, drift(self.by_angle)))
+    }
+
+    /// Counts the arcs that have ended by their angle since words said where the tool is in their plane.
+    pub(super) fn follow_angles(&mut self, block: &Block) {
+        if let Action::Arc(ArcMove { by_angle: true, .. }) = block.action {
+            self.by_angle += 1;
+            return;
+        }
+        let Some([first, second, _]) = block.state.plane.map(WorkPlane::axes) else { return };
+        let said = |axis: usize| self.words.linear_places()[axis].is_none_or(|index| block.written & (1 << index) != 0);
+        if said(first) && said(second) {
+            self.by_angle = 0;
+        }
     }
 
     /// The motion ahead is done.
@@ -104,8 +127,20 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.approached = false;
     }
 
+    /// Passes over a motion that needs no block. The rotary axes may turn for a rapid all the same.
+    pub(super) fn pass_over(&mut self) {
+        let item = self.expect.get(0).filter(|item| matches!(item.kind, Kind::Motion(Motion { rapid: true, .. })));
+        self.left = self.left.take().or_else(|| item.cloned());
+        self.pass();
+    }
+
     pub(super) fn is_at(&self, here: &Placed, there: &Placed) -> bool {
-        (here.tip - there.tip).norm() <= self.slack.tip
+        self.is_near(here, there, 1.0)
+    }
+
+    /// At a place, but for so many times what rounded words may be off.
+    fn is_near(&self, here: &Placed, there: &Placed, times: f64) -> bool {
+        (here.tip - there.tip).norm() <= times * self.slack.tip
             && angle_between(&here.axis, &there.axis) <= self.axis_slack(&there.axis)
     }
 
@@ -133,7 +168,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             return Some(1.0);
         }
         // An arc by its angle ends where its rounded centre takes it, not at a place of the words.
-        let polar = if by_angle.is_some() && self.family == Family::Heidenhain { POLAR } else { 1.0 };
+        let polar = match &block.action {
+            Action::Arc(ArcMove { by_angle: true, .. }) => drift(self.by_angle + 1),
+            _ => 1.0,
+        };
         if polar > 1.0 && done && (end.tip - segment.to.tip).norm() <= polar * self.slack.tip {
             return Some(1.0);
         }
@@ -166,15 +204,6 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn stops_on_way(&self, segment: &Segment, motion: &Motion, end: &Placed) -> Option<f64> {
         let near = motion.rapid && segment.distance(end, 0.0) <= BOTH * self.slack.tip;
         (near && segment.axis_distance(&end.axis) <= BOTH * self.slack.axis).then_some(0.0)
-    }
-
-    /// A rapid in two blocks, along the tool axis and across it.
-    fn corner(&self, segment: &Segment, end: &Placed) -> Option<f64> {
-        let here = self.here.filter(|_| self.config.rapid == Rapid::Split)?;
-        let step = segment.to.tip - here.tip;
-        let along = segment.to.axis * step.dot(&segment.to.axis);
-        let corner = if step.dot(&segment.to.axis) > 0.0 { here.tip + along } else { segment.to.tip - along };
-        ((end.tip - corner).norm() <= 2.0 * self.slack.tip).then_some(0.0)
     }
 
     /// A block that serves a motion: its state, its way, its feed.
@@ -211,12 +240,18 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         } else if self.turns(block) && self.config.transition == Transition::Safe {
             self.found(shown, "a rapid turns the rotary axes at the part: the retract before it is missing");
         }
+        if let Some(steps) = self.steps.take()
+            && !self.lies_on_way(&steps, &block.values)
+        {
+            self.found(shown, "the steps of this rapid do not lie on its way");
+        }
         // The machine leaves along the axis that it has: axes of the CL data that are the same to it turn nothing.
         self.follow_out(&Placed { axis: end.axis, ..on });
         self.along = share;
         self.lost = false;
         self.restarted = false;
         self.last = Some((at, wanted));
+        self.done = (share >= 1.0).then_some(Done { motion: *motion, wanted, feeds });
         if share >= 1.0 {
             self.pass();
         } else if motion.rapid {
@@ -339,7 +374,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// A block that leads its tip so far, mm.
-    fn stroke(&self, block: &Block, length: f64, feed: Option<Feed>, wanted: &Wanted) -> Stroke {
+    pub(super) fn stroke(&self, block: &Block, length: f64, feed: Option<Feed>, wanted: &Wanted) -> Stroke {
         let axes = |words: &[f64; MAX_AXES]| match self.law.needs_axes() {
             true => self.words.axes(words, &block.state).unwrap_or_else(|| self.words.values(words)),
             false => self.words.values(words),
@@ -351,6 +386,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// The way back to where the rotary axes were rewound.
     fn serve_back(&mut self, back: &Segment, block: &Block, end: &Placed, shown: Shown<'_>) -> bool {
+        if let (Action::Rapid, Some(Item { wanted, .. })) = (block.action, self.left.take())
+            && self.is_at(end, &back.to)
+        {
+            // What looked like a rewind was the way out before a rapid, and this is the rapid.
+            self.state_at_path(block, &wanted, shown);
+            self.back = None;
+            return true;
+        }
         if block.action == Action::Rapid || !self.is_at(end, &back.to) {
             return false;
         }
@@ -380,7 +423,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// A block that serves nothing that comes next: says so, and seeks among the motions ahead where the program goes on.
     /// What lies between has been lost.
     pub(super) fn resume(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<()> {
-        self.back = None;
+        (self.back, self.steps) = (None, None);
         self.out_from = Some(*end);
         self.led_out = 0.0;
         let queue = self.expect.ahead()?;
@@ -447,6 +490,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 }
 
+/// How many times what rounded words may be off the tool is off its path behind so many arcs by their angle.
+fn drift(arcs: u32) -> f64 {
+    1.0 + POLE * f64::from(arcs)
+}
+
 /// How far an arc goes round, rad; 0 for everything else.
 pub(super) fn sweep(block: &Block) -> f64 {
     if let Action::Arc(arc) = &block.action { arc.sweep.abs() } else { 0.0 }
@@ -466,7 +514,7 @@ pub(super) fn between(
 ) -> [f64; MAX_AXES] {
     let mut words: [f64; MAX_AXES] =
         std::array::from_fn(|index| before[index] + (block.values[index] - before[index]) * share);
-    if let (Action::Arc(ArcMove { centre, sweep }), Some(plane)) = (&block.action, block.state.plane) {
+    if let (Action::Arc(ArcMove { centre, sweep, .. }), Some(plane)) = (&block.action, block.state.plane) {
         let [u, v, _] = plane.axes();
         if let (Some(first), Some(second)) = (linear[u], linear[v]) {
             let (x, y) = (before[first] - centre[u], before[second] - centre[v]);

@@ -129,15 +129,15 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let levels =
             [("comes down to", cycle.reference, hole.clearance), ("ends its cut at", cycle.bottom, -hole.depth)];
         for (what, level, height) in levels {
-            self.level_is(block, level, &placed_at(height), what, shown);
+            self.level_is(block, level, (&placed_at(height), height - hole.clearance), what, shown);
         }
         // A thread that only goes in and out leaves the way up to a motion.
         let (back, clearance) = (placed_at(hole.back_to), placed_at(hole.clearance));
         let end = ends(self, cycle.back_to);
         let short = matches!(cycle.kind, CycleKind::Tap(_)) && end.is_some_and(|end| self.is_at(&end, &clearance));
         let stays = short && hole.back_to - hole.clearance > SAME_LEVEL;
-        let back = if stays { clearance } else { back };
-        self.level_is(block, cycle.back_to, &back, "ends at", shown);
+        let (back, above) = if stays { (clearance, 0.0) } else { (back, hole.back_to - hole.clearance) };
+        self.level_is(block, cycle.back_to, (&back, above), "ends at", shown);
         self.kind_is(cycle, &hole, state.spindle, shown);
         self.cycle_feed_is(block, cycle, &hole, state.spindle.map(|(speed, _)| speed), shown);
         self.cycle_wait_is(cycle, &hole, state.spindle.map(|(speed, _)| speed), shown);
@@ -207,13 +207,18 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         Some(values)
     }
 
-    fn level_is(&mut self, block: &Block, level: f64, wanted: &Placed, what: &str, shown: Shown<'_>) {
+    /// A level of a cycle, and how far above its clearance level it is: that is where its words say the place of the hole, and
+    /// the tool axis that the rounded angles give leads elsewhere by as much as it is off.
+    fn level_is(&mut self, block: &Block, level: f64, wanted: (&Placed, f64), what: &str, shown: Shown<'_>) {
+        let (wanted, above) = wanted;
         let Some(values) = self.words_at(block, level) else {
             return self.found(shown, "a cycle, and in which plane is not known");
         };
         let at = self.words.place(&values, &block.state);
-        if !self.is_at(&at, wanted) {
-            let off = (at.tip - wanted.tip).norm();
+        let turn = angle_between(&at.axis, &wanted.axis);
+        let largest = self.slack.tip + above.abs() * turn;
+        let off = (at.tip - wanted.tip).norm();
+        if off > largest || turn > self.axis_slack(&wanted.axis) {
             self.found(shown, &format!("the cycle {what} a place that is {off:.4} mm off that of the CL data"));
         }
         let outcome = &mut self.tally.outcome;

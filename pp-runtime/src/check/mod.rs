@@ -2,8 +2,8 @@
 //!
 //! `read` makes blocks of a program, knowing the control and nothing else. `chain` and `words` make tip and tool axis of
 //! them: matrices at run time, not the generated functions. `expect` says what the CL data asks for, `path` where the tool
-//! is on its way, `feed` how fast. `compare` brings the two together, with `follow` at the part, `sequence` between cuts
-//! and `state` for everything modal. Memory is constant in the length of the program.
+//! is on its way, `feed` how fast. `compare` brings the two together, with `follow` and `steps` at the part, `sequence` and
+//! `out` between cuts, and `state` for everything modal. Memory is constant in the length of the program.
 
 mod chain;
 mod compare;
@@ -11,6 +11,7 @@ mod expect;
 mod feed;
 mod follow;
 mod hole;
+mod out;
 mod path;
 mod reach;
 pub mod read;
@@ -18,6 +19,7 @@ mod report;
 mod sequence;
 mod set_up;
 mod state;
+mod steps;
 mod travel;
 mod words;
 
@@ -116,3 +118,6 @@ fn family(job: &Job<'_>) -> Result<Family, CheckError> {
     Family::of_control(job.control.spellings().name)
         .ok_or_else(|| CheckError::Impossible("programs of this control cannot be read back".to_owned()))
 }
+
+#[cfg(test)]
+mod tests;

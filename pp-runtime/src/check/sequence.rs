@@ -6,19 +6,17 @@ use std::io::{self, Read};
 use super::chain::Placed;
 use super::compare::{Checker, Phase};
 use super::expect::{Item, Kind, Motion};
-use super::follow::BOTH;
 use super::path::{Segment, Shape, angle_between};
 use super::read::{Action, Block, Family, Length, stated};
 use super::report::Shown;
 use crate::config::Mode;
 use crate::kinematics::Machine;
-use crate::motion::way_out;
 
 /// A point this near to a line lies on it, mm.
-const ON_LINE: f64 = 1e-3;
+pub(super) const ON_LINE: f64 = 1e-3;
 
 /// The same tool axis, rad.
-const SAME_AXIS: f64 = 1e-6;
+pub(super) const SAME_AXIS: f64 = 1e-6;
 
 /// Seconds that three decimals of a wait do not hold.
 const WAIT: f64 = 6e-4;
@@ -51,15 +49,15 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// Nobody knows where the machine stands.
     fn forget(&mut self) {
         self.phase = Phase::Unknown;
-        self.here = None;
+        (self.here, self.done) = (None, None);
         self.retracted = false;
         self.reached = None;
     }
 
     /// Passes over motions that need no block.
-    fn pass_needless(&mut self) -> io::Result<()> {
+    pub(super) fn pass_needless(&mut self) -> io::Result<()> {
         while self.needless(0) {
-            self.pass();
+            self.pass_over();
             self.expect.fill(2)?;
         }
         Ok(())
@@ -108,7 +106,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.state_at_retract(block, dry, tilts, shown);
         self.phase = Phase::Clear(0);
         self.retracted = true;
-        self.here = None;
+        (self.here, self.done) = (None, None);
         self.led_out = 0.0;
         self.out_from = None;
         if matches!(self.expect.get(0), Some(Item { kind: Kind::Home, .. })) {
@@ -119,78 +117,15 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// The motion ahead is a cut that goes on where the tool stands.
-    fn rewinds(&self) -> bool {
+    pub(super) fn rewinds(&self) -> bool {
         let Some(item) = self.expect.get(0) else { return false };
         matches!(item.kind, Kind::Motion(motion) if !motion.rapid && !motion.starts)
-    }
-
-    /// The tool has to have left the part along its axis.
-    fn leaves(&mut self, rewinds: bool, shown: Shown<'_>) {
-        if rewinds {
-            self.rewound = self.here_on_path();
-        }
-        let enough = match self.here.and_then(|here| self.distance_out(&here)) {
-            Some(distance) => self.led_out + 2.0 * self.slack.tip >= distance,
-            None => self.straight || self.led_out > ON_LINE,
-        };
-        if !enough {
-            self.found(shown, "the machine retract does not begin with the way out along the tool axis");
-        }
-    }
-
-    /// Where the tool stands on the path of the CL data.
-    fn here_on_path(&self) -> Option<Placed> {
-        let here = self.here?;
-        let reached = self.reached.unwrap_or(here);
-        match self.expect.get(0) {
-            Some(Item { kind: Kind::Motion(motion), .. }) => Some(self.segment(motion, &here).at(self.along)),
-            _ => Some(reached),
-        }
-    }
-
-    /// How far out along its axis the tool has to go, from where it stood before it was led out.
-    fn distance_out(&self, here: &Placed) -> Option<f64> {
-        let clearance = self.last.map_or(self.config.retract.clearance, |(_, wanted)| wanted.clearance);
-        let axis = nalgebra::UnitVector3::new_normalize(here.axis);
-        let out = clearance.and_then(|clearance| way_out(&clearance, &here.tip.into(), &axis));
-        self.config.retract.distance.or(out.map(|out| out + self.led_out))
-    }
-
-    /// Out along the tool axis, before the machine retract; `false` if the block is no such way.
-    pub(super) fn leads_out(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<bool> {
-        let Some(here) = self.here.filter(|_| self.phase == Phase::Path) else { return Ok(false) };
-        self.pass_needless()?;
-        let Some(from) = self.here_on_path() else { return Ok(false) };
-        let still = angle_between(&here.axis, &end.axis) <= SAME_AXIS;
-        // Near the pole the tool stands at the pole, and leaves along it.
-        let found = [from.axis, here.axis].into_iter().find_map(|axis| {
-            let from = Placed { tip: from.tip, axis };
-            let distance = self.distance_out(&from)?;
-            let rest = if self.config.retract.distance.is_some() { distance } else { distance - self.led_out };
-            let out = Placed { tip: from.tip + axis * rest, axis };
-            self.is_far_out(end, &out, rest).then_some((rest, out))
-        });
-        let Some((rest, out)) = found.filter(|_| still) else { return Ok(false) };
-        let rewinds = self.rewinds();
-        if rewinds {
-            self.rewound = self.here_on_path();
-            self.rewound_out = Some(out);
-        }
-        self.state_at_leave(block, !rewinds || self.config.retract.rewind_dry, shown);
-        self.phase = Phase::Out;
-        self.led_out += rest;
-        Ok(true)
-    }
-
-    /// At a point so far out along a tool axis that is known to its rounding.
-    fn is_far_out(&self, end: &Placed, out: &Placed, distance: f64) -> bool {
-        let slack = BOTH * self.slack.tip + distance.abs() * self.slack.axis;
-        (end.tip - out.tip).norm() <= slack && angle_between(&end.axis, &out.axis) <= self.axis_slack(&out.axis)
     }
 
     /// A rapid from the retract position: one of the steps to the approach point.
     pub(super) fn approach(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
         self.expect.fill(8)?;
+        self.take_back(block, None);
         let retract = 1 << self.words.retract;
         let (rotary, linear) = (self.words.rotary_mask, self.words.linear_mask);
         // Under tip control all linear axes come down together; in a plane its own Z comes last.
@@ -275,14 +210,17 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         while let Some(Item { kind: Kind::Dwell(_), .. }) = self.expect.get(0) {
             self.skip(1, shown);
         }
+        self.take_back(block, Some(end));
         let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) else {
             self.found(shown, "an approach, and the CL data has no motion here");
             return;
         };
-        let motion = *motion;
         if motion.starts {
             self.complete_state(block, shown);
         }
+        self.come_to_hole(end);
+        let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) else { return };
+        let motion = *motion;
         let above = self.approach_point(&motion);
         if !self.is_at(end, &above) {
             let (off, turn) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis).to_degrees());
@@ -306,6 +244,22 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
     }
 
+    /// An approach to a hole leads straight over it: the lift from where the tool stood and the way over are not needed.
+    fn come_to_hole(&mut self, end: &Placed) {
+        let ahead = |index: usize| {
+            let item = self.expect.get(index)?;
+            let Kind::Motion(motion) = item.kind else { return None };
+            Some((item.hole?.number, motion))
+        };
+        let Some((number, _)) = ahead(0) else { return };
+        let rapids = (0..).map_while(ahead).take_while(|(hole, motion)| *hole == number && motion.rapid);
+        let found =
+            rapids.enumerate().find(|(index, (_, motion))| self.is_at(end, &self.approach_point_of(*index, motion)));
+        if let Some((count, _)) = found {
+            (0..count).for_each(|_| self.pass());
+        }
+    }
+
     /// Above the place where the rotary axes were rewound.
     fn come_back(&mut self, pose: Placed, end: &Placed, shown: Shown<'_>) {
         // Far above, the rounding of the rotary axes counts: along the tool axis as it stands.
@@ -326,8 +280,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 
     /// Above the first point by the approach distance, or that point itself where the next lies straight below it.
-    fn approach_point(&self, first: &Motion) -> Placed {
-        let next = (1..).map_while(|index| self.expect.get(index)).find_map(|item| match &item.kind {
+    pub(super) fn approach_point(&self, first: &Motion) -> Placed {
+        self.approach_point_of(0, first)
+    }
+
+    /// The same for a motion that stands so far ahead.
+    fn approach_point_of(&self, index: usize, first: &Motion) -> Placed {
+        let next = (index + 1..).map_while(|index| self.expect.get(index)).find_map(|item| match &item.kind {
             Kind::Motion(motion) => Some((!motion.starts).then_some(motion)),
             Kind::Dwell(_) => None,
             _ => Some(None),
@@ -385,7 +344,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// To their places, or nearer to them: where an axis takes the short way they go there together, in steps of less than
     /// half a turn of it.
-    fn parks_rotary(&self, block: &Block) -> bool {
+    pub(super) fn parks_rotary(&self, block: &Block) -> bool {
         let values = self.words.values(&block.values);
         let before = self.words.values(&self.before.0);
         let there = |index: usize, place: f64| apart(values[index], place) <= 0.6 * self.slack.angle;

@@ -14,21 +14,25 @@ use crate::program::Rotation;
 impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// At the part, on the path of the CL data.
     pub(super) fn state_at_path(&mut self, block: &Block, wanted: &Wanted, shown: Shown<'_>) {
-        let state = &block.state;
         if matches!(block.action, Action::Arc(_)) {
-            self.arc_plane = state.plane;
+            self.arc_plane = block.state.plane;
         }
+        let found = self.fault_at_path(block, wanted);
+        self.say_with_tool(found, &block.state, wanted, shown);
+    }
+
+    /// What is wrong with the state at the part, but for the tool.
+    pub(super) fn fault_at_path(&self, block: &Block, wanted: &Wanted) -> Option<String> {
+        let state = &block.state;
         let beside = wanted.side != Side::None;
         let side = if beside && self.mirrored(block) { wanted.side.across() } else { wanted.side };
-        let found = self
-            .everywhere(state, side)
+        self.everywhere(state, side)
             .or_else(|| if block.action == Action::Rapid { inverse(state) } else { None })
             .or_else(|| self.frame(state, true))
             .or_else(|| self.offsets(state, wanted, true))
             .or_else(|| if beside { self.radius(state, wanted) } else { None })
             .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
-            .or_else(|| coolant(state, wanted.coolant));
-        self.say_with_tool(found, state, wanted, shown);
+            .or_else(|| coolant(state, wanted.coolant))
     }
 
     /// Left of the words is right of the path.

@@ -119,7 +119,8 @@ impl Feeds {
         let overflow = |_| Fault::new(format_args!("a feed of {feed} mm/min does not fit into a word"));
         let (feed, word) = if stroke.turn == 0.0 && stroke.square {
             // A way that is nothing but rounding is one unit of the words.
-            let feed = if minutes > programmed { feed.min(stroke.length.max(self.still) / minutes) } else { feed };
+            let slowed = if minutes > programmed { stroke.length.max(self.still) / minutes } else { feed };
+            let feed = feed.min(slowed).min(self.largest);
             let word = Decimal::fixed(feed / self.length_unit * self.per_length, self.decimals).map_err(overflow)?;
             (Feed::PerMinute(word), word)
         } else {
@@ -257,6 +258,13 @@ mod tests {
         assert_eq!(pace.feed, Feed::PerMinute(Decimal { units: 5_000_000, decimals: 3 }));
         let pace = feeds.pace(4000.0, stroke(0.1, 1.0)).expect("a pace");
         assert!((pace.minutes - 1e-4).abs() < 1e-12 && pace.slowed > 0.0, "{pace:?}");
+        // A way that is nothing but rounding, too.
+        config.feed.shortest_block = 0.0;
+        let feeds = Feeds::new(&config, Units::Millimetres, 1e-3, &abilities());
+        for length in [0.0, 1e-5, 3e-4] {
+            let pace = feeds.pace(20_000.0, stroke(length, 0.0)).expect("a pace");
+            assert!(matches!(pace.feed, Feed::PerMinute(word) if word.value() <= 5000.0), "{length}: {pace:?}");
+        }
     }
 
     #[test]

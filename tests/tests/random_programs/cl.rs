@@ -4,10 +4,16 @@
 //! Points are made in the frame of an operation, its third direction along the tool, and written in that of the part.
 //! Everything is drawn from one stream of random numbers: the same seed gives the same bytes.
 
-use std::fmt::Write as _;
+mod between;
+mod frames;
+mod motions;
+mod text;
 
 use nalgebra::{Matrix3, Vector3};
 use tests::random::Random;
+
+use frames::Frame;
+pub(crate) use frames::{FRAMES, Frames};
 
 /// Tool axes that a machine reaches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +30,8 @@ pub(crate) enum Leaning {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Needs {
     pub(crate) leaning: Leaning,
+    /// A rotary axis turns the part.
+    pub(crate) table: bool,
     /// The rotary axes stand still in every cut.
     pub(crate) still: bool,
     pub(crate) inches: bool,
@@ -37,6 +45,12 @@ pub(crate) struct Needs {
     pub(crate) registers: bool,
     /// A bare GOHOME has a place to go.
     pub(crate) park: bool,
+    /// What frames behind the first mean.
+    pub(crate) frames: Frames,
+    /// AUXFUN/77 may be used.
+    pub(crate) code: bool,
+    /// Points are those of the centre of a corner.
+    pub(crate) centre: bool,
 }
 
 /// Tools that may be called.
@@ -58,6 +72,19 @@ struct Program<'r> {
     axis: Option<Vector3<f64>>,
     /// Height over everything that is cut, mm.
     clear: f64,
+    /// CLEARP stands in this operation.
+    cleared: bool,
+    /// What the numbers of the file count in, and what it is made of.
+    file: Frame,
+    frame_of_file: Frame,
+    tracut: Frame,
+    translation: Vector3<f64>,
+    origin_of_file: Vector3<f64>,
+    /// Frames of the file, as they lie in the model and in the part, and whether one has been stated.
+    frames: Vec<(Frame, Frame)>,
+    stated: bool,
+    /// What subprograms add to the place of the tool, mm.
+    subprograms: Vec<Vector3<f64>>,
 }
 
 /// The CL data of a seed.
@@ -73,6 +100,15 @@ pub(crate) fn program(random: &mut Random, needs: Needs) -> String {
         here: Vector3::zeros(),
         axis: None,
         clear: 30.0,
+        cleared: false,
+        file: Frame::none(),
+        frame_of_file: Frame::none(),
+        tracut: Frame::none(),
+        translation: Vector3::zeros(),
+        origin_of_file: Vector3::zeros(),
+        frames: Vec::new(),
+        stated: false,
+        subprograms: Vec::new(),
     };
     program.all();
     program.text
@@ -84,6 +120,10 @@ impl Program<'_> {
         self.line(if self.needs.inches { "UNITS/INCHES" } else { "UNITS/MM" });
         if self.random.chance(0.15) {
             self.line("$$ a remark");
+        }
+        self.state_frames();
+        if self.random.chance(0.3) {
+            self.define_subprograms();
         }
         if self.random.chance(0.1) {
             self.point("FROM", Vector3::new(0.0, 0.0, 200.0), Some(Vector3::z()));
@@ -111,8 +151,13 @@ impl Program<'_> {
         let name = 1 + self.random.below(90);
         if self.needs.nx {
             self.line(&format!("TOOL PATH/OP_{name},TOOL,T{tool}"));
-            self.line("TLDATA/MILL,10.0000,0.0000,50.0000,0.0000,0.0000");
-            self.line("MSYS/0,0,0,1,0,0,0,1,0");
+            let corner = if self.needs.centre { 1.5 } else { 0.0 };
+            let sizes = self.numbers(Vector3::new(10.0, corner, 50.0), 0);
+            self.line(&format!("TLDATA/MILL,{sizes},0.0000,0.0000"));
+            self.enter_frame();
+        } else if self.needs.centre {
+            let sizes = [self.length(10.0), self.length(1.5)];
+            self.line(&format!("CUTTER/{}", sizes.join(",")));
         }
         match self.random.below(3) {
             0 if self.needs.registers => self.line(&format!("LOAD/TOOL,{tool},ADJUST,{tool}")),
@@ -122,6 +167,15 @@ impl Program<'_> {
         self.spindle();
         self.coolant();
         if self.random.chance(0.1) {
+            self.change();
+        }
+        if self.random.chance(0.1) {
+            let senses: &[&str] = if self.needs.table { &["SHORT", "NEXT,CLW", "NEXT,CCLW"] } else { &["SHORT"] };
+            let sense = senses[self.random.below(senses.len())];
+            self.line(&format!("ROTABL/{sense}"));
+        }
+        self.cleared = self.random.chance(0.1);
+        if self.cleared {
             let height = self.length(150.0);
             self.line(&format!("CLEARP/XYPLAN,{height}"));
         }
@@ -150,6 +204,9 @@ impl Program<'_> {
         self.origin = Vector3::new(self.around(60.0), self.around(60.0), self.around(20.0));
         self.clear = self.random.between(15.0, 60.0);
         self.axis = None;
+        if self.random.chance(0.1) {
+            self.state_axis();
+        }
         self.above();
     }
 
@@ -202,7 +259,11 @@ impl Program<'_> {
     /// Lines and arcs at one tool axis.
     fn flat(&mut self) {
         for _ in 0..2 + self.random.below(12) {
-            match self.random.below(16) {
+            match self.random.below(20) {
+                16 => self.curve(),
+                17 => self.list(),
+                18 => self.call(),
+                19 => self.delta_of_file(),
                 0..=3 => self.stroke(100.0),
                 4 => self.stroke(0.02),
                 5 => self.go(),
@@ -232,7 +293,7 @@ impl Program<'_> {
         let turning = self.random.between(-12.0, 12.0);
         let tilting = if pole { -lean / 5.0 - 0.3 } else { self.random.between(-3.0, 3.0) };
         // The tip keeps its place while the axis turns about it: frames of one origin.
-        let mut tip = self.origin + self.frame * self.here;
+        let mut tip = self.here();
         for step in 0..4 + self.random.below(16) {
             match self.random.below(14) {
                 0 => self.between(),
@@ -296,6 +357,15 @@ impl Program<'_> {
             }
             self.line("CYCLE/OFF");
             if self.random.chance(0.2) {
+                self.here.z = self.clear;
+                self.line("RAPID");
+                self.go();
+                self.line("CYCLE/ON");
+                self.here = Vector3::new(self.around(40.0), self.around(40.0), 0.0);
+                self.go();
+                self.line("CYCLE/OFF");
+            }
+            if self.random.chance(0.2) {
                 self.between();
             }
         }
@@ -344,231 +414,6 @@ impl Program<'_> {
         }
         words.push(feed);
         self.line(&words.concat());
-    }
-
-    // --------------------------------------------------------------------- motions
-
-    fn stroke(&mut self, most: f64) {
-        let [x, y] = [self.around(most), self.around(most)];
-        self.here += Vector3::new(x, y, 0.0);
-        self.bound();
-        if self.random.chance(0.3) {
-            self.here.z = self.around(5.0);
-        }
-        self.go();
-    }
-
-    /// Long enough to bring compensation on.
-    fn stroke_flat(&mut self, most: f64) {
-        let length = self.random.between(5.0, most);
-        let angle = self.random.between(0.0, std::f64::consts::TAU);
-        self.here += Vector3::new(length * angle.cos(), length * angle.sin(), 0.0);
-        self.go();
-    }
-
-    fn plunge(&mut self) {
-        self.here.z = self.around(5.0);
-        self.go();
-    }
-
-    fn delta(&mut self) {
-        let step = self.random.between(0.5, 6.0);
-        let step_text = self.length(step);
-        self.line(&format!("GODLTA/{step_text}"));
-        self.here.z += step;
-    }
-
-    fn arc(&mut self) {
-        match self.random.below(8) {
-            0 => self.round(1, 1.0),
-            1 => {
-                let turns = 2 + self.random.below(3);
-                self.round(turns, 0.0);
-            }
-            _ => self.round(1, 0.0),
-        }
-    }
-
-    /// About the tool axis, `turns` of them; whole ones with the probability `whole`.
-    fn round(&mut self, turns: usize, whole: f64) {
-        let radius = if self.random.chance(0.1) { 0.3 } else { self.random.between(1.0, 40.0) };
-        let start = self.random.between(0.0, std::f64::consts::TAU);
-        let sweep = if self.random.chance(whole) { 0.0 } else { self.random.between(0.1, 6.2) };
-        let centre = self.here - Vector3::new(start.cos(), start.sin(), 0.0) * radius;
-        let end = centre + Vector3::new((start + sweep).cos(), (start + sweep).sin(), 0.0) * radius;
-        self.circle(centre, Vector3::z(), radius, turns);
-        self.here = if sweep > 0.0 { end } else { self.here };
-        self.go();
-    }
-
-    fn helix(&mut self) {
-        let radius = self.random.between(1.0, 20.0);
-        let start = self.random.between(0.0, std::f64::consts::TAU);
-        let sweep = self.random.between(0.0, 6.2);
-        let mut centre = self.here - Vector3::new(start.cos(), start.sin(), 0.0) * radius;
-        let drop = self.random.between(-4.0, 4.0);
-        let turns = 1 + self.random.below(4);
-        let end = centre + Vector3::new((start + sweep).cos() * radius, (start + sweep).sin() * radius, drop);
-        centre.z = end.z;
-        self.circle(centre, Vector3::z(), radius, turns);
-        self.here = end;
-        self.go();
-    }
-
-    /// In a plane that holds the tool axis.
-    fn arc_upright(&mut self) {
-        let radius = self.random.between(1.0, 15.0);
-        let start = self.random.between(0.0, std::f64::consts::TAU);
-        let sweep = self.random.between(0.2, 3.0);
-        let [normal, first] = match self.random.below(2) {
-            0 => [Vector3::x(), Vector3::y()],
-            _ => [Vector3::y(), Vector3::x()],
-        };
-        let on = |angle: f64| (first * angle.cos() + Vector3::z() * angle.sin()) * radius;
-        let centre = self.here - on(start);
-        self.circle(centre, normal, radius, 1);
-        self.here = centre + on(start + sweep);
-        self.go();
-    }
-
-    fn circle(&mut self, centre: Vector3<f64>, normal: Vector3<f64>, radius: f64, turns: usize) {
-        let centre = self.coordinates(self.origin + self.frame * centre);
-        let sense = self.random.sign();
-        let normal = self.directions(self.frame * normal * sense);
-        let radius = self.length(radius);
-        let tail = if self.needs.nx { ",0.0600,0.5000,10.0000,0.0000" } else { "" };
-        let times = if turns > 1 { format!(",TIMES,{turns}") } else { String::new() };
-        self.line(&format!("CIRCLE/{centre},{normal},{radius}{tail}{times}"));
-    }
-
-    /// Up, across and down again at rapid.
-    fn over(&mut self) {
-        self.here.z = self.clear;
-        self.line("RAPID");
-        self.go();
-        if self.random.chance(0.8) {
-            self.here.x += self.around(30.0);
-            self.here.y += self.around(30.0);
-            self.bound();
-            self.line("RAPID");
-            self.go();
-            self.here.z = self.random.between(1.0, 4.0);
-            self.line("RAPID");
-            self.go();
-        }
-    }
-
-    fn leave(&mut self) {
-        self.here.z = self.clear + self.random.between(0.0, 20.0);
-        if self.random.chance(0.6) {
-            self.line("RAPID");
-        }
-        self.go();
-    }
-
-    /// Something that is no motion.
-    fn between(&mut self) {
-        match self.random.below(11) {
-            0 => self.spindle(),
-            1 | 2 => self.coolant(),
-            3 => self.line("DELAY/0.75"),
-            4 => self.line("DELAY/2,REV"),
-            5..=7 => self.feed(),
-            8 => {
-                let tolerance = self.some_length(0.002, 0.009);
-                self.line(&format!("LINTOL/{tolerance}"));
-            }
-            9 if self.needs.insert => self.line("INSERT CHECK THE PART"),
-            _ => self.line("PPRINT NOTE"),
-        }
-    }
-
-    /// The machine stops, and the tool comes back from above.
-    fn stop(&mut self) {
-        let word = if self.random.chance(0.5) { "OPSTOP" } else { "STOP" };
-        self.line(word);
-        if self.random.chance(0.3) {
-            self.spindle();
-        }
-        self.axis = None;
-        self.above();
-    }
-
-    fn repeat(&mut self, tip: Vector3<f64>) {
-        let axis = self.axis;
-        self.point("GOTO", tip, axis);
-    }
-
-    fn spindle(&mut self) {
-        let speed = 500 + self.random.below(9000);
-        self.line(&format!("SPINDL/RPM,{speed},CLW"));
-    }
-
-    fn coolant(&mut self) {
-        let kinds = ["ON", "ON", "FLOOD", "MIST", "OFF"];
-        let kind = kinds[self.random.below(kinds.len())];
-        self.line(&format!("COOLNT/{kind}"));
-    }
-
-    fn feed(&mut self) {
-        let (per_turn, per_minute) = if self.needs.inches { ("IPR", "IPM") } else { ("MMPR", "MMPM") };
-        let text = match self.random.below(8) {
-            0 => format!("FEDRAT/{per_turn},{}", self.some_length(0.02, 0.5)),
-            _ => format!("FEDRAT/{per_minute},{}", self.some_length(50.0, 3000.0)),
-        };
-        self.line(&text);
-    }
-
-    // ------------------------------------------------------------------------ text
-
-    fn go(&mut self) {
-        let axis = self.frame.column(2).into_owned();
-        let written = self.axis.is_none_or(|last| last != axis) || self.random.chance(0.1);
-        self.axis = Some(axis);
-        self.point("GOTO", self.origin + self.frame * self.here, written.then_some(axis));
-    }
-
-    fn point(&mut self, word: &str, tip: Vector3<f64>, axis: Option<Vector3<f64>>) {
-        let tip = self.coordinates(tip);
-        let axis = axis.map_or(String::new(), |axis| format!(",{}", self.directions(axis)));
-        self.line(&format!("{word}/{tip}{axis}"));
-    }
-
-    fn coordinates(&self, point: Vector3<f64>) -> String {
-        format!("{},{},{}", self.length(point.x), self.length(point.y), self.length(point.z))
-    }
-
-    fn directions(&self, direction: Vector3<f64>) -> String {
-        let digits = self.decimals[1];
-        let [i, j, k] = [direction.x, direction.y, direction.z].map(|part| if part.abs() < 1e-12 { 0.0 } else { part });
-        format!("{i:.digits$},{j:.digits$},{k:.digits$}")
-    }
-
-    /// In the unit of the file.
-    fn length(&self, mm: f64) -> String {
-        let digits = self.decimals[0] + usize::from(self.needs.inches);
-        let value = if self.needs.inches { mm / 25.4 } else { mm };
-        format!("{value:.digits$}")
-    }
-
-    fn some_length(&mut self, lower: f64, upper: f64) -> String {
-        let mm = self.random.between(lower, upper);
-        self.length(mm)
-    }
-
-    fn line(&mut self, text: &str) {
-        let _ = writeln!(self.text, "{text}");
-    }
-
-    fn around(&mut self, most: f64) -> f64 {
-        let value = self.random.between(-most, most);
-        // Round numbers are as common as any others.
-        if self.random.chance(0.3) && most > 2.0 { value.round() } else { value }
-    }
-
-    fn bound(&mut self) {
-        self.here.x = self.here.x.clamp(-80.0, 80.0);
-        self.here.y = self.here.y.clamp(-80.0, 80.0);
     }
 }
 

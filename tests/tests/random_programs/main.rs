@@ -32,7 +32,7 @@ machine! {
 }
 
 /// Programs of a test run.
-const PROGRAMS: usize = 600;
+const PROGRAMS: usize = 300;
 
 /// Faulty programs that are shown.
 const SHOWN: usize = 3;

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use pp_runtime::config::Mode;
 use tests::random::Random;
 
-use super::cl::{Leaning, Needs, TOOLS};
+use super::cl::{FRAMES, Frames, Leaning, Needs, TOOLS};
 
 /// What a set-up has to know of a machine.
 #[derive(Debug, Clone, Copy)]
@@ -56,7 +56,12 @@ pub(crate) fn set_up(random: &mut Random, kind: &Kind, control: &str, mode: Mode
     let inches = file.random.chance(0.2);
     let still = mode == Mode::Plane;
     let registers = registers(control);
-    let needs = Needs { leaning: kind.leaning, still, inches, compensation, nx, insert, park, registers };
+    let frames = if nx { file.frames(kind) } else { Frames::None };
+    let code = file.maybe(0.2, "cl", "auxfun = [77]");
+    let centre = file.maybe(0.1, "", "cl_point = \"centre\"");
+    let (leaning, table) = (kind.leaning, kind.table);
+    let needs =
+        Needs { leaning, table, still, inches, compensation, nx, insert, park, registers, frames, code, centre };
     (file.text(), needs)
 }
 
@@ -112,6 +117,24 @@ impl File<'_> {
         self.put("defaults", "direction = \"CLW\"");
         self.one_of(0.2, "defaults", "peck_gap", &["0.2", "1.0"]);
         self.one_of(0.2, "defaults", "coolant", &["\"mist\"", "\"flood\""]);
+    }
+
+    /// Frames behind the first.
+    fn frames(&mut self, kind: &Kind) -> Frames {
+        let frames = match self.random.below(5) {
+            0 => Frames::Main,
+            // Where a table turns the part, nobody knows where another one lies on it.
+            1 if !kind.table => Frames::Offset,
+            _ => return Frames::None,
+        };
+        let name = if frames == Frames::Main { "main" } else { "offset" };
+        self.put("cl", format!("frames = \"{name}\""));
+        if frames == Frames::Offset {
+            for number in 2..=FRAMES {
+                self.put("frames", format!("{number} = \"G{}\"", 54 + number));
+            }
+        }
+        frames
     }
 
     /// Part and tools.
@@ -230,7 +253,8 @@ impl File<'_> {
         self.one_of(0.1, "control", "point", &["true", "false"]);
         self.one_of(0.2, "", "length_guard", &["true", "false"]);
         // Codes that builders of machines add.
-        self.put("control", "coolant = { mist = [\"M7\", \"M9\"] }");
+        let codes = "mist = [\"M7\", \"M9\"], through = [\"M88\", \"M89\"], air = [\"M83\", \"M84\"]";
+        self.put("control", format!("coolant = {{ {codes} }}"));
         let norms: &[&str] = match control {
             "heidenhain" => &["\"xyz\"", "\"xyz+deg\""],
             _ => &["\"xyz\"", "\"xyz+deg\"", "\"g93_min\""],

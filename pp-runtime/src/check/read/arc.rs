@@ -50,7 +50,7 @@ pub(super) fn of(
     let mut all = [0.0; 3];
     all[u] = centre[0];
     all[v] = centre[1];
-    Ok(ArcMove { centre: all, sweep })
+    Ok(ArcMove { centre: all, sweep, by_angle: draft.sweep.is_some() })
 }
 
 fn by_centre(draft: &Draft, unit: f64, start: [f64; 2], [u, v, w]: [usize; 3]) -> Result<[f64; 2], String> {

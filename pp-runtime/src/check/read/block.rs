@@ -246,6 +246,8 @@ pub struct ArcMove {
     pub centre: [f64; 3],
     /// Angle, + counter-clockwise about the normal of the plane, rad; never 0.
     pub sweep: f64,
+    /// The angle is what the block says, and its end follows.
+    pub by_angle: bool,
 }
 
 /// How a cycle makes a hole.

@@ -1,0 +1,333 @@
+//! Programs that are written right, each of a kind whose check has to look twice.
+
+use std::io::Cursor;
+
+use super::*;
+use crate::config::Mode;
+use crate::{control, post};
+
+crate::machine! {
+    /// Both rotary axes in the table.
+    struct Tables;
+    chain: C B | X Y Z;
+    d = (0, 0, 150);
+    limits = { B: -5..110, C: free };
+}
+
+crate::machine! {
+    /// B in the head, C in the table.
+    struct HeadTable;
+    chain: C | X Y Z B;
+    d = { C: (0, 0, 0), B: (8, 0, 140) };
+}
+
+crate::machine! {
+    /// Both in the table, the second about a line inclined by 45°.
+    struct Nutating;
+    chain: C B | X Y Z;
+    axes = { B: Rx(-45 deg) * Y };
+    d = (0, 0, 0);
+}
+
+crate::machine! {
+    /// A in the table, over a moving Y.
+    struct OneTable;
+    chain: A Y | X Z;
+    signs = { A: -, Y: - };
+    d = (0, 0, 0);
+}
+
+crate::machine! {
+    /// Three axes.
+    struct Mill;
+    chain: X Y | Z;
+}
+
+/// What the check says of a program that has just been posted, and the program.
+fn posted<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str) -> (Vec<String>, String) {
+    let (control, config) = configured::<M>(control, mode, set_up);
+    let mut program = Vec::new();
+    let job = post::Job { cl_name: "part.cls", config: &config, control, units: None };
+    let report = post::post::<M>(&job, &mut Cursor::new(data), &mut program).expect("memory takes it");
+    assert!(!report.failed, "{:?}", report.diagnostics);
+    let found = findings::<M>(&config, control, data, &program);
+    (found, String::from_utf8(program).expect("ASCII"))
+}
+
+fn configured<M: Machine>(control: &str, mode: Mode, set_up: &str) -> (&'static dyn Control, Config) {
+    let control = control::by_name(control).expect("a control");
+    let set_up = format!("defaults = {{ speed = 2000, direction = \"CLW\" }}\n{set_up}");
+    let config = control::starting_point(control).read_over::<M>(&set_up).expect("a configuration");
+    (control, Config { mode, ..config })
+}
+
+/// What the check says of a program that somebody has changed.
+fn again<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str, program: &str) -> Vec<String> {
+    let (control, config) = configured::<M>(control, mode, set_up);
+    findings::<M>(&config, control, data, program.as_bytes())
+}
+
+fn findings<M: Machine>(config: &Config, control: &dyn Control, data: &str, program: &[u8]) -> Vec<String> {
+    let job = Job { config, control, units: None };
+    let outcome = check::<M>(&job, Cursor::new(data), program).expect("it can be read").outcome;
+    outcome.findings.into_iter().map(|found| format!("{}: {}", found.location.line, found.text)).collect()
+}
+
+/// Behind arcs by their angle the tool stands a few roundings off the words of their ends; a point that is there already and
+/// whole turns from there are run from where it is.
+#[test]
+fn whole_turns_behind_a_helix_by_its_angle_begin_where_it_ended() {
+    let data = "UNITS/MM
+LOAD/TOOL,2
+FEDRAT/MMPR,0.268
+GOTO/76.426,-51.334,43.783,0.000000,0.032708,0.999465
+GOTO/94.105,28.469,-8.345
+CIRCLE/106.910,40.359,-12.472,0.000000,0.032708,0.999465,17.562,0.0600,0.5000,10.0000,0.0000,TIMES,2
+GOTO/113.839,56.488,-13.000
+GOTO/113.839,56.488,-13.000
+CIRCLE/114.197,49.241,-12.763,0.000000,0.032708,0.999465,7.260,0.0600,0.5000,10.0000,0.0000,TIMES,4
+GOTO/107.909,45.614,-12.644,0.000000,0.032708,0.999465
+";
+    let (found, program) =
+        posted::<Tables>("heidenhain", Mode::Plane, "retract = { clearance = { plane = 200 } }", data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert_eq!(program.matches("CP IPA").count(), 7, "{program}");
+}
+
+/// The way out before the rotary axes turn leads along the very line that the rapid of the CL data takes.
+#[test]
+fn a_way_out_along_a_rapid_that_is_run_at_feed_is_no_share_of_it() {
+    let set_up = "rapid = \"feed\"
+rapid_feed = 8000.0
+course = { start_branch = \"second\" }
+retract = { distance = 49.7634 }
+";
+    let data = "UNITS/MM
+LOAD/TOOL,2,ADJUST,2
+COOLNT/ON
+FEDRAT/MMPM,655.27178
+GOTO/102.24687,25.91054,-31.17297,-0.15802802,-0.24200521,0.95731950
+GOTO/103.30457,18.02925,-33.17161,0.01045449,0.02399867,0.99965732
+RAPID
+GOTO/103.88313,19.35737,22.15070
+";
+    let (found, program) = posted::<Tables>("haas", Mode::Tcp, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("M09\nG00 X103.825 Y19.224 Z16.575\nG49\n"), "{program}");
+}
+
+/// At the pole the tool axis is at its end to the digits of the CL data while the table has some of its turn left.
+#[test]
+fn the_rest_of_a_turn_at_the_pole_belongs_to_the_cut_that_it_ends() {
+    let set_up = "part_origin = [28.0, 8.0, 9.0]
+course = { prefer = \"C+\" }
+retract = { distance = 64.2854 }
+tools = { 2 = { length = 98.0 } }
+";
+    let data = "UNITS/MM
+LOADTL/2
+FEDRAT/MMPM,1956.54971
+GOTO/96.05179,26.39804,55.30254,0.00489612,-0.00468027,0.99997706
+GOTO/95.34271,33.39804,56.69310,-0.00108154,0.00098819,0.99999893
+GOTO/98.05225,27.16281,54.78549,0.00510202,-0.00445492,0.99997706
+GOTO/98.05225,27.16281,54.78549,-0.00112496,0.00093846,0.99999893
+GOTO/91.47771,38.20112,52.70413,0.00548234,-0.00397755,0.99997706
+GOTO/75.36590,-15.06366,31.66462,0.00007868,-0.00008427,0.99999999
+GOTO/80.08815,-15.06366,32.33409,-0.00686730,0.00513161,0.99996325
+GOTO/77.08815,-14.78550,32.90465,0.00010311,-0.00005157,0.99999999
+GOTO/79.97308,-18.87726,32.14992,-0.00822510,0.00241681,0.99996325
+GOTO/79.20920,-11.04755,30.60343,0.00011462,-0.00001241,0.99999999
+GOTO/75.20920,-13.12958,30.67634,-0.00855173,-0.00060099,0.99996325
+GOTO/75.20920,-13.12958,30.67634,0.00011176,0.00002832,0.99999999
+RAPID
+GOTO/75.21182,-13.12891,54.11004
+";
+    let (found, program) = posted::<HeadTable>("linuxcnc", Mode::Axes, set_up, data);
+    assert_eq!(found, [""; 0]);
+    assert!(program.contains("\nX-126.814 Y22.324 C-1605.7805 F24965.3\nG94\n"), "{program}");
+}
+
+/// The points of two holes put their levels a fraction of a unit apart: the tool is lifted by the last digit of a word.
+#[test]
+fn a_lift_of_less_than_a_unit_between_two_holes_is_that_lift() {
+    let data = "UNITS/MM
+TOOL PATH/OP_53,TOOL,T1
+LOADTL/1
+RAPID
+GOTO/-55.998,55.486,50.327,-0.96050546,0.10218595,0.25881905
+CYCLE/REAM,RAPTO,8.548,FEDTO,-5.269,MMPM,387.055
+GOTO/-20.726,47.908,-27.552
+GOTO/-10.032,64.619,5.538
+";
+    let (found, program) = posted::<HeadTable>("heidenhain", Mode::Tcp, "", data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("Z-25.34\n47 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
+}
+
+/// RETRCT ends in the clearance plane; seen from the rounded place 0.4 µm below it that plane is 2.9 µm away along the tool.
+#[test]
+fn a_retract_to_a_plane_along_a_grazing_axis_has_led_out() {
+    let data = |z: f64| {
+        format!(
+            "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,900
+CLEARP/XYPLAN,{z}
+GOTO/-50.2403,17.9907,45.0580,-0.487056,0.861664,0.142517
+RETRCT
+"
+        )
+    };
+    for tenth in 0..10 {
+        let (found, program) = posted::<Tables>("haas", Mode::Axes, "", &data(150.0 + 1e-4 * f64::from(tenth)));
+        assert_eq!(found, [""; 0], "{program}");
+    }
+}
+
+/// Points that repeat stand before a step of a little more than half a unit: its block belongs to none of them.
+#[test]
+fn points_that_repeat_leave_a_small_step_to_its_own_record() {
+    let data = "UNITS/INCHES
+LOADTL/1
+FEDRAT/IPM,29.0
+GOTO/1.0,1.0,0.0
+GOTO/1.1003,1.1003,0.0
+GOTO/1.1003,1.1003,0.0
+GOTO/1.1003,1.1003,0.0
+GOTO/1.1007,1.1007,0.0
+GOTO/1.2,1.3,0.3
+";
+    let (found, program) = posted::<Mill>("heidenhain", Mode::Axes, "formats = { linear_inch = 3 }", data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains(" L X+1.101 Y+1.101\n"), "{program}");
+}
+
+/// RETRCT leads to the clearance plane, and so does the way out before the rotary axes turn for it.
+#[test]
+fn a_way_out_that_ends_where_a_rapid_does_is_told_from_it_by_what_follows() {
+    let data = |coolant: &str, more: &str| {
+        format!(
+            "UNITS/MM
+LOADTL/1
+COOLNT/{coolant}
+CLEARP/XYPLAN,150
+FEDRAT/MMPM,1615
+GOTO/60.795,-81.941,0.754,-0.00737508,0.03053267,0.99950656
+GOTO/58.795,-78.030,0.581,0.00256954,-0.02605053,0.99965732
+RETRCT
+{more}"
+        )
+    };
+    let set_up = "limits = { C = [-190, 270], B = [-180, 180] }\ncourse = { start_branch = \"first\" }";
+    for coolant in ["ON", "OFF"] {
+        let tool = "LOADTL/2\nGOTO/-34,34,34,0,0,1\n";
+        for more in
+            ["", "STOP\n", tool, "GOTO/50,-78,160\n", "RAPID\nGOTO/50,-78,160\nGOTO/50,-78,100\n", "GOHOME/0,0,180\n"]
+        {
+            let (found, program) = posted::<Nutating>("siemens", Mode::Axes, set_up, &data(coolant, more));
+            assert_eq!(found, [""; 0], "{coolant} {more}{program}");
+            assert!(program.matches("SUPA G0 Z0 D0").count() > 3, "{program}");
+        }
+    }
+}
+
+/// Down along the tool to a hole lies one more unit across: a rapid in two blocks ends in both of them.
+#[test]
+fn the_last_unit_of_a_split_rapid_belongs_to_it() {
+    let data = "UNITS/MM
+LOADTL/3
+FEDRAT/MMPM,76
+GOTO/-68.472,67.416,-80.310,0.95142594,0.00000000,0.30787771
+RAPID
+GOTO/-14.973,67.416,-62.999
+GOHOME/-29.247,3.710,139.000,0.00000000,0.00000000,1.00000000
+";
+    let set_up = "rapid = \"split\"\nretract = { distance = 105.0 }\ntools = { 3 = { length = 116.4222 } }\n";
+    let (found, program) = posted::<HeadTable>("haas", Mode::Axes, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("G00 X223.457 Z-248.087\nZ-248.088\n"), "{program}");
+}
+
+/// The words of a cycle say its place at the clearance level; 18 mm above it the rounded plane leads 0.1 µm elsewhere.
+#[test]
+fn a_cycle_goes_back_along_the_tool_axis_of_its_plane() {
+    let data = "UNITS/MM
+TOOL PATH/OP_22,TOOL,T1
+LOAD/TOOL,1
+RAPID
+GOTO/34.817064,28.465358,-6.227757,0.0000000,0.9117994,0.4106359
+CYCLE/DRILL,RAPTO,9.956617,FEDTO,-4.576551,RTRCTO,AUTO,MMPM,50.365638
+GOTO/-19.250494,-27.870271,37.489579
+";
+    let (found, program) = posted::<OneTable>("haas", Mode::Plane, "", data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert!(program.contains("G98 G81 X-19.25 Y45.628 Z-14.594 R-0.061"), "{program}");
+}
+
+/// Where the rotary axes turn on the way to a hole, the tool is neither lifted first nor led over it.
+#[test]
+fn an_approach_leads_straight_over_a_hole() {
+    let data = "UNITS/MM
+TOOL PATH/OP_65,TOOL,T4
+LOADTL/4
+ROTABL/NEXT,CCLW
+TLAXIS/0.0214170,0.0214170,0.9995412
+RAPID
+GOTO/44.6709,39.8953,13.9747
+CYCLE/DEEP,STEP,3.1775,RAPTO,11.9233,FEDTO,-8.3729,DWELL,0.5,MMPM,265.6276
+GOTO/39.2282,4.3779,28.3778
+";
+    let set_up = "course = { prefer = \"C+\" }\nlimits = { C = [-200, 200] }\nretract = { distance = 76 }\n";
+    let (found, program) = posted::<Tables>("siemens", Mode::Tcp, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    assert_eq!(program.matches("TRAORI").count(), 2, "{program}");
+}
+
+/// ROTABL/NEXT turns the table for a point that repeats, and the tool comes back to it.
+#[test]
+fn a_point_that_repeats_is_come_back_to_where_the_table_turns_for_it() {
+    let data = |more: &str| {
+        format!(
+            "UNITS/MM
+LOADTL/3
+FEDRAT/MMPM,300
+ROTABL/NEXT,CCLW
+RAPID
+GOTO/-0.810,-17.985,39.439,-0.4155124,-0.2781177,0.8660254
+RAPID
+GOTO/-0.810,-17.985,39.439
+{more}"
+        )
+    };
+    let set_up = "course = { prefer = \"C+\" }\nlimits = { C = [-200, 200] }\nretract = { distance = 86 }
+tools = { 3 = { length = 156.9346 } }\n";
+    for more in ["", "GOTO/5,-18,39\n", "RAPID\nGOTO/5,-18,39\n", "STOP\n"] {
+        let (found, program) = posted::<HeadTable>("fanuc", Mode::Axes, set_up, &data(more));
+        assert_eq!(found, [""; 0], "{more}{program}");
+        assert!(program.matches("G53 G0 Z0.").count() > 3, "{program}");
+    }
+}
+
+/// An axis that takes the short way makes half a turn in two blocks, and everything else goes half its way with it.
+#[test]
+fn a_rapid_of_half_a_turn_goes_in_steps_where_axes_take_the_short_way() {
+    let data = "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,300
+GOTO/10,20,5,0.6,0,0.8
+GOTO/10,20,50
+RAPID
+GOTO/-10,20,50,-0.6,0,0.8
+GOTO/-10,20,5
+";
+    let set_up = "transition = \"direct\"\nwrap = { C = \"0..360\" }\nlimits = { B = [0, 110] }\n";
+    for control in ["linuxcnc", "heidenhain"] {
+        let (found, program) = posted::<Tables>(control, Mode::Axes, set_up, data);
+        assert_eq!(found, [""; 0], "{program}");
+        let half = if control == "heidenhain" { "Y+0 C+90" } else { "Y0 C90" };
+        assert!(program.contains(half), "{program}");
+        let aside = program.replace(half, &half.replace("90", "91"));
+        let found = again::<Tables>(control, Mode::Axes, set_up, data, &aside);
+        assert!(found.len() == 1 && found[0].starts_with("7: the steps of this rapid"), "{found:?}");
+    }
+}
