@@ -32,7 +32,7 @@ fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
     config.defaults.rotation = Some(Rotation::Clockwise);
     config.defaults.tool = Some(1);
     config.retract.distance = Some(50.0);
-    config.cl.insert = Insert::Write;
+    config.cl.insert = Insert::Comment;
     config.cl.frames = Frames::Main;
     config.output_units = UNITS;
     config.control.tip_control = control.spellings().tip.is_none().then(|| ["M428".to_owned(), "M429".to_owned()]);
