@@ -5,7 +5,7 @@ use std::io::Read;
 use super::chain::Placed;
 use super::compare::Checker;
 use super::expect::{Motion, Wanted};
-use super::follow::{between, places};
+use super::follow::{between, places, sweep};
 use super::path::{Segment, angle_between};
 use super::read::{Action, Block, MAX_AXES};
 use crate::config::{Rapid, Transition};
@@ -35,7 +35,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let (before, known) = self.before;
         let solved = self.solved(block);
         let Some(Done { motion, wanted, feeds }) = self.done.filter(|_| known & solved == solved) else { return false };
-        let as_before = if feeds { block.action == Action::Feed } else { block.action == Action::Rapid };
+        let as_before = match block.action {
+            Action::Feed | Action::Arc(_) => feeds,
+            Action::Rapid => !feeds,
+            _ => false,
+        };
         let turned = self.words.rotary_way(&before, &block.values);
         let stays = |share: f64| {
             let words = between(&before, block, share, self.words.linear_places());
@@ -43,7 +47,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             (on.tip - motion.to.tip).norm() <= wanted.tolerance
                 && angle_between(&on.axis, &motion.to.axis) <= self.axis_slack(&motion.to.axis)
         };
-        let count = places(turned);
+        let count = places(turned + sweep(block));
         let feed = if motion.rapid { self.config.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
         as_before
             && self.is_at(end, &motion.to)

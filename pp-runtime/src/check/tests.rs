@@ -94,6 +94,27 @@ GOTO/107.909,45.614,-12.644,0.000000,0.032708,0.999465
     assert_eq!(program.matches("CP IPA").count(), 7, "{program}");
 }
 
+/// A turn that ends a little behind its beginning is a whole turn and a step of one unit.
+#[test]
+fn the_rest_of_a_turn_belongs_to_it_although_a_wait_stands_behind() {
+    let data = "UNITS/INCHES
+LOAD/TOOL,4
+FEDRAT/IPM,101.0432
+GOTO/-3.1963,-1.0810,-0.1793,0.00000000,0.01587904,0.99987392
+MOVARC/-4.2996,-1.0537,-0.1460,0.00000000,-0.01587904,-0.99987392,1.1036,ANGLE,360.000000
+GOTO/-3.1963,-1.0805,-0.1455
+DELAY/2,REV
+";
+    let (found, program) = posted::<OneTable>("haas", Mode::Axes, "", data);
+    assert_eq!(found, [""; 0], "{program}");
+    let lines: Vec<&str> = program.lines().collect();
+    let rest = lines.iter().position(|line| line.starts_with("G04")).expect("the wait") - 1;
+    assert!(lines[rest].contains('I'), "{program}");
+    // Farther than its record says it is no rest.
+    let farther = program.replace(lines[rest], &lines[rest].replace("Y1.0781", "Y1.0791"));
+    assert_ne!(again::<OneTable>("haas", Mode::Axes, "", data, &farther), [""; 0], "{farther}");
+}
+
 /// The way out before the rotary axes turn leads along the very line that the rapid of the CL data takes.
 #[test]
 fn a_way_out_along_a_rapid_that_is_run_at_feed_is_no_share_of_it() {
