@@ -89,8 +89,8 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) rewound_out: Option<Placed>,
     /// How far the last motions have led out along the tool axis, mm.
     pub(super) led_out: f64,
-    /// Arcs that have ended by their angle since words said where the tool is.
-    pub(super) by_angle: u32,
+    /// Chords of the arcs that have ended by their angle since words said where the tool is, in diameters.
+    pub(super) by_angle: f64,
     /// From where the next motion leads out.
     pub(super) out_from: Option<Placed>,
     /// The last block served nothing: where the next begins is not to be judged.
@@ -176,7 +176,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             rewound: None,
             rewound_out: None,
             led_out: 0.0,
-            by_angle: 0,
+            by_angle: 0.0,
             out_from: None,
             lost: false,
             retracted: false,

@@ -12,6 +12,9 @@ use crate::program::Feed;
 /// Share by which sums of floating-point numbers may differ.
 const NOISE: f64 = 1e-9;
 
+/// What is known of a way counts as known no worse than to this share of it.
+const ROUGHEST: f64 = 0.8;
+
 /// A block that goes nowhere may take any time; this much is written, minutes.
 const NOTHING: f64 = 1e-3;
 
@@ -50,12 +53,26 @@ pub(super) struct FeedLaw {
     per_mm: f64,
 }
 
-/// Expected F and how far it may be off.
+/// Expected F, and between what it may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Expected {
     pub(super) mode: FeedMode,
     pub(super) value: f64,
-    pub(super) slack: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Expected {
+    /// `step`: how far its digits let it be off; `rough`: the share to which the length of its way is known. F goes with one
+    /// over that length, so it may be more off upwards than downwards.
+    fn new(mode: FeedMode, value: f64, step: f64, rough: f64) -> Self {
+        let over = rough / (1.0 - rough.min(ROUGHEST));
+        Self { mode, value, low: value * (1.0 - rough - NOISE) - step, high: value * (1.0 + over + NOISE) + step }
+    }
+
+    fn is_met_by(&self, feed: f64) -> bool {
+        (self.low..=self.high).contains(&feed)
+    }
 }
 
 impl FeedLaw {
@@ -147,19 +164,19 @@ impl FeedLaw {
         let step = self.step();
         let along = |path: f64, rough: f64| {
             let value = path / minutes;
-            Expected { mode: FeedMode::PerMinute, value, slack: step + value * (rough + NOISE) }
+            Expected::new(FeedMode::PerMinute, value, step, rough)
         };
         if turn < self.angle * 0.25 && self.square {
             let slowed = minutes > programmed * (1.0 + NOISE);
-            let value = if slowed { stroke.length / minutes } else { feed } * self.per_mm;
+            let value = if slowed { stroke.length / minutes } else { feed.min(self.largest) } * self.per_mm;
             let rough = if slowed { rough } else { 0.0 };
-            return Some(Expected { mode: FeedMode::PerMinute, value, slack: step + value * (rough + NOISE) });
+            return Some(Expected::new(FeedMode::PerMinute, value, step, rough));
         }
         let inverse = |per_minute: f64| {
             let value = 1.0 / (minutes * per_minute);
             // The last of its significant digits.
             let digit = 10_f64.powi(value.abs().log10().floor() as i32 + 1 - self.digits as i32);
-            Expected { mode: FeedMode::InverseTime, value, slack: digit + value * (rough + NOISE) }
+            Expected::new(FeedMode::InverseTime, value, digit, rough)
         };
         if self.along_tip {
             return Some(if still { along(degrees, rough) } else { along(stroke.length * self.per_mm, rough) });
@@ -178,8 +195,7 @@ impl FeedLaw {
         [0.5, 1.0].into_iter().any(|units| {
             let expected = self.expected(&Stroke { length: units * self.unit, ..*stroke });
             expected.is_some_and(|expected| {
-                let off = (state.feed.unwrap_or(0.0) - expected.value).abs();
-                state.feed_mode == Some(expected.mode) && off <= expected.slack
+                state.feed_mode == Some(expected.mode) && expected.is_met_by(state.feed.unwrap_or(0.0))
             })
         })
     }
@@ -189,8 +205,7 @@ impl FeedLaw {
     fn fits_standing(&self, stroke: &Stroke, state: &State) -> bool {
         let standing = |units: f64| self.expected(&Stroke { length: units * self.unit, ..*stroke });
         let (Some(none), Some(most)) = (standing(0.0), standing(1.0 - NOISE)) else { return false };
-        let low = (none.value - none.slack).min(most.value - most.slack);
-        let high = (none.value + none.slack).max(most.value + most.slack);
+        let (low, high) = (none.low.min(most.low), none.high.max(most.high));
         let written = state.feed.unwrap_or(0.0);
         self.turns(stroke) && state.feed_mode == Some(none.mode) && low <= written && written <= high
     }
@@ -236,7 +251,7 @@ impl FeedLaw {
     pub(super) fn too_fast(&self, stroke: &Stroke, state: &State) -> Option<String> {
         let most = self.expected(&Stroke { change: [0.0; MAX_AXES], ..*stroke })?;
         let feed = state.feed.unwrap_or(0.0);
-        (state.feed_mode != Some(most.mode) || feed <= 0.0 || feed > most.value + most.slack)
+        (state.feed_mode != Some(most.mode) || feed <= 0.0 || feed > most.high)
             .then(|| format!("F is {feed} a minute, it is to be at most {:.6}", most.value))
     }
 
@@ -248,7 +263,7 @@ impl FeedLaw {
         if self.is_still(stroke) && (self.fits_shorter_or_longer(stroke, state) || self.fits_standing(stroke, state)) {
             return None;
         }
-        if state.feed_mode == Some(expected.mode) && (written - expected.value).abs() <= expected.slack {
+        if state.feed_mode == Some(expected.mode) && expected.is_met_by(written) {
             return None;
         }
         if self.fits_held_back(stroke, &expected, state) {
@@ -320,6 +335,15 @@ mod tests {
         assert_eq!(feeds.map(|feed| passes(&law, &seen, FeedMode::PerMinute, feed)), [true, true, false, false]);
         // Nothing holds back a longer one.
         assert!(!passes(&law, &stroke(0.2, 0.0, 598.39), FeedMode::PerMinute, 591.13));
+    }
+
+    #[test]
+    fn a_short_way_may_be_shorter_than_its_ends_say_and_its_feed_then_higher_by_more() {
+        // 0.036 mm known to 0.02: it may have been 0.016, or 0.056.
+        let (law, seen) = (law(0.0), stroke(0.036, 1.0, 600.0));
+        let feeds = [600.0 / 0.0165, 600.0 / 0.0155, 600.0 / 0.054];
+        assert_eq!(feeds.map(|feed| passes(&law, &seen, FeedMode::InverseTime, feed)), [true, false, true]);
+        assert!(!passes(&law, &seen, FeedMode::InverseTime, 600.0 / 0.1));
     }
 
     #[test]

@@ -30,9 +30,10 @@ pub(super) const BOTH: f64 = std::f64::consts::SQRT_2;
 /// How far words of centre and ends let it swell is looked at along its way.
 const SAME_TURN: f64 = std::f64::consts::PI;
 
-/// The end of an arc by its angle is off by so many times more of what rounded words may be than its start was: half a unit
-/// along both axes of its plane may the pole be off the place from which start and end are equally far, these distances
-/// differ by up to twice that, and three words are off by up to √3/2 units.
+/// The end of half a turn by its angle is off by so many times more of what rounded words may be than its start was: half a
+/// unit along both axes of its plane may the pole be off the place from which start and end are equally far, these distances
+/// differ by up to twice that, and three words are off by up to √3/2 units. Other angles count with the chord that they are
+/// of; a whole turn ends where it began, wherever its pole is.
 const POLE: f64 = 1.64;
 
 /// Shares that differ by rounding.
@@ -44,7 +45,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if let Some(back) = self.back {
             return Ok(self.serve_back(&back, block, end, shown));
         }
-        if self.is_rest(block, end) {
+        if self.takes_rest(block, end) {
             return Ok(true);
         }
         loop {
@@ -79,7 +80,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 self.travelled(block, end, &segment, &motion, share, (at, wanted), shown);
                 return Ok(true);
             }
-            if motion.rapid && self.goes_in_steps(block) {
+            if motion.rapid && self.takes_step(block, &wanted, shown) {
                 return Ok(true);
             }
             if !needless {
@@ -99,19 +100,21 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn needs_no_block(&self, segment: &Segment) -> bool {
         let short = segment.length() <= 2.0 * self.slack.tip;
         let here = self.here.filter(|_| short || matches!(segment.shape, Shape::Line));
-        here.is_some_and(|here| self.is_near(&here, &segment.to, drift(self.by_angle)))
+        // A point that repeats needs no block wherever the arcs before it have ended; a way that is lost is no rounding.
+        let times = if short { drift(self.by_angle) } else { 1.0 };
+        here.is_some_and(|here| self.is_near(&here, &segment.to, times))
     }
 
-    /// Counts the arcs that have ended by their angle since words said where the tool is in their plane.
+    /// Adds up the chords of arcs that have ended by their angle since words said where the tool is in their plane.
     pub(super) fn follow_angles(&mut self, block: &Block) {
-        if let Action::Arc(ArcMove { by_angle: true, .. }) = block.action {
-            self.by_angle += 1;
+        if let Action::Arc(ArcMove { by_angle: true, sweep, .. }) = block.action {
+            self.by_angle += chord(sweep);
             return;
         }
         let Some([first, second, _]) = block.state.plane.map(WorkPlane::axes) else { return };
         let said = |axis: usize| self.words.linear_places()[axis].is_none_or(|index| block.written & (1 << index) != 0);
         if said(first) && said(second) {
-            self.by_angle = 0;
+            self.by_angle = 0.0;
         }
     }
 
@@ -162,14 +165,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             }
             _ => None,
         };
-        let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip / ends));
+        let share = by_angle.unwrap_or_else(|| segment.share(end, self.along, self.slack.tip, self.slack.tip / ends));
         let done = (share - 1.0).abs() * segment.angle() < SAME_TURN;
         if (done || !matches!(segment.shape, Shape::Arc(_))) && self.is_at(end, &segment.to) {
             return Some(1.0);
         }
         // An arc by its angle ends where its rounded centre takes it, not at a place of the words.
         let polar = match &block.action {
-            Action::Arc(ArcMove { by_angle: true, .. }) => drift(self.by_angle + 1),
+            Action::Arc(ArcMove { by_angle: true, sweep, .. }) => drift(self.by_angle + chord(*sweep)),
             _ => 1.0,
         };
         if polar > 1.0 && done && (end.tip - segment.to.tip).norm() <= polar * self.slack.tip {
@@ -237,21 +240,17 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         } else if feeds {
             self.way(block, segment, &wanted, shown);
             self.feed(block, segment, motion, share, &wanted, shown);
-        } else if self.turns(block) && self.config.transition == Transition::Safe {
-            self.found(shown, "a rapid turns the rotary axes at the part: the retract before it is missing");
+        } else {
+            self.turned_at_part(block, shown);
         }
-        if let Some(steps) = self.steps.take()
-            && !self.lies_on_way(&steps, &block.values)
-        {
-            self.found(shown, "the steps of this rapid do not lie on its way");
-        }
+        self.ends_steps(block, shown);
         // The machine leaves along the axis that it has: axes of the CL data that are the same to it turn nothing.
         self.follow_out(&Placed { axis: end.axis, ..on });
         self.along = share;
         self.lost = false;
         self.restarted = false;
         self.last = Some((at, wanted));
-        self.done = (share >= 1.0).then_some(Done { motion: *motion, wanted, feeds });
+        self.done = (share >= 1.0).then_some(Done { motion: *motion, wanted, feeds, turned: 0.0 });
         if share >= 1.0 {
             self.pass();
         } else if motion.rapid {
@@ -271,6 +270,18 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let rotary = self.words.rotary_mask & known;
         let largest = self.config.index_angle + 1.5 * self.slack.angle;
         (0..MAX_AXES).any(|index| rotary & (1 << index) != 0 && (block.values[index] - before[index]).abs() > largest)
+    }
+
+    /// A block turns the rotary axes, and where the tool has not been retracted a rapid must not.
+    pub(super) fn turns_at_part(&self, block: &Block) -> bool {
+        self.config.transition == Transition::Safe && self.turns(block)
+    }
+
+    /// Says that a rapid turns the rotary axes where it must not.
+    pub(super) fn turned_at_part(&mut self, block: &Block, shown: Shown<'_>) {
+        if self.turns_at_part(block) {
+            self.found(shown, "a rapid turns the rotary axes at the part: the retract before it is missing");
+        }
     }
 
     /// How far the motions lead out along the tool axis.
@@ -490,9 +501,15 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     }
 }
 
-/// How many times what rounded words may be off the tool is off its path behind so many arcs by their angle.
-fn drift(arcs: u32) -> f64 {
-    1.0 + POLE * f64::from(arcs)
+/// How many times what rounded words may be off the tool is off its path behind arcs by their angle, whose chords add up to
+/// so many diameters.
+pub(super) fn drift(chords: f64) -> f64 {
+    1.0 + POLE * chords
+}
+
+/// Chord of an arc in diameters.
+fn chord(sweep: f64) -> f64 {
+    (0.5 * sweep).sin().abs()
 }
 
 /// How far an arc goes round, rad; 0 for everything else.

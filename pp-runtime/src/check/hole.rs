@@ -11,7 +11,7 @@ use super::compare::{Checker, Phase};
 use super::expect::{Item, Kind};
 use super::feed::Stroke;
 use super::path::{angle_between, placed};
-use super::read::{Block, CycleKind, CycleMove, FeedMode, MAX_AXES};
+use super::read::{Action, Block, CycleKind, CycleMove, FeedMode, MAX_AXES};
 use super::report::Shown;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{Drilling, Dwell, Feed, Hole, Move, Rotation};
@@ -185,6 +185,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let lifts = over && (at(hole.back_to) && !asked || cuts && at(hole.clearance));
         if lifts {
             self.state_at_path(block, &wanted, shown);
+            if block.action == Action::Rapid {
+                self.turned_at_part(block, shown);
+            }
         }
         lifts
     }

@@ -170,9 +170,9 @@ impl Segment {
         angle_between(&self.from.axis, &self.to.axis)
     }
 
-    /// The share at which the motion is nearest to a pose, not before `after`. `per_rad`: so many mm of the tip count as
-    /// much as one rad of the axis.
-    pub(super) fn share(&self, pose: &Placed, after: f64, per_rad: f64) -> f64 {
+    /// The share at which the motion is nearest to a pose, not before `after`; on a curve the first whose distance is no more
+    /// than `near`, mm. `per_rad`: so many mm of the tip count as much as one rad of the axis.
+    pub(super) fn share(&self, pose: &Placed, after: f64, near: f64, per_rad: f64) -> f64 {
         match &self.shape {
             Shape::Line => {
                 let line = self.to.tip - self.from.tip;
@@ -184,13 +184,13 @@ impl Segment {
                 if whole > POINT { (along + weight * turned) / whole } else { 1.0 }
             }
             Shape::Arc(round) => round.share(&pose.tip, after),
-            Shape::Cubic(points) => nearest(points, &pose.tip, after),
+            Shape::Cubic(points) => nearest(points, &pose.tip, after, near),
         }
     }
 
     /// How far a tip is from the motion, mm.
     pub(super) fn distance(&self, pose: &Placed, after: f64) -> f64 {
-        let share = self.share(pose, after, 0.0).clamp(0.0, 1.0);
+        let share = self.share(pose, after, 0.0, 0.0).clamp(0.0, 1.0);
         (pose.tip - self.at(share).tip).norm()
     }
 
@@ -216,16 +216,16 @@ fn cubic(points: &[Vector3<f64>; 4], t: f64) -> Vector3<f64> {
     points[0] * (s * s * s) + points[1] * (3.0 * s * s * t) + points[2] * (3.0 * s * t * t) + points[3] * (t * t * t)
 }
 
-/// The nearest place of a cubic that is not before `after`; the first of those that are as near but for rounding.
+/// The nearest place of a cubic that is not before `after`, or the first that is as near as `near`.
 ///
 /// `(B(t) - tip) . B'(t)` vanishes there, or it is an end. Both sides of a narrow bend are looked at, however narrow it is.
-fn nearest(points: &[Vector3<f64>; 4], tip: &Vector3<f64>, after: f64) -> f64 {
+fn nearest(points: &[Vector3<f64>; 4], tip: &Vector3<f64>, after: f64, near: f64) -> f64 {
     let from = after.min(1.0);
     let distance = |t: f64| (cubic(points, t) - tip).norm();
     let (found, count) = roots(&slope(points, tip), from, 1.0);
     let places = || std::iter::once(from).chain(found[..count].iter().copied()).chain([1.0]);
     let least = places().map(distance).fold(f64::INFINITY, f64::min);
-    places().find(|place| distance(*place) <= least + ROUNDED).unwrap_or(1.0)
+    places().find(|place| distance(*place) <= least.max(near)).unwrap_or(1.0)
 }
 
 /// `(B(t) - tip) . B'(t)` by powers of t, half the derivative of the square of the distance.
@@ -326,7 +326,7 @@ mod tests {
         for step in 1..=200 {
             let share = f64::from(step) / 200.0;
             let tip = cubic(&points, share).map(|value| (value * 1e3).round() / 1e3);
-            let found = nearest(&points, &tip, after);
+            let found = nearest(&points, &tip, after, 1e-3);
             let off = (cubic(&points, found) - tip).norm();
             assert!((found - share).abs() < 0.01 && off < 2e-3, "{share}: {found}, {off} mm");
             after = found;

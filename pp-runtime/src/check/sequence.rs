@@ -49,7 +49,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// Nobody knows where the machine stands.
     fn forget(&mut self) {
         self.phase = Phase::Unknown;
-        (self.here, self.done) = (None, None);
+        (self.here, self.done, self.steps) = (None, None, None);
         self.retracted = false;
         self.reached = None;
     }
@@ -106,7 +106,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         self.state_at_retract(block, dry, tilts, shown);
         self.phase = Phase::Clear(0);
         self.retracted = true;
-        (self.here, self.done) = (None, None);
+        (self.here, self.done, self.steps) = (None, None, None);
         self.led_out = 0.0;
         self.out_from = None;
         if matches!(self.expect.get(0), Some(Item { kind: Kind::Home, .. })) {

@@ -115,6 +115,27 @@ DELAY/2,REV
     assert_ne!(again::<OneTable>("haas", Mode::Axes, "", data, &farther), [""; 0], "{farther}");
 }
 
+#[test]
+fn a_rapid_behind_arcs_by_their_angle_goes_round_its_corner_from_where_they_ended() {
+    let set_up = "part_origin = [-33.0, -34.2842, -47.7332]
+limits = { B = [0, 180] }
+rapid = \"split\"
+formats = { linear_mm = 5, rotary = 2 }
+";
+    let data = "UNITS/MM
+LOADTL/4
+FEDRAT/MMPM,1391.059
+TRANS/-4.06486727,12.00000000,-0.37790603
+GOTO/14.388,60.448,-47.823,-0.374541,0.881179,0.288520
+MOVARC/-2.957,52.154,-45.009,0.374541,-0.881179,-0.288520,19.431,ANGLE,894.884821
+GOTO/-19.799,43.541,-40.567
+RAPID
+GOTO/-43.188,98.569,-22.550
+";
+    let (found, program) = posted::<Nutating>("heidenhain", Mode::Axes, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+}
+
 /// The way out before the rotary axes turn leads along the very line that the rapid of the CL data takes.
 #[test]
 fn a_way_out_along_a_rapid_that_is_run_at_feed_is_no_share_of_it() {
