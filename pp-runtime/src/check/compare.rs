@@ -144,8 +144,9 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let unit = decimals(config.formats.linear(units)) * units.in_mm();
         let angle = decimals(config.formats.rotary).to_radians();
         let rotaries = words.rotary_mask.count_ones();
-        // Three angles of a plane, half a thousandth of a degree each.
-        let in_plane = if config.mode == Mode::Plane { 3.0 * 0.5e-3_f64.to_radians() } else { 0.0 };
+        // Three angles of a plane, half a unit each: thousandths of a degree, or what rotary words have if that is coarser.
+        let in_plane = 1.5 * decimals(config.formats.rotary.min(3)).to_radians();
+        let in_plane = if config.mode == Mode::Plane { in_plane } else { 0.0 };
         let rotary = 0.5 * angle * f64::from(rotaries) * 1.01 + AXIS_NOISE;
         let pole = rotary.max(rotary - AXIS_NOISE + config.axis_tolerance);
         let tip = 0.5 * unit * corner(&machine) + 1e-6;

@@ -69,8 +69,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             // that goes nowhere.
             let other = matches!(block.action, Action::Arc(_)) || (block.action == Action::Rapid && !motion.rapid);
             let needless = self.needs_no_block(&segment);
-            // A block that goes on from the end of a motion belongs to one behind it.
-            if needless && (other || !self.is_at(end, &motion.to)) {
+            // A block that goes on from the end of a motion belongs to one behind it, and so does one with another feed.
+            let belongs = || self.is_at(end, &motion.to) && self.has_feed_of(block, &segment, &motion, &wanted);
+            if needless && (other || !belongs()) {
                 self.pass_over();
                 continue;
             }
@@ -88,6 +89,12 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             }
             self.pass();
         }
+    }
+
+    /// Whether a block of feed runs as fast as a motion asks for.
+    fn has_feed_of(&self, block: &Block, segment: &Segment, motion: &Motion, wanted: &Wanted) -> bool {
+        let stroke = || self.stroke(block, segment.length(), motion.feed, wanted);
+        block.action != Action::Feed || motion.rapid || self.law.wrong(&stroke(), &block.state).is_none()
     }
 
     /// The motion ahead from where the last one ended.

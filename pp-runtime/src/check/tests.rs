@@ -22,6 +22,13 @@ crate::machine! {
 }
 
 crate::machine! {
+    /// Both in the head.
+    struct TwoInHead;
+    chain: X | Y Z B A;
+    d = (0, 0, 0);
+}
+
+crate::machine! {
     /// Both in the table, the second about a line inclined by 45°.
     struct Nutating;
     chain: C B | X Y Z;
@@ -133,6 +140,34 @@ RAPID
 GOTO/-43.188,98.569,-22.550
 ";
     let (found, program) = posted::<Nutating>("heidenhain", Mode::Axes, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+}
+
+/// A point that repeats needs no block; the step behind it has a feed of its own.
+#[test]
+fn a_step_behind_a_point_that_repeats_has_its_own_feed() {
+    let data = "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,617.810
+GOTO/126.8258,-61.7572,14.8462,0,0,1
+GOTO/126.8258,-61.7572,14.8462
+FEDRAT/MMPM,2910.711
+GOTO/126.8198,-61.7642,14.8462
+";
+    let set_up = "formats = { linear_mm = 2 }\nretract = { distance = 60 }\n";
+    let (found, program) = posted::<Tables>("haas", Mode::Tcp, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    let wrong = program.replace("F2910.71", "F1910.71");
+    assert_ne!(wrong, program);
+    assert_ne!(again::<Tables>("haas", Mode::Tcp, set_up, data, &wrong), [""; 0], "{wrong}");
+}
+
+/// Angles of a plane are as coarse as rotary words.
+#[test]
+fn rotary_axes_stand_in_a_plane_to_the_digits_of_both() {
+    let data = "UNITS/MM\nLOADTL/1\nRAPID\nGOTO/-1.0524,24.774747,15.66743,-0.016843,0.016843,0.999716\n";
+    let set_up = "formats = { rotary = 2 }\nretract = { distance = 55.697 }\n";
+    let (found, program) = posted::<TwoInHead>("fanuc", Mode::Plane, set_up, data);
     assert_eq!(found, [""; 0], "{program}");
 }
 
@@ -372,4 +407,91 @@ GOTO/-10,20,5
         let found = again::<Tables>(control, Mode::Axes, set_up, data, &aside);
         assert!(found.len() == 1 && found[0].starts_with("7: the steps of this rapid"), "{found:?}");
     }
+    // A step farther than the end, one backwards, one in another state.
+    let (_, program) = posted::<Tables>("linuxcnc", Mode::Axes, set_up, data);
+    let step = program.lines().find(|line| line.ends_with("Y0 C90")).expect("the step");
+    let wrong = [format!("{step}\nY-40 C270"), step.replace("Y0 C90", "Y30 C315"), format!("M5\n{step}\nM3")];
+    for wrong in wrong {
+        let found = again::<Tables>("linuxcnc", Mode::Axes, set_up, data, &program.replace(step, &wrong));
+        assert_ne!(found, [""; 0], "{wrong}");
+    }
+}
+
+/// A rapid that has less than half a turn to go is one block.
+#[test]
+fn a_short_rapid_has_no_steps() {
+    let data = "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,300
+GOTO/10,20,5,0.6,0,0.8
+GOTO/10,20,50
+RAPID
+GOTO/-30,40,50,0.59088465,0.10418891,0.8
+";
+    let set_up = "transition = \"direct\"\nwrap = { C = \"0..360\" }\nlimits = { B = [0, 110] }\n";
+    let (found, program) = posted::<Tables>("linuxcnc", Mode::Axes, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    let rapid = program.lines().find(|line| line.ends_with("C10")).expect("the rapid");
+    // Half of its way, and twelve times its way.
+    for step in ["G0 X25.961 Y22.301 Z58.72 C5", "G0 X-244.948 Y315.224 Z-158.708 C120"] {
+        let found =
+            again::<Tables>("linuxcnc", Mode::Axes, set_up, data, &program.replace(rapid, &format!("{step}\n{rapid}")));
+        assert_ne!(found, [""; 0], "{step}\n{program}");
+    }
+}
+
+/// Whole turns by their angle end where they began, however many they are.
+#[test]
+fn many_turns_by_their_angle_allow_no_more_than_one() {
+    let data = "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,300
+GOTO/5,0,5,0,0,1
+GOTO/5,0,0
+CIRCLE/0,0,-30,0,0,-1,5,0.06,0.5,10,1,TIMES,60
+GOTO/5,0,-30
+GOTO/4.92,0,-30
+RAPID
+GOTO/4.92,0,5
+";
+    let (found, program) = posted::<Mill>("heidenhain", Mode::Axes, "", data);
+    assert_eq!(found, [""; 0], "{program}");
+    let last = program.rfind("IPA").expect("a turn");
+    let (before, behind) = program.split_at(last);
+    let short = format!("{before}{}", behind.replacen("360", "359.2", 1));
+    let lost = program.lines().find(|line| line.contains("X+4.92")).expect("the last cut");
+    for wrong in [short, program.replace(lost, &lost[..lost.find(' ').expect("its number")])] {
+        let found = again::<Mill>("heidenhain", Mode::Axes, "", data, &wrong);
+        assert_ne!(found, [""; 0], "{wrong}");
+    }
+}
+
+/// Over the pole the table may turn and the tool stays: not at rapid with the tool at the part, and not by turns.
+#[test]
+fn a_table_that_turns_under_a_tool_at_the_part_is_told() {
+    let data = "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,300
+GOTO/10,20,5,0,0,1
+GOTO/10,30,5
+RAPID
+GOTO/10,30,50
+GOTO/40,30,50
+GOTO/40,30,5
+GOTO/60,30,5
+";
+    let set_up = "retract = { distance = 20 }\n";
+    let (found, program) = posted::<Tables>("siemens", Mode::Tcp, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    let behind = |line: &str, more: &str| program.replace(&format!("\n{line}\n"), &format!("\n{line}\n{more}\n"));
+    for (line, more) in [("G0 Z50", "G0 C180"), ("Y30", "C7200"), ("X60", "C-360")] {
+        let wrong = behind(line, more);
+        assert_ne!(wrong, program, "{line} is not in {program}");
+        let found = again::<Tables>("siemens", Mode::Tcp, set_up, data, &wrong);
+        assert_ne!(found, [""; 0], "{line} {more}");
+    }
+    // D0 takes the tool offset away, and not the transformation.
+    let (before, behind) = program.rsplit_once("TRAFOOF\n").expect("the end of tip control");
+    let lost = format!("{before}{behind}");
+    assert_ne!(again::<Tables>("siemens", Mode::Tcp, set_up, data, &lost), [""; 0], "{lost}");
 }

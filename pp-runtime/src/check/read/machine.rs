@@ -207,7 +207,6 @@ impl Interpreter {
         let state = &mut self.state;
         let tip = match draft.length {
             Some(LengthCode::TipControl | LengthCode::TipVector) => Some(true),
-            Some(LengthCode::Off) => Some(false),
             _ => draft.tip_control,
         };
         match tip {

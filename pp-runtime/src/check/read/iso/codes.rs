@@ -43,7 +43,10 @@ impl Reading<'_, '_> {
             434 if fanuc => set(&mut draft.length, LengthCode::TipControl, group::LENGTH),
             435 if fanuc => set(&mut draft.length, LengthCode::TipVector, group::LENGTH),
             2340 if haas => set(&mut draft.length, LengthCode::TipControl, group::LENGTH),
-            490 => set(&mut draft.length, LengthCode::Off, group::LENGTH),
+            490 => {
+                draft.tip_control = draft.tip_control.or((!linuxcnc).then_some(false));
+                set(&mut draft.length, LengthCode::Off, group::LENGTH)
+            }
             682 if !haas => set(&mut loose.plane, Plane::Euler, group::TILT),
             2680 if haas => set(&mut loose.plane, Plane::Haas, group::TILT),
             531 if !haas => set(&mut draft.tilt, TiltCode::Orient, group::TILT),
