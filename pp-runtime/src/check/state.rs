@@ -7,7 +7,7 @@ use super::compare::{Checker, Phase};
 use super::expect::Wanted;
 use super::read::{Action, Block, Family, FeedMode, Length, MAX_AXES, Side, State, TipControl, WorkPlane};
 use super::report::Shown;
-use crate::config::{LengthMode, Mode};
+use crate::config::{LengthMode, Mode, TcpWords, ToolPosture};
 use crate::kinematics::Machine;
 use crate::program::Rotation;
 
@@ -192,8 +192,27 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             (mode, framed) if tilted && !(framed && mode == Mode::Plane) => {
                 Some("a plane is tilted, and the words are axis positions".to_owned())
             }
+            (Mode::Tcp, true) => self.turning(state),
             _ => None,
         }
+    }
+
+    /// How the control turns the tool, where it can be told in more ways than one.
+    fn turning(&self, state: &State) -> Option<String> {
+        if self.config.control.tip_control.is_some() {
+            return None;
+        }
+        let in_plane = self.config.tool_posture == ToolPosture::Plane;
+        let in_workpiece = in_plane || self.config.tcp_words == TcpWords::Vectors;
+        let chosen = matches!(self.family, Family::Siemens | Family::Heidenhain | Family::Fanuc);
+        if chosen && state.in_plane != Some(in_plane) {
+            let way = if in_plane { "in the plane of its ends" } else { "with rotary axes that move evenly" };
+            return Some(format!("the tool axis is to turn {way}, and the program does not say so"));
+        }
+        (self.family == Family::Siemens && state.in_workpiece != Some(in_workpiece)).then(|| {
+            let frame = if in_workpiece { "workpiece" } else { "machine" };
+            format!("tool axes are to count in the {frame}, and the program does not say so")
+        })
     }
 
     /// Work offset, and length compensation if asked for.

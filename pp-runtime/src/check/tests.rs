@@ -495,3 +495,32 @@ GOTO/60,30,5
     let lost = format!("{before}{behind}");
     assert_ne!(again::<Tables>("siemens", Mode::Tcp, set_up, data, &lost), [""; 0], "{lost}");
 }
+
+/// How tip control turns the tool is said when it is switched on, and holds for all that follows.
+#[test]
+fn tip_control_that_turns_the_tool_in_another_way_is_told() {
+    let data = "UNITS/MM
+LOADTL/1
+FEDRAT/MMPM,300
+GOTO/10,20,5,0,0,1
+GOTO/10,30,5,0.6,0,0.8
+GOTO/10,40,5,0.48,0.36,0.8
+";
+    let edits = [
+        ("siemens", "ORIAXES", "ORIVECT"),
+        ("siemens", "ORIMKS", "ORIWKS"),
+        ("siemens", "ORIMKS ORIAXES\n", ""),
+        ("heidenhain", "AXIS POS", "AXIS SPAT"),
+        ("heidenhain", "PATHCTRL AXIS", "PATHCTRL VECTOR"),
+        ("fanuc", "P0", "P1"),
+    ];
+    for (control, right, wrong) in edits {
+        let frame = if control == "fanuc" { "tcp_frame = \"table_at_zero\"\n" } else { "" };
+        let set_up = format!("{frame}retract = {{ distance = 20 }}\n");
+        let (found, program) = posted::<Tables>(control, Mode::Tcp, &set_up, data);
+        assert_eq!(found, [""; 0], "{program}");
+        let edited = program.replace(right, wrong);
+        assert_ne!(edited, program, "{right}");
+        assert_ne!(again::<Tables>(control, Mode::Tcp, &set_up, data, &edited), [""; 0], "{wrong}");
+    }
+}

@@ -203,6 +203,10 @@ pub struct State {
     pub feed: Option<f64>,
     /// Tip control.
     pub tip_control: TipControl,
+    /// Under tip control the tool axis turns in the plane of its ends; otherwise each rotary axis evenly.
+    pub in_plane: Option<bool>,
+    /// Under tip control tool axes count in the workpiece; otherwise in the machine.
+    pub in_workpiece: Option<bool>,
     /// The tool axis as the program says it under tip control, in the place of angles.
     pub vector: Option<Vector3<f64>>,
     /// Tilted plane.
@@ -231,6 +235,8 @@ impl Default for State {
             feed_mode: None,
             feed: None,
             tip_control: TipControl::Off,
+            in_plane: None,
+            in_workpiece: None,
             vector: None,
             tilt: None,
             to_initial: true,

@@ -154,6 +154,8 @@ pub(super) struct Draft {
     pub(super) length: Option<LengthCode>,
     pub(super) work_offset: Option<WorkOffset>,
     pub(super) tip_control: Option<bool>,
+    pub(super) in_plane: Option<bool>,
+    pub(super) in_workpiece: Option<bool>,
     pub(super) tilt: Option<TiltCode>,
     pub(super) to_initial: Option<bool>,
     pub(super) shortest: Option<bool>,

@@ -217,6 +217,8 @@ impl Interpreter {
             }
             None => {}
         }
+        state.in_plane = draft.in_plane.or(state.in_plane);
+        state.in_workpiece = draft.in_workpiece.or(state.in_workpiece);
         if draft.vector_written == 7 {
             state.vector = nalgebra::Vector3::from(draft.vector).try_normalize(0.0);
         }

@@ -47,12 +47,19 @@ pub(super) fn function(line: &mut Line<'_>) -> bool {
     let at = &mut line.at;
     let reset = at.word(b"RESET");
     line.draft.tip_control = Some(!reset);
-    at.word(b"TCPM") && (reset || tcpm(at))
+    if !at.word(b"TCPM") {
+        return false;
+    }
+    if !reset {
+        line.draft.in_plane = tcpm(at);
+    }
+    reset || line.draft.in_plane.is_some()
 }
 
-/// `F TCP AXIS POS PATHCTRL AXIS`.
-fn tcpm(at: &mut Cursor<'_>) -> bool {
-    let axis = at.word(b"F") && at.word(b"TCP") && at.word(b"AXIS") && (at.word(b"POS") || at.word(b"SPAT"));
-    let way = at.word(b"PATHCTRL") && (at.word(b"AXIS") || at.word(b"VECTOR"));
-    axis && way && at.ended()
+/// `F TCP AXIS POS PATHCTRL AXIS`: whether the tool axis turns in a plane. With AXIS SPAT the words of rotary axes would be
+/// spatial angles, which nothing here is.
+fn tcpm(at: &mut Cursor<'_>) -> Option<bool> {
+    let positions = at.word(b"F") && at.word(b"TCP") && at.word(b"AXIS") && at.word(b"POS") && at.word(b"PATHCTRL");
+    let in_plane = positions && at.word(b"VECTOR");
+    (positions && (in_plane || at.word(b"AXIS")) && at.ended()).then_some(in_plane)
 }

@@ -110,7 +110,16 @@ impl Reading<'_, '_> {
             draft.centre_written = 0;
         }
         if on && self.line.family() == Family::Fanuc {
-            self.loose.p = None;
+            // P1: the tool axis turns in a plane.
+            let form = self.loose.p.take();
+            self.line.draft.in_plane = match form.map(whole) {
+                None | Some(Some(0)) => Some(false),
+                Some(Some(1)) => Some(true),
+                Some(_) => {
+                    self.line.fault(0, "a form of tip control that is not known here");
+                    None
+                }
+            };
         }
     }
 

@@ -144,7 +144,7 @@ impl Siemens {
 
     /// A name of two letters or more.
     fn keyword(&mut self, line: &mut Line<'_>, loose: &mut Loose) -> bool {
-        const OF_THE_CONTROL: [&[u8]; 6] = [b"STOPRE", b"ORIAXES", b"ORIVECT", b"ORIWKS", b"ORIMKS", b"RET"];
+        const OF_THE_CONTROL: [&[u8]; 2] = [b"STOPRE", b"RET"];
         let start = line.at.at;
         let name = line.at.name();
         let is = |word: &[u8]| name.eq_ignore_ascii_case(word);
@@ -160,6 +160,10 @@ impl Siemens {
             line.draft.tip_control = Some(false);
         } else if is(b"TRAORI") {
             line.draft.tip_control = Some(true);
+        } else if is(b"ORIAXES") || is(b"ORIVECT") {
+            line.draft.in_plane = Some(is(b"ORIVECT"));
+        } else if is(b"ORIMKS") || is(b"ORIWKS") {
+            line.draft.in_workpiece = Some(is(b"ORIWKS"));
         } else if is(b"MCALL") {
             loose.mcall = true;
         } else if is(b"IF") {
