@@ -12,7 +12,7 @@ use crate::program::Feed;
 /// Share by which sums of floating-point numbers may differ.
 const NOISE: f64 = 1e-9;
 
-/// What is known of a way counts as known no worse than to this share of it.
+/// A way that is known no better than to this share of it says nothing more of how much higher its F may be.
 const ROUGHEST: f64 = 0.8;
 
 /// A block that goes nowhere may take any time; this much is written, minutes.
@@ -66,7 +66,7 @@ impl Expected {
     /// `step`: how far its digits let it be off; `rough`: the share to which the length of its way is known. F goes with one
     /// over that length, so it may be more off upwards than downwards.
     fn new(mode: FeedMode, value: f64, step: f64, rough: f64) -> Self {
-        let over = rough / (1.0 - rough.min(ROUGHEST));
+        let over = if rough < ROUGHEST { rough / (1.0 - rough) } else { rough.max(ROUGHEST / (1.0 - ROUGHEST)) };
         Self { mode, value, low: value * (1.0 - rough - NOISE) - step, high: value * (1.0 + over + NOISE) + step }
     }
 
@@ -170,7 +170,8 @@ impl FeedLaw {
             let slowed = minutes > programmed * (1.0 + NOISE);
             let value = if slowed { stroke.length / minutes } else { feed.min(self.largest) } * self.per_mm;
             let rough = if slowed { rough } else { 0.0 };
-            return Some(Expected::new(FeedMode::PerMinute, value, step, rough));
+            let expected = Expected::new(FeedMode::PerMinute, value, step, rough);
+            return Some(Expected { high: expected.high.min(self.largest * self.per_mm + step), ..expected });
         }
         let inverse = |per_minute: f64| {
             let value = 1.0 / (minutes * per_minute);
@@ -335,6 +336,13 @@ mod tests {
         assert_eq!(feeds.map(|feed| passes(&law, &seen, FeedMode::PerMinute, feed)), [true, true, false, false]);
         // Nothing holds back a longer one.
         assert!(!passes(&law, &stroke(0.2, 0.0, 598.39), FeedMode::PerMinute, 591.13));
+    }
+
+    #[test]
+    fn a_way_of_nothing_keeps_the_largest_feed_too() {
+        let (law, seen) = (FeedLaw { largest: 900.0, ..law(0.0) }, stroke(0.0, 0.0, 8000.0));
+        let feeds = [900.0, 8000.0];
+        assert_eq!(feeds.map(|feed| passes(&law, &seen, FeedMode::PerMinute, feed)), [true, false]);
     }
 
     #[test]

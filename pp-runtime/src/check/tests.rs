@@ -524,3 +524,25 @@ GOTO/10,40,5,0.48,0.36,0.8
         assert_ne!(again::<Tables>(control, Mode::Tcp, &set_up, data, &edited), [""; 0], "{wrong}");
     }
 }
+
+/// Over a hole the table must not turn at rapid, whoever thinks of a cycle that goes back to its level.
+#[test]
+fn a_table_that_turns_over_a_hole_is_told() {
+    let data = "UNITS/MM
+TOOL PATH/HOLES,TOOL,T1
+LOADTL/1
+RAPID
+GOTO/10,20,50,0,0,1
+CYCLE/DRILL,RAPTO,3.0000,FEDTO,-10.0000,RTRCTO,10.0000,MMPM,100.0000
+GOTO/10,20,0
+CYCLE/OFF
+RAPID
+GOTO/10,20,50
+";
+    let set_up = "retract = { distance = 20 }\n";
+    let (found, program) = posted::<Tables>("siemens", Mode::Tcp, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    let down = program.lines().find(|line| line.ends_with("Z3")).expect("the clearance level");
+    let wrong = program.replacen(&format!("{down}\n"), &format!("{down}\nG0 C180\n"), 1);
+    assert_ne!(again::<Tables>("siemens", Mode::Tcp, set_up, data, &wrong), [""; 0], "{wrong}");
+}
