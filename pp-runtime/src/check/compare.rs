@@ -154,7 +154,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
         tally.outcome.tolerance = config.tolerance;
-        let travel = Travel::new(&machine, config, &words);
+        let travel = Travel::new::<M>(config, &words);
         tally.outcome.limited = travel.limited();
         Self {
             law: FeedLaw::new(&machine, config, family, units, masks, (unit, angle)),

@@ -68,6 +68,20 @@ fn configured<M: Machine>(control: &str, mode: Mode, set_up: &str) -> (&'static 
     (control, Config { mode, ..config })
 }
 
+/// A program that has just been posted, of which the check has nothing to say.
+#[track_caller]
+fn posted_right<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str) -> String {
+    let (found, program) = posted::<M>(control, mode, set_up, data);
+    assert_eq!(found, [""; 0], "{program}");
+    program
+}
+
+/// Of a program that somebody has changed the check has something to say.
+#[track_caller]
+fn assert_told<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str, changed: &str) {
+    assert_ne!(again::<M>(control, mode, set_up, data, changed), [""; 0], "{changed}");
+}
+
 /// What the check says of a program that somebody has changed.
 fn again<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str, program: &str) -> Vec<String> {
     let (control, config) = configured::<M>(control, mode, set_up);
@@ -95,9 +109,7 @@ GOTO/113.839,56.488,-13.000
 CIRCLE/114.197,49.241,-12.763,0.000000,0.032708,0.999465,7.260,0.0600,0.5000,10.0000,0.0000,TIMES,4
 GOTO/107.909,45.614,-12.644,0.000000,0.032708,0.999465
 ";
-    let (found, program) =
-        posted::<Tables>("heidenhain", Mode::Plane, "retract = { clearance = { plane = 200 } }", data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Tables>("heidenhain", Mode::Plane, "retract = { clearance = { plane = 200 } }", data);
     assert_eq!(program.matches("CP IPA").count(), 7, "{program}");
 }
 
@@ -112,14 +124,13 @@ MOVARC/-4.2996,-1.0537,-0.1460,0.00000000,-0.01587904,-0.99987392,1.1036,ANGLE,3
 GOTO/-3.1963,-1.0805,-0.1455
 DELAY/2,REV
 ";
-    let (found, program) = posted::<OneTable>("haas", Mode::Axes, "", data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<OneTable>("haas", Mode::Axes, "", data);
     let lines: Vec<&str> = program.lines().collect();
     let rest = lines.iter().position(|line| line.starts_with("G04")).expect("the wait") - 1;
     assert!(lines[rest].contains('I'), "{program}");
     // Farther than its record says it is no rest.
     let farther = program.replace(lines[rest], &lines[rest].replace("Y1.0781", "Y1.0791"));
-    assert_ne!(again::<OneTable>("haas", Mode::Axes, "", data, &farther), [""; 0], "{farther}");
+    assert_told::<OneTable>("haas", Mode::Axes, "", data, &farther);
 }
 
 #[test]
@@ -139,8 +150,7 @@ GOTO/-19.799,43.541,-40.567
 RAPID
 GOTO/-43.188,98.569,-22.550
 ";
-    let (found, program) = posted::<Nutating>("heidenhain", Mode::Axes, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    posted_right::<Nutating>("heidenhain", Mode::Axes, set_up, data);
 }
 
 /// A point that repeats needs no block; the step behind it has a feed of its own.
@@ -155,11 +165,10 @@ FEDRAT/MMPM,2910.711
 GOTO/126.8198,-61.7642,14.8462
 ";
     let set_up = "formats = { linear_mm = 2 }\nretract = { distance = 60 }\n";
-    let (found, program) = posted::<Tables>("haas", Mode::Tcp, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Tables>("haas", Mode::Tcp, set_up, data);
     let wrong = program.replace("F2910.71", "F1910.71");
     assert_ne!(wrong, program);
-    assert_ne!(again::<Tables>("haas", Mode::Tcp, set_up, data, &wrong), [""; 0], "{wrong}");
+    assert_told::<Tables>("haas", Mode::Tcp, set_up, data, &wrong);
 }
 
 /// Angles of a plane are as coarse as rotary words.
@@ -167,8 +176,7 @@ GOTO/126.8198,-61.7642,14.8462
 fn rotary_axes_stand_in_a_plane_to_the_digits_of_both() {
     let data = "UNITS/MM\nLOADTL/1\nRAPID\nGOTO/-1.0524,24.774747,15.66743,-0.016843,0.016843,0.999716\n";
     let set_up = "formats = { rotary = 2 }\nretract = { distance = 55.697 }\n";
-    let (found, program) = posted::<TwoInHead>("fanuc", Mode::Plane, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    posted_right::<TwoInHead>("fanuc", Mode::Plane, set_up, data);
 }
 
 /// The way out before the rotary axes turn leads along the very line that the rapid of the CL data takes.
@@ -188,8 +196,7 @@ GOTO/103.30457,18.02925,-33.17161,0.01045449,0.02399867,0.99965732
 RAPID
 GOTO/103.88313,19.35737,22.15070
 ";
-    let (found, program) = posted::<Tables>("haas", Mode::Tcp, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Tables>("haas", Mode::Tcp, set_up, data);
     assert!(program.contains("M09\nG00 X103.825 Y19.224 Z16.575\nG49\n"), "{program}");
 }
 
@@ -236,8 +243,7 @@ CYCLE/REAM,RAPTO,8.548,FEDTO,-5.269,MMPM,387.055
 GOTO/-20.726,47.908,-27.552
 GOTO/-10.032,64.619,5.538
 ";
-    let (found, program) = posted::<HeadTable>("heidenhain", Mode::Tcp, "", data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<HeadTable>("heidenhain", Mode::Tcp, "", data);
     assert!(program.contains("Z-25.34\n47 L X-28.937 Y+48.782 R0 FMAX\n"), "{program}");
 }
 
@@ -256,8 +262,7 @@ RETRCT
         )
     };
     for tenth in 0..10 {
-        let (found, program) = posted::<Tables>("haas", Mode::Axes, "", &data(150.0 + 1e-4 * f64::from(tenth)));
-        assert_eq!(found, [""; 0], "{program}");
+        posted_right::<Tables>("haas", Mode::Axes, "", &data(150.0 + 1e-4 * f64::from(tenth)));
     }
 }
 
@@ -274,8 +279,7 @@ GOTO/1.1003,1.1003,0.0
 GOTO/1.1007,1.1007,0.0
 GOTO/1.2,1.3,0.3
 ";
-    let (found, program) = posted::<Mill>("heidenhain", Mode::Axes, "formats = { linear_inch = 3 }", data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Mill>("heidenhain", Mode::Axes, "formats = { linear_inch = 3 }", data);
     assert!(program.contains(" L X+1.101 Y+1.101\n"), "{program}");
 }
 
@@ -320,8 +324,7 @@ GOTO/-14.973,67.416,-62.999
 GOHOME/-29.247,3.710,139.000,0.00000000,0.00000000,1.00000000
 ";
     let set_up = "rapid = \"split\"\nretract = { distance = 105.0 }\ntools = { 3 = { length = 116.4222 } }\n";
-    let (found, program) = posted::<HeadTable>("haas", Mode::Axes, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<HeadTable>("haas", Mode::Axes, set_up, data);
     assert!(program.contains("G00 X223.457 Z-248.087\nZ-248.088\n"), "{program}");
 }
 
@@ -336,8 +339,7 @@ GOTO/34.817064,28.465358,-6.227757,0.0000000,0.9117994,0.4106359
 CYCLE/DRILL,RAPTO,9.956617,FEDTO,-4.576551,RTRCTO,AUTO,MMPM,50.365638
 GOTO/-19.250494,-27.870271,37.489579
 ";
-    let (found, program) = posted::<OneTable>("haas", Mode::Plane, "", data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<OneTable>("haas", Mode::Plane, "", data);
     assert!(program.contains("G98 G81 X-19.25 Y45.628 Z-14.594 R-0.061"), "{program}");
 }
 
@@ -355,8 +357,7 @@ CYCLE/DEEP,STEP,3.1775,RAPTO,11.9233,FEDTO,-8.3729,DWELL,0.5,MMPM,265.6276
 GOTO/39.2282,4.3779,28.3778
 ";
     let set_up = "course = { prefer = \"C+\" }\nlimits = { C = [-200, 200] }\nretract = { distance = 76 }\n";
-    let (found, program) = posted::<Tables>("siemens", Mode::Tcp, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Tables>("siemens", Mode::Tcp, set_up, data);
     assert_eq!(program.matches("TRAORI").count(), 2, "{program}");
 }
 
@@ -399,8 +400,7 @@ GOTO/-10,20,5
 ";
     let set_up = "transition = \"direct\"\nwrap = { C = \"0..360\" }\nlimits = { B = [0, 110] }\n";
     for control in ["linuxcnc", "heidenhain"] {
-        let (found, program) = posted::<Tables>(control, Mode::Axes, set_up, data);
-        assert_eq!(found, [""; 0], "{program}");
+        let program = posted_right::<Tables>(control, Mode::Axes, set_up, data);
         let half = if control == "heidenhain" { "Y+0 C+90" } else { "Y0 C90" };
         assert!(program.contains(half), "{program}");
         let aside = program.replace(half, &half.replace("90", "91"));
@@ -408,12 +408,11 @@ GOTO/-10,20,5
         assert!(found.len() == 1 && found[0].starts_with("7: the steps of this rapid"), "{found:?}");
     }
     // A step farther than the end, one backwards, one in another state.
-    let (_, program) = posted::<Tables>("linuxcnc", Mode::Axes, set_up, data);
+    let program = posted_right::<Tables>("linuxcnc", Mode::Axes, set_up, data);
     let step = program.lines().find(|line| line.ends_with("Y0 C90")).expect("the step");
     let wrong = [format!("{step}\nY-40 C270"), step.replace("Y0 C90", "Y30 C315"), format!("M5\n{step}\nM3")];
     for wrong in wrong {
-        let found = again::<Tables>("linuxcnc", Mode::Axes, set_up, data, &program.replace(step, &wrong));
-        assert_ne!(found, [""; 0], "{wrong}");
+        assert_told::<Tables>("linuxcnc", Mode::Axes, set_up, data, &program.replace(step, &wrong));
     }
 }
 
@@ -429,14 +428,17 @@ RAPID
 GOTO/-30,40,50,0.59088465,0.10418891,0.8
 ";
     let set_up = "transition = \"direct\"\nwrap = { C = \"0..360\" }\nlimits = { B = [0, 110] }\n";
-    let (found, program) = posted::<Tables>("linuxcnc", Mode::Axes, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Tables>("linuxcnc", Mode::Axes, set_up, data);
     let rapid = program.lines().find(|line| line.ends_with("C10")).expect("the rapid");
     // Half of its way, and twelve times its way.
     for step in ["G0 X25.961 Y22.301 Z58.72 C5", "G0 X-244.948 Y315.224 Z-158.708 C120"] {
-        let found =
-            again::<Tables>("linuxcnc", Mode::Axes, set_up, data, &program.replace(rapid, &format!("{step}\n{rapid}")));
-        assert_ne!(found, [""; 0], "{step}\n{program}");
+        assert_told::<Tables>(
+            "linuxcnc",
+            Mode::Axes,
+            set_up,
+            data,
+            &program.replace(rapid, &format!("{step}\n{rapid}")),
+        );
     }
 }
 
@@ -454,15 +456,13 @@ GOTO/4.92,0,-30
 RAPID
 GOTO/4.92,0,5
 ";
-    let (found, program) = posted::<Mill>("heidenhain", Mode::Axes, "", data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Mill>("heidenhain", Mode::Axes, "", data);
     let last = program.rfind("IPA").expect("a turn");
     let (before, behind) = program.split_at(last);
     let short = format!("{before}{}", behind.replacen("360", "359.2", 1));
     let lost = program.lines().find(|line| line.contains("X+4.92")).expect("the last cut");
     for wrong in [short, program.replace(lost, &lost[..lost.find(' ').expect("its number")])] {
-        let found = again::<Mill>("heidenhain", Mode::Axes, "", data, &wrong);
-        assert_ne!(found, [""; 0], "{wrong}");
+        assert_told::<Mill>("heidenhain", Mode::Axes, "", data, &wrong);
     }
 }
 
@@ -481,19 +481,17 @@ GOTO/40,30,5
 GOTO/60,30,5
 ";
     let set_up = "retract = { distance = 20 }\n";
-    let (found, program) = posted::<Tables>("siemens", Mode::Tcp, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Tables>("siemens", Mode::Tcp, set_up, data);
     let behind = |line: &str, more: &str| program.replace(&format!("\n{line}\n"), &format!("\n{line}\n{more}\n"));
     for (line, more) in [("G0 Z50", "G0 C180"), ("Y30", "C7200"), ("X60", "C-360")] {
         let wrong = behind(line, more);
         assert_ne!(wrong, program, "{line} is not in {program}");
-        let found = again::<Tables>("siemens", Mode::Tcp, set_up, data, &wrong);
-        assert_ne!(found, [""; 0], "{line} {more}");
+        assert_told::<Tables>("siemens", Mode::Tcp, set_up, data, &wrong);
     }
     // D0 takes the tool offset away, and not the transformation.
     let (before, behind) = program.rsplit_once("TRAFOOF\n").expect("the end of tip control");
     let lost = format!("{before}{behind}");
-    assert_ne!(again::<Tables>("siemens", Mode::Tcp, set_up, data, &lost), [""; 0], "{lost}");
+    assert_told::<Tables>("siemens", Mode::Tcp, set_up, data, &lost);
 }
 
 /// How tip control turns the tool is said when it is switched on, and holds for all that follows.
@@ -517,11 +515,10 @@ GOTO/10,40,5,0.48,0.36,0.8
     for (control, right, wrong) in edits {
         let frame = if control == "fanuc" { "tcp_frame = \"table_at_zero\"\n" } else { "" };
         let set_up = format!("{frame}retract = {{ distance = 20 }}\n");
-        let (found, program) = posted::<Tables>(control, Mode::Tcp, &set_up, data);
-        assert_eq!(found, [""; 0], "{program}");
+        let program = posted_right::<Tables>(control, Mode::Tcp, &set_up, data);
         let edited = program.replace(right, wrong);
         assert_ne!(edited, program, "{right}");
-        assert_ne!(again::<Tables>(control, Mode::Tcp, &set_up, data, &edited), [""; 0], "{wrong}");
+        assert_told::<Tables>(control, Mode::Tcp, &set_up, data, &edited);
     }
 }
 
@@ -540,9 +537,8 @@ RAPID
 GOTO/10,20,50
 ";
     let set_up = "retract = { distance = 20 }\n";
-    let (found, program) = posted::<Tables>("siemens", Mode::Tcp, set_up, data);
-    assert_eq!(found, [""; 0], "{program}");
+    let program = posted_right::<Tables>("siemens", Mode::Tcp, set_up, data);
     let down = program.lines().find(|line| line.ends_with("Z3")).expect("the clearance level");
     let wrong = program.replacen(&format!("{down}\n"), &format!("{down}\nG0 C180\n"), 1);
-    assert_ne!(again::<Tables>("siemens", Mode::Tcp, set_up, data, &wrong), [""; 0], "{wrong}");
+    assert_told::<Tables>("siemens", Mode::Tcp, set_up, data, &wrong);
 }

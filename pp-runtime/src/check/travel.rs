@@ -72,7 +72,7 @@ pub(super) struct Travel {
 }
 
 impl Travel {
-    pub(super) fn new<M: Machine>(_machine: &M, config: &Config, words: &Words) -> Self {
+    pub(super) fn new<M: Machine>(config: &Config, words: &Words) -> Self {
         let limits = config.travel::<M>().limits;
         let solved = words.linear_mask | words.rotary_mask;
         let axis = |(index, axis): (usize, &crate::kinematics::Axis)| {
