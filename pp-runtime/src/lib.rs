@@ -37,3 +37,5 @@ pub mod nc;
 pub mod post;
 #[cfg(feature = "std")]
 pub mod program;
+#[cfg(feature = "std")]
+pub mod set_up;

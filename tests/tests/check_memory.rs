@@ -9,7 +9,7 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write as _};
 
 use machines::SpinnerU5620;
 use pp_runtime::check::{Checked, Job, check};
-use pp_runtime::config::{Config, Units};
+use pp_runtime::config::{Config, Units, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::post::{self, post};
 use tests::binaries::workspace;
@@ -156,7 +156,7 @@ fn floor() -> String {
 impl Long {
     fn posted(control: &str, part: &str) -> Self {
         let control = control::by_name(control).expect("a control");
-        let config = control::starting_point(control).read_over::<SpinnerU5620>(&text("table.toml"));
+        let config = starting_point(control).read_over::<SpinnerU5620>(&text("table.toml"));
         let config = Config { output_units: Some(Units::Millimetres), ..config.expect("a configuration") };
         let mut program = Vec::new();
         let job = post::Job { cl_name: "works.cls", config: &config, control, units: None };

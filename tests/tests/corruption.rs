@@ -13,7 +13,7 @@ use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::Vector3;
 use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove, FeedMode, Side, State, TipControl};
 use pp_runtime::check::{Job, blocks, check};
-use pp_runtime::config::{Config, Operations, TcpWords, Units};
+use pp_runtime::config::{Config, Operations, TcpWords, Units, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::post::{self, post};
@@ -123,7 +123,7 @@ fn text(path: &str) -> String {
 /// A golden program.
 fn golden<M: Machine>((cl, config, machine, control): &Sample) -> Part {
     let control = control::by_name(control).expect("a control");
-    let mut set_up = control::starting_point(control);
+    let mut set_up = starting_point(control);
     if let Some(config) = config {
         set_up = set_up.read_over::<M>(&text(config)).expect("a configuration");
     }
@@ -139,11 +139,13 @@ fn golden<M: Machine>((cl, config, machine, control): &Sample) -> Part {
 /// A program posted here, of the first operations of some CL data.
 fn posted<M: Machine>(data: &[u8], operations: usize, config: &str, control: &str) -> Part {
     let control = control::by_name(control).expect("a control");
-    let set_up = control::starting_point(control).read_over::<M>(config);
+    let set_up = starting_point(control).read_over::<M>(config);
     let set_up = set_up.unwrap_or_else(|faults| panic!("{config}: {faults:?}"));
     let output_units = Some(set_up.output_units.unwrap_or(Units::Millimetres));
     let operations = Some(Operations::Range(1, Some(operations as u64)));
-    let set_up = Config { output_units, operations, ..set_up };
+    let mut set_up = set_up;
+    set_up.output_units = output_units;
+    set_up.motion.operations = operations;
     let mut program = Vec::new();
     let job = post::Job { cl_name: "part.cls", config: &set_up, control, units: None };
     let report = post::<M>(&job, &mut Cursor::new(data), &mut program).expect("memory takes it");
@@ -241,8 +243,8 @@ fn differs<M: Machine>(config: &Config, was: &Block, is: &Block, around: [Option
     let unit = 1e-3 * config.output_units.map_or(1.0, |units| if units.in_mm() > 1.0 { 2.54 } else { 1.0 });
     if was.action == Action::Machine || was.known != all || is.known != all {
         // Where tool axes are said by vectors, rotary axes may stand as they like along the same tool axis.
-        let free =
-            config.tcp_words == TcpWords::Vectors && (pose::<M>(config, was).1 - pose::<M>(config, is).1).norm() < 1e-5;
+        let free = config.motion.tip.tcp_words == TcpWords::Vectors
+            && (pose::<M>(config, was).1 - pose::<M>(config, is).1).norm() < 1e-5;
         let counts = |index: &usize| !free || M::AXES.get(*index).is_none_or(|axis| axis.kind == AxisKind::Linear);
         let off = (0..was.values.len()).filter(counts).map(|index| (was.values[index] - is.values[index]).abs());
         let off = off.fold(0.0, f64::max);
@@ -324,7 +326,8 @@ fn runs<M: Machine>(config: &Config, blocks: [&Block; 2], from: Option<[&Block; 
             };
             let off = (middle(before, blocks[0], &was) - middle(now, blocks[1], &is)).norm();
             // Each may leave the path by the tolerance.
-            (off > 2.0 * config.tolerance + 2.0 * unit).then(|| format!("the middle of an arc is {off:.4} mm off"))
+            (off > 2.0 * config.motion.tolerance + 2.0 * unit)
+                .then(|| format!("the middle of an arc is {off:.4} mm off"))
         }
         _ => None,
     }
@@ -365,9 +368,9 @@ fn place<M: Machine>(axis: usize) -> Option<usize> {
 /// the tip on the workpiece as it lies at zero, in a tilted plane they are it in that plane. The tool axis is that of the
 /// rotary axes, or what the program says.
 fn pose<M: Machine>(config: &Config, block: &Block) -> (Vector3<f64>, Vector3<f64>) {
-    let mut machine = config.machine::<M>().expect("a machine");
-    let length = block.state.tool.and_then(|tool| config.tools.get(&tool)).and_then(|tool| tool.length);
-    machine.set_up(config.part_origin.into(), length.unwrap_or(100.0));
+    let mut machine = config.set_up.machine::<M>().expect("a machine");
+    let length = block.state.tool.and_then(|tool| config.set_up.tools.get(&tool)).and_then(|tool| tool.length);
+    machine.set_up(config.set_up.part_origin.into(), length.unwrap_or(100.0));
     let mut values = M::HELD;
     for (value, word) in values.as_mut().iter_mut().zip(&block.values) {
         *value = *word;

@@ -112,16 +112,19 @@ fn compare<M: Machine>(seed: u64, paths: usize) -> (usize, usize) {
         let limits = [0, 1].map(|axis| {
             let lower = random.between(if axis == 0 { -400.0 } else { -190.0 }, 0.0);
             let upper = lower + if axis == 0 { random.between(200.0, 600.0) } else { random.between(60.0, 380.0) };
-            config.limits.insert(letters[axis], Some(Limits { lower: lower.to_radians(), upper: upper.to_radians() }));
+            config
+                .set_up
+                .limits
+                .insert(letters[axis], Some(Limits { lower: lower.to_radians(), upper: upper.to_radians() }));
             ((lower * PER_DEGREE).ceil() as i64, (upper * PER_DEGREE).floor() as i64)
         });
         let speeds = random.chance(0.5).then(|| [0, 1].map(|_| random.between(500.0, 5000.0)));
         for (letter, speed) in letters.into_iter().zip(speeds.into_iter().flatten()) {
-            config.speeds.insert(letter, speed.to_radians());
+            config.set_up.speeds.insert(letter, speed.to_radians());
         }
         let shop = Shop { limits, speeds };
-        let machine = config.machine::<M>().expect("valid");
-        let mut navigator = Navigator::new(machine.clone(), &config);
+        let machine = config.set_up.machine::<M>().expect("valid");
+        let mut navigator = Navigator::new(machine.clone(), config.policy());
         navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
 
         // Round and round, so that limits are met.

@@ -12,7 +12,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use pp_runtime::config::{Config, LengthMode, ProgramZero, Tool, Units};
+use pp_runtime::config::{Config, GivenTool, LengthMode, ProgramZero, Units};
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use pp_runtime::machine;
@@ -148,27 +148,25 @@ fn set_up<M: Machine>(description: &Value, tools: &[(u32, Option<f64>)]) -> (Con
     let gauge_point = numbers(&description["gauge_point"]);
     let own_length = description["tool_length"].as_f64().unwrap_or(0.0);
     let single = tools.len() == 1;
-    let mut config = Config {
-        part_origin: (numbers(&description["frame"]["origin"]) - gauge_point).into(),
-        program_zero: ProgramZero::Table,
-        length_mode: if single { LengthMode::Gauge } else { LengthMode::Tip },
-        output_units: Some(Units::Millimetres),
-        ..Config::default()
-    };
-    config.retract.distance = Some(60.0);
+    let mut config = Config::default();
+    config.set_up.part_origin = (numbers(&description["frame"]["origin"]) - gauge_point).into();
+    config.set_up.program_zero = ProgramZero::Table;
+    config.set_up.length_mode = if single { LengthMode::Gauge } else { LengthMode::Tip };
+    config.output_units = Some(Units::Millimetres);
+    config.motion.retract.distance = Some(60.0);
     for (number, length) in tools {
         let length = Some(length.unwrap_or(own_length));
-        config.tools.insert(*number, Tool { length, ..Tool::default() });
+        config.set_up.tools.insert(*number, GivenTool { length, ..GivenTool::default() });
     }
     for axis in description["chain"].as_array().expect("a chain") {
         let letter = axis["name"].as_str().expect("a name").to_ascii_lowercase();
         let point = numbers(&axis["point"]) - gauge_point;
         for (coordinate, value) in ["x", "y", "z"].into_iter().zip(point.iter()).filter(|_| axis["type"] == "rotary") {
-            config.dimensions.insert(format!("{letter}_{coordinate}"), *value);
+            config.set_up.dimensions.insert(format!("{letter}_{coordinate}"), *value);
         }
     }
-    assert_same_chain(&config.machine::<M>().expect("valid"), description);
-    let length = if single { config.tools.values().find_map(|tool| tool.length).unwrap_or(0.0) } else { 0.0 };
+    assert_same_chain(&config.set_up.machine::<M>().expect("valid"), description);
+    let length = if single { config.set_up.tools.values().find_map(|tool| tool.length).unwrap_or(0.0) } else { 0.0 };
     (config, length)
 }
 
@@ -214,7 +212,7 @@ fn check<M: Machine>(checker: &Checker, name: &str, parts: &[Part]) {
     for (cl, tools) in parts {
         let (config, length) = set_up::<M>(&description, tools);
         let program = posted::<M>(cl, &config);
-        let chord = config.tolerance + TIP;
+        let chord = config.motion.tolerance + TIP;
         let (status, figures) = checker.check(name, cl, &program, length, chord);
         println!(
             "{name} {cl}: {} points, tip {} mm, axis {} deg, path {} mm",

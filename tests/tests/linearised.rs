@@ -95,10 +95,11 @@ struct Found {
 }
 
 fn config<M: Machine>(part_origin: [f64; 3]) -> Config {
-    let mut config = Config { part_origin, ..Config::default() };
-    config.retract.distance = Some(60.0);
+    let mut config = Config::default();
+    config.set_up.part_origin = part_origin;
+    config.motion.retract.distance = Some(60.0);
     for axis in M::AXES.iter().filter(|axis| axis.kind == AxisKind::Linear) {
-        config.limits.insert(axis.letter, Some(Limits { lower: -9e4, upper: 9e4 }));
+        config.set_up.limits.insert(axis.letter, Some(Limits { lower: -9e4, upper: 9e4 }));
     }
     config
 }
@@ -127,7 +128,7 @@ struct Checker<M: Machine> {
 
 impl<M: Machine> Checker<M> {
     fn tolerances(&self) -> (f64, f64) {
-        (self.config.tolerance, self.config.axis_tolerance_path)
+        (self.config.motion.tolerance, self.config.motion.axis_tolerance_path)
     }
 
     /// Whether a block keeps to the motion between two poses.
@@ -286,7 +287,7 @@ fn check<M: Machine>(name: &str, poses: &[Pose], limits: &[(char, f64, f64)]) ->
     let mut config = config::<M>(PART);
     for (letter, lower, upper) in limits {
         let limits = Limits { lower: lower.to_radians(), upper: upper.to_radians() };
-        config.limits.insert(*letter, Some(limits));
+        config.set_up.limits.insert(*letter, Some(limits));
     }
     let (report, text) = posted::<M>(&config, &poses);
     let mut machine = M::default();
@@ -346,7 +347,7 @@ linearised! {
 /// Minutes that the feed blocks of a program should take: from the approach point on, 900 mm/min along the tip's path.
 fn programmed(config: &Config, poses: &[Pose]) -> f64 {
     let path: f64 = poses.windows(2).map(|pair| (pair[1].tip - pair[0].tip).norm()).sum();
-    (config.approach.distance + path) / 900.0
+    (config.motion.approach.distance + path) / 900.0
 }
 
 /// Axis values at both ends of each feed block, and its minutes as printed.
@@ -404,7 +405,7 @@ fn no_axis_is_too_fast<M: Machine>(poses: &[Pose]) {
     let (poses, mut config) = (as_written(poses), config::<M>(PART));
     for axis in M::AXES {
         let speed = if axis.kind == AxisKind::Rotary { 400_f64.to_radians() } else { 1500.0 };
-        config.speeds.insert(axis.letter, speed);
+        config.set_up.speeds.insert(axis.letter, speed);
     }
     let (report, text) = posted::<M>(&config, &poses);
     let (times, wanted) = (&report.times, programmed(&config, &poses));
@@ -418,7 +419,7 @@ fn no_axis_is_too_fast<M: Machine>(poses: &[Pose]) {
             assert!(speed <= most * (1.0 + 1e-5), "{}: {} at {speed} of {most}", M::NAME, axis.letter);
         }
     }
-    config.feed.keep_speeds = false;
+    config.motion.feed.keep_speeds = false;
     assert_eq!(posted::<M>(&config, &poses).0.times.slowed, 0);
 }
 

@@ -87,7 +87,7 @@ fn assert_complete(posted: &Posted) {
 fn assert_standing<M: Machine>(posted: &Posted, config: &str) {
     let text = fs::read_to_string(workspace().join(config)).expect("a configuration");
     let config = Config::read::<M>(&text).expect("a valid configuration");
-    let mut machine = config.machine::<M>().expect("a valid machine");
+    let mut machine = config.set_up.machine::<M>().expect("a valid machine");
     let cl = fs::read_to_string(workspace().join(CL)).expect("CL data");
     let records: Vec<&str> = cl.lines().collect();
     let (mut length, mut named) = (0.0, 0);
@@ -99,10 +99,10 @@ fn assert_standing<M: Machine>(posted: &Posted, config: &str) {
             let before = &records[..line["cl_line"].as_u64().expect("a record") as usize];
             let call = before.iter().rev().find_map(|record| record.strip_prefix("LOAD/TOOL,")).expect("a tool");
             let number: u32 = call.split(',').next().and_then(|number| number.parse().ok()).expect("a number");
-            length = config.tools[&number].length.expect("a length");
+            length = config.set_up.tools[&number].length.expect("a length");
         }
         let Some(tip) = numbers::<3>(&line["tip"]) else { continue };
-        machine.set_up(Vector3::from(config.part_origin), length);
+        machine.set_up(Vector3::from(config.set_up.part_origin), length);
         let value = |axis: &pp_runtime::kinematics::Axis| {
             let value = line["axes"][axis.letter.to_string()].as_f64().unwrap_or_default();
             if axis.kind == AxisKind::Rotary { value.to_radians() } else { value }

@@ -8,7 +8,7 @@ use std::io;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3, Vector4};
-use pp_runtime::config::{Config, Mode, TcpFrame, TcpWords, Tool, ToolPosture, Units};
+use pp_runtime::config::{Config, GivenTool, Mode, TcpFrame, TcpWords, ToolPosture, Units, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::machine;
@@ -112,16 +112,16 @@ impl<M: Machine> Sink for Listener<M> {
 
 /// What the program says at each motion, and the first fault.
 fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_>]) -> Result<Vec<Says>, String> {
-    let machine = config.machine::<M>().expect("valid");
-    let unfit = control::unfit::<M>(control, config);
+    let machine = config.set_up.machine::<M>().expect("valid");
+    let unfit = control::unfit::<M>(control, config.demands());
     if !unfit.is_empty() {
         return Err(unfit.join("\n"));
     }
-    let mut navigator = Navigator::new(machine.clone(), config);
+    let mut navigator = Navigator::new(machine.clone(), config.policy());
     events.iter().for_each(|event| navigator.event(event));
-    let abilities = control::abilities(control, config);
+    let abilities = control::abilities(control, config.demands());
     let mut planner =
-        Planner::new(machine, config, Units::Millimetres, abilities, false).with_course(navigator.finish());
+        Planner::new(machine, config.policy(), Units::Millimetres, abilities, false).with_course(navigator.finish());
     let mut listener = Listener::<M>::new(config);
     let mut all = Vec::new();
     let fault = |stop: Stop| match stop {
@@ -198,18 +198,18 @@ fn meant<M: Machine>(machine: &M, config: &Config, control: &str, says: &Says) -
     let oracle = Oracle::of(machine);
     let words = signs(machine).transpose() * linear_words::<M>(&says.words);
     let axis = oracle.forward(&axis_values::<M>(&says.words)).axis.into_inner();
-    match config.mode {
+    match config.motion.mode {
         Mode::Axes => (oracle.forward(&axis_values::<M>(&says.words)).tip, axis),
         Mode::Tcp => {
             let began = says.began.expect("under tip control");
-            let tip = match config.tcp_frame.unwrap_or(TcpFrame::TableAtZero) {
+            let tip = match config.motion.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero) {
                 TcpFrame::TableAtZero => Point3::from(words),
                 TcpFrame::TableAtStart => on_table(machine, &words, &began),
                 TcpFrame::NotTurning => on_table(machine, &words, &says.words),
             };
             let Some(vector) = says.vector else { return (tip, axis) };
             let vector = signs(machine).transpose() * Vector3::from(vector);
-            let axis = match config.tcp_frame {
+            let axis = match config.motion.tip.tcp_frame {
                 Some(TcpFrame::TableAtStart) => {
                     on_table(machine, &vector, &began) - on_table(machine, &Vector3::zeros(), &began)
                 }
@@ -260,15 +260,15 @@ fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -> Vec<Event
 }
 
 fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Control, random: &mut Random) -> Config {
-    let mut config = control::starting_point(control);
-    config.mode = mode;
-    config.tcp_frame = tcp_frame;
-    config.part_origin = [random.between(-40.0, 40.0), random.between(-40.0, 40.0), random.between(-20.0, 90.0)];
-    config.retract.distance = Some(40.0);
-    config.length_guard = Some(false);
-    config.feed.largest = Some(30_000.0);
-    config.tcp_confirmed = true;
-    config.tools.insert(1, Tool { length: Some(LENGTH), ..Tool::default() });
+    let mut config = starting_point(control);
+    config.motion.mode = mode;
+    config.motion.tip.tcp_frame = tcp_frame;
+    config.set_up.part_origin = [random.between(-40.0, 40.0), random.between(-40.0, 40.0), random.between(-20.0, 90.0)];
+    config.motion.retract.distance = Some(40.0);
+    config.motion.guards.length_guard = Some(false);
+    config.motion.feed.largest = Some(30_000.0);
+    config.motion.tip.tcp_confirmed = true;
+    config.set_up.tools.insert(1, GivenTool { length: Some(LENGTH), ..GivenTool::default() });
     config
 }
 
@@ -305,9 +305,10 @@ fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
     let Way { control, mode, words, frame } = way;
     let name = control.spellings().name;
     let (mut random, mut same) = (Random::new(seed), Random::new(seed));
-    let config = Config { tcp_words: words, ..set_up(mode, frame, control, &mut random) };
+    let mut config = set_up(mode, frame, control, &mut random);
+    config.motion.tip.tcp_words = words;
     let axes = set_up(Mode::Axes, None, control, &mut same);
-    let mut machine = config.machine::<M>().expect("valid");
+    let mut machine = config.set_up.machine::<M>().expect("valid");
     let events = events(&machine, &mut random, mode == Mode::Plane);
     let plain = posted::<M>(&axes, control, &events).unwrap_or_else(|fault| panic!("{name}: {fault}"));
     let framed = match posted::<M>(&config, control, &events) {
@@ -317,7 +318,7 @@ fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
             return 0;
         }
     };
-    machine.set_up(config.part_origin.into(), LENGTH);
+    machine.set_up(config.set_up.part_origin.into(), LENGTH);
     let mut compared = 0;
     // The first motion of an operation, a rapid here, is written with the second.
     let cuts = moves(&events).into_iter().zip(framed.iter().zip(&plain)).filter(|(motion, _)| !motion.rapid);
@@ -325,12 +326,12 @@ fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
         let context = format!("{} {name} {mode:?} {frame:?} cut {index}", M::NAME);
         for (config, says) in [(&config, framed), (&axes, plain)] {
             let off = (meant(&machine, config, name, says).0 - motion.pose.tip).norm();
-            assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode {:?}\n{says:?}", config.mode);
+            assert!(off <= 2.0 * UNIT, "{context}: tip {off} in mode {:?}\n{says:?}", config.motion.mode);
         }
         let off = angle_between(&meant(&machine, &config, name, framed).1, &motion.pose.axis);
         match (mode, words) {
             (Mode::Plane, _) => {
-                let decimals = control::abilities(control, &config).plane.expect("it tilts").decimals;
+                let decimals = control::abilities(control, config.demands()).plane.expect("it tilts").decimals;
                 let half_unit = 0.5 * 10_f64.powi(-decimals.cast_signed()).to_radians();
                 assert!(off <= 3.0 * half_unit + 1e-12, "{context}: axis {off}");
             }
@@ -370,10 +371,10 @@ fn compare<M: Machine>(seed: u64) -> usize {
 fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
     let mut random = Random::new(seed);
     let config = set_up(Mode::Tcp, Some(frame), &control::Fanuc, &mut random);
-    let mut machine = config.machine::<M>().expect("valid");
+    let mut machine = config.set_up.machine::<M>().expect("valid");
     let events = events(&machine, &mut random, false);
     let says = posted::<M>(&config, &control::Fanuc, &events).expect("posted");
-    machine.set_up(config.part_origin.into(), LENGTH);
+    machine.set_up(config.set_up.part_origin.into(), LENGTH);
     let motions = moves(&events);
     let mut blocks = 0;
     for (index, pair) in motions.windows(2).enumerate().filter(|(_, pair)| !pair[0].rapid && !pair[1].rapid) {
@@ -386,9 +387,9 @@ fn between_points<M: Machine>(seed: u64, frame: TcpFrame) -> usize {
                 let now = Says { words, ..says[index + 1].clone() };
                 let (tip, axis) = meant(&machine, &config, "fanuc", &now);
                 let off = distance_to_line(&tip, &start.tip, &end.tip);
-                assert!(off <= config.tolerance, "{} {frame:?} motion {index}: tip {off}", M::NAME);
+                assert!(off <= config.motion.tolerance, "{} {frame:?} motion {index}: tip {off}", M::NAME);
                 let off = angle_to_arc(&axis, &start.axis, &end.axis);
-                assert!(off <= config.axis_tolerance_path, "{} {frame:?} motion {index}: axis {off}", M::NAME);
+                assert!(off <= config.motion.axis_tolerance_path, "{} {frame:?} motion {index}: axis {off}", M::NAME);
             }
             from = *to;
             blocks += 1;
@@ -463,7 +464,7 @@ fn round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
 fn tilts_round_angles<M: Machine>() {
     for control in control::CONTROLS.iter().filter(|control| control.spellings().plane.is_some()) {
         let config = set_up(Mode::Plane, None, *control, &mut Random::new(11));
-        let machine = config.machine::<M>().expect("valid");
+        let machine = config.set_up.machine::<M>().expect("valid");
         let events = round_angles(&machine);
         let said = posted::<M>(&config, *control, &events).map(|said| said.len());
         assert_eq!(said, Ok(128), "{} {}", M::NAME, control.spellings().name);
@@ -496,8 +497,9 @@ fn through_the_pole() -> Vec<Event<'static>> {
 #[test]
 fn a_turn_about_the_tool_axis_is_not_left_out_where_the_axis_is_a_vector() {
     let said = |words: TcpWords, tool_posture: ToolPosture| {
-        let config = set_up(Mode::Tcp, None, &control::Siemens, &mut Random::new(12));
-        let config = Config { tcp_words: words, tool_posture, ..config };
+        let mut config = set_up(Mode::Tcp, None, &control::Siemens, &mut Random::new(12));
+        config.motion.tip.tcp_words = words;
+        config.motion.tip.tool_posture = tool_posture;
         posted::<SpinnerU5620>(&config, &control::Siemens, &through_the_pole()).map(|said| said.len())
     };
     assert_eq!(said(TcpWords::Angles, ToolPosture::Axes), Ok(4));
@@ -512,38 +514,41 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
     let mut random = Random::new(9);
     let mut refused = |control: &dyn Control, mode: Mode, change: &dyn Fn(&mut Config)| {
         let mut config = set_up(mode, None, control, &mut random);
-        config.tcp_confirmed = false;
+        config.motion.tip.tcp_confirmed = false;
         change(&mut config);
-        control::unfit::<SpinnerU5620>(control, &config).join("\n")
+        control::unfit::<SpinnerU5620>(control, config.demands()).join("\n")
     };
     let (linuxcnc, fanuc, haas) = (&control::LinuxCnc, &control::Fanuc, &control::Haas);
     assert!(refused(linuxcnc, Mode::Plane, &|_| {}).contains("tilts no plane; mode axes works on any control"));
     assert!(refused(linuxcnc, Mode::Tcp, &|_| {}).contains("`[control] tip_control = [on, off]`"));
     assert!(refused(fanuc, Mode::Tcp, &|_| {}).contains("give `tcp_frame`"));
-    let frame = |config: &mut Config| config.tcp_frame = Some(TcpFrame::TableAtStart);
+    let frame = |config: &mut Config| config.motion.tip.tcp_frame = Some(TcpFrame::TableAtStart);
     assert!(refused(haas, Mode::Tcp, &frame).contains("leave `tcp_frame` out"));
-    let posture = |config: &mut Config| config.tool_posture = ToolPosture::Plane;
+    let posture = |config: &mut Config| config.motion.tip.tool_posture = ToolPosture::Plane;
     assert!(refused(haas, Mode::Tcp, &posture).contains("leave `tool_posture` at \"axes\""));
     let fixed = |config: &mut Config| {
-        config.tcp_frame = Some(TcpFrame::NotTurning);
-        config.tool_posture = ToolPosture::Plane;
+        config.motion.tip.tcp_frame = Some(TcpFrame::NotTurning);
+        config.motion.tip.tool_posture = ToolPosture::Plane;
     };
     assert!(refused(fanuc, Mode::Tcp, &fixed).contains("does not turn"));
-    let offset = |config: &mut Config| config.rotary_offset = [('C', 12.5_f64.to_radians())].into();
+    let offset = |config: &mut Config| config.set_up.rotary_offset = [('C', 12.5_f64.to_radians())].into();
     for mode in [Mode::Tcp, Mode::Plane] {
         assert!(refused(haas, mode, &offset).contains("`part_rotation` instead of `rotary_offset`"));
     }
     let confirmed = |config: &mut Config| {
         offset(config);
-        config.tcp_confirmed = true;
+        config.motion.tip.tcp_confirmed = true;
     };
     assert_eq!(refused(haas, Mode::Plane, &confirmed), "");
     let codes = |config: &mut Config| config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
     assert_eq!(refused(linuxcnc, Mode::Tcp, &codes), "");
     let config = set_up(Mode::Tcp, None, haas, &mut random);
-    let unconfirmed = Config { tcp_confirmed: false, ..config };
-    assert_eq!(control::unfit::<SpinnerU5620>(haas, &unconfirmed), Vec::<String>::new());
-    let quill = control::unfit::<Quill>(haas, &unconfirmed).join("\n");
+    let mut unconfirmed = config;
+    unconfirmed.motion.tip.tcp_confirmed = false;
+    assert_eq!(control::unfit::<SpinnerU5620>(haas, unconfirmed.demands()), Vec::<String>::new());
+    let quill = control::unfit::<Quill>(haas, unconfirmed.demands()).join("\n");
     assert!(quill.contains("a held axis") && quill.contains("`tcp_confirmed = true`"), "{quill}");
-    assert_eq!(control::unfit::<Quill>(haas, &Config { tcp_confirmed: true, ..unconfirmed }), Vec::<String>::new());
+    let mut config = unconfirmed;
+    config.motion.tip.tcp_confirmed = true;
+    assert_eq!(control::unfit::<Quill>(haas, config.demands()), Vec::<String>::new());
 }

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 use std::io::{self, Cursor};
 
-use pp_runtime::config::{Config, Mode, TcpFrame, Units};
+use pp_runtime::config::{Mode, TcpFrame, Units, starting_point};
 use pp_runtime::control;
 use pp_runtime::kinematics::Machine;
 use pp_runtime::nalgebra::Vector3;
@@ -89,8 +89,10 @@ fn a_motion_is_read_planned_and_written_without_allocating() {
         ("haas", Mode::Axes),
     ] {
         let control = control::by_name(control).expect("it is there");
-        let mut config = Config { mode, tcp_frame: Some(TcpFrame::TableAtZero), ..control::starting_point(control) };
-        config.retract.distance = Some(50.0);
+        let mut config = starting_point(control);
+        config.motion.mode = mode;
+        config.motion.tip.tcp_frame = Some(TcpFrame::TableAtZero);
+        config.motion.retract.distance = Some(50.0);
         let count = |points: u32| {
             let part = cone(points);
             let job = Job { cl_name: "cone.cls", config: &config, control, units: Some(Units::Millimetres) };

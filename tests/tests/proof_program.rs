@@ -91,8 +91,8 @@ fn feeds<M: Machine>(program: &str) -> Vec<Vec<f64>> {
 /// The matrices of a machine with the part origin of a configuration.
 fn oracle<M: Machine>(case: &Case) -> Oracle {
     let config = Config::read::<M>(case.config).expect("a configuration");
-    let mut machine = config.machine::<M>().expect("valid");
-    machine.set_up(config.part_origin.into(), case.length);
+    let mut machine = config.set_up.machine::<M>().expect("valid");
+    machine.set_up(config.set_up.part_origin.into(), case.length);
     Oracle::of(&machine)
 }
 

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
 use pp_runtime::check::read::{Action, Block, TipControl};
 use pp_runtime::check::{Job, blocks};
-use pp_runtime::config::{Config, Mode};
+use pp_runtime::config::{Mode, starting_point};
 use pp_runtime::control;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use tests::binaries::workspace;
@@ -122,8 +122,8 @@ fn a_state_that_is_lost_behind_a_restart_point_is_seen() {
 fn read<M: Machine>(program: &str, control: &str, mode: Mode) -> Vec<Block> {
     let text = fs::read_to_string(workspace().join("tests/data/works/works.toml")).expect("a configuration");
     let control = control::by_name(control).expect("it is there");
-    let config = control::starting_point(control).read_over::<M>(&text).expect("a valid configuration");
-    let config = Config { mode, ..config };
+    let mut config = starting_point(control).read_over::<M>(&text).expect("a valid configuration");
+    config.motion.mode = mode;
     blocks::<M>(&Job { config: &config, control, units: None }, program.as_bytes()).expect("it can be read")
 }
 

@@ -21,9 +21,11 @@ use super::steps::{Done, Steps};
 use super::travel::Travel;
 use super::words::Words;
 use crate::cl;
-use crate::config::{Config, Mode, Rapid, Units};
+use crate::config::Config;
 use crate::kinematics::{AxisKind, Machine, Side};
+use crate::motion::{Mode, Rapid};
 use crate::program::Location;
+use crate::program::Units;
 
 /// Tool axes of CL data are rounded to seven digits: near the pole they are put there, rad.
 const AXIS_NOISE: f64 = 2e-6;
@@ -146,14 +148,14 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let rotaries = words.rotary_mask.count_ones();
         // Three angles of a plane, half a unit each: thousandths of a degree, or what rotary words have if that is coarser.
         let in_plane = 1.5 * decimals(config.formats.rotary.min(3)).to_radians();
-        let in_plane = if config.mode == Mode::Plane { in_plane } else { 0.0 };
+        let in_plane = if config.motion.mode == Mode::Plane { in_plane } else { 0.0 };
         let rotary = 0.5 * angle * f64::from(rotaries) * 1.01 + AXIS_NOISE;
-        let pole = rotary.max(rotary - AXIS_NOISE + config.axis_tolerance);
+        let pole = rotary.max(rotary - AXIS_NOISE + config.motion.course.axis_tolerance);
         let tip = 0.5 * unit * corner(&machine) + 1e-6;
         let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, pole: pole + in_plane, angle };
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
-        tally.outcome.tolerance = config.tolerance;
+        tally.outcome.tolerance = config.motion.tolerance;
         let travel = Travel::new::<M>(config, &words);
         tally.outcome.limited = travel.limited();
         Self {
@@ -285,7 +287,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
 
     /// The control turns the rotary axes into a tilted plane.
     fn orient(&mut self, shown: Shown<'_>) {
-        if self.config.mode != Mode::Plane || !matches!(self.phase, Phase::Clear(_)) {
+        if self.config.motion.mode != Mode::Plane || !matches!(self.phase, Phase::Clear(_)) {
             self.found(shown, "the control turns the rotary axes into a plane where nothing asks for it");
         }
     }
@@ -330,14 +332,14 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         }
         let rapid = block.action == Action::Rapid;
         let lifts = |checker: &mut Self| {
-            (rapid || checker.config.rapid == Rapid::Feed) && checker.lifts_for_cycle(block, &end, shown)
+            (rapid || checker.config.motion.rapids.rapid == Rapid::Feed) && checker.lifts_for_cycle(block, &end, shown)
         };
         // Where rapids of the CL data are run at feed, or it asks for coolant, a dry rapid at the part is none of them.
         let dry = self.expect.get(0).is_some_and(|item| item.wanted.coolant != 0) && block.state.coolant == Some(0);
         if self.back.is_none() {
             self.left = if rapid { self.rapid_or_way_out(&end) } else { None };
         }
-        let out = rapid && (dry || self.config.rapid == Rapid::Feed) && !self.approached;
+        let out = rapid && (dry || self.config.motion.rapids.rapid == Rapid::Feed) && !self.approached;
         if out && self.leads_out(block, &end, shown)? {
             self.here = Some(end);
             return Ok(());

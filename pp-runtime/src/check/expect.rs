@@ -12,9 +12,10 @@ use super::hole::{self, Step, unfolded};
 use super::path::{Round, Shape, bezier, placed};
 use super::read::{Family, Side, coolant};
 use crate::cl;
-use crate::config::{Config, Operations, Transition};
+use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Pose, Side as ChainSide};
+use crate::motion::{Operations, Transition};
 use crate::post::Setting;
 use crate::program::{
     Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Rotation, Spindle, ToolCall,
@@ -217,8 +218,8 @@ impl<'a> Follow<'a> {
             frame: 1,
             side: Side::None,
             radius: 0,
-            tolerance: config.tolerance,
-            clearance: config.retract.clearance,
+            tolerance: config.motion.tolerance,
+            clearance: config.motion.retract.clearance,
         };
         Self {
             config,
@@ -285,7 +286,7 @@ impl<'a> Follow<'a> {
                 self.holes += 1;
                 self.hole = Some(hole::Wanted { number: self.holes, hole });
                 let here = self.here.filter(|_| !self.start);
-                for step in unfolded(&hole, here.as_ref(), self.config.defaults.peck_gap) {
+                for step in unfolded(&hole, here.as_ref(), self.config.motion.defaults.peck_gap) {
                     match step {
                         Step::Go(motion) => self.line(at, &motion),
                         Step::Wait(dwell) => self.delay(at, dwell),
@@ -294,8 +295,9 @@ impl<'a> Follow<'a> {
                 self.hole = None;
             }
             Event::Tolerance(stated) => {
-                let stated = stated.filter(|stated| self.config.allow_lintol || *stated <= self.config.tolerance);
-                self.wanted.tolerance = stated.unwrap_or(self.config.tolerance);
+                let stated =
+                    stated.filter(|stated| self.config.motion.allow_lintol || *stated <= self.config.motion.tolerance);
+                self.wanted.tolerance = stated.unwrap_or(self.config.motion.tolerance);
             }
             _ => self.plain(at, event),
         }
@@ -307,7 +309,7 @@ impl<'a> Follow<'a> {
             Event::Move(motion) => self.line(at, &motion),
             Event::Operation(name) => {
                 self.begin();
-                if let Some(Operations::From(wanted)) = &self.config.operations {
+                if let Some(Operations::From(wanted)) = &self.config.motion.operations {
                     let name = String::from_utf8_lossy(name);
                     self.named |= name.trim().eq_ignore_ascii_case(wanted.trim());
                 }
@@ -341,7 +343,7 @@ impl<'a> Follow<'a> {
                 self.begin();
                 self.there = false;
                 self.wanted.frame = number;
-                self.wanted.clearance = self.config.retract.clearance;
+                self.wanted.clearance = self.config.motion.retract.clearance;
             }
             _ => {}
         }
@@ -359,7 +361,7 @@ impl<'a> Follow<'a> {
         self.last_side = self.side;
         self.named_radius = register.or(self.named_radius.filter(|_| side == CutterSide::On));
         let tool = self.wanted.tool.unwrap_or(0);
-        let given = self.config.tools.get(&tool).and_then(|tool| tool.radius_offset);
+        let given = self.config.set_up.tools.get(&tool).and_then(|tool| tool.radius_offset);
         self.wanted.radius = given.or(self.named_radius).unwrap_or(tool);
     }
 
@@ -383,7 +385,7 @@ impl<'a> Follow<'a> {
         self.begin();
         self.there = false;
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
-        let given = self.config.tools.get(&call.number);
+        let given = self.config.set_up.tools.get(&call.number);
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
         self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         if self.wanted.tool != Some(call.number) {
@@ -406,7 +408,7 @@ impl<'a> Follow<'a> {
     /// The tool of the configuration, where the CL data calls none.
     fn arm(&mut self) {
         if self.wanted.tool.is_none()
-            && let Some(number) = self.config.defaults.tool
+            && let Some(number) = self.config.motion.defaults.tool
         {
             self.tool(None, &ToolCall { number, ..ToolCall::default() });
         }
@@ -435,7 +437,7 @@ impl<'a> Follow<'a> {
         if self.start && self.wanted.tool.is_none() && motion.rapid && !self.head {
             return;
         }
-        let direct = self.config.transition == Transition::Direct && self.there && !self.changed;
+        let direct = self.config.motion.rapids.transition == Transition::Direct && self.there && !self.changed;
         let starts = self.start && !direct;
         if self.start {
             self.operation += 1;
@@ -455,8 +457,8 @@ impl<'a> Follow<'a> {
         if self.spindle_off {
             return None;
         }
-        let given = self.wanted.tool.and_then(|tool| self.config.tools.get(&tool));
-        let defaults = &self.config.defaults;
+        let given = self.wanted.tool.and_then(|tool| self.config.set_up.tools.get(&tool));
+        let defaults = &self.config.motion.defaults;
         let speed = self.request.0.or(given.and_then(|tool| tool.speed)).or(defaults.speed)?;
         let sense = self.request.1.or(given.and_then(|tool| tool.rotation)).or(defaults.rotation)?;
         let scale = 10_f64.powi(self.config.formats.speed as i32);
@@ -464,12 +466,12 @@ impl<'a> Follow<'a> {
     }
 
     fn coolant_bits(&self) -> u8 {
-        if self.config.lift.is_some() {
+        if self.config.motion.lift.is_some() {
             return 0;
         }
-        let given = self.wanted.tool.and_then(|tool| self.config.tools.get(&tool));
+        let given = self.wanted.tool.and_then(|tool| self.config.set_up.tools.get(&tool));
         let kind = match self.coolant {
-            Coolant::On => given.and_then(|tool| tool.coolant).unwrap_or(self.config.defaults.coolant),
+            Coolant::On => given.and_then(|tool| tool.coolant).unwrap_or(self.config.motion.defaults.coolant),
             kind => kind,
         };
         match kind {
@@ -492,7 +494,7 @@ impl<'a> Follow<'a> {
     }
 
     fn push(&mut self, at: Location, kind: Kind) {
-        let shown = match &self.config.operations {
+        let shown = match &self.config.motion.operations {
             None => true,
             Some(Operations::Range(first, last)) => {
                 let number = self.operation.max(1);

@@ -5,9 +5,11 @@
 //! the linear axes are square F is the feed of the tip; else it says what the control counts.
 
 use super::read::{Family, FeedMode, MAX_AXES, State};
-use crate::config::{Config, Mode, PathNorm, Units};
+use crate::config::Config;
 use crate::kinematics::{AxisKind, Machine};
+use crate::motion::{Mode, PathNorm};
 use crate::program::Feed;
+use crate::program::Units;
 
 /// Share by which sums of floating-point numbers may differ.
 const NOISE: f64 = 1e-9;
@@ -87,22 +89,22 @@ impl FeedLaw {
         let usual = if family == Family::Heidenhain { PathNorm::XyzDegrees } else { PathNorm::G93Minutes };
         // Heidenhain counts tenths of an inch.
         let in_tenths = if family == Family::Heidenhain && units == Units::Inches { 10.0 } else { 1.0 };
-        let keeps = config.feed.keep_speeds;
-        let travel = config.travel::<M>();
+        let keeps = config.motion.feed.keep_speeds;
+        let travel = config.set_up.travel::<M>();
         Self {
             norm: config.control.path_norm.unwrap_or(usual),
             square: square(machine),
             linear_mask: masks.0,
             rotary_mask: masks.1,
             speeds: travel.speeds.iter().map(|speed| speed.filter(|_| keeps)).collect(),
-            largest: config.feed.largest.unwrap_or(f64::INFINITY),
-            shortest: config.feed.shortest_block / 60.0,
-            reorient: config.reorient_speed,
+            largest: config.motion.feed.largest.unwrap_or(f64::INFINITY),
+            shortest: config.motion.feed.shortest_block / 60.0,
+            reorient: config.motion.rapids.reorient_speed,
             unit,
             angle,
             decimals: config.formats.feed,
             digits: config.formats.inverse_time,
-            along_tip: config.mode == Mode::Tcp,
+            along_tip: config.motion.mode == Mode::Tcp,
             per_mm: in_tenths / units.in_mm(),
         }
     }

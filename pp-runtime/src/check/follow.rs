@@ -11,8 +11,8 @@ use super::path::{Segment, Shape, angle_between};
 use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl, WorkPlane};
 use super::report::Shown;
 use super::steps::Done;
-use crate::config::{Rapid, Rewind, ToolPosture, Transition};
 use crate::kinematics::Machine;
+use crate::motion::{Rapid, Rewind, ToolPosture, Transition};
 use crate::program::{Drilling, Feed, Location};
 
 /// A motion within this angle of the tool axis leads along it, rad.
@@ -156,14 +156,14 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// How far the tool may be off a tool axis: one that is nearly at the pole is put there.
     pub(super) fn axis_slack(&self, axis: &nalgebra::Vector3<f64>) -> f64 {
-        let near = self.pole.is_some_and(|pole| pole.cross(axis).norm() <= self.config.axis_tolerance);
+        let near = self.pole.is_some_and(|pole| pole.cross(axis).norm() <= self.config.motion.course.axis_tolerance);
         if near { self.slack.pole } else { self.slack.axis }
     }
 
     /// The share of a motion that is done when a block ends there; `None` if it ends elsewhere.
     fn fits(&self, segment: &Segment, motion: &Motion, block: &Block, end: &Placed) -> Option<f64> {
         let past_pole = self.pole.is_some_and(|pole| {
-            segment.axis_distance(&pole).min(segment.axis_distance(&-pole)) <= self.config.axis_tolerance
+            segment.axis_distance(&pole).min(segment.axis_distance(&-pole)) <= self.config.motion.course.axis_tolerance
         });
         let ends = if past_pole { self.slack.pole } else { self.slack.axis };
         let by_angle = match (&block.action, &segment.shape) {
@@ -185,10 +185,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if polar > 1.0 && done && (end.tip - segment.to.tip).norm() <= polar * self.slack.tip {
             return Some(1.0);
         }
-        if motion.rapid && self.config.rapid != Rapid::Feed {
+        if motion.rapid && self.config.motion.rapids.rapid != Rapid::Feed {
             return self.corner(segment, end);
         }
-        let swings = self.config.retract.rewind == Rewind::Follow
+        let swings = self.config.motion.retract.rewind == Rewind::Follow
             && !self.needs_no_block(segment)
             && self.here.is_some_and(|here| (here.tip - end.tip).norm() <= 2.0 * self.slack.tip);
         let before = swings.then_some(self.along);
@@ -238,8 +238,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let feeds = block.action != Action::Rapid;
         // The way down from the approach point is a rapid if the CL data has it so.
         let approaches = motion.starts || self.approached || self.turns(block);
-        let as_feed =
-            !motion.rapid || (self.config.rapid == Rapid::Feed && !approaches && (feeds || !self.in_thread()));
+        let as_feed = !motion.rapid
+            || (self.config.motion.rapids.rapid == Rapid::Feed && !approaches && (feeds || !self.in_thread()));
         if feeds != as_feed {
             let text =
                 if feeds { "a rapid of the CL data is run at feed" } else { "a cut of the CL data is run at rapid" };
@@ -275,13 +275,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn turns(&self, block: &Block) -> bool {
         let (before, known) = self.before;
         let rotary = self.words.rotary_mask & known;
-        let largest = self.config.index_angle + 1.5 * self.slack.angle;
+        let largest = self.config.motion.rapids.index_angle + 1.5 * self.slack.angle;
         (0..MAX_AXES).any(|index| rotary & (1 << index) != 0 && (block.values[index] - before[index]).abs() > largest)
     }
 
     /// A block turns the rotary axes, and where the tool has not been retracted a rapid must not.
     pub(super) fn turns_at_part(&self, block: &Block) -> bool {
-        self.config.transition == Transition::Safe && self.turns(block)
+        self.config.motion.rapids.transition == Transition::Safe && self.turns(block)
     }
 
     /// Says that a rapid turns the rotary axes where it must not.
@@ -312,7 +312,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let solved = self.solved(block);
         // The control itself turns the axis evenly.
         let evenly = block.state.tip_control != TipControl::Off
-            && (block.state.vector.is_some() || self.config.tool_posture == ToolPosture::Plane);
+            && (block.state.vector.is_some() || self.config.motion.tip.tool_posture == ToolPosture::Plane);
         if self.lost || known & solved != solved {
             return;
         }
@@ -344,13 +344,13 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         }
         let outcome = &mut self.tally.outcome;
         outcome.path = outcome.path.max(tip);
-        let swings = self.config.retract.rewind == Rewind::Follow;
+        let swings = self.config.motion.retract.rewind == Rewind::Follow;
         let largest = wanted.tolerance + self.slack.tip;
         if tip > largest {
             let text = format!("along this block the tip leaves its path by {tip:.4} mm, {largest:.4} mm are allowed");
             self.found(shown, &text);
         }
-        let largest = self.config.axis_tolerance_path + self.slack.pole;
+        let largest = self.config.motion.axis_tolerance_path + self.slack.pole;
         if axis > largest && !swings {
             let (axis, largest) = (axis.to_degrees(), largest.to_degrees());
             let text =
@@ -373,7 +373,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if self.lost || self.before.1 & solved != solved {
             return;
         }
-        let feed = if motion.rapid { self.config.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
+        let feed = if motion.rapid { self.config.motion.rapids.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
         let part = match segment.shape {
             Shape::Line => (share - self.along) * segment.length(),
             _ if matches!(block.action, Action::Arc(_)) => (share - self.along) * segment.length(),

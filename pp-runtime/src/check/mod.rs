@@ -28,10 +28,11 @@ use std::io::{self, Read, Seek};
 pub use report::Outcome;
 
 use crate::cl;
-use crate::config::{Config, Units};
+use crate::config::Config;
 use crate::control::{self, Control};
 use crate::diag::Diagnostic;
 use crate::kinematics::Machine;
+use crate::program::Units;
 use compare::Checker;
 use read::{Family, Reader};
 
@@ -79,11 +80,11 @@ pub fn check<M: Machine>(
     program: impl Read,
 ) -> Result<Checked, CheckError> {
     let family = family(job)?;
-    let unfit = control::unfit::<M>(job.control, job.config);
+    let unfit = control::unfit::<M>(job.control, job.config.demands());
     if !unfit.is_empty() {
         return Err(CheckError::Impossible(unfit.join("\n")));
     }
-    let machine = job.config.machine::<M>().map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
+    let machine = job.config.set_up.machine::<M>().map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let units = match job.config.output_units {
         Some(units) => units,

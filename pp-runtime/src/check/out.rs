@@ -45,10 +45,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// How far out along its axis the tool has to go, from where it stood before it was led out.
     pub(super) fn distance_out(&self, here: &Placed) -> Option<f64> {
-        let clearance = self.last.map_or(self.config.retract.clearance, |(_, wanted)| wanted.clearance);
+        let clearance = self.last.map_or(self.config.motion.retract.clearance, |(_, wanted)| wanted.clearance);
         let axis = nalgebra::UnitVector3::new_normalize(here.axis);
         let out = clearance.and_then(|clearance| way_out(&clearance, &here.tip.into(), &axis));
-        self.config.retract.distance.or(out.map(|out| out + self.led_out))
+        self.config.motion.retract.distance.or(out.map(|out| out + self.led_out))
     }
 
     /// Out along the tool axis, before the machine retract; `false` if the block is no such way.
@@ -61,7 +61,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.rewound = self.here_on_path();
             self.rewound_out = Some(out);
         }
-        self.state_at_leave(block, !rewinds || self.config.retract.rewind_dry, shown);
+        self.state_at_leave(block, !rewinds || self.config.motion.retract.rewind_dry, shown);
         self.phase = Phase::Out;
         self.led_out += rest;
         Ok(true)
@@ -74,7 +74,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         [from.axis, here.axis].into_iter().find_map(|axis| {
             let from = Placed { tip: from.tip, axis };
             let distance = self.distance_out(&from)?;
-            let rest = if self.config.retract.distance.is_some() { distance } else { distance - self.led_out };
+            let rest = if self.config.motion.retract.distance.is_some() { distance } else { distance - self.led_out };
             let out = Placed { tip: from.tip + axis * rest, axis };
             self.is_far_out(end, &out, rest).then_some((rest, out))
         })

@@ -9,8 +9,8 @@ use super::expect::{Item, Kind, Motion};
 use super::path::{Segment, Shape, angle_between};
 use super::read::{Action, Block, Family, Length, stated};
 use super::report::Shown;
-use crate::config::Mode;
 use crate::kinematics::Machine;
+use crate::motion::Mode;
 
 /// A point this near to a line lies on it, mm.
 pub(super) const ON_LINE: f64 = 1e-3;
@@ -74,7 +74,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn machine_block(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
         self.pass_needless()?;
         let retract = 1 << self.words.retract;
-        let position = self.config.retract.position;
+        let position = self.config.motion.retract.position();
         let there = (block.values[self.words.retract] - position).abs() <= 0.6 * self.slack.unit;
         if block.written != retract || !there {
             let parked = matches!(self.phase, Phase::Clear(_)) && self.parks_linear(block);
@@ -99,9 +99,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.leaves(rewinds, shown);
         }
         // Where nobody knows where the tool is, behind a stop, the operator has the coolant in hand.
-        let dry = self.phase != Phase::Unknown && (!rewinds || self.config.retract.rewind_dry);
+        let dry = self.phase != Phase::Unknown && (!rewinds || self.config.motion.retract.rewind_dry);
         // The stop may have been in the plane.
-        let stopped = self.phase == Phase::Unknown && !self.config.stop_retract;
+        let stopped = self.phase == Phase::Unknown && !self.config.motion.stop_retract;
         let tilts = matches!(self.phase, Phase::Path | Phase::Out) || stopped;
         self.state_at_retract(block, dry, tilts, shown);
         self.phase = Phase::Clear(0);
@@ -129,7 +129,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let retract = 1 << self.words.retract;
         let (rotary, linear) = (self.words.rotary_mask, self.words.linear_mask);
         // Under tip control all linear axes come down together; in a plane its own Z comes last.
-        let last = match self.config.mode {
+        let last = match self.config.motion.mode {
             Mode::Axes => retract,
             Mode::Tcp => linear,
             Mode::Plane => self.words.linear_places()[2].map_or(retract, |z| 1 << z),
@@ -301,7 +301,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if first.rapid && below {
             return first.to;
         }
-        Placed { tip: first.to.tip + first.to.axis * self.config.approach.distance, axis: first.to.axis }
+        Placed { tip: first.to.tip + first.to.axis * self.config.motion.approach.distance, axis: first.to.axis }
     }
 
     /// An operation can be entered where it begins: everything has been said, and the retract stands there, too.
@@ -352,9 +352,9 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let nearer =
             |index: usize, place: f64| known(index) && apart(values[index], place) < apart(before[index], place);
         let moved = || M::AXES.iter().enumerate().filter(|(index, _)| block.written & (1 << index) != 0);
-        let place = |letter: &char| self.config.park.get(letter).copied();
+        let place = |letter: &char| self.config.motion.park.get(letter).copied();
         let in_steps = moved().any(|(index, axis)| {
-            self.config.wrap.contains_key(&axis.letter)
+            self.config.motion.rotaries.wrap.contains_key(&axis.letter)
                 && place(&axis.letter).is_some_and(|place| !there(index, place) && nearer(index, place))
         });
         let parks = |(index, axis): (usize, &crate::kinematics::Axis)| {
@@ -365,7 +365,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     fn parks_linear(&self, block: &Block) -> bool {
         let at = |(index, axis): (usize, &crate::kinematics::Axis)| {
-            let place = self.config.park.get(&axis.letter);
+            let place = self.config.motion.park.get(&axis.letter);
             block.written & (1 << index) == 0
                 || place.is_some_and(|place| (block.values[index] - place).abs() <= 0.6 * self.slack.unit)
         };
@@ -408,7 +408,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             self.expect.pop();
             return Ok(());
         }
-        let spindle = self.config.spindle_dwell;
+        let spindle = self.config.motion.spindle_dwell;
         if spindle <= 0.0 || (spindle - seconds).abs() > WAIT {
             self.found(shown, &format!("a wait of {seconds} s that nothing asks for"));
         }
@@ -426,10 +426,10 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             }
             _ => self.found(shown, "a stop that the CL data does not ask for here"),
         }
-        if self.config.stop_retract && !matches!(self.phase, Phase::Clear(_)) {
+        if self.config.motion.stop_retract && !matches!(self.phase, Phase::Clear(_)) {
             self.found(shown, "the program stops where the tool has not been retracted");
         }
-        if self.config.stop_retract {
+        if self.config.motion.stop_retract {
             self.state_at_end(block, shown);
             self.stopped = true;
         }
@@ -459,11 +459,11 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn all_parked(&mut self, block: &Block, shown: Shown<'_>) {
         let values = self.words.values(&block.values);
         for (index, axis) in M::AXES.iter().enumerate().filter(|(_, axis)| !axis.held) {
-            let Some(place) = self.config.park.get(&axis.letter) else { continue };
+            let Some(place) = self.config.motion.park.get(&axis.letter) else { continue };
             let rotary = self.words.rotary_mask & (1 << index) != 0;
             let turned = rotary && apart(values[index], *place) <= 0.6 * self.slack.angle;
             let retracted =
-                index == self.words.retract && (place - self.config.retract.position).abs() < self.slack.unit;
+                index == self.words.retract && (place - self.config.motion.retract.position()).abs() < self.slack.unit;
             if !turned && !retracted && self.parked & (1 << index) == 0 {
                 self.found(shown, &format!("{} has not been parked", axis.letter));
             }
@@ -474,7 +474,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     pub(super) fn length_given_up(&mut self, block: &Block, shown: Shown<'_>) {
         let before = std::mem::replace(&mut self.length, block.state.length);
         // Tip control is given up with it before the retract: the manuals have it so.
-        let moves = matches!(self.family, Family::Fanuc | Family::Haas) && self.config.mode != Mode::Tcp;
+        let moves = matches!(self.family, Family::Fanuc | Family::Haas) && self.config.motion.mode != Mode::Tcp;
         let at_part = matches!(self.phase, Phase::Path | Phase::Out);
         let changed = matches!(before, Some(Length::Register(_))) && before != block.state.length;
         if moves && at_part && changed && block.action != Action::Machine {

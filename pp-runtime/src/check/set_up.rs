@@ -4,9 +4,10 @@ use std::io::{self, Read, Seek, SeekFrom};
 
 use super::read::{AxisName, Family, Vocabulary, WorkOffset, coolant};
 use crate::cl;
-use crate::config::{Config, Units};
+use crate::config::Config;
 use crate::kinematics::{AxisKind, Machine};
 use crate::program::Event;
+use crate::program::Units;
 
 /// Unit of the CL data, from what stands in front of its first motion; the data is read from the same place again.
 pub(super) fn units_of<R: Read + Seek>(input: &mut R, options: &cl::Options) -> io::Result<Option<Units>> {
@@ -30,12 +31,12 @@ pub(super) fn vocabulary<M: Machine>(family: Family, config: &Config, units: Uni
     let axis = |axis: &crate::kinematics::Axis| AxisName {
         name: config.control.axes.get(&axis.letter).map_or_else(|| axis.letter.to_string(), String::clone).into_bytes(),
         rotary: axis.kind == AxisKind::Rotary,
-        wrap: config.wrap.get(&axis.letter).copied(),
+        wrap: config.motion.rotaries.wrap.get(&axis.letter).copied(),
     };
     let setup = &config.control;
-    let lines = config.program.start.iter().chain(&config.program.end);
+    let lines = config.control.program.start.iter().chain(&config.control.program.end);
     let lines = lines.chain(setup.safety.iter().flatten()).chain(setup.tool_change.iter().flatten());
-    let clamps = config.clamp.values().flat_map(|codes| [&codes.on, &codes.off]);
+    let clamps = config.motion.rotaries.clamp.values().flat_map(|codes| [&codes.on, &codes.off]);
     let coolants = setup.coolant.iter().flatten().flatten();
     let mut known: Vec<Vec<u8>> = Vec::new();
     for line in lines.chain(clamps).chain(coolants) {
@@ -54,7 +55,7 @@ pub(super) fn vocabulary<M: Machine>(family: Family, config: &Config, units: Uni
             None => switches.push((off, bit, false)),
         }
     }
-    let tools = config.tools.iter().filter_map(|(number, tool)| Some((tool.name.clone()?, *number)));
+    let tools = config.set_up.tools.iter().filter_map(|(number, tool)| Some((tool.name.clone()?, *number)));
     Vocabulary {
         family,
         axes: M::AXES.iter().map(axis).collect(),
@@ -68,8 +69,8 @@ pub(super) fn vocabulary<M: Machine>(family: Family, config: &Config, units: Uni
 
 /// The work offset of each frame.
 pub(super) fn offsets(config: &Config, family: Family) -> Vec<(u32, WorkOffset)> {
-    let first = std::iter::once((1, &config.work_offset)).filter(|_| !config.frames.contains_key(&1));
-    let frames = first.chain(config.frames.iter().map(|(number, word)| (*number, word)));
+    let first = std::iter::once((1, &config.set_up.work_offset)).filter(|_| !config.set_up.frames.contains_key(&1));
+    let frames = first.chain(config.set_up.frames.iter().map(|(number, word)| (*number, word)));
     frames.filter_map(|(number, word)| Some((number, offset(word, family)?))).collect()
 }
 

@@ -7,9 +7,10 @@ use super::compare::{Checker, Phase};
 use super::expect::Wanted;
 use super::read::{Action, Block, Family, FeedMode, Length, MAX_AXES, Side, State, TipControl, WorkPlane};
 use super::report::Shown;
-use crate::config::{LengthMode, Mode, TcpWords, ToolPosture};
 use crate::kinematics::Machine;
+use crate::motion::{Mode, TcpWords, ToolPosture};
 use crate::program::Rotation;
+use crate::set_up::LengthMode;
 
 impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// At the part, on the path of the CL data.
@@ -31,7 +32,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .or_else(|| self.frame(state, true))
             .or_else(|| self.offsets(state, wanted, true))
             .or_else(|| if beside { self.radius(state, wanted) } else { None })
-            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
+            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.motion.lift.is_none())))
             .or_else(|| coolant(state, wanted.coolant))
     }
 
@@ -58,7 +59,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             .or_else(|| inverse(state))
             .or_else(|| self.frame(state, step > 1))
             .or_else(|| self.offsets(state, &wanted, last || !moves_z))
-            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.lift.is_none())))
+            .or_else(|| spindle(state, wanted.spindle.filter(|_| self.config.motion.lift.is_none())))
             .or_else(|| if self.rewound.is_some() { None } else { coolant(state, 0) });
         self.say_with_tool(found, state, &wanted, shown);
     }
@@ -167,7 +168,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 side.told()
             ));
         }
-        if state.shortest && self.config.wrap.is_empty() {
+        if state.shortest && self.config.motion.rotaries.wrap.is_empty() {
             return Some("rotary axes take the shorter way here, and their words count on past a turn".to_owned());
         }
         if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
@@ -180,7 +181,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn frame(&self, state: &State, framed: bool) -> Option<String> {
         let tips = state.tip_control != TipControl::Off;
         let tilted = state.tilt.is_some();
-        match (self.config.mode, framed) {
+        match (self.config.motion.mode, framed) {
             (Mode::Tcp, true) if !tips => Some("tip control is off, and the words are those of the tip".to_owned()),
             (Mode::Plane, true) if !tilted => Some("no plane is tilted, and the words count in one".to_owned()),
             (Mode::Plane, true) if state.tilt.is_some_and(|tilt| !tilt.oriented) => {
@@ -202,8 +203,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if self.config.control.tip_control.is_some() {
             return None;
         }
-        let in_plane = self.config.tool_posture == ToolPosture::Plane;
-        let in_workpiece = in_plane || self.config.tcp_words == TcpWords::Vectors;
+        let in_plane = self.config.motion.tip.tool_posture == ToolPosture::Plane;
+        let in_workpiece = in_plane || self.config.motion.tip.tcp_words == TcpWords::Vectors;
         let chosen = matches!(self.family, Family::Siemens | Family::Heidenhain | Family::Fanuc);
         if chosen && state.in_plane != Some(in_plane) {
             let way = if in_plane { "in the plane of its ends" } else { "with rotary axes that move evenly" };
@@ -224,7 +225,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         if !length {
             return None;
         }
-        let register = match (self.config.length_mode, wanted.tool) {
+        let register = match (self.config.set_up.length_mode, wanted.tool) {
             (LengthMode::Gauge, _) => Length::Off,
             (LengthMode::Tip, Some(_)) => Length::Register(wanted.register),
             (LengthMode::Tip, None) => return None,

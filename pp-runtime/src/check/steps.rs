@@ -10,8 +10,8 @@ use super::follow::{between, drift, places, sweep};
 use super::path::{Segment, angle_between};
 use super::read::{Action, Block, MAX_AXES};
 use super::report::Shown;
-use crate::config::{Rapid, Transition};
 use crate::kinematics::{Axis, Machine};
+use crate::motion::{Rapid, Transition};
 use crate::program::Feed;
 
 /// A rapid that is run in steps: words where it began, and behind the last of them.
@@ -54,7 +54,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
                 && angle_between(&on.axis, &motion.to.axis) <= self.axis_slack(&motion.to.axis)
         };
         let count = places(way + sweep(block));
-        let feed = if motion.rapid { self.config.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
+        let feed = if motion.rapid { self.config.motion.rapids.rapid_feed.map(Feed::PerMinute) } else { motion.feed };
         let is_rest = as_before
             && turned <= PI + self.slack.angle
             && self.is_at(end, &motion.to)
@@ -72,7 +72,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// is seen where it ends.
     pub(super) fn takes_step(&mut self, block: &Block, wanted: &Wanted, shown: Shown<'_>) -> bool {
         let before = self.before.0;
-        let direct = block.action == Action::Rapid && self.config.transition == Transition::Direct;
+        let direct = block.action == Action::Rapid && self.config.motion.rapids.transition == Transition::Direct;
         if !direct || self.short_way(&before, &block.values) <= self.slack.angle {
             return false;
         }
@@ -97,7 +97,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// How far an axis turns that takes the short way, rad.
     fn short_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
-        let wraps = |(_, axis): &(usize, &Axis)| self.config.wrap.contains_key(&axis.letter);
+        let wraps = |(_, axis): &(usize, &Axis)| self.config.motion.rotaries.wrap.contains_key(&axis.letter);
         let way = |(index, _): (usize, &Axis)| (to[index] - from[index]).abs();
         M::AXES.iter().enumerate().filter(wraps).map(way).fold(0.0, f64::max)
     }
@@ -120,7 +120,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// A rapid in two blocks, along the tool axis and across it.
     pub(super) fn corner(&self, segment: &Segment, end: &Placed) -> Option<f64> {
-        let here = self.here.filter(|_| self.config.rapid == Rapid::Split)?;
+        let here = self.here.filter(|_| self.config.motion.rapids.rapid == Rapid::Split)?;
         let step = segment.to.tip - here.tip;
         let along = segment.to.axis * step.dot(&segment.to.axis);
         let corner = if step.dot(&segment.to.axis) > 0.0 { here.tip + along } else { segment.to.tip - along };

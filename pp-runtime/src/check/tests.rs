@@ -3,7 +3,7 @@
 use std::io::Cursor;
 
 use super::*;
-use crate::config::Mode;
+use crate::motion::Mode;
 use crate::{control, post};
 
 crate::machine! {
@@ -64,8 +64,9 @@ fn posted<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str) -> (V
 fn configured<M: Machine>(control: &str, mode: Mode, set_up: &str) -> (&'static dyn Control, Config) {
     let control = control::by_name(control).expect("a control");
     let set_up = format!("defaults = {{ speed = 2000, direction = \"CLW\" }}\n{set_up}");
-    let config = control::starting_point(control).read_over::<M>(&set_up).expect("a configuration");
-    (control, Config { mode, ..config })
+    let mut config = crate::config::starting_point(control).read_over::<M>(&set_up).expect("a configuration");
+    config.motion.mode = mode;
+    (control, config)
 }
 
 /// A program that has just been posted, of which the check has nothing to say.

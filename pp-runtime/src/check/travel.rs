@@ -30,8 +30,9 @@ use super::reach::{Place, Reach, Search, highest};
 use super::read::{Action, Block, Family, MAX_AXES, TipControl};
 use super::report::Shown;
 use super::words::Words;
-use crate::config::{Config, ToolPosture};
+use crate::config::Config;
 use crate::kinematics::{AxisKind, Limits, Machine};
+use crate::motion::ToolPosture;
 
 /// Places of a block that are looked at are no farther apart than these angles, rad: of the rotary axes, of which two may
 /// add up, and of an arc; unless they would be more than so many.
@@ -73,7 +74,7 @@ pub(super) struct Travel {
 
 impl Travel {
     pub(super) fn new<M: Machine>(config: &Config, words: &Words) -> Self {
-        let limits = config.travel::<M>().limits;
+        let limits = config.set_up.travel::<M>().limits;
         let solved = words.linear_mask | words.rotary_mask;
         let axis = |(index, axis): (usize, &crate::kinematics::Axis)| {
             let limits = limits[index].filter(|_| solved & (1 << index) != 0)?;
@@ -82,7 +83,7 @@ impl Travel {
                 letter: axis.letter,
                 rotary: axis.kind == AxisKind::Rotary,
                 limits,
-                zero: config.machine_zero.get(&axis.letter).copied(),
+                zero: config.set_up.machine_zero.get(&axis.letter).copied(),
                 span: (f64::INFINITY, f64::NEG_INFINITY),
             })
         };
@@ -169,7 +170,8 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
 
     /// The control turns the tool axis in the plane of its ends: in each block whose axes arrive together.
     fn turns_in_plane(&self, block: &Block) -> bool {
-        self.config.tool_posture == ToolPosture::Plane && (block.action != Action::Rapid || self.interpolates_rapids())
+        self.config.motion.tip.tool_posture == ToolPosture::Plane
+            && (block.action != Action::Rapid || self.interpolates_rapids())
     }
 
     /// A block in which the control turns the tool axis evenly from where it stands, and finds the rotary axes itself.
@@ -249,7 +251,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// Tells each axis that leaves its travel on the way of a block, farther than at the ends of it.
     fn judge(&mut self, reach: &Reach, ends: [&[f64; MAX_AXES]; 2], place: &str, shown: Shown<'_>) {
         // Between its ends a block may leave its path by the tolerance.
-        let slack = self.config.tolerance;
+        let slack = self.config.motion.tolerance;
         for axis in &mut self.travel.axes {
             for side in [1.0, -1.0] {
                 let farthest = reach.bound(axis.index, side);

@@ -9,8 +9,10 @@ use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector3};
 use super::chain::{Chain, Placed};
 use super::path::angle_between;
 use super::read::{MAX_AXES, State, TipControl};
-use crate::config::{Config, LengthMode, ProgramZero, TcpFrame};
+use crate::config::Config;
 use crate::kinematics::{AxisKind, Machine};
+use crate::motion::TcpFrame;
+use crate::set_up::{LengthMode, ProgramZero};
 
 /// Steps in which rotary axes come to a tool axis that is near, and how near they come, rad.
 const NEWTON: u32 = 30;
@@ -59,21 +61,22 @@ impl Words {
             rotary_mask: mask(&rotary),
             zero: [0.0; MAX_AXES],
             share: [0.0; MAX_AXES],
-            gauge: config.length_mode == LengthMode::Gauge,
+            gauge: config.set_up.length_mode == LengthMode::Gauge,
             offset: [0.0; MAX_AXES],
             held: [0.0; MAX_AXES],
             xyz: ['X', 'Y', 'Z'].map(|letter| M::AXES.iter().position(|axis| axis.letter == letter)),
             length: 0.0,
-            frame: config.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
+            frame: config.motion.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             linear,
             chain,
             tool,
         };
-        let origin = if config.program_zero == ProgramZero::Table { config.part_origin } else { [0.0; 3] };
+        let origin =
+            if config.set_up.program_zero == ProgramZero::Table { config.set_up.part_origin } else { [0.0; 3] };
         words.zero = words.along(&origin.into());
         words.share = words.along(&tool);
         for (index, axis) in M::AXES.iter().enumerate() {
-            words.offset[index] = config.rotary_offset.get(&axis.letter).copied().unwrap_or(0.0);
+            words.offset[index] = config.set_up.rotary_offset.get(&axis.letter).copied().unwrap_or(0.0);
         }
         words.held[..M::AXES.len()].copy_from_slice(M::HELD.as_ref());
         words
@@ -97,7 +100,7 @@ impl Words {
 
     /// With another tool in the spindle, mm.
     pub(super) fn set_tool<M: Machine>(&mut self, machine: &mut M, config: &Config, length: f64) {
-        machine.set_up(config.part_origin.into(), length);
+        machine.set_up(config.set_up.part_origin.into(), length);
         self.chain = Chain::of(machine);
         self.length = length;
     }

@@ -8,9 +8,11 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
-use crate::config::{AXIS_TOLERANCE, Config, Mode, Operations, TOLERANCE, Units, preference, preferences};
+use crate::config::{AXIS_TOLERANCE, Config, TOLERANCE, preference, preferences};
 use crate::control::{self, CONTROLS, Control};
 use crate::kinematics::{Branch, Machine};
+use crate::motion::{Mode, Operations};
+use crate::program::Units;
 
 /// Turns CL data (APT/CLS) into a program for one machine.
 #[derive(Debug, Parser)]
@@ -274,28 +276,28 @@ impl SetUpArgs {
             config.given.insert("output_units");
         }
         if let Some(tolerance) = self.tolerance {
-            config.tolerance = tolerance;
+            config.motion.tolerance = tolerance;
             config.given.insert("tolerance");
         }
         if let Some(tolerance) = self.axis_tolerance_path {
-            config.axis_tolerance_path = tolerance.to_radians();
+            config.motion.axis_tolerance_path = tolerance.to_radians();
             config.given.insert("axis_tolerance_path");
         }
-        config.allow_lintol |= self.allow_lintol;
-        config.start_branch = self.start_branch.map(Into::into).or(config.start_branch);
+        config.motion.allow_lintol |= self.allow_lintol;
+        config.motion.course.start_branch = self.start_branch.map(Into::into).or(config.motion.course.start_branch);
         if let Some(text) = &self.prefer {
             let help = || format!("--prefer {text} is not known here: {}", preferences::<M>());
-            config.prefer = Some(preference::<M>(text).ok_or_else(help)?);
+            config.motion.course.prefer = Some(preference::<M>(text).ok_or_else(help)?);
         }
-        config.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
+        config.motion.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
         let named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);
         if let Some(mode) = self.mode.as_ref().and_then(named) {
-            config.mode = mode;
+            config.motion.mode = mode;
             config.given.insert("mode");
         }
-        config.lift = self.lift.or(config.lift);
-        config.greedy |= self.greedy;
-        config.axis_tolerance = self.axis_tolerance.unwrap_or(config.axis_tolerance);
+        config.motion.lift = self.lift.or(config.motion.lift);
+        config.motion.course.greedy |= self.greedy;
+        config.motion.course.axis_tolerance = self.axis_tolerance.unwrap_or(config.motion.course.axis_tolerance);
         let cl = &mut config.cl;
         cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
         cl.columns = self.columns.or(cl.columns);
@@ -309,7 +311,7 @@ impl SetUpArgs {
         };
         cl.from_move |= self.from.is_some();
         if self.line_numbers {
-            config.program.line_numbers.get_or_insert(Config::LINE_NUMBER_STEP);
+            config.control.program.line_numbers.get_or_insert(Config::LINE_NUMBER_STEP);
             config.given.insert("program.line_numbers");
         }
         Ok(())

@@ -94,12 +94,12 @@ pub(super) fn run<M: Machine>(
     let config = read_config::<M>(&args.set_up, &mut Messages::new(streams.errors, format))?;
     let mut source = open(&args.input, streams.input)?;
     let (name, control) = (source.name().to_owned(), args.set_up.control());
-    let numbered = config.program.line_numbers.is_some() || control.spellings().counted;
+    let numbered = config.control.program.line_numbers.is_some() || control.spellings().counted;
     let mut search = Search { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
     let no_room = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
     let mut program = tempfile::tempfile().map_err(no_room)?;
     // How many lines tell of the check is only known behind it.
-    let (output, no_check) = (Path::new(TEMPORARY), !config.program.checked);
+    let (output, no_check) = (Path::new(TEMPORARY), !config.control.program.checked);
     let run = Run { input: &args.input, output, no_check, config: &config, control, post };
     // What there is to say of the whole program was said when it was posted.
     let mut said = Vec::new();

@@ -115,7 +115,7 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
         Command::Check(args) => check::run::<M>(&args, &mut streams),
         Command::ExplainBlock(args) => explain_block::run::<M>(&args, &mut streams, post),
         Command::Config(args) => {
-            let config = control::starting_point(args.control());
+            let config = config::starting_point(args.control());
             let text = if args.schema { config::schema::<M>(&config) } else { config::print::<M>(&config) };
             print(&mut streams, |out| out.write_all(text.as_bytes()))
         }
@@ -171,7 +171,7 @@ fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Res
 
 /// Whether the control can do what the configuration asks for.
 fn fit<M: Machine>(control: &dyn Control, config: &Config) -> Result<(), Failure> {
-    let unfit = control::unfit::<M>(control, config);
+    let unfit = control::unfit::<M>(control, config.demands());
     if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
 }
 
@@ -181,7 +181,7 @@ fn read_file<M: Machine>(
     control: &dyn Control,
     messages: &mut Messages<'_>,
 ) -> Result<Config, Failure> {
-    let start = control::starting_point(control);
+    let start = config::starting_point(control);
     match path {
         None => Ok(start),
         Some(path) => {

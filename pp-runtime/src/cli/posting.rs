@@ -123,7 +123,7 @@ impl Run<'_> {
             return Ok(Err(reason));
         }
         let verdict = verdict(checked.as_ref());
-        let footer = if config.program.checked { comments(control, &verdict) } else { Vec::new() };
+        let footer = if config.control.program.checked { comments(control, &verdict) } else { Vec::new() };
         checking.close_behind(&footer, counted).map_err(unwritable)?;
         account_for(tail, footer.len())?;
         let assumed = "assumed: lengths of the configuration file are in mm (`units` is not set there)";

@@ -13,12 +13,12 @@ use tempfile::TempDir;
 
 use super::posting::Sink;
 use super::*;
-use crate::config::Units;
 use crate::config::sample::Sample;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
 use crate::post::{Account, Job, PostError, Report};
 use crate::program::Location;
+use crate::program::Units;
 
 /// What a run leaves on the streams.
 struct Outcome {
@@ -228,10 +228,10 @@ fn the_command_line_goes_on_top_of_the_configuration_file() {
     });
     assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
     let (config, units) = seen.into_inner().expect("it was posted");
-    assert_eq!(config.work_offset, "G55");
+    assert_eq!(config.set_up.work_offset, "G55");
     assert_eq!((config.cl_units, units), (Some(Units::Inches), Some(Units::Inches)));
     assert_eq!(config.output_units, Some(Units::Millimetres));
-    assert_eq!(config.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
+    assert_eq!(config.control.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
     assert!(config.is_given("output_units"));
 }
 

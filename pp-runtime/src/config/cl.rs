@@ -69,7 +69,7 @@ impl Config {
             set(&mut self.cl.from_move, r.choice(value, &FROMS));
         }
         if let Some(value) = self.get(section, "cl.allow_lintol") {
-            set(&mut self.allow_lintol, r.boolean(value));
+            set(&mut self.motion.allow_lintol, r.boolean(value));
         }
         if let Some(cycles) = self.get(section, "cl.cycle") {
             r.note(cycles, || Shape::Names(CycleKind::WORDS.iter().map(|(word, _)| (*word).to_owned()).collect()));
@@ -97,7 +97,7 @@ impl Config {
         for (key, span, value) in frames.map_or_else(Vec::new, |frames| r.entries(frames)) {
             match key.parse().ok().filter(|number: &u32| *number > 0 && number.to_string() == key) {
                 Some(number) => {
-                    self.frames.extend(work_offset(r, value).map(|word| (number, word)));
+                    self.set_up.frames.extend(work_offset(r, value).map(|word| (number, word)));
                 }
                 None => {
                     let help = "frames count from 1 in the order of the CL data: 2 = \"G55\"".to_owned();

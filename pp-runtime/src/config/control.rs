@@ -1,78 +1,12 @@
 //! `[control]`: how the control that is chosen differs from its table.
 
-use std::collections::BTreeMap;
-
 use crate::control::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
 use crate::kinematics::Machine;
 
 use super::axes::read_axes;
 use super::read::set;
 use super::value::{Bound, Quantity, Reader, Section, Shape, Value, list, nearest};
-use super::{Config, WORK_OFFSETS};
-
-/// What F counts along in a block in which a rotary axis moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PathNorm {
-    /// The linear axes; degrees where none of them moves.
-    Xyz,
-    /// Linear and rotary axes alike: √(Σ mm² + Σ degrees²).
-    XyzDegrees,
-    /// Nothing: F is 1/min.
-    G93Minutes,
-    /// Nothing: F is 1/s.
-    G93Seconds,
-}
-
-/// How much the control smooths the path.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Smoothing {
-    /// Not by the program.
-    #[default]
-    None,
-    /// Speed first.
-    Rough,
-    /// Between the two.
-    Medium,
-    /// Surface first.
-    Finish,
-}
-
-/// What differs from the table of the control.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct ControlSetup {
-    /// Number of the program; default 1.
-    pub program_number: Option<u32>,
-    /// Name of the program; default that of the CL data.
-    pub program_name: Option<String>,
-    /// The program begins with the name of its file; default false.
-    pub file_header: bool,
-    /// Safety blocks of a restart point; default those of the control.
-    pub safety: Option<Vec<String>>,
-    /// Blocks of a tool change; default those of the control.
-    pub tool_change: Option<Vec<String>>,
-    /// The tool after the next is called up; default as usual on the control.
-    pub preselect: Option<bool>,
-    /// Codes of flood, mist, coolant through the spindle and air, on and off; default those of the control.
-    pub coolant: [Option<[String; 2]>; 4],
-    /// Smoothing; default none.
-    pub smoothing: Smoothing,
-    /// Largest turn of the tool axis while the control smooths, rad; default none.
-    pub smoothing_angle: Option<f64>,
-    /// What F counts along; default as the control does.
-    pub path_norm: Option<PathNorm>,
-    /// Whole numbers end with a point; default as usual on the control.
-    pub point: Option<bool>,
-    /// Codes that switch tip control on and off; default those of the control.
-    pub tip_control: Option<[String; 2]>,
-    /// Name of the swivel data of CYCLE800; default none: there is only one.
-    pub swivel_data: Option<String>,
-    /// All axes of a rapid arrive together, as in a feed motion; default as usual on the control.
-    pub linear_rapids: Option<bool>,
-    /// Every word in every block; default false.
-    pub every_word: bool,
-    /// Names of axes on the control; default their letters.
-    pub axes: BTreeMap<char, String>,
-}
+use super::{Config, PathNorm, Smoothing, WORK_OFFSETS};
 
 const PATH_NORMS: [(&str, PathNorm); 4] = [
     ("xyz", PathNorm::Xyz),

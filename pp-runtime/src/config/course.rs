@@ -14,18 +14,18 @@ const LARGEST_AXIS_TOLERANCE: f64 = 5_f64.to_radians();
 impl Config {
     pub(super) fn read_course<M: Machine>(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
         if let Some(value) = self.get(section, "course.start_branch") {
-            self.start_branch = r.choice(value, &START_BRANCHES);
+            self.motion.course.start_branch = r.choice(value, &START_BRANCHES);
         }
         if let Some(value) = self.get(section, "course.prefer")
             && let Some(text) = r.line(value)
         {
-            self.prefer = preference::<M>(&text);
-            if self.prefer.is_none() {
+            self.motion.course.prefer = preference::<M>(&text);
+            if self.motion.course.prefer.is_none() {
                 r.fault(value.span(), format!("\"{text}\" is not known here"), Some(preferences::<M>()));
             }
         }
         if let Some(value) = self.get(section, "course.greedy") {
-            set(&mut self.greedy, r.boolean(value));
+            set(&mut self.motion.course.greedy, r.boolean(value));
         }
         if let Some(value) = self.get(section, "course.axis_tolerance") {
             let tolerance = r.number(value, Quantity::Angle, Bound::NotNegative);
@@ -34,7 +34,7 @@ impl Config {
                     format!("an angle of at most {} degrees is needed here", LARGEST_AXIS_TOLERANCE.to_degrees());
                 r.fault(value.span(), text, None);
             }
-            set(&mut self.axis_tolerance, tolerance);
+            set(&mut self.motion.course.axis_tolerance, tolerance);
         }
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use crate::kinematics::{Axis, AxisKind, DimensionKind, Machine};
 use crate::program::Coolant;
 
-use super::{Config, Rapid, Transition, part_angles};
+use super::{Config, Rapid, Transition};
 
 /// A configuration file for the machine `M` in which every default stands, switched off. `config`: the defaults of the
 /// control, or [`Config::default`].
@@ -22,9 +22,9 @@ pub fn print<M: Machine>(config: &Config) -> String {
 }
 
 fn write_top<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Result {
-    let [x, y, z] = config.part_origin.map(number);
-    let [rx, ry, rz] = part_angles(config).map(number);
-    let transition = match config.transition {
+    let [x, y, z] = config.set_up.part_origin.map(number);
+    let [rx, ry, rz] = config.set_up.part_angles().map(number);
+    let transition = match config.motion.rapids.transition {
         Transition::Safe => "safe",
         Transition::Direct => "direct",
     };
@@ -114,31 +114,31 @@ units = "mm"
 #table_check = {table_check}
 "#,
         name = M::NAME,
-        mode = config.mode.name(),
-        tcp_confirmed = config.tcp_confirmed,
-        length_tolerance = number(config.length_tolerance),
-        work_offset = config.work_offset,
+        mode = config.motion.mode.name(),
+        tcp_confirmed = config.motion.tip.tcp_confirmed,
+        length_tolerance = number(config.motion.guards.length_tolerance),
+        work_offset = config.set_up.work_offset,
         rotary_offset = axes::<M>(|axis| axis.kind == AxisKind::Rotary && !axis.held),
         machine_zero = axes::<M>(|axis| axis.kind == AxisKind::Linear),
         park = axes::<M>(|axis| axis.kind == AxisKind::Rotary),
-        index_angle = degrees(config.index_angle),
-        rapid = match config.rapid {
+        index_angle = degrees(config.motion.rapids.index_angle),
+        rapid = match config.motion.rapids.rapid {
             Rapid::Direct => "direct",
             Rapid::Split => "split",
             Rapid::Feed => "feed",
         },
-        reorient_speed = degrees(config.reorient_speed),
-        stop_retract = config.stop_retract,
-        tolerance = number(config.tolerance),
-        axis_tolerance_path = degrees(config.axis_tolerance_path),
-        path_tolerance = number(config.path_tolerance),
-        spindle_dwell = number(config.spindle_dwell),
-        table_check = config.table_check,
+        reorient_speed = degrees(config.motion.rapids.reorient_speed),
+        stop_retract = config.motion.stop_retract,
+        tolerance = number(config.motion.tolerance),
+        axis_tolerance_path = degrees(config.motion.axis_tolerance_path),
+        path_tolerance = number(config.control.path_tolerance),
+        spindle_dwell = number(config.motion.spindle_dwell),
+        table_check = config.motion.guards.table_check,
     )
 }
 
 fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Result {
-    let coolant = match config.defaults.coolant {
+    let coolant = match config.motion.defaults.coolant {
         Coolant::On | Coolant::Off | Coolant::Flood => "flood",
         Coolant::Mist => "mist",
         Coolant::Through => "through",
@@ -321,17 +321,17 @@ fn write_tables<M: Machine>(out: &mut String, config: &Config) -> std::fmt::Resu
 # Step of the block numbers. Without it there are none.
 # e.g. line_numbers = {step}
 "#,
-        peck_gap = number(config.defaults.peck_gap),
+        peck_gap = number(config.motion.defaults.peck_gap),
         prefer = sample_preference::<M>(),
-        greedy = config.greedy,
-        axis_tolerance = degrees(config.axis_tolerance),
-        position = number(config.retract.position),
-        rigid = config.cycles.rigid,
-        smallest_radius = number(config.arcs.smallest_radius),
-        largest_radius = number(config.arcs.largest_radius),
-        keep_speeds = config.feed.keep_speeds,
-        shortest_block = number(config.feed.shortest_block),
-        distance = number(config.approach.distance),
+        greedy = config.motion.course.greedy,
+        axis_tolerance = degrees(config.motion.course.axis_tolerance),
+        position = number(config.motion.retract.position()),
+        rigid = config.motion.cycles.rigid,
+        smallest_radius = number(config.motion.arcs.smallest_radius),
+        largest_radius = number(config.motion.arcs.largest_radius),
+        keep_speeds = config.motion.feed.keep_speeds,
+        shortest_block = number(config.motion.feed.shortest_block),
+        distance = number(config.motion.approach.distance),
         linear_mm = formats.linear_mm,
         linear_inch = formats.linear_inch,
         rotary = formats.rotary,

@@ -17,7 +17,7 @@ use super::clearance;
 use super::control::{templates, work_offset};
 use super::set_up;
 use super::value::{Bound, Quantity, Reader, Section, Shape, Value};
-use super::{Config, Rapid, Rewind, Tool, Transition, Units, Wrap};
+use super::{Config, GivenTool, Rapid, Rewind, Transition, Units, Wrap};
 
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
@@ -117,7 +117,10 @@ impl Config {
                 "retract" => self.read_retract(r, &mut section),
                 "approach" => {
                     let distance = self.get(&mut section, "approach.distance");
-                    set(&mut self.approach.distance, distance.and_then(|value| r.length(value, Bound::Positive)));
+                    set(
+                        &mut self.motion.approach.distance,
+                        distance.and_then(|value| r.length(value, Bound::Positive)),
+                    );
                 }
                 "arcs" => self.read_arcs(r, &mut section),
                 "cycles" => self.read_cycles(r, &mut section),
@@ -127,29 +130,29 @@ impl Config {
                 "control" => self.read_control::<M>(r, &mut section),
                 "cl" => self.read_cl(r, &mut section),
                 "course" => self.read_course::<M>(r, &mut section),
-                "stock" => self.stock = set_up::stock(r, &mut section, value),
+                "stock" => self.set_up.stock = set_up::stock(r, &mut section, value),
                 _ => self.read_program(r, &mut section),
             }
             section.finish(r);
         }
         self.read_tools(r, tools);
         self.read_frames(r, frames);
-        self.machine_zero = read_machine_zero::<M>(r, machine_zero);
-        self.limits = read_limits::<M>(r, limits);
-        self.grid = read_grid::<M>(r, grid);
-        self.clamp = set_up::clamps::<M>(r, clamp);
-        self.rotary_offset = set_up::rotary_offset::<M>(r, rotary_offset);
+        self.set_up.machine_zero = read_machine_zero::<M>(r, machine_zero);
+        self.set_up.limits = read_limits::<M>(r, limits);
+        self.motion.rotaries.grid = read_grid::<M>(r, grid);
+        self.motion.rotaries.clamp = set_up::clamps::<M>(r, clamp);
+        self.set_up.rotary_offset = set_up::rotary_offset::<M>(r, rotary_offset);
         self.read_wrap::<M>(r, wrap);
-        self.speeds = read_axes::<M>(r, speeds)
+        self.set_up.speeds = read_axes::<M>(r, speeds)
             .into_iter()
             .filter_map(|(axis, value, _)| Some((axis.letter, along(r, axis, value, Bound::Positive)?)))
             .collect();
-        self.park = self.read_park::<M>(r, park);
-        self.dimensions = read_dimensions::<M>(r, dimensions);
+        self.motion.park = self.read_park::<M>(r, park);
+        self.set_up.dimensions = read_dimensions::<M>(r, dimensions);
         top.finish(r);
         self.file_units_assumed = r.lengths && units.is_none();
         if !r.has_faults()
-            && let Err(invalid) = self.machine::<M>()
+            && let Err(invalid) = self.set_up.machine::<M>()
         {
             let span = dimensions.map_or(0..0, |value| value.span());
             r.fault(span, format!("{} cannot be built like this: {invalid}", M::NAME), None);
@@ -173,38 +176,38 @@ impl Config {
             self.output_units = r.choice(value, &UNITS);
         }
         if let Some(value) = self.get(top, "part_origin") {
-            set(&mut self.part_origin, read_point(r, value));
+            set(&mut self.set_up.part_origin, read_point(r, value));
         }
         if let Some(value) = self.get(top, "part_rotation") {
-            set(&mut self.part_rotation, set_up::part_rotation(r, value));
+            set(&mut self.set_up.part_rotation, set_up::part_rotation(r, value));
         }
         if let Some(value) = self.get(top, "program_zero") {
-            set(&mut self.program_zero, r.choice(value, &set_up::PROGRAM_ZEROS));
+            set(&mut self.set_up.program_zero, r.choice(value, &set_up::PROGRAM_ZEROS));
         }
         if let Some(value) = self.get(top, "length_mode") {
-            set(&mut self.length_mode, r.choice(value, &set_up::LENGTH_MODES));
+            set(&mut self.set_up.length_mode, r.choice(value, &set_up::LENGTH_MODES));
         }
         self.read_mode(r, top);
         if let Some(value) = self.get(top, "length_guard") {
-            self.length_guard = r.boolean(value);
+            self.motion.guards.length_guard = r.boolean(value);
         }
         if let Some(value) = self.get(top, "length_tolerance") {
-            set(&mut self.length_tolerance, set_up::length_tolerance(r, value));
+            set(&mut self.motion.guards.length_tolerance, set_up::length_tolerance(r, value));
         }
         if let Some(value) = self.get(top, "work_offset") {
-            set(&mut self.work_offset, work_offset(r, value));
+            set(&mut self.set_up.work_offset, work_offset(r, value));
         }
         if let Some(value) = self.get(top, "index_angle") {
-            set(&mut self.index_angle, r.number(value, Quantity::Angle, Bound::NotNegative));
+            set(&mut self.motion.rapids.index_angle, r.number(value, Quantity::Angle, Bound::NotNegative));
         }
         if let Some(value) = self.get(top, "rapid") {
-            set(&mut self.rapid, r.choice(value, &RAPIDS));
+            set(&mut self.motion.rapids.rapid, r.choice(value, &RAPIDS));
         }
         let rapid_feed = self.get(top, "rapid_feed");
         if let Some(value) = rapid_feed {
-            self.rapid_feed = r.length(value, Bound::Positive);
+            self.motion.rapids.rapid_feed = r.length(value, Bound::Positive);
         }
-        if self.rapid == Rapid::Feed && self.rapid_feed.is_none() && rapid_feed.is_none() {
+        if self.motion.rapids.rapid == Rapid::Feed && self.motion.rapids.rapid_feed.is_none() && rapid_feed.is_none() {
             r.fault(
                 0..0,
                 "rapid = \"feed\" needs `rapid_feed`",
@@ -212,13 +215,13 @@ impl Config {
             );
         }
         if let Some(value) = self.get(top, "transition") {
-            set(&mut self.transition, r.choice(value, &TRANSITIONS));
+            set(&mut self.motion.rapids.transition, r.choice(value, &TRANSITIONS));
         }
         if let Some(value) = self.get(top, "reorient_speed") {
-            set(&mut self.reorient_speed, r.number(value, Quantity::Angle, Bound::Positive));
+            set(&mut self.motion.rapids.reorient_speed, r.number(value, Quantity::Angle, Bound::Positive));
         }
         if let Some(value) = self.get(top, "stop_retract") {
-            set(&mut self.stop_retract, r.boolean(value));
+            set(&mut self.motion.stop_retract, r.boolean(value));
         }
         if let Some(value) = self.get(top, "spindle_dwell") {
             let seconds = r.number(value, Quantity::Plain, Bound::NotNegative);
@@ -226,7 +229,7 @@ impl Config {
                 let text = format!("a dwell of 0, or of {} to {} seconds, is needed here", DWELL.start(), DWELL.end());
                 r.fault(value.span(), text, None);
             }
-            set(&mut self.spindle_dwell, seconds);
+            set(&mut self.motion.spindle_dwell, seconds);
         }
         if let Some(value) = self.get(top, "path_tolerance") {
             let tolerance = r.length(value, Bound::Positive);
@@ -237,7 +240,7 @@ impl Config {
                 );
                 r.fault(value.span(), text, None);
             }
-            set(&mut self.path_tolerance, tolerance);
+            set(&mut self.control.path_tolerance, tolerance);
         }
         if let Some(value) = self.get(top, "tolerance") {
             let tolerance = r.length(value, Bound::Positive);
@@ -245,7 +248,7 @@ impl Config {
                 let (low, high) = (TOLERANCE.start(), TOLERANCE.end());
                 r.fault(value.span(), format!("a tolerance of {low} to {high} mm is needed here"), None);
             }
-            set(&mut self.tolerance, tolerance);
+            set(&mut self.motion.tolerance, tolerance);
         }
         if let Some(value) = self.get(top, "axis_tolerance_path") {
             let tolerance = r.number(value, Quantity::Angle, Bound::Positive);
@@ -253,60 +256,60 @@ impl Config {
                 let (low, high) = (AXIS_TOLERANCE.start(), AXIS_TOLERANCE.end());
                 r.fault(value.span(), format!("a tolerance of {low} to {high} degrees is needed here"), None);
             }
-            set(&mut self.axis_tolerance_path, tolerance);
+            set(&mut self.motion.axis_tolerance_path, tolerance);
         }
         if let Some(value) = self.get(top, "cl_point") {
             set(&mut self.cl.cl_point, r.choice(value, &CL_POINTS));
         }
         if let Some(value) = self.get(top, "spindle_max") {
-            self.spindle_max = r.number(value, Quantity::Plain, Bound::Positive);
+            self.motion.guards.spindle_max = r.number(value, Quantity::Plain, Bound::Positive);
         }
         if let Some(value) = self.get(top, "floor") {
-            self.floor = r.length(value, Bound::Any);
+            self.motion.guards.floor = r.length(value, Bound::Any);
         }
         if let Some(value) = self.get(top, "table_check") {
-            set(&mut self.table_check, r.boolean(value));
+            set(&mut self.motion.guards.table_check, r.boolean(value));
         }
     }
 
     fn read_defaults(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
         if let Some(value) = self.get(section, "defaults.speed") {
-            self.defaults.speed = r.number(value, Quantity::Plain, Bound::Positive);
+            self.motion.defaults.speed = r.number(value, Quantity::Plain, Bound::Positive);
         }
         if let Some(value) = self.get(section, "defaults.direction") {
-            self.defaults.rotation = r.choice(value, &ROTATIONS);
+            self.motion.defaults.rotation = r.choice(value, &ROTATIONS);
         }
         if let Some(value) = self.get(section, "defaults.tool") {
-            self.defaults.tool = r.whole(value, 1..=LARGEST_TOOL);
+            self.motion.defaults.tool = r.whole(value, 1..=LARGEST_TOOL);
         }
         if let Some(value) = self.get(section, "defaults.peck_gap") {
-            set(&mut self.defaults.peck_gap, r.length(value, Bound::Positive));
+            set(&mut self.motion.defaults.peck_gap, r.length(value, Bound::Positive));
         }
         if let Some(value) = self.get(section, "defaults.coolant") {
-            set(&mut self.defaults.coolant, r.choice(value, &COOLANTS));
+            set(&mut self.motion.defaults.coolant, r.choice(value, &COOLANTS));
         }
     }
 
     fn read_retract(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
         if let Some(value) = self.get(section, "retract.position") {
-            set(&mut self.retract.position, r.length(value, Bound::Any));
+            self.motion.retract.position = r.length(value, Bound::Any);
         }
         if let Some(value) = self.get(section, "retract.distance") {
-            self.retract.distance = r.length(value, Bound::Positive);
+            self.motion.retract.distance = r.length(value, Bound::Positive);
         }
         if let Some(value) = self.get(section, "retract.clearance") {
-            self.retract.clearance = clearance::read(r, value);
+            self.motion.retract.clearance = clearance::read(r, value);
         }
         if let Some(value) = self.get(section, "retract.rewind") {
-            set(&mut self.retract.rewind, r.choice(value, &REWINDS));
+            set(&mut self.motion.retract.rewind, r.choice(value, &REWINDS));
         }
         if let Some(value) = self.get(section, "retract.rewind_dry") {
-            set(&mut self.retract.rewind_dry, r.boolean(value));
+            set(&mut self.motion.retract.rewind_dry, r.boolean(value));
         }
     }
 
     fn read_wrap<M: Machine>(&mut self, r: &mut Reader<'_>, value: Option<Value<'_>>) {
-        let limits = self.travel::<M>().limits;
+        let limits = self.set_up.travel::<M>().limits;
         for (axis, value, span) in read_axes::<M>(r, value) {
             let index = M::AXES.iter().position(|known| known.letter == axis.letter);
             let Some(wrap) = r.choice(value, &WRAPS) else { continue };
@@ -315,19 +318,19 @@ impl Config {
                 r.fault(span, text, Some(format!("`[limits] {} = \"free\"` if it is endless", axis.letter)));
                 continue;
             }
-            self.wrap.extend(wrap.map(|wrap| (axis.letter, wrap)));
+            self.motion.rotaries.wrap.extend(wrap.map(|wrap| (axis.letter, wrap)));
         }
     }
 
     fn read_feed(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
         if let Some(value) = self.get(section, "feed.keep_speeds") {
-            set(&mut self.feed.keep_speeds, r.boolean(value));
+            set(&mut self.motion.feed.keep_speeds, r.boolean(value));
         }
         if let Some(value) = self.get(section, "feed.largest") {
-            self.feed.largest = r.length(value, Bound::Positive);
+            self.motion.feed.largest = r.length(value, Bound::Positive);
         }
         if let Some(value) = self.get(section, "feed.shortest_block") {
-            set(&mut self.feed.shortest_block, r.number(value, Quantity::Plain, Bound::NotNegative));
+            set(&mut self.motion.feed.shortest_block, r.number(value, Quantity::Plain, Bound::NotNegative));
         }
     }
 
@@ -354,19 +357,19 @@ impl Config {
 
     fn read_program(&mut self, r: &mut Reader<'_>, section: &mut Section<'_>) {
         if let Some(value) = self.get(section, "program.start") {
-            self.program.start = templates(r, value, OF_PROGRAM);
+            self.control.program.start = templates(r, value, OF_PROGRAM);
         }
         if let Some(value) = self.get(section, "program.end") {
-            self.program.end = templates(r, value, OF_PROGRAM);
+            self.control.program.end = templates(r, value, OF_PROGRAM);
         }
         if let Some(value) = self.get(section, "program.times") {
-            set(&mut self.program.times, r.boolean(value));
+            set(&mut self.control.program.times, r.boolean(value));
         }
         if let Some(value) = self.get(section, "program.checked") {
-            set(&mut self.program.checked, r.boolean(value));
+            set(&mut self.control.program.checked, r.boolean(value));
         }
         if let Some(value) = self.get(section, "program.line_numbers") {
-            self.program.line_numbers = r.whole(value, 1..=1000);
+            self.control.program.line_numbers = r.whole(value, 1..=1000);
         }
     }
 
@@ -383,7 +386,7 @@ impl Config {
                 continue;
             };
             let (tool, cl_point) = read_tool(r, number, value);
-            self.tools.insert(number, tool);
+            self.set_up.tools.insert(number, tool);
             self.cl.cl_point_of.extend(cl_point.map(|point| (number, point)));
         }
     }
@@ -392,7 +395,7 @@ impl Config {
         let mut read = BTreeMap::new();
         for (axis, value, _) in read_axes::<M>(r, park) {
             let Some(position) = along(r, axis, value, Bound::Any) else { continue };
-            let limits = self.limits.get(&axis.letter).copied().unwrap_or(axis.limits);
+            let limits = self.set_up.limits.get(&axis.letter).copied().unwrap_or(axis.limits);
             // Angles come from degrees: a limit itself must pass.
             let slack = 1e-9;
             if let Some(limits) = limits
@@ -408,9 +411,9 @@ impl Config {
     }
 }
 
-fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> (Tool, Option<ClPoint>) {
+fn read_tool(r: &mut Reader<'_>, number: u32, value: Value<'_>) -> (GivenTool, Option<ClPoint>) {
     let mut section = Section::of(r, format!("tools.{number}"), Some(value));
-    let mut tool = Tool::default();
+    let mut tool = GivenTool::default();
     if let Some(value) = section.get("length") {
         tool.length = r.length(value, Bound::NotNegative);
     }

@@ -9,7 +9,7 @@ use crate::kinematics::Machine;
 use super::axes::solved_rotaries;
 use super::read::read_point;
 use super::value::{Bound, Quantity, Reader, Section, Shape, Value};
-use super::{ClampCodes, Config, LengthMode, ProgramZero, Stock};
+use super::{ClampCodes, LengthMode, ProgramZero, Stock};
 
 pub(super) const PROGRAM_ZEROS: [(&str, ProgramZero); 2] = [("part", ProgramZero::Part), ("table", ProgramZero::Table)];
 pub(super) const LENGTH_MODES: [(&str, LengthMode); 2] = [("tip", LengthMode::Tip), ("gauge", LengthMode::Gauge)];
@@ -128,12 +128,6 @@ pub(super) fn rotary_offset<M: Machine>(r: &mut Reader<'_>, value: Option<Value<
     offsets
 }
 
-/// `[rx, ry, rz]` of the configuration, degrees, to nine decimals.
-pub(crate) fn part_angles(config: &Config) -> [f64; 3] {
-    let (x, y, z) = config.part_rotation.euler_angles();
-    [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)
-}
-
 /// Sine and cosine of an angle in degrees; exact where the table is turned by quarters.
 fn sine_and_cosine(degrees: f64) -> (f64, f64) {
     let rest = degrees.rem_euclid(360.0);
@@ -180,12 +174,13 @@ fn matrix(r: &mut Reader<'_>, value: Value<'_>, rows: [Value<'_>; 3]) -> Option<
 
 #[cfg(test)]
 mod tests {
+    use super::super::Config;
     use super::super::sample::Sample;
     use super::*;
 
     fn rotation(text: &str) -> Rotation3<f64> {
         let config = Config::read::<Sample>(&format!("part_rotation = {text}\n"));
-        config.unwrap_or_else(|faults| panic!("{faults:#?}")).part_rotation
+        config.unwrap_or_else(|faults| panic!("{faults:#?}")).set_up.part_rotation
     }
 
     fn fault(text: &str) -> String {
@@ -235,7 +230,7 @@ mod tests {
     #[test]
     fn program_zero_and_length_mode_are_words() {
         let config = Config::read::<Sample>("program_zero = 'table'\nlength_mode = 'gauge'\n").expect("right");
-        assert_eq!((config.program_zero, config.length_mode), (ProgramZero::Table, LengthMode::Gauge));
+        assert_eq!((config.set_up.program_zero, config.set_up.length_mode), (ProgramZero::Table, LengthMode::Gauge));
         assert!(Config::read::<Sample>("length_mode = 'spindle'\n").is_err());
     }
 
@@ -243,7 +238,7 @@ mod tests {
     fn the_length_guard_can_be_forced_and_widened() {
         let read = |text: &str| Config::read::<Sample>(text);
         let config = read("length_guard = true\nlength_tolerance = 0.05\n").expect("right");
-        assert_eq!((config.length_guard, config.length_tolerance), (Some(true), 0.05));
+        assert_eq!((config.motion.guards.length_guard, config.motion.guards.length_tolerance), (Some(true), 0.05));
         assert!(read("length_tolerance = 0.00001\n").is_err() && read("length_tolerance = 5\n").is_err());
     }
 
@@ -251,8 +246,8 @@ mod tests {
     fn a_blank_has_two_corners() {
         let read = |text: &str| Config::read::<Sample>(&format!("[stock]\n{text}\n"));
         let config = read("lower = [-5, -4, -3]\nupper = [5, 4, 0]").expect("right");
-        assert_eq!(config.stock, Some(Stock { lower: [-5.0, -4.0, -3.0], upper: [5.0, 4.0, 0.0] }));
-        assert_eq!(read("").expect("right").stock, None);
+        assert_eq!(config.set_up.stock, Some(Stock { lower: [-5.0, -4.0, -3.0], upper: [5.0, 4.0, 0.0] }));
+        assert_eq!(read("").expect("right").set_up.stock, None);
         for wrong in ["lower = [-5, -4, -3]", "lower = [-5, -4, 0]\nupper = [5, 4, 0]", "lower = 5\nupper = [5, 4, 0]"]
         {
             assert_eq!(read(wrong).expect_err("wrong").len(), 1, "{wrong}");
@@ -263,7 +258,7 @@ mod tests {
     fn a_clamp_has_two_m_codes() {
         let read = |text: &str| Config::read::<Sample>(&format!("[clamp]\n{text}\n"));
         let config = read("C = { on = 'M10', off = 'M64 P1' }").expect("right");
-        assert_eq!(config.clamp[&'C'], ClampCodes { on: "M10".to_owned(), off: "M64 P1".to_owned() });
+        assert_eq!(config.motion.rotaries.clamp[&'C'], ClampCodes { on: "M10".to_owned(), off: "M64 P1".to_owned() });
         for wrong in [
             "C = { on = 'M10' }",
             "C = { on = 'M10', off = 'M10' }",
@@ -280,7 +275,7 @@ mod tests {
     fn an_offset_belongs_to_a_rotary_axis_that_is_solved() {
         let read = |text: &str| Config::read::<Sample>(&format!("[rotary_offset]\n{text}\n"));
         let config = read("C = 12.5").expect("right");
-        assert!((config.rotary_offset[&'C'].to_degrees() - 12.5).abs() < 1e-12);
+        assert!((config.set_up.rotary_offset[&'C'].to_degrees() - 12.5).abs() < 1e-12);
         assert_eq!(read("X = 1").expect_err("linear")[0].text, "X is no rotary axis that is solved");
         assert!(read("C = 361").is_err() && read("C = 360").is_ok());
     }

@@ -1,4 +1,9 @@
+use std::collections::BTreeMap;
+
 use proptest::prelude::*;
+
+use crate::kinematics::Limits;
+use crate::program::Rotation;
 
 use super::sample::Sample;
 use super::*;
@@ -46,19 +51,19 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
     let config = read(&text);
     assert!(config.given.contains("retract.position") && config.given.contains("formats.inverse_time"));
     // What the machine declares, given once more.
-    assert_eq!(config.limits.keys().collect::<String>(), "BCXYZ");
-    assert_eq!(config.limits[&'C'], None);
-    let machine: Sample = config.machine().expect("the machine is valid");
+    assert_eq!(config.set_up.limits.keys().collect::<String>(), "BCXYZ");
+    assert_eq!(config.set_up.limits[&'C'], None);
+    let machine: Sample = config.set_up.machine().expect("the machine is valid");
     assert!(close(machine.alpha, Sample::default().alpha) && close(machine.d, 150.0));
-    let plain = Config {
-        dimensions: BTreeMap::new(),
-        limits: BTreeMap::new(),
-        speeds: BTreeMap::new(),
-        given: BTreeSet::new(),
-        ..config.clone()
-    };
+    let mut plain = config.clone();
+    plain.set_up.dimensions = BTreeMap::new();
+    plain.set_up.limits = BTreeMap::new();
+    plain.set_up.speeds = BTreeMap::new();
+    plain.given = BTreeSet::new();
+    // Zero as it is assumed, given once more.
+    assert_eq!(plain.motion.retract.position.take(), Some(Retract::POSITION));
     assert_eq!(plain, Config::default());
-    let (travel, declared) = (config.travel::<Sample>(), Config::default().travel::<Sample>());
+    let (travel, declared) = (config.set_up.travel::<Sample>(), Config::default().set_up.travel::<Sample>());
     for (one, other) in travel.limits.iter().zip(&declared.limits) {
         assert_eq!(one.is_some(), other.is_some());
         assert!(
@@ -78,12 +83,12 @@ fn every_example_of_the_printed_file_is_accepted() {
         .map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line)))
         .collect();
     let config = read(&text);
-    assert_eq!(config.tools[&12].name.as_deref(), Some("ball 10"));
-    assert_eq!(config.tools[&12].rotation, Some(Rotation::Clockwise));
-    assert_eq!(config.machine_zero.len(), 3);
-    assert_eq!(config.park.len(), 2);
-    assert_eq!(config.retract.distance, Some(100.0));
-    assert_eq!(config.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
+    assert_eq!(config.set_up.tools[&12].name.as_deref(), Some("ball 10"));
+    assert_eq!(config.set_up.tools[&12].rotation, Some(Rotation::Clockwise));
+    assert_eq!(config.set_up.machine_zero.len(), 3);
+    assert_eq!(config.motion.park.len(), 2);
+    assert_eq!(config.motion.retract.distance, Some(100.0));
+    assert_eq!(config.control.program.line_numbers, Some(Config::LINE_NUMBER_STEP));
     assert!(!config.file_units_assumed);
 }
 
@@ -95,23 +100,25 @@ fn inches_and_degrees_become_millimetres_and_radians() {
          [tools.3]\nlength = 4\n[speeds]\nX = 100\nC = 360\n[limits]\nZ = [-20, 0]\nB = \"free\"\n\
          [dimensions]\nd = 6\nalpha = 30\n",
     );
-    assert!(config.part_origin.iter().zip([25.4, 12.7, -50.8]).all(|(one, other)| close(*one, other)));
-    assert!(close(config.index_angle, 5_f64.to_radians()));
-    assert_eq!(config.floor, Some(-6.35));
-    assert!(close(config.machine_zero[&'X'], -254.0));
-    assert!(close(config.park[&'B'], 90_f64.to_radians()));
-    assert_eq!(config.spindle_max, Some(12000.0));
-    assert_eq!(config.tools[&3].length, Some(101.6));
-    assert!(close(config.speeds[&'X'], 2540.0));
-    assert!(close(config.speeds[&'C'], std::f64::consts::TAU));
-    assert_eq!(config.limits[&'Z'], Some(Limits { lower: -508.0, upper: 0.0 }));
-    assert_eq!(config.limits[&'B'], None);
-    assert!(close(config.dimensions["d"], 152.4) && close(config.dimensions["alpha"], 30_f64.to_radians()));
+    assert!(config.set_up.part_origin.iter().zip([25.4, 12.7, -50.8]).all(|(one, other)| close(*one, other)));
+    assert!(close(config.motion.rapids.index_angle, 5_f64.to_radians()));
+    assert_eq!(config.motion.guards.floor, Some(-6.35));
+    assert!(close(config.set_up.machine_zero[&'X'], -254.0));
+    assert!(close(config.motion.park[&'B'], 90_f64.to_radians()));
+    assert_eq!(config.motion.guards.spindle_max, Some(12000.0));
+    assert_eq!(config.set_up.tools[&3].length, Some(101.6));
+    assert!(close(config.set_up.speeds[&'X'], 2540.0));
+    assert!(close(config.set_up.speeds[&'C'], std::f64::consts::TAU));
+    assert_eq!(config.set_up.limits[&'Z'], Some(Limits { lower: -508.0, upper: 0.0 }));
+    assert_eq!(config.set_up.limits[&'B'], None);
+    assert!(
+        close(config.set_up.dimensions["d"], 152.4) && close(config.set_up.dimensions["alpha"], 30_f64.to_radians())
+    );
 }
 
 #[test]
 fn the_unit_of_the_file_counts_wherever_it_stands_among_the_keys() {
-    assert_eq!(read("floor = 1\nunits = 'in'\n").floor, Some(25.4));
+    assert_eq!(read("floor = 1\nunits = 'in'\n").motion.guards.floor, Some(25.4));
 }
 
 #[test]
@@ -160,16 +167,21 @@ fn a_key_below_the_wrong_header_is_told_where_it_belongs() {
 fn what_moves_between_cuts_and_how_fast_is_read() {
     let config =
         read("rapid = 'feed'\nrapid_feed = 9000\n[feed]\nkeep_speeds = false\nlargest = 5000\nshortest_block = 0.01\n");
-    assert_eq!((config.rapid, config.rapid_feed), (super::Rapid::Feed, Some(9000.0)));
-    assert_eq!((config.feed.keep_speeds, config.feed.largest), (false, Some(5000.0)));
+    assert_eq!((config.motion.rapids.rapid, config.motion.rapids.rapid_feed), (super::Rapid::Feed, Some(9000.0)));
+    assert_eq!((config.motion.feed.keep_speeds, config.motion.feed.largest), (false, Some(5000.0)));
     let help = "give it per minute: `rapid_feed = 10000`";
     assert_eq!(faults("rapid = 'feed'\n"), [format!("1:1: rapid = \"feed\" needs `rapid_feed` | {help}")]);
     let config = read(
         "[course]\nstart_branch = 'second'\nprefer = 'B-'\ngreedy = true\naxis_tolerance = 0.5\n[grid]\nC = 2.5\n",
     );
-    assert_eq!((config.start_branch, config.prefer), (Some(crate::kinematics::Branch::Second), Some(('B', false))));
+    assert_eq!(
+        (config.motion.course.start_branch, config.motion.course.prefer),
+        (Some(crate::kinematics::Branch::Second), Some(('B', false)))
+    );
     assert!(
-        config.greedy && close(config.axis_tolerance.to_degrees(), 0.5) && close(config.grid[&'C'].to_degrees(), 2.5)
+        config.motion.course.greedy
+            && close(config.motion.course.axis_tolerance.to_degrees(), 0.5)
+            && close(config.motion.rotaries.grid[&'C'].to_degrees(), 2.5)
     );
     assert_eq!(
         faults("[course]\nprefer = 'A+'\naxis_tolerance = 9\n[grid]\nC = 7\nX = 1\n").len(),
@@ -181,7 +193,7 @@ fn what_moves_between_cuts_and_how_fast_is_read() {
 #[test]
 fn the_clearance_geometry_is_a_plane_a_box_or_a_cylinder() {
     use crate::program::Clearance;
-    let read = |text: &str| read(&format!("units = 'in'\n[retract]\nclearance = {text}\n")).retract.clearance;
+    let read = |text: &str| read(&format!("units = 'in'\n[retract]\nclearance = {text}\n")).motion.retract.clearance;
     assert!(matches!(read("{ plane = 2 }"), Some(Clearance::Plane(plane)) if close(plane.distance, 50.8)));
     assert!(
         matches!(read("{ box = [[-1, -1, -1], [1, 1, 2]] }"), Some(Clearance::Box { upper, .. }) if close(upper.z, 50.8))
@@ -198,8 +210,11 @@ fn modes_frames_and_postures_are_read() {
     let text = "mode = 'tcp'\ntcp_frame = 'not_turning'\ntool_posture = 'plane'\ntcp_confirmed = true\n\
                 [control]\ntip_control = ['M428', 'M429']\nswivel_data = 'TABLE'\n";
     let config = read(text);
-    assert_eq!((config.mode, config.tcp_frame), (super::Mode::Tcp, Some(super::TcpFrame::NotTurning)));
-    assert_eq!((config.tool_posture, config.tcp_confirmed), (super::ToolPosture::Plane, true));
+    assert_eq!(
+        (config.motion.mode, config.motion.tip.tcp_frame),
+        (super::Mode::Tcp, Some(super::TcpFrame::NotTurning))
+    );
+    assert_eq!((config.motion.tip.tool_posture, config.motion.tip.tcp_confirmed), (super::ToolPosture::Plane, true));
     assert_eq!(config.control.tip_control, Some(["M428".to_owned(), "M429".to_owned()]));
     assert_eq!(config.control.swivel_data.as_deref(), Some("TABLE"));
     assert_eq!(faults("mode = 'tpc'\n").len(), 1);
@@ -264,7 +279,7 @@ fn dimensions_for_which_the_formulas_fail_are_refused() {
 #[test]
 fn dimensions_and_part_origin_reach_the_machine() {
     let machine: Sample =
-        read("units = 'mm'\npart_origin = [1, 2, 3]\n[dimensions]\nd = 7\n").machine().expect("it is valid");
+        read("units = 'mm'\npart_origin = [1, 2, 3]\n[dimensions]\nd = 7\n").set_up.machine().expect("it is valid");
     assert!(close(machine.d, 7.0));
     assert_eq!(machine.part_origin.as_slice(), [1.0, 2.0, 3.0]);
 }
@@ -278,14 +293,14 @@ fn an_axis_cannot_be_parked_outside_its_travel() {
 
 #[test]
 fn a_work_offset_that_the_control_does_not_have_is_refused() {
-    assert_eq!(read("work_offset = 'G59.3'").work_offset, "G59.3");
+    assert_eq!(read("work_offset = 'G59.3'").set_up.work_offset, "G59.3");
     assert_eq!(faults("work_offset = 'G59.4'\n").len(), 1);
     assert_eq!(faults("work_offset = 'G53'\n").len(), 1);
 }
 
 #[test]
 fn a_block_of_the_program_is_one_line() {
-    assert_eq!(read("[program]\nstart = ['G64 P0.01', 'M64 P1']\n").program.start, ["G64 P0.01", "M64 P1"]);
+    assert_eq!(read("[program]\nstart = ['G64 P0.01', 'M64 P1']\n").control.program.start, ["G64 P0.01", "M64 P1"]);
     assert_eq!(faults("[program]\nend = [\"M5\\nM30\"]\n").len(), 1);
 }
 
@@ -314,7 +329,7 @@ fn coolant_codes_are_given_in_pairs_for_kinds_that_exist() {
 
 #[test]
 fn a_file_is_read_on_top_of_the_digits_of_the_control() {
-    let start = crate::control::starting_point(&crate::control::Fanuc);
+    let start = crate::config::starting_point(&crate::control::Fanuc);
     let config = start.read_over::<Sample>("[formats]\nfeed = 1\n").expect("no fault");
     assert_eq!((config.formats.rotary, config.formats.feed, config.formats.linear_whole), (3, 1, 6));
 }
@@ -367,13 +382,13 @@ proptest! {
 
 #[test]
 fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
-    assert!(close(read("path_tolerance = 0.0001").path_tolerance, 0.0001));
+    assert!(close(read("path_tolerance = 0.0001").control.path_tolerance, 0.0001));
     assert_eq!(
         faults("path_tolerance = 0.00009"),
         ["1:18: less than 0.0001 mm could be written as 0, which lets the control leave the path without bound"]
     );
-    assert!(close(read("spindle_dwell = 0").spindle_dwell, 0.0));
-    assert!(close(read("spindle_dwell = 600").spindle_dwell, 600.0));
+    assert!(close(read("spindle_dwell = 0").motion.spindle_dwell, 0.0));
+    assert!(close(read("spindle_dwell = 600").motion.spindle_dwell, 600.0));
     for seconds in ["0.0009", "601", "1e20"] {
         let text = "1:17: a dwell of 0, or of 0.001 to 600 seconds, is needed here";
         assert_eq!(faults(&format!("spindle_dwell = {seconds}")), [text]);
@@ -390,9 +405,9 @@ fn how_cl_data_is_read_can_be_set() {
          frames = \"offset\"\ncircle_sense = \"cw\"\ninsert = \"write\"\ninsert_stop = true\nauxfun = [10, 11]\nprefun = [64]\n\
          feed_label = \"file-units\"\nfrom = \"move\"\nallow_lintol = true\ncycle.TAP.args = [\"depth\", \"pitch\"]\n",
     );
-    assert!(close(config.tolerance, 0.0254) && close(config.defaults.peck_gap, 0.508));
-    assert_eq!((config.defaults.tool, config.allow_lintol), (Some(3), true));
-    assert_eq!(config.frames, BTreeMap::from([(2, "G55".to_owned())]));
+    assert!(close(config.motion.tolerance, 0.0254) && close(config.motion.defaults.peck_gap, 0.508));
+    assert_eq!((config.motion.defaults.tool, config.motion.allow_lintol), (Some(3), true));
+    assert_eq!(config.set_up.frames, BTreeMap::from([(2, "G55".to_owned())]));
     let cl = &config.cl;
     assert_eq!((cl.cl_point, cl.cl_point_of.get(&2)), (ClPoint::Centre, Some(&ClPoint::Tip)));
     assert_eq!((cl.dialect, cl.columns), (Some(Dialect::SolidWorks), Some(72)));
@@ -419,7 +434,7 @@ fn words_that_move_something_cannot_be_set_inert() {
             && faults("tolerance = -1")[0].contains("above zero")
     );
     for (text, degrees) in [("0.001", 0.001_f64), ("10", 10.0)] {
-        let tolerance = read(&format!("axis_tolerance_path = {text}")).axis_tolerance_path;
+        let tolerance = read(&format!("axis_tolerance_path = {text}")).motion.axis_tolerance_path;
         assert!(close(tolerance, degrees.to_radians()));
     }
     assert_eq!(

@@ -8,10 +8,13 @@ mod values;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-use crate::config::{ControlSetup, Mode, Program, Smoothing, Stock, ToolPosture, Units};
+use super::options::{Options, ProgramBlocks, Smoothing};
 use crate::motion::{Cycle, Feed, Sink, Step, VECTOR_DECIMALS, Words};
+use crate::motion::{Mode, ToolPosture};
 use crate::nc::{Decimal, Line, Numbering, Numerals, Writer};
+use crate::program::Units;
 use crate::program::{Coolant, Rotation};
+use crate::set_up::Stock;
 
 use super::belief::{Belief, LengthState};
 use super::spellings::coolant_index;
@@ -40,8 +43,8 @@ pub struct Encoder<'a, W: Write> {
     units: Units,
     /// Decimals of lengths.
     linear: u32,
-    setup: ControlSetup,
-    program: Program,
+    setup: Options,
+    program: ProgramBlocks,
     mode: Mode,
     /// How the tool axis is written in the place of rotary words.
     vectors: Option<&'static Vectors>,

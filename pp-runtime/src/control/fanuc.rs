@@ -13,8 +13,9 @@
 //! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` turns the axes. Of several poses it takes the
 //! one that turns the master axis least (B-63784EN, tool axis direction control), so they are turned there before.
 
-use crate::config::{Formats, PathNorm};
+use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
+use crate::nc::Formats;
 use crate::nc::Numerals;
 
 use super::spellings::{
@@ -185,7 +186,7 @@ impl Control for Fanuc {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::Units;
+    use crate::program::Units;
 
     #[test]
     fn the_length_guard_adds_geometry_and_wear_of_the_register_in_the_unit_of_the_program() {

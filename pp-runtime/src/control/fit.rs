@@ -1,35 +1,32 @@
 //! Whether a configuration fits a control, and what the planner may ask of the two.
 
-use crate::config::{Config, LengthMode, Mode, PathNorm, Smoothing, TcpWords};
+use super::options::Demands;
+use super::options::Smoothing;
 use crate::kinematics::Machine;
 use crate::motion::{self, Abilities, CycleAbilities, PlaneAbility, TipAbility};
+use crate::motion::{Mode, PathNorm, TcpWords};
 use crate::program::Coolant;
+use crate::set_up::LengthMode;
 
 use super::Control;
 use super::spellings::{ArcCentre, LengthCall, coolant_index};
 
-/// The configuration of a control before anything else is said.
-#[must_use]
-pub fn starting_point(control: &dyn Control) -> Config {
-    Config { formats: control.spellings().formats.clone(), ..Config::default() }
-}
-
 /// What of the configuration the control cannot do, and why machine, control and configuration do not suit the mode that is
 /// asked for: one sentence each, none if a program can be written.
 #[must_use]
-pub fn unfit<M: Machine>(control: &dyn Control, config: &Config) -> Vec<String> {
-    let Abilities { tip, plane, .. } = abilities(control, config);
-    let mut faults = beyond(control, config);
-    faults.append(&mut motion::unsuited::<M>(config, control.spellings().title, tip, plane));
+pub fn unfit<M: Machine>(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
+    let Abilities { tip, plane, .. } = abilities(control, demands);
+    let mut faults = beyond(control, demands);
+    faults.append(&mut motion::unsuited::<M>(demands.policy(), control.spellings().title, tip, plane));
     faults
 }
 
 /// What of the configuration the control cannot do.
-fn beyond(control: &dyn Control, config: &Config) -> Vec<String> {
-    let (codes, setup) = (control.spellings(), &config.control);
+fn beyond(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
+    let (codes, setup) = (control.spellings(), &demands.options);
     let title = codes.title;
     let mut faults = Vec::new();
-    for offset in std::iter::once(&config.work_offset).chain(config.frames.values()) {
+    for offset in std::iter::once(&demands.set_up.work_offset).chain(demands.set_up.frames.values()) {
         if control.work_offset(offset).is_none() {
             faults.push(format!("{title} has no work offset `{offset}`"));
         }
@@ -48,10 +45,10 @@ fn beyond(control: &dyn Control, config: &Config) -> Vec<String> {
     if setup.file_header && control.file_header("NAME").is_empty() {
         faults.push(format!("programs of {title} do not begin with the name of their file: leave `file_header` out"));
     }
-    if codes.length.call == LengthCall::WithTool && config.length_mode == LengthMode::Gauge {
+    if codes.length.call == LengthCall::WithTool && demands.set_up.length_mode == LengthMode::Gauge {
         faults.push(format!("{title} takes the length with every tool call: leave `length_mode` at \"tip\""));
     }
-    if codes.counted && config.program.line_numbers.is_some() {
+    if codes.counted && demands.options.program.line_numbers.is_some() {
         faults.push(format!("{title} counts every line by itself: leave `line_numbers` out"));
     }
     if setup.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
@@ -61,7 +58,7 @@ fn beyond(control: &dyn Control, config: &Config) -> Vec<String> {
     if inverse && codes.inverse_time.is_none() {
         faults.push(format!("{title} has no inverse-time feed: `path_norm` is \"xyz\" or \"xyz+deg\""));
     }
-    let blocks = [&config.program.start, &config.program.end]
+    let blocks = [&demands.options.program.start, &demands.options.program.end]
         .into_iter()
         .chain(&setup.tool_change)
         .chain(&setup.safety)
@@ -73,31 +70,31 @@ fn beyond(control: &dyn Control, config: &Config) -> Vec<String> {
 }
 
 /// Tip control as the control has it, or as the configuration says that it is switched.
-fn tip_ability(control: &dyn Control, config: &Config) -> Option<TipAbility> {
+fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility> {
     let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
         frame_is_set: tip.frame_is_set,
         turns_in_plane: tip.turns_in_plane,
-        takes_vectors: tip.vectors.is_some() && config.control.tip_control.is_none(),
+        takes_vectors: tip.vectors.is_some() && demands.options.tip_control.is_none(),
     });
     let plain = TipAbility { frame_is_set: false, turns_in_plane: false, takes_vectors: false };
-    own.or_else(|| config.control.tip_control.is_some().then_some(plain))
+    own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 
 /// The letters of a centre mean the tool axis, and no arc can be said.
-fn centre_is_axis(control: &dyn Control, config: &Config) -> bool {
+fn centre_is_axis(control: &dyn Control, demands: Demands<'_>) -> bool {
     let codes = control.spellings();
     let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref());
-    let used = config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors;
+    let used = demands.motion.mode == Mode::Tcp && demands.motion.tip.tcp_words == TcpWords::Vectors;
     used && codes.arcs.centre == ArcCentre::Offsets && vectors.is_some_and(|vectors| vectors.words[0] == "I")
 }
 
 /// What the planner may ask for.
 #[must_use]
-pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
+pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
     let codes = control.spellings();
     let has = |kind: Coolant| {
         let index = coolant_index(kind).unwrap_or_default();
-        config.control.coolant[index].is_some() || codes.coolant[index].is_some()
+        demands.options.coolant[index].is_some() || codes.coolant[index].is_some()
     };
     Abilities {
         flood: has(Coolant::Flood),
@@ -106,16 +103,16 @@ pub fn abilities(control: &dyn Control, config: &Config) -> Abilities {
         air: has(Coolant::Air),
         length_moves: codes.length.call == super::LengthCall::WithZ,
         registers: codes.length.registers,
-        path_norm: config.control.path_norm.unwrap_or(codes.path_norm),
+        path_norm: demands.options.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
         cycles: codes.cycles.as_ref().map_or_else(CycleAbilities::default, |cycles| cycles.can),
         radius_registers: codes.beside[1].contains("{radius}"),
-        arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_is_axis(control, config)),
+        arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_is_axis(control, demands)),
         arc_radius_tolerance: codes.arcs.radius_tolerance,
-        tip: tip_ability(control, config),
+        tip: tip_ability(control, demands),
         plane: codes.plane.as_ref().map(|plane| PlaneAbility {
             angles: plane.angles,
-            decimals: plane.decimals.unwrap_or(config.formats.rotary),
+            decimals: plane.decimals.unwrap_or(demands.formats.rotary),
             pose: plane.pose,
             ends_behind_retract: plane.ends_behind_retract,
         }),

@@ -10,8 +10,9 @@
 //! `G234 H` controls the tip in the frame of the table at zero. `G268` tilts a plane, with the length offset active before
 //! it, and `G253` turns the axes; `Q123` is the order of its angles.
 
-use crate::config::{Formats, PathNorm};
+use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
+use crate::nc::Formats;
 use crate::nc::Numerals;
 
 use super::spellings::{

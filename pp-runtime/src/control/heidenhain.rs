@@ -21,8 +21,9 @@
 //! spindle and feed in step, left-hand where Q239 is negative, and leaves the spindle standing (user's manuals of cycle
 //! programming, iTNC 530 and TNC 640). F in them counts as elsewhere in the program.
 
-use crate::config::{Formats, PathNorm};
+use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
+use crate::nc::Formats;
 use crate::nc::Numerals;
 
 use super::spellings::{

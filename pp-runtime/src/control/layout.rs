@@ -1,7 +1,10 @@
 //! What an encoder needs to know of the job.
 
-use crate::config::{Config, ControlSetup, Mode, Program, TcpWords, ToolPosture, Units, Wrap};
+use super::options::Demands;
+use super::options::{Options, ProgramBlocks};
 use crate::kinematics::{AxisKind, Machine};
+use crate::motion::{Mode, TcpWords, ToolPosture, Wrap};
+use crate::program::Units;
 
 /// The job as an encoder sees it.
 #[derive(Debug, Clone, Default)]
@@ -29,31 +32,31 @@ pub struct Layout {
     /// Threads are cut with the spindle under control of its angle.
     pub rigid: bool,
     /// What the configuration says of the control.
-    pub setup: ControlSetup,
+    pub setup: Options,
     /// Blocks around the program.
-    pub program: Program,
+    pub program: ProgramBlocks,
 }
 
 impl Layout {
     /// The layout of a job for the machine `M`.
     #[must_use]
-    pub fn new<M: Machine>(config: &Config, units: Units, name: &[u8]) -> Self {
-        let linear = config.formats.linear(units);
-        let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { config.formats.rotary };
+    pub fn new<M: Machine>(demands: Demands<'_>, units: Units, name: &[u8]) -> Self {
+        let linear = demands.formats.linear(units);
+        let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { demands.formats.rotary };
         Self {
             axes: M::AXES.iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
             units,
             linear,
-            work_offset: config.work_offset.clone(),
-            path_tolerance: config.path_tolerance / units.in_mm(),
+            work_offset: demands.set_up.work_offset.clone(),
+            path_tolerance: demands.options.path_tolerance / units.in_mm(),
             name: name.to_vec(),
-            shortest: config.wrap.values().any(|wrap| *wrap != Wrap::Sign),
-            mode: config.mode,
-            posture: config.tool_posture,
-            vectors: config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors,
-            rigid: config.cycles.rigid,
-            setup: config.control.clone(),
-            program: config.program.clone(),
+            shortest: demands.motion.rotaries.wrap.values().any(|wrap| *wrap != Wrap::Sign),
+            mode: demands.motion.mode,
+            posture: demands.motion.tip.tool_posture,
+            vectors: demands.motion.mode == Mode::Tcp && demands.motion.tip.tcp_words == TcpWords::Vectors,
+            rigid: demands.motion.cycles.rigid,
+            setup: demands.options.clone(),
+            program: demands.options.program.clone(),
         }
     }
 }

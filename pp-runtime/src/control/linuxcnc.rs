@@ -5,8 +5,9 @@
 //! wherever one of them moves. `#5403` is what the tool table says of the tool in the spindle, whatever H is in force, in
 //! the unit of the machine and not in that of the program. Without a P behind `G64` it would round corners as far as speed demands.
 
-use crate::config::{Formats, PathNorm};
+use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, Registers};
+use crate::nc::Formats;
 use crate::nc::Numerals;
 
 use super::spellings::{
@@ -133,7 +134,7 @@ fn is_order(text: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::config::Units;
+    use crate::program::Units;
 
     fn comment(text: &str) -> String {
         let mut line = Vec::new();

@@ -11,6 +11,7 @@ mod haas;
 mod heidenhain;
 mod layout;
 mod linuxcnc;
+mod options;
 mod siemens;
 mod spellings;
 pub mod template;
@@ -19,16 +20,17 @@ mod tests;
 
 use std::ops::RangeInclusive;
 
-use crate::config::Units;
+use crate::program::Units;
 
 pub use encoder::Encoder;
 pub(crate) use encoder::{legible, lines_of};
 pub use fanuc::Fanuc;
-pub use fit::{abilities, starting_point, unfit};
+pub use fit::{abilities, unfit};
 pub use haas::Haas;
 pub use heidenhain::Heidenhain;
 pub use layout::Layout;
 pub use linuxcnc::LinuxCnc;
+pub use options::{Demands, Options, ProgramBlocks, Smoothing};
 pub use siemens::Siemens;
 pub use spellings::{
     ArcCentre, Arcs, Comments, CycleCodes, CycleDefinitions, CycleForm, Cycles, Length, LengthCall, Spellings, Thread,

@@ -21,8 +21,9 @@
 //! left-hand), POSS, SST, SST1, _AXN, _PITA (1 mm, 3 inches). What is left for the last two steps of `CYCLE83` is halved, so
 //! only whole steps are said by it.
 
-use crate::config::{Formats, PathNorm};
+use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
+use crate::nc::Formats;
 use crate::nc::Numerals;
 
 use super::spellings::{

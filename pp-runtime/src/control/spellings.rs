@@ -2,8 +2,9 @@
 //!
 //! Texts with braces are [templates](super::template).
 
-use crate::config::{Formats, PathNorm};
+use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
+use crate::nc::Formats;
 use crate::nc::Numerals;
 use crate::program::{Coolant, Rotation};
 

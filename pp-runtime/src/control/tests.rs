@@ -10,9 +10,12 @@ use proptest::prelude::*;
 use super::template::{self, Field};
 use super::*;
 use crate::config::sample::Sample;
-use crate::config::{Config, ControlSetup, Mode, PathNorm, Program, Smoothing, TcpWords, Units};
+use crate::config::{Config, starting_point};
+use crate::control::{Options, ProgramBlocks, Smoothing};
 use crate::motion::{Circle, Feed, MAX_AXES, Plane, Sink as _, Step, Words};
+use crate::motion::{Mode, PathNorm, TcpWords};
 use crate::nc::Decimal;
+use crate::program::Units;
 use crate::program::{Coolant, Rotation};
 
 type Buffer<'b> = Encoder<'b, &'b mut Vec<u8>>;
@@ -97,7 +100,7 @@ fn whole(control: &dyn Control, layout: &Layout) -> Vec<String> {
     })
 }
 
-fn edges(setup: ControlSetup) -> Layout {
+fn edges(setup: Options) -> Layout {
     Layout { setup, ..layout() }
 }
 
@@ -137,7 +140,7 @@ fn fanuc_writes_points_calls_the_length_with_z_and_cancels_it_with_z() {
 
 #[test]
 fn a_wait_of_haas_has_its_point_where_lengths_have_none() {
-    let control = ControlSetup { point: Some(false), ..ControlSetup::default() };
+    let control = Options { point: Some(false), ..Options::default() };
     assert!(steps(&Haas, &edges(control), &[Step::Dwell { seconds: 2.0 }]).iter().any(|line| line == "G04 P2."));
 }
 
@@ -152,7 +155,7 @@ fn haas_writes_two_digits_and_a_dwell_in_seconds() {
 
 #[test]
 fn siemens_calls_the_edge_again_behind_machine_coordinates_and_parts_long_names() {
-    let setup = ControlSetup { axes: BTreeMap::from([('C', "C1".to_owned())]), ..ControlSetup::default() };
+    let setup = Options { axes: BTreeMap::from([('C', "C1".to_owned())]), ..Options::default() };
     assert_eq!(
         whole(&Siemens, &edges(setup)),
         [
@@ -316,15 +319,14 @@ fn coolant_goes_off_by_the_code_of_its_kind() {
     let through = Step::Coolant { kind: Coolant::Through };
     let blocks = [Step::CoolantOff, through, Step::CoolantOff, Step::CoolantOff];
     assert_eq!(steps(&Haas, &layout(), &blocks), ["M09", "M88", "M89", "M09"]);
-    let mut setup = ControlSetup::default();
+    let mut setup = Options::default();
     setup.coolant[2] = Some(["M51".to_owned(), "M59".to_owned()]);
     assert_eq!(steps(&LinuxCnc, &edges(setup), &blocks), ["M9", "M51", "M59", "M9"]);
 }
 
 #[test]
 fn smoothing_is_on_in_cuts_and_off_before_machine_coordinates() {
-    let setup =
-        |smoothing| ControlSetup { smoothing, smoothing_angle: Some(0.1_f64.to_radians()), ..ControlSetup::default() };
+    let setup = |smoothing| Options { smoothing, smoothing_angle: Some(0.1_f64.to_radians()), ..Options::default() };
     let text = |control: &dyn Control, smoothing| whole(control, &edges(setup(smoothing))).join("\n");
     assert!(text(&Fanuc, Smoothing::Finish).contains("G05.1 Q1\nG1 Z-1. F800.\nX12. C31.\nM9\nG05.1 Q0\nG49 G53"));
     assert!(text(&Siemens, Smoothing::Rough).contains("CYCLE832(0.01,3)\nG1 Z-1 F800"));
@@ -335,14 +337,15 @@ fn smoothing_is_on_in_cuts_and_off_before_machine_coordinates() {
 
 #[test]
 fn blocks_of_the_configuration_replace_those_of_the_table() {
-    let setup = ControlSetup {
+    let setup = Options {
         tool_change: Some(vec!["M101".into(), "T{tool} M6 (H{offset} S{speed})".into(), "T{next}".into()]),
         safety: Some(vec!["{units} G90".into(), "{work_offset}".into()]),
         program_number: Some(42),
         program_name: Some("x-1".into()),
-        ..ControlSetup::default()
+        ..Options::default()
     };
-    let program = Program { start: vec!["(P{number} {name})".into()], end: vec!["M99".into()], ..Program::default() };
+    let program =
+        ProgramBlocks { start: vec!["(P{number} {name})".into()], end: vec!["M99".into()], ..ProgramBlocks::default() };
     let layout = Layout { program, ..edges(setup) };
     let text = written_by(&Fanuc, &layout, |encoder| {
         encoder.open(None)?;
@@ -409,14 +412,14 @@ fn what_a_control_does_not_have_is_told_before_anything_is_posted() {
     let faults = |control: &dyn Control, change: fn(&mut Config)| {
         let mut config = starting_point(control);
         change(&mut config);
-        unfit::<Sample>(control, &config)
+        unfit::<Sample>(control, config.demands())
     };
     for control in CONTROLS {
         assert_eq!(faults(*control, |_| {}), Vec::<String>::new());
-        assert_eq!(faults(*control, |config| config.work_offset = "G53".into()).len(), 1);
-        assert_eq!(faults(*control, |config| config.frames = BTreeMap::from([(2, "G999".to_owned())])).len(), 1);
+        assert_eq!(faults(*control, |config| config.set_up.work_offset = "G53".into()).len(), 1);
+        assert_eq!(faults(*control, |config| config.set_up.frames = BTreeMap::from([(2, "G999".to_owned())])).len(), 1);
         assert_eq!(faults(*control, |config| config.control.axes = BTreeMap::from([('C', "c?".to_owned())])).len(), 1);
-        assert_eq!(faults(*control, |config| config.program.start = vec!["M".repeat(600)]).len(), 1);
+        assert_eq!(faults(*control, |config| config.control.program.start = vec!["M".repeat(600)]).len(), 1);
     }
     let long_name: fn(&mut Config) = |config| config.control.axes = BTreeMap::from([('C', "C1".to_owned())]);
     assert_eq!(faults(&Fanuc, long_name).len(), 1);
@@ -425,9 +428,9 @@ fn what_a_control_does_not_have_is_told_before_anything_is_posted() {
     assert_eq!([&Fanuc as &dyn Control, &Haas, &Siemens].map(|control| faults(control, number).len()), [1, 0, 1]);
     let inverse: fn(&mut Config) = |config| config.control.path_norm = Some(PathNorm::G93Minutes);
     assert_eq!(faults(&Heidenhain, inverse).len(), 1);
-    assert_eq!(faults(&Heidenhain, |config| config.program.line_numbers = Some(10)).len(), 1);
+    assert_eq!(faults(&Heidenhain, |config| config.control.program.line_numbers = Some(10)).len(), 1);
     assert_eq!(faults(&LinuxCnc, |config| config.control.smoothing = Smoothing::Rough).len(), 1);
-    let gauge: fn(&mut Config) = |config| config.length_mode = crate::config::LengthMode::Gauge;
+    let gauge: fn(&mut Config) = |config| config.set_up.length_mode = crate::set_up::LengthMode::Gauge;
     let length = "Heidenhain TNC takes the length with every tool call: leave `length_mode` at \"tip\"";
     assert_eq!(faults(&Heidenhain, gauge), [length]);
     assert_eq!(faults(&Fanuc, gauge), Vec::<String>::new());
@@ -611,7 +614,7 @@ proptest! {
                 !(no_inverse && matches!(step, Step::PerMinute | Step::Feed { feed: Feed::InverseTime(_), .. }))
             }).copied().collect();
             let modal = steps(*control, &layout(), &blocks);
-            let every_word = ControlSetup { every_word: true, ..ControlSetup::default() };
+            let every_word = Options { every_word: true, ..Options::default() };
             let full = steps(*control, &edges(every_word), &blocks);
             prop_assert_eq!(motions(&modal), motions(&full), "{:#?}\n{:#?}", modal, full);
             prop_assert!(modal.iter().map(String::len).sum::<usize>() <= full.iter().map(String::len).sum::<usize>());
@@ -679,7 +682,7 @@ fn round(plane: Plane, from: Place, to: Place, centre: [i64; 2], clockwise: bool
 const FEED: Decimal = Decimal { units: 500, decimals: 0 };
 
 /// A quarter, a whole turn, a helix and an arc in the plane of Z and X, from X10 Y0 Z0 about the origin.
-fn some_arcs(control: &dyn Control, setup: ControlSetup, radius: Option<i64>) -> Vec<String> {
+fn some_arcs(control: &dyn Control, setup: Options, radius: Option<i64>) -> Vec<String> {
     let quarter = Circle { radius, ..round(Plane::Xy, [10_000, 0, 0], [0, 10_000, 0], [0, 0], false) };
     let whole = round(Plane::Xy, [0, 10_000, 0], [0, 10_000, 0], [0, 0], true);
     let helix = round(Plane::Xy, [0, 10_000, 0], [10_000, 0, -2_500], [0, 0], true);
@@ -702,7 +705,7 @@ fn some_arcs(control: &dyn Control, setup: ControlSetup, radius: Option<i64>) ->
 
 #[test]
 fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
-    let arcs = |control| some_arcs(control, ControlSetup::default(), None);
+    let arcs = |control| some_arcs(control, Options::default(), None);
     let expected = [
         "G1 X10 Y0 Z0 F500",
         "G3 X0 Y10 I-10 J0",
@@ -724,7 +727,7 @@ fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
 #[test]
 fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
     assert_eq!(
-        some_arcs(&Heidenhain, ControlSetup::default(), None),
+        some_arcs(&Heidenhain, Options::default(), None),
         [
             "4 L X+10 Y+0 Z+0 R0 F500",
             "5 CC X+0 Y+0",
@@ -741,7 +744,10 @@ fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
 #[test]
 fn no_arc_is_said_where_its_plane_or_its_centre_means_something_else() {
     let planes = |control: &dyn Control, mode, tcp_words| {
-        abilities(control, &Config { mode, tcp_words, ..starting_point(control) }).arc_planes
+        let mut config = starting_point(control);
+        config.motion.mode = mode;
+        config.motion.tip.tcp_words = tcp_words;
+        abilities(control, config.demands()).arc_planes
     };
     let (all, only) = ([true; 3], [false, false, true]);
     assert_eq!(planes(&Siemens, Mode::Axes, TcpWords::Angles), only);
@@ -776,7 +782,7 @@ fn behind_a_helix_heidenhain_counts_the_angle_of_a_whole_turn() {
 
 #[test]
 fn a_radius_takes_the_place_of_the_centre() {
-    let quarter = |control, radius| some_arcs(control, ControlSetup::default(), Some(radius))[1].clone();
+    let quarter = |control, radius| some_arcs(control, Options::default(), Some(radius))[1].clone();
     assert_eq!(quarter(&Fanuc, 10_000), "G3 X0. Y10. R10.");
     assert_eq!(quarter(&Siemens, -10_000), "G3 X0 Y10 CR=-10");
     assert_eq!(quarter(&Heidenhain, 10_000), "5 CR X+0 Y+10 R+10 DR+");
@@ -823,7 +829,7 @@ proptest! {
         }
         let said: Vec<_> = CONTROLS.iter().map(|control| {
             let modal = motions(&steps(*control, &milling(), &blocks));
-            let every_word = ControlSetup { every_word: true, ..ControlSetup::default() };
+            let every_word = Options { every_word: true, ..Options::default() };
             let full = motions(&steps(*control, &Layout { setup: every_word, ..milling() }, &blocks));
             // Behind a helix Heidenhain writes where it ends once more.
             let moving = |mut motions: Vec<Motion>| {

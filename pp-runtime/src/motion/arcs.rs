@@ -8,7 +8,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::config::{ArcForm, ArcOutput};
+use super::options::{ArcForm, ArcOutput};
 use crate::kinematics::{Machine, Pose};
 use crate::nalgebra::Vector3;
 use crate::program::{Arc, Location, Move};
@@ -182,7 +182,7 @@ impl<M: Machine> Planner<'_, M> {
 
     /// The arc in the program's coordinates.
     fn framed(&self, arc: &Arc, round: &Round<'_>, end: &Place<M::Axes>) -> Result<Framed, NoArc> {
-        let setup = &self.config.arcs;
+        let setup = &self.policy.options.arcs;
         if setup.output == ArcOutput::Lines {
             return Err(NoArc::Configured);
         }
@@ -260,7 +260,7 @@ impl<M: Machine> Planner<'_, M> {
         {
             return None;
         }
-        let radius = match self.config.arcs.form {
+        let radius = match self.policy.options.arcs.form {
             ArcForm::Centre => None,
             ArcForm::Radius => nominal.radius(start, end, &fit, grid).filter(|(_, off)| within(*off)),
         };

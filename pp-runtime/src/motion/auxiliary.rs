@@ -19,22 +19,22 @@ impl<M: Machine> Planner<'_, M> {
 
     /// Brings the spindle to what is wanted; `again`: even if it is so already.
     pub(super) fn turn_spindle(&mut self, at: Location, again: bool, sink: &mut impl Sink) -> Planned {
-        let given = self.tool.and_then(|tool| self.config.tools.get(&tool.number));
-        let wanted = self.request.resolve(given, self.config).map_err(|fault| stop(at, fault))?;
+        let given = self.tool.and_then(|tool| self.policy.set_up.tools.get(&tool.number));
+        let wanted = self.request.resolve(given, self.policy).map_err(|fault| stop(at, fault))?;
         match wanted {
             Some((speed, rotation)) => {
                 self.spindle_stop = false;
                 let turning = (speed.value(), rotation);
-                if self.config.lift.is_some() {
+                if self.policy.options.lift.is_some() {
                     return self.dry_spindle(again, turning, sink);
                 }
                 if again || self.spindle != Some(turning) {
                     let starts = again || self.spindle.is_none_or(|(_, before)| before != rotation);
                     self.spindle = Some(turning);
                     sink.step(&Step::Spindle { speed, rotation })?;
-                    if starts && self.config.spindle_dwell > 0.0 {
+                    if starts && self.policy.options.spindle_dwell > 0.0 {
                         self.cancel_inverse_time(sink)?;
-                        sink.step(&Step::Dwell { seconds: self.config.spindle_dwell })?;
+                        sink.step(&Step::Dwell { seconds: self.policy.options.spindle_dwell })?;
                     }
                 }
             }
@@ -69,9 +69,9 @@ impl<M: Machine> Planner<'_, M> {
 
     /// Brings the coolant to what is wanted.
     pub(super) fn turn_coolant(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
-        let tool = self.tool.and_then(|tool| self.config.tools.get(&tool.number));
+        let tool = self.tool.and_then(|tool| self.policy.set_up.tools.get(&tool.number));
         let kind = match self.coolant_request {
-            Coolant::On => tool.and_then(|tool| tool.coolant).unwrap_or(self.config.defaults.coolant),
+            Coolant::On => tool.and_then(|tool| tool.coolant).unwrap_or(self.policy.options.defaults.coolant),
             kind => kind,
         };
         let missing = match kind {
@@ -88,7 +88,7 @@ impl<M: Machine> Planner<'_, M> {
                     .help("give it its codes, on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`"),
             ));
         }
-        if kind == Coolant::Off || self.config.lift.is_some() {
+        if kind == Coolant::Off || self.policy.options.lift.is_some() {
             return self.coolant_off(sink);
         }
         if self.coolant != Some(kind) {

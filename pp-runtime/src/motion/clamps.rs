@@ -4,7 +4,8 @@
 //! Whether an axis stays still is known at the end of an approach only from what follows. A rehearsal plans the whole
 //! program once without writing and says it, one mask for each approach: what moves is what the planner itself moves.
 
-use crate::config::{ClampCodes, Config};
+use super::options::ClampCodes;
+use super::options::Policy;
 use crate::kinematics::Machine;
 
 use super::choose::Rotary;
@@ -47,9 +48,9 @@ pub(super) struct Clamps {
 }
 
 impl Clamps {
-    pub(super) fn new<M: Machine>(config: &Config, rotaries: &[Rotary]) -> Self {
+    pub(super) fn new<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
         let clamp = |rotary: &Rotary| {
-            let codes = config.clamp.get(&M::AXES[rotary.index].letter)?.clone();
+            let codes = policy.options.rotaries.clamp.get(&M::AXES[rotary.index].letter)?.clone();
             Some(Clamp { index: rotary.index, codes, on: None })
         };
         Self { clamps: rotaries.iter().filter_map(clamp).collect(), ..Self::default() }
@@ -133,6 +134,7 @@ mod tests {
     use super::super::machines::Cb;
     use super::super::tests::{config, feed, rapid, run, spindle, tool};
     use super::*;
+    use crate::config::Config;
     use crate::program::Event;
 
     fn axis(c: f64, b: f64) -> [f64; 3] {
@@ -155,8 +157,8 @@ mod tests {
     fn clamped() -> Config {
         let mut config = config();
         let codes = |on: &str, off: &str| ClampCodes { on: on.to_owned(), off: off.to_owned() };
-        config.clamp.insert('C', codes("M10", "M11"));
-        config.clamp.insert('B', codes("M12", "M13"));
+        config.motion.rotaries.clamp.insert('C', codes("M10", "M11"));
+        config.motion.rotaries.clamp.insert('B', codes("M12", "M13"));
         config
     }
 
@@ -195,7 +197,7 @@ mod tests {
     #[test]
     fn a_parked_axis_is_clamped_where_it_is_parked() {
         let mut config = clamped();
-        config.park.insert('B', 0.0);
+        config.motion.park.insert('B', 0.0);
         let events = [tool(1), spindle(), feed([1.0, 0.0, 0.0], axis(0.0, 30.0))];
         assert_eq!(switched(&config, &events), ["M11", "M13", "B30 C0", "M10", "M12", "M13", "B0", "M12"]);
     }

@@ -10,7 +10,7 @@
 
 use nalgebra::Vector3;
 
-use crate::config::{ArcOutput, CutterPath, Mode};
+use super::options::{ArcOutput, CutterPath, Mode};
 use crate::diag::Severity;
 use crate::kinematics::Machine;
 use crate::program::{Arc, Compensation, CutterSide, Event, Location, Move};
@@ -96,13 +96,13 @@ impl<M: Machine> Planner<'_, M> {
 
     /// Whether the configuration lets the control compensate.
     fn cutter_fits(&self, xy: bool) -> Result<(), Fault> {
-        if self.config.compensation.is_none() {
+        if self.policy.options.compensation.is_none() {
             return Err(Fault::new("CUTCOM asks for cutter compensation by the control").help(
                 "say what D holds: `[compensation] path = \"centre\"` (wear) or `\"contour\"` (the radius); or have the \
                  CAM system leave CUTCOM out",
             ));
         }
-        if self.config.mode == Mode::Tcp {
+        if self.policy.options.mode == Mode::Tcp {
             return Err(Fault::new("there is no cutter compensation in the plane under tip control")
                 .help("post this program with mode axes or plane, or leave CUTCOM out"));
         }
@@ -210,7 +210,7 @@ impl<M: Machine> Planner<'_, M> {
         let (before, words) = (self.statistics.chorded, self.place.words);
         self.arc(at, arc, sink)?;
         // What is so flat that its chord is it, is not counted.
-        if self.statistics.chorded != before || self.config.arcs.output == ArcOutput::Lines {
+        if self.statistics.chorded != before || self.policy.options.arcs.output == ArcOutput::Lines {
             return Err(fault(beside("an arc follows that would be chords")));
         }
         if self.placer.rotary_travel(&words, &self.place.words) > 0.0 {
@@ -237,8 +237,10 @@ impl<M: Machine> Planner<'_, M> {
 
     /// Where D holds the radius, a line that is shorter leaves no way to the contour.
     fn long_enough(&self, length: f64) -> Result<(), Fault> {
-        let diameter = self.tool.and_then(|tool| self.config.tools.get(&tool.number)).and_then(|tool| tool.diameter);
-        let radius = diameter.filter(|_| self.config.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
+        let diameter =
+            self.tool.and_then(|tool| self.policy.set_up.tools.get(&tool.number)).and_then(|tool| tool.diameter);
+        let radius =
+            diameter.filter(|_| self.policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
         match radius.filter(|radius| length < *radius) {
             Some(radius) => Err(Fault::new(format_args!(
                 "compensation begins in a line {length:.3} mm long, and the tool has a radius of {radius:.3} mm"
@@ -261,7 +263,7 @@ impl<M: Machine> Planner<'_, M> {
     /// The register of the tool's radius.
     fn cutter_register(&self) -> Result<u32, Fault> {
         let number = self.tool.map(|tool| tool.number).ok_or_else(|| Fault::new("CUTCOM without a tool"))?;
-        let given = self.config.tools.get(&number).and_then(|tool| tool.radius_offset).or(self.cutter.register);
+        let given = self.policy.set_up.tools.get(&number).and_then(|tool| tool.radius_offset).or(self.cutter.register);
         if let Some(given) = given.filter(|given| *given != number && !self.abilities.radius_registers) {
             return Err(Fault::new(format_args!(
                 "T{number} is to have the radius of register {given}, and this control takes that of the tool itself"

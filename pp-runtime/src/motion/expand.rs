@@ -5,7 +5,7 @@
 //! motion: the tool axis is held, and whether the control makes them is the planner's to find out. The tool stands where
 //! an arc begins.
 
-use crate::config::Config;
+use super::options::Policy;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
@@ -36,12 +36,12 @@ type Out<'o, E> = &'o mut dyn FnMut(Location, &Event<'_>) -> Result<(), E>;
 impl Expander {
     /// With the tolerance and the tool of a configuration.
     #[must_use]
-    pub fn new(config: &Config) -> Self {
+    pub fn new(policy: Policy<'_>) -> Self {
         Self {
-            tolerance: config.tolerance,
-            allow_stated: config.allow_lintol,
-            default_tool: config.defaults.tool,
-            armed: config.defaults.tool.is_none(),
+            tolerance: policy.options.tolerance,
+            allow_stated: policy.options.allow_lintol,
+            default_tool: policy.options.defaults.tool,
+            armed: policy.options.defaults.tool.is_none(),
             fresh: true,
             ..Self::default()
         }
@@ -189,6 +189,7 @@ fn blossom(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::config::Config;
     use crate::program::Arc;
 
     const AT: Location = Location { line: 1, column: 1 };
@@ -202,7 +203,7 @@ mod tests {
 
     /// The motions of some events, and every other event.
     fn expanded(config: &Config, events: &[Event<'_>]) -> Result<(Vec<Motion>, Vec<String>), Diagnostic> {
-        let mut expander = Expander::new(config);
+        let mut expander = Expander::new(config.policy());
         let (mut motions, mut others) = (Vec::new(), Vec::new());
         for event in events {
             expander.event(AT, event, &mut |_, event| -> Result<(), Diagnostic> {
@@ -285,13 +286,15 @@ mod tests {
         let usual = count(&config, None);
         assert!(count(&config, Some(0.001)) > 2 * usual);
         assert_eq!(count(&config, Some(1.0)), usual);
-        assert!(count(&Config { allow_lintol: true, ..config }, Some(1.0)) < usual);
+        let mut config = config;
+        config.motion.allow_lintol = true;
+        assert!(count(&config, Some(1.0)) < usual);
     }
 
     #[test]
     fn the_tool_of_the_configuration_is_called_where_the_cl_data_calls_none() {
         let mut config = Config::default();
-        config.defaults.tool = Some(7);
+        config.motion.defaults.tool = Some(7);
         let (_, others) = expanded(&config, &[go([0.0; 3]), go([1.0, 0.0, 0.0])]).expect("faithful");
         assert_eq!(others.len(), 1);
         assert!(others[0].contains("number: 7"), "{others:?}");

@@ -4,9 +4,11 @@
 //! The tip keeps the programmed feed: a block takes its tip path over the feed. Longer only where an axis would turn or
 //! travel faster than it can, where the control asks for a longest F or a shortest block, and then by as much as it needs.
 
-use crate::config::{Config, Mode, PathNorm, Units};
+use super::options::Policy;
+use super::options::{Mode, PathNorm};
 use crate::nc::Decimal;
 use crate::program;
+use crate::program::Units;
 
 use super::fault::Fault;
 use super::planner::Abilities;
@@ -64,19 +66,19 @@ pub(crate) struct Pace {
 }
 
 impl Feeds {
-    pub(crate) fn new(config: &Config, units: Units, still: f64, abilities: &Abilities) -> Self {
+    pub(crate) fn new(policy: Policy<'_>, units: Units, still: f64, abilities: &Abilities) -> Self {
         Self {
             length_unit: units.in_mm(),
-            decimals: config.formats.feed,
-            digits: config.formats.inverse_time,
+            decimals: policy.formats.feed,
+            digits: policy.formats.inverse_time,
             norm: abilities.path_norm,
-            along_tip: config.mode != Mode::Axes,
+            along_tip: policy.options.mode != Mode::Axes,
             per_length: if units == Units::Inches { abilities.feed_per_inch } else { 1.0 },
-            bound: 10_f64.powi(config.formats.feed_whole as i32),
-            reorient_speed: config.reorient_speed,
+            bound: 10_f64.powi(policy.formats.feed_whole as i32),
+            reorient_speed: policy.options.rapids.reorient_speed,
             still,
-            shortest: config.feed.shortest_block / 60.0,
-            largest: config.feed.largest.unwrap_or(f64::INFINITY),
+            shortest: policy.options.feed.shortest_block / 60.0,
+            largest: policy.options.feed.largest.unwrap_or(f64::INFINITY),
         }
     }
 
@@ -177,13 +179,14 @@ impl Feeds {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::config::Config;
 
     fn abilities() -> Abilities {
-        crate::control::abilities(&crate::control::LinuxCnc, &Config::default())
+        crate::control::abilities(&crate::control::LinuxCnc, Config::default().demands())
     }
 
     fn feeds(units: Units) -> Feeds {
-        Feeds::new(&Config::default(), units, 1e-3, &abilities())
+        Feeds::new(Config::default().policy(), units, 1e-3, &abilities())
     }
 
     fn stroke(length: f64, degrees: f64) -> Stroke {
@@ -225,8 +228,8 @@ mod tests {
     #[test]
     fn a_block_that_goes_nowhere_has_an_f_where_blocks_are_stretched() {
         let mut config = Config::default();
-        config.feed.shortest_block = 0.12;
-        let feeds = Feeds::new(&config, Units::Millimetres, 1e-3, &abilities());
+        config.motion.feed.shortest_block = 0.12;
+        let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
         let word = |length| feeds.pace(500.0, stroke(length, 0.0)).map(|pace| pace.feed);
         // One unit of the words in two thousandths of a minute.
         assert_eq!(word(0.0), Ok(Feed::PerMinute(Decimal { units: 500, decimals: 3 })));
@@ -251,16 +254,16 @@ mod tests {
     #[test]
     fn the_largest_feed_and_the_shortest_block_of_a_control_are_kept() {
         let mut config = Config::default();
-        config.feed.largest = Some(5000.0);
-        config.feed.shortest_block = 0.006;
-        let feeds = Feeds::new(&config, Units::Millimetres, 1e-3, &abilities());
+        config.motion.feed.largest = Some(5000.0);
+        config.motion.feed.shortest_block = 0.006;
+        let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
         let pace = feeds.pace(20_000.0, stroke(10.0, 0.0)).expect("a pace");
         assert_eq!(pace.feed, Feed::PerMinute(Decimal { units: 5_000_000, decimals: 3 }));
         let pace = feeds.pace(4000.0, stroke(0.1, 1.0)).expect("a pace");
         assert!((pace.minutes - 1e-4).abs() < 1e-12 && pace.slowed > 0.0, "{pace:?}");
         // A way that is nothing but rounding, too.
-        config.feed.shortest_block = 0.0;
-        let feeds = Feeds::new(&config, Units::Millimetres, 1e-3, &abilities());
+        config.motion.feed.shortest_block = 0.0;
+        let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
         for length in [0.0, 1e-5, 3e-4] {
             let pace = feeds.pace(20_000.0, stroke(length, 0.0)).expect("a pace");
             assert!(matches!(pace.feed, Feed::PerMinute(word) if word.value() <= 5000.0), "{length}: {pace:?}");
@@ -282,7 +285,7 @@ mod tests {
         };
         let word = |norm, units, per_length, linear, degrees| {
             let abilities = Abilities { path_norm: norm, feed_per_inch: per_length, ..abilities() };
-            let feeds = Feeds::new(&Config::default(), units, 1e-3, &abilities);
+            let feeds = Feeds::new(Config::default().policy(), units, 1e-3, &abilities);
             // A tenth of a minute along the tip path.
             let pace = feeds.pace(100.0, Stroke { linear, degrees, ..stroke(10.0, 4.0) }).expect("a pace");
             match pace.feed {
@@ -303,11 +306,12 @@ mod tests {
     #[test]
     fn an_f_with_more_digits_than_the_control_holds_is_refused() {
         let config = |feed_whole| Config {
-            formats: crate::config::Formats { feed_whole, ..Config::default().formats },
+            formats: crate::nc::Formats { feed_whole, ..Config::default().formats },
             ..Config::default()
         };
         let pace = |feed_whole| {
-            Feeds::new(&config(feed_whole), Units::Millimetres, 1e-3, &abilities()).pace(10_000.0, stroke(5.0, 0.0))
+            Feeds::new(config(feed_whole).policy(), Units::Millimetres, 1e-3, &abilities())
+                .pace(10_000.0, stroke(5.0, 0.0))
         };
         assert!(pace(5).is_ok());
         assert!(pace(4).is_err());

@@ -16,8 +16,10 @@
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
-use crate::config::{Config, Mode, ProgramZero, TcpFrame, TcpWords, ToolPosture};
+use super::options::Policy;
+use super::options::{Mode, TcpFrame, TcpWords, ToolPosture};
 use crate::kinematics::{AxisKind, Machine, MotionBound, Side};
+use crate::set_up::ProgramZero;
 
 use super::fault::Fault;
 use super::step::MAX_AXES;
@@ -81,19 +83,19 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    pub(super) fn new<M: Machine>(machine: &M, config: &Config) -> Self {
+    pub(super) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
         let position = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter);
         let letters = ['X', 'Y', 'Z'].map(|letter| position(letter).unwrap_or_default());
         let sign = letters.map(|index| machine.joint(index).sign);
-        let zero = match config.program_zero {
+        let zero = match policy.set_up.program_zero {
             ProgramZero::Part => Vector3::zeros(),
-            ProgramZero::Table => config.part_origin.into(),
+            ProgramZero::Table => policy.set_up.part_origin.into(),
         };
         let mut frame = Self {
             counting: Counting::Axes,
-            mode: config.mode,
-            tcp_frame: config.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
-            posture: config.tool_posture,
+            mode: policy.options.mode,
+            tcp_frame: policy.options.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
+            posture: policy.options.tip.tool_posture,
             signs: Matrix3::from_diagonal(&Vector3::from(sign)),
             zero,
             letters,
@@ -201,19 +203,19 @@ fn rotation(joint: &crate::kinematics::Joint, angle: f64) -> Matrix3<f64> {
 /// Why a machine, its control and a configuration do not suit the mode that is asked for, one sentence each.
 #[must_use]
 pub fn unsuited<M: Machine>(
-    config: &Config,
+    policy: Policy<'_>,
     control: &str,
     tip: Option<TipAbility>,
     plane: Option<PlaneAbility>,
 ) -> Vec<String> {
-    let mode = config.mode;
+    let mode = policy.options.mode;
     if mode == Mode::Axes {
         return Vec::new();
     }
-    let Ok(machine) = config.machine::<M>() else { return Vec::new() };
+    let Ok(machine) = policy.set_up.machine::<M>() else { return Vec::new() };
     let mut faults = Vec::new();
     let mut other = |text: String, instead: &str| faults.push(format!("mode {}: {text}; {instead}", mode.name()));
-    if config.length_mode == crate::config::LengthMode::Gauge {
+    if policy.set_up.length_mode == crate::set_up::LengthMode::Gauge {
         other("the control needs the length offset for it".to_owned(), "leave `length_mode` at \"tip\"");
     }
     if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(&machine, *letter)) {
@@ -221,8 +223,8 @@ pub fn unsuited<M: Machine>(
             format!("{letter} of this machine does not run along its own direction, and the control counts along it");
         other(text, "use mode axes");
     }
-    let offset = config.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
-    if let Some((letter, _)) = offset.filter(|_| !config.tcp_confirmed) {
+    let offset = policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
+    if let Some((letter, _)) = offset.filter(|_| !policy.options.tip.tcp_confirmed) {
         let text = format!(
             "the frame of the control may turn with the entry of {letter} in its work offset, the words count as if it did not"
         );
@@ -231,7 +233,7 @@ pub fn unsuited<M: Machine>(
         other(text, instead);
     }
     match mode {
-        Mode::Tcp => tcp_faults::<M>(config, control, tip, &mut other),
+        Mode::Tcp => tcp_faults::<M>(policy, control, tip, &mut other),
         Mode::Plane if plane.is_none() => {
             other(format!("{control} tilts no plane"), "mode axes works on any control, mode tcp on most");
         }
@@ -244,7 +246,7 @@ pub fn unsuited<M: Machine>(
 }
 
 fn tcp_faults<M: Machine>(
-    config: &Config,
+    policy: Policy<'_>,
     control: &str,
     tip: Option<TipAbility>,
     other: &mut impl FnMut(String, &str),
@@ -255,28 +257,30 @@ fn tcp_faults<M: Machine>(
     };
     let table = rotaries::<M>(Side::Workpiece).next().is_some();
     let head = rotaries::<M>(Side::Tool).next().is_some();
-    if tip.frame_is_set && table && config.tcp_frame.is_none() {
+    if tip.frame_is_set && table && policy.options.tip.tcp_frame.is_none() {
         let text = "in which frame the tip is counted while the table turns is a parameter of the machine (19696#5)";
         other(text.to_owned(), "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
     }
-    if !tip.frame_is_set && config.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
+    if !tip.frame_is_set && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
         other(format!("{control} counts the tip in the frame of the table at zero"), "leave `tcp_frame` out");
     }
-    if config.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {
+    if policy.options.tip.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {
         other(format!("{control} moves rotary axes evenly"), "leave `tool_posture` at \"axes\"");
     }
-    if config.tcp_words == TcpWords::Vectors && !tip.takes_vectors {
+    if policy.options.tip.tcp_words == TcpWords::Vectors && !tip.takes_vectors {
         other(format!("{control} takes no tool axis as a vector"), "leave `tcp_words` at \"angles\"");
     }
-    if config.tcp_words == TcpWords::Vectors && config.tcp_frame == Some(TcpFrame::NotTurning) {
+    if policy.options.tip.tcp_words == TcpWords::Vectors && policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning) {
         let text = "a tool axis as a vector has no meaning in a frame that stands still while the table turns";
         other(text.to_owned(), "leave `tcp_words` at \"angles\"");
     }
-    if config.tcp_frame == Some(TcpFrame::NotTurning) && (head || config.tool_posture == ToolPosture::Plane) {
+    if policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning)
+        && (head || policy.options.tip.tool_posture == ToolPosture::Plane)
+    {
         let text = "in a frame that does not turn the path is certified for rotary axes of the table that move evenly";
         other(text.to_owned(), "use mode axes");
     }
-    if !config.tcp_confirmed && !plain_chain::<M>() {
+    if !policy.options.tip.tcp_confirmed && !plain_chain::<M>() {
         let text = "a held axis, or a linear axis that is not between table and head, may be unknown to the control";
         other(text.to_owned(), "`tcp_confirmed = true` if it knows this chain, or mode axes");
     }

@@ -5,7 +5,7 @@
 //! program and the control has a cycle for just these steps; what it cannot say (a first step unlike the others, a stated
 //! way back) is written as motions. A thread is never: spindle and feed are in step only in a cycle.
 
-use crate::config::{CycleOutput, Mode};
+use super::options::{CycleOutput, Mode};
 use crate::kinematics::{Machine, Pose};
 use crate::nc::Decimal;
 use crate::program::{Drilling, Dwell, Feed as Programmed, Hole, Location, Move, Rotation};
@@ -266,7 +266,7 @@ impl<M: Machine> Planner<'_, M> {
                 }
                 let back = match hole.drilling {
                     Drilling::ChipBreak { back: Some(back), .. } => back,
-                    _ => self.config.defaults.peck_gap,
+                    _ => self.policy.options.defaults.peck_gap,
                 };
                 self.rapid_to_level(at, hole, (back - before).min(hole.clearance), sink)?;
             }
@@ -287,13 +287,13 @@ impl<M: Machine> Planner<'_, M> {
     /// The cycle of a hole and where it ends, or why there is none.
     fn cycle(&mut self, at: Location, hole: &Hole) -> Result<Result<Found<M::Axes>, NoCycle>, Stop> {
         let fault = |fault: Fault| stop(at, fault);
-        if self.config.cycles.output == CycleOutput::Expanded {
+        if self.policy.options.cycles.output == CycleOutput::Expanded {
             return Ok(Err("`[cycles]` asks for motions"));
         }
-        if self.config.lift.is_some() {
+        if self.policy.options.lift.is_some() {
             return Ok(Err("a dry run has no cycles"));
         }
-        if self.config.mode == Mode::Tcp {
+        if self.policy.options.mode == Mode::Tcp {
             return Ok(Err("there are no cycles under tip control"));
         }
         let Some((chain, map)) = self.placer.square_map(&self.place) else {
@@ -355,7 +355,7 @@ impl<M: Machine> Planner<'_, M> {
         let units = |mm: f64| (mm / self.placer.unit_mm()).round() as i64;
         let no_dwell = hole.dwell.is_none();
         let steps_wait = no_dwell || can.steps_dwell;
-        let usual_gap = self.config.defaults.peck_gap;
+        let usual_gap = self.policy.options.defaults.peck_gap;
         Ok(match hole.drilling {
             Drilling::Drill if can.drill => Ok(CycleKind::Drill),
             Drilling::Ream if can.ream && (can.ream_higher || !higher) => Ok(CycleKind::Ream),
@@ -402,7 +402,7 @@ impl<M: Machine> Planner<'_, M> {
         Ok(CycleKind::Tap {
             pitch,
             left: rotation == Rotation::CounterClockwise,
-            speed: Decimal::fixed(turns, self.config.formats.speed).map_err(too_large)?,
+            speed: Decimal::fixed(turns, self.policy.formats.speed).map_err(too_large)?,
         })
     }
 

@@ -422,13 +422,14 @@ mod tests {
 
     use super::super::machines::Cb;
     use super::*;
-    use crate::config::{Config, Units};
+    use crate::config::Config;
+    use crate::program::Units;
 
     const TOLERANCE: Tolerance = Tolerance { tip: 0.01, axis: 0.001_745 };
 
     fn placer() -> Placer<Cb> {
         let config = Config::default();
-        Placer::new(config.machine::<Cb>().expect("valid"), &config, Units::Millimetres)
+        Placer::new(config.set_up.machine::<Cb>().expect("valid"), config.policy(), Units::Millimetres)
     }
 
     /// The place of rotary angles in degrees.

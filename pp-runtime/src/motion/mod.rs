@@ -21,6 +21,7 @@ mod frame;
 mod hole;
 mod linearise;
 mod operation;
+mod options;
 mod origin;
 mod place;
 mod planner;
@@ -57,6 +58,11 @@ pub use expand::Expander;
 pub use frame::{TipAbility, unsuited};
 pub(crate) use hole::hole_extent;
 pub use hole::{Cycle, CycleAbilities, CycleKind};
+pub use options::{
+    Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
+    Defaults, FeedLimits, GuardOptions, Mode, Operations, Options, PathNorm, Policy, Rapid, RapidOptions, Retract,
+    Rewind, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
+};
 pub use planner::{Abilities, Planner, Registers, Statistics, Stop};
 pub use proof::Sweep;
 pub use selection::Gate;

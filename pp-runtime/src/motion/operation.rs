@@ -1,6 +1,6 @@
 //! Motions inside an operation, and what must be true before each.
 
-use crate::config::{Mode, Rapid, Transition};
+use super::options::{Mode, Rapid, Transition};
 use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{self, Location, Move};
@@ -25,7 +25,7 @@ impl<M: Machine> Planner<'_, M> {
     /// What must be true before the tool moves to a point of the CL data.
     #[inline]
     pub(super) fn check_state(&self, motion: &Move) -> Result<(), Fault> {
-        if let Some(floor) = self.config.floor
+        if let Some(floor) = self.policy.options.guards.floor
             && motion.pose.tip.z < floor
         {
             let tip = motion.pose.tip.z;
@@ -103,7 +103,9 @@ impl<M: Machine> Planner<'_, M> {
         let place = self.placer.place(&motion.pose, &self.place, !motion.rapid, planned).map_err(fault)?;
         let before = self.place.pose;
         if motion.rapid {
-            if self.config.transition == Transition::Safe && self.indexes(&place) || self.leaves_plane(&place) {
+            if self.policy.options.rapids.transition == Transition::Safe && self.indexes(&place)
+                || self.leaves_plane(&place)
+            {
                 self.phase = Phase::First { at, motion: *motion, planned, operation: false };
                 return Ok(());
             }
@@ -226,7 +228,7 @@ impl<M: Machine> Planner<'_, M> {
     /// index angle is no such rapid, and no path leads to where the course turns it.
     fn rapid_to(&mut self, at: Location, motion: &Move, place: &Place<M::Axes>, sink: &mut impl Sink) -> Planned {
         self.clamps.note(&self.place.words, &place.words);
-        match self.config.rapid {
+        match self.policy.options.rapids.rapid {
             _ if self.indexes(place) => {}
             Rapid::Direct => {}
             Rapid::Split => {
@@ -244,7 +246,7 @@ impl<M: Machine> Planner<'_, M> {
                 }
             }
             Rapid::Feed => {
-                let feed = self.config.rapid_feed.map(program::Feed::PerMinute);
+                let feed = self.policy.options.rapids.rapid_feed.map(program::Feed::PerMinute);
                 return self.feed_to(at, &Move { feed, ..*motion }, place, sink);
             }
         }
@@ -255,7 +257,7 @@ impl<M: Machine> Planner<'_, M> {
 
     /// What a block does has to stand in it: the control would go on with rotary axes that stand elsewhere.
     fn say_turn(&self, to: &Place<M::Axes>) -> Result<(), Fault> {
-        if !self.placer.hides_turn(&self.place, to, self.config.axis_tolerance_path) {
+        if !self.placer.hides_turn(&self.place, to, self.policy.options.axis_tolerance_path) {
             return Ok(());
         }
         let (letter, turn) = self.placer.largest_turn(&self.place.words, &to.words).unwrap_or_default();
@@ -268,7 +270,7 @@ impl<M: Machine> Planner<'_, M> {
 
     /// The rotaries would turn while the plane is tilted.
     pub(super) fn leaves_plane(&self, to: &Place<M::Axes>) -> bool {
-        self.config.mode == Mode::Plane && self.placer.rotary_travel(&self.place.words, &to.words) > 0.0
+        self.policy.options.mode == Mode::Plane && self.placer.rotary_travel(&self.place.words, &to.words) > 0.0
     }
 
     /// A cut that turns the tool axis, in mode `plane`.
@@ -280,7 +282,7 @@ impl<M: Machine> Planner<'_, M> {
 
     /// A motion turns a rotary axis by more than the index angle.
     fn indexes(&self, to: &Place<M::Axes>) -> bool {
-        self.placer.rotary_travel(&self.place.words, &to.words) > self.config.index_angle + 1e-9
+        self.placer.rotary_travel(&self.place.words, &to.words) > self.policy.options.rapids.index_angle + 1e-9
     }
 
     /// Remembers the lowest level that was cut with this tool axis in this operation.
@@ -318,7 +320,7 @@ impl<M: Machine> Planner<'_, M> {
     /// The axes whose words a block inside an operation may hold: in a tilted plane the control has turned the others.
     #[inline]
     pub(super) fn all(&self) -> u16 {
-        let rotary = if self.config.mode == Mode::Plane { 0 } else { self.placer.rotary_mask() };
+        let rotary = if self.policy.options.mode == Mode::Plane { 0 } else { self.placer.rotary_mask() };
         self.placer.linear_mask() | rotary
     }
 

@@ -6,8 +6,9 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::config::{Config, LengthMode, ProgramZero};
+use super::options::Policy;
 use crate::kinematics::{AxisKind, Machine};
+use crate::set_up::{LengthMode, ProgramZero};
 
 use super::choose::AngleScale;
 use super::step::MAX_AXES;
@@ -31,19 +32,19 @@ pub(super) struct Origin {
 }
 
 impl Origin {
-    pub(super) fn new<M: Machine>(machine: &M, config: &Config, scale: AngleScale) -> Self {
+    pub(super) fn new<M: Machine>(machine: &M, policy: Policy<'_>, scale: AngleScale) -> Self {
         let (mut offsets, mut whole) = ([0.0; MAX_AXES], [0; MAX_AXES]);
         for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
-            if let Some(offset) = config.rotary_offset.get(&axis.letter) {
+            if let Some(offset) = policy.set_up.rotary_offset.get(&axis.letter) {
                 offsets[index] = offset.to_degrees() * scale.per_degree;
                 whole[index] = offsets[index].round() as i64;
             }
         }
-        let zero = match config.program_zero {
+        let zero = match policy.set_up.program_zero {
             ProgramZero::Part => [0.0; MAX_AXES],
-            ProgramZero::Table => along_axes(machine, &config.part_origin.into()),
+            ProgramZero::Table => along_axes(machine, &policy.set_up.part_origin.into()),
         };
-        let share = match config.length_mode {
+        let share = match policy.set_up.length_mode {
             LengthMode::Tip => [0.0; MAX_AXES],
             LengthMode::Gauge => along_axes(machine, &machine.tool_axis()),
         };
@@ -100,7 +101,8 @@ mod tests {
     use super::super::machines::{Cb, Head};
     use super::super::tests::{Run, config, feed, rapid, run, spindle, tool};
     use super::*;
-    use crate::config::Tool;
+    use crate::config::Config;
+    use crate::set_up::GivenTool;
 
     /// The axis at `C` and `B` degrees on the C-B table.
     fn axis(c: f64, b: f64) -> [f64; 3] {
@@ -124,7 +126,7 @@ mod tests {
 
     fn shifted(offsets: &[(char, f64)]) -> Config {
         let mut config = config();
-        config.rotary_offset = offsets.iter().map(|&(letter, degrees)| (letter, degrees.to_radians())).collect();
+        config.set_up.rotary_offset = offsets.iter().map(|&(letter, degrees)| (letter, degrees.to_radians())).collect();
         config
     }
 
@@ -142,7 +144,7 @@ mod tests {
     fn what_the_word_cannot_hold_of_an_offset_is_in_the_axis_value() {
         let [c, b, x, y, z] = words(&posted(&shifted(&[('C', 12.500_03), ('B', -0.000_04)]), [100.0, 30.0]));
         assert!((c - 87.5).abs() < 1e-9 && (b - 30.0).abs() < 1e-9, "{c} {b}");
-        let machine: Cb = config().machine().expect("valid");
+        let machine: Cb = config().set_up.machine().expect("valid");
         let tip = machine.forward_kinematics(&[(c + 12.500_03).to_radians(), (b - 0.000_04).to_radians(), x, y, z]).tip;
         assert!((tip - nalgebra::Point3::new(10.0, 20.0, 5.0)).norm() < 0.5e-3 * 3_f64.sqrt());
         let tip = machine.forward_kinematics(&[c.to_radians(), b.to_radians(), x, y, z]).tip;
@@ -161,13 +163,13 @@ mod tests {
     #[test]
     fn linear_words_count_from_the_table_if_they_are_to() {
         let mut config = shifted(&[]);
-        config.part_origin = [1.5, -2.25, 40.0];
+        config.set_up.part_origin = [1.5, -2.25, 40.0];
         let plain = words(&posted(&config, [100.0, 30.0]));
-        config.program_zero = ProgramZero::Table;
+        config.set_up.program_zero = ProgramZero::Table;
         let moved = words(&posted(&config, [100.0, 30.0]));
         let off: Vec<f64> = moved.iter().zip(&plain).map(|(a, b)| ((a - b) * 1e3).round() / 1e3).collect();
         assert_eq!(off, [0.0, 0.0, 1.5, -2.25, 40.0]);
-        config.output_units = Some(crate::config::Units::Inches);
+        config.output_units = Some(crate::program::Units::Inches);
         let inches = words(&posted(&config, [100.0, 30.0]));
         assert!((2..5).all(|axis| (inches[axis] * 25.4 - moved[axis]).abs() < 2e-3), "{inches:?} {moved:?}");
     }
@@ -176,12 +178,12 @@ mod tests {
     fn words_of_the_gauge_line_need_no_length_offset() {
         fn both<M: Machine>(axis: [f64; 3], length: f64) -> (Run, Run) {
             let mut config = config();
-            config.retract.distance = Some(10.0);
-            config.length_guard = Some(false);
-            config.tools.insert(1, Tool { length: Some(length), ..Tool::default() });
+            config.motion.retract.distance = Some(10.0);
+            config.motion.guards.length_guard = Some(false);
+            config.set_up.tools.insert(1, GivenTool { length: Some(length), ..GivenTool::default() });
             let events = [tool(1), spindle(), rapid([1.0, 2.0, -60.0], axis), feed([1.0, 2.0, -80.0], axis)];
             let tip = run::<M>(&config, &events);
-            config.length_mode = LengthMode::Gauge;
+            config.set_up.length_mode = LengthMode::Gauge;
             (tip, run::<M>(&config, &events))
         }
         let word = |line: &str, letter: char| -> Option<f64> {
@@ -203,7 +205,7 @@ mod tests {
     #[test]
     fn words_of_the_gauge_line_need_the_length_of_every_tool() {
         let mut config = config();
-        config.length_mode = LengthMode::Gauge;
+        config.set_up.length_mode = LengthMode::Gauge;
         let run = posted(&config, [0.0, 0.0]);
         assert!(run.error().text.contains("the gauge length of T1 is unknown, and `length_mode"), "{:?}", run.error());
     }
@@ -211,7 +213,7 @@ mod tests {
     #[test]
     fn parking_is_an_axis_value() {
         let mut config = shifted(&[('C', 12.5)]);
-        config.park.insert('C', 0.0);
+        config.motion.park.insert('C', 0.0);
         assert_eq!(posted(&config, [100.0, 30.0]).lines.last().map(String::as_str), Some("G0 C-12.5"));
     }
 }

@@ -10,9 +10,12 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::config::{Config, LengthMode, Mode, TcpWords, Units};
+use super::options::Policy;
+use super::options::{Mode, TcpWords};
 use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side};
 use crate::nc::whole_units;
+use crate::program::Units;
+use crate::set_up::LengthMode;
 
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
 use super::course::{Metric, Target};
@@ -107,8 +110,8 @@ fn too_large(letter: char) -> Fault {
 }
 
 /// Bounds of the words in whole units.
-fn bounds(axes: &[Axis], config: &Config, units: Units) -> [i64; MAX_AXES] {
-    let formats = &config.formats;
+fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> [i64; MAX_AXES] {
+    let formats = &policy.formats;
     let bound = |whole: u32, decimals: u32| 10_i64.saturating_pow(whole + decimals);
     let mut bounds = [i64::MAX; MAX_AXES];
     for (bound_of, axis) in bounds.iter_mut().zip(axes) {
@@ -121,11 +124,11 @@ fn bounds(axes: &[Axis], config: &Config, units: Units) -> [i64; MAX_AXES] {
 }
 
 impl<M: Machine> Placer<M> {
-    pub(crate) fn new(machine: M, config: &Config, units: Units) -> Self {
+    pub(crate) fn new(machine: M, policy: Policy<'_>, units: Units) -> Self {
         let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
-        let scale = AngleScale::new(config.formats.rotary);
-        let limits = config.travel::<M>().limits;
-        let origin = Origin::new(&machine, config, scale);
+        let scale = AngleScale::new(policy.formats.rotary);
+        let limits = policy.set_up.travel::<M>().limits;
+        let origin = Origin::new(&machine, policy, scale);
         let solved = |kind: AxisKind| {
             axes.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
         };
@@ -142,7 +145,7 @@ impl<M: Machine> Placer<M> {
                 }
             })
             .collect();
-        let speeds = config.travel::<M>().speeds;
+        let speeds = policy.set_up.travel::<M>().speeds;
         let speed = |axis: usize| rotaries.get(axis).and_then(|rotary| speeds[rotary.index]);
         let tool_axis = machine.tool_axis();
         let share = |index: usize| {
@@ -157,41 +160,41 @@ impl<M: Machine> Placer<M> {
             })
             .unwrap_or_default();
         let head = rotaries_of::<M>(Side::Tool).next().is_some();
-        let per_unit = 10_f64.powi(config.formats.linear(units) as i32);
+        let per_unit = 10_f64.powi(policy.formats.linear(units) as i32);
         Self {
-            part_origin: config.part_origin.into(),
+            part_origin: policy.set_up.part_origin.into(),
             endless: rotaries.iter().map(|rotary| rotary.without_limits()).collect(),
             limited: rotaries.iter().any(|rotary| !rotary.endless()),
             poles: poles(&machine, &rotaries),
-            pole_tolerance: config.axis_tolerance.max(REACH_TOLERANCE),
-            timed: config.feed.keep_speeds && speeds.iter().any(Option::is_some),
+            pole_tolerance: policy.options.course.axis_tolerance.max(REACH_TOLERANCE),
+            timed: policy.options.feed.keep_speeds && speeds.iter().any(Option::is_some),
             metric: Metric::new(&rotaries, [0, 1].map(speed), scale),
-            bounds: bounds(axes, config, units),
+            bounds: bounds(axes, policy, units),
             linear_mask: mask(AxisKind::Linear),
             rotary_mask: mask(AxisKind::Rotary),
             scale,
             per_mm: per_unit / units.in_mm(),
             xyz: coordinates(axes),
             limits,
-            travel: Travel::new(&machine, config),
-            frame: Frame::new(&machine, config),
+            travel: Travel::new(&machine, policy),
+            frame: Frame::new(&machine, policy),
             origin,
             retract_axis,
             retract_share: share(retract_axis),
-            straight: config.mode == Mode::Axes
+            straight: policy.options.mode == Mode::Axes
                 && !head
                 && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
             head,
-            gauge_line: config.length_mode == LengthMode::Gauge,
-            vectors: config.mode == Mode::Tcp && config.tcp_words == TcpWords::Vectors,
-            compensated: config.mode != Mode::Axes,
+            gauge_line: policy.set_up.length_mode == LengthMode::Gauge,
+            vectors: policy.options.mode == Mode::Tcp && policy.options.tip.tcp_words == TcpWords::Vectors,
+            compensated: policy.options.mode != Mode::Axes,
             square: orthogonal(&machine, axes) && counted(axes),
             orthogonal: orthogonal(&machine, axes),
             wrapped: rotaries
                 .iter()
-                .filter(|rotary| config.wrap.contains_key(&M::AXES[rotary.index].letter))
+                .filter(|rotary| policy.options.rotaries.wrap.contains_key(&M::AXES[rotary.index].letter))
                 .fold(0, |mask, rotary| mask | 1 << rotary.index),
-            grid: grid::<M>(config, &rotaries, scale),
+            grid: grid::<M>(policy, &rotaries, scale),
             machine,
             rotaries,
             speeds,
@@ -526,8 +529,10 @@ impl<M: Machine> Placer<M> {
 }
 
 /// The steps of indexed rotaries in whole units.
-fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
-    let step = |rotary: &Rotary| Some((*rotary, scale.word(*config.grid.get(&M::AXES[rotary.index].letter)?)));
+fn grid<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
+    let step = |rotary: &Rotary| {
+        Some((*rotary, scale.word(*policy.options.rotaries.grid.get(&M::AXES[rotary.index].letter)?)))
+    };
     rotaries.iter().filter_map(step).collect()
 }
 
@@ -535,10 +540,11 @@ fn grid<M: Machine>(config: &Config, rotaries: &[Rotary], scale: AngleScale) -> 
 mod tests {
     use super::super::machines::{Ay, Cb, Head, Xyz};
     use super::*;
+    use crate::config::Config;
 
     fn placer<M: Machine>() -> Placer<M> {
         let config = Config::default();
-        Placer::new(config.machine::<M>().expect("valid"), &config, Units::Millimetres)
+        Placer::new(config.set_up.machine::<M>().expect("valid"), config.policy(), Units::Millimetres)
     }
 
     #[test]

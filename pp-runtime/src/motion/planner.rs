@@ -8,9 +8,11 @@ use std::collections::BTreeMap;
 use std::io;
 use std::ops::RangeInclusive;
 
-use crate::config::{Config, PathNorm, Transition, Units};
+use super::options::Policy;
+use super::options::{PathNorm, Transition};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
+use crate::program::Units;
 use crate::program::{Clearance, Coolant, Event, Location, Move, Rotation, ToolCall};
 
 use super::account::Why;
@@ -170,7 +172,7 @@ pub(super) enum Phase {
 
 /// Turns events into steps.
 pub struct Planner<'a, M: Machine> {
-    pub(super) config: &'a Config,
+    pub(super) policy: Policy<'a>,
     pub(super) placer: Placer<M>,
     pub(super) feeds: Feeds,
     pub(super) speller: Speller,
@@ -241,19 +243,19 @@ pub struct Planner<'a, M: Machine> {
 
 impl<'a, M: Machine> Planner<'a, M> {
     /// A planner at the beginning of a program that is written in `units`.
-    pub fn new(machine: M, config: &'a Config, units: Units, abilities: Abilities, upside_down: bool) -> Self {
-        let placer = Placer::new(machine, config, units);
+    pub fn new(machine: M, policy: Policy<'a>, units: Units, abilities: Abilities, upside_down: bool) -> Self {
+        let placer = Placer::new(machine, policy, units);
         let place = placer.zero();
-        let clamps = Clamps::new::<M>(config, &placer.rotaries);
+        let clamps = Clamps::new::<M>(policy, &placer.rotaries);
         Self {
-            feeds: Feeds::new(config, units, placer.unit_mm(), &abilities),
-            speller: Speller::new::<M>(config, &placer.rotaries, placer.scale.turn),
-            config,
+            feeds: Feeds::new(policy, units, placer.unit_mm(), &abilities),
+            speller: Speller::new::<M>(policy, &placer.rotaries, placer.scale.turn),
+            policy,
             placer,
             abilities,
-            expander: Expander::new(config),
-            clearance: config.retract.clearance,
-            upside_down: upside_down && config.table_check,
+            expander: Expander::new(policy),
+            clearance: policy.options.retract.clearance,
+            upside_down: upside_down && policy.options.guards.table_check,
             course: Course::default(),
             towards: None,
             counted: 0,
@@ -281,7 +283,7 @@ impl<'a, M: Machine> Planner<'a, M> {
             coolant: None,
             inverse_time: false,
             framed: false,
-            tolerance: Tolerance { tip: config.tolerance, axis: config.axis_tolerance_path },
+            tolerance: Tolerance { tip: policy.options.tolerance, axis: policy.options.axis_tolerance_path },
             lowest: None,
             plunge_told: false,
             statistics: Statistics::default(),
@@ -455,7 +457,7 @@ impl<'a, M: Machine> Planner<'a, M> {
     /// The first motion of an operation waits for the next.
     pub(super) fn first(&mut self, at: Location, motion: &Move, number: u64, sink: &mut impl Sink) -> Planned {
         sink.serve(at, Why::Record);
-        if self.there && self.config.transition == Transition::Direct {
+        if self.there && self.policy.options.rapids.transition == Transition::Direct {
             self.prepare_directly(at, motion, sink)?;
         }
         let planned = self.changes(at, motion, number, sink)?;

@@ -84,7 +84,7 @@ impl<M: Machine> Planner<'_, M> {
         let axis = &M::AXES[rotary.index];
         let letter = axis.letter;
         let refused = |fault: Fault| Err(stop(Location::default(), fault));
-        if self.config.grid.contains_key(&letter) {
+        if self.policy.options.rotaries.grid.contains_key(&letter) {
             let fault =
                 Fault::new(format_args!("{letter} stands on steps and does not turn in a cut: it cannot be swept"));
             return refused(fault.help("check such an axis by hand, step by step"));
@@ -146,7 +146,7 @@ impl<M: Machine> Planner<'_, M> {
     /// Out along the tool axis, as far as the approach came in.
     fn lead_out(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         let Pose { tip, axis } = self.place.pose;
-        let tip = tip + axis.into_inner() * self.config.approach.distance;
+        let tip = tip + axis.into_inner() * self.policy.options.approach.distance;
         let out = self.placer.shifted(tip, &self.place).map_err(|fault| stop(at, fault))?;
         self.cancel_inverse_time(sink)?;
         self.rapid(&out, self.placer.linear_mask(), sink)?;

@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::config::Transition;
+use super::options::Transition;
 use crate::diag::Severity;
 use crate::kinematics::{Machine, Pose};
 use crate::program::{Clearance, Dwell, Event, Location, ToolCall, Turning};
@@ -32,7 +32,7 @@ impl<M: Machine> Planner<'_, M> {
             Event::Message(text) => sink.step(&Step::Message { text })?,
             Event::Name(_) | Event::Preselect(_) => {}
             Event::Operation(name) => {
-                self.begin(at, self.config.transition == Transition::Safe, sink)?;
+                self.begin(at, self.policy.options.rapids.transition == Transition::Safe, sink)?;
                 self.times.operation(at, name);
                 self.announce(&Step::Operation { name }, sink)?;
             }
@@ -103,7 +103,7 @@ impl<M: Machine> Planner<'_, M> {
 
     /// A block as it stands: where the machine is behind it, and in which state, nobody knows.
     fn raw(&mut self, at: Location, text: &[u8], sink: &mut impl Sink) -> Planned {
-        if self.config.lift.is_some() {
+        if self.policy.options.lift.is_some() {
             let fault =
                 Fault::new("a dry run writes no NC text of the CL data: nobody knows what it moves or switches on");
             return Err(stop(at, fault.help("`--insert comment`, or take it out")));
@@ -129,7 +129,7 @@ impl<M: Machine> Planner<'_, M> {
 
     /// GOHOME without a point.
     fn go_home(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
-        if self.config.park.is_empty() && !self.config.is_given("retract.position") {
+        if self.policy.options.park.is_empty() && self.policy.options.retract.position.is_none() {
             let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
             return Err(stop(at, fault.help("give one of them, or GOHOME/x,y,z")));
         }
@@ -147,9 +147,9 @@ impl<M: Machine> Planner<'_, M> {
             let fault = Fault::new("the part origin of another frame on a table that turns is not known");
             return Err(stop(at, fault.help("`--frames main` maps every frame into the first")));
         }
-        let word = match self.config.frames.get(&number) {
+        let word = match self.policy.set_up.frames.get(&number) {
             Some(word) => word,
-            None if number == 1 => &self.config.work_offset,
+            None if number == 1 => &self.policy.set_up.work_offset,
             None => {
                 let fault = Fault::new(format_args!("frame {number} of the CL data has no work offset"));
                 return Err(stop(at, fault.help(format_args!("give it one: `[frames] \"{number}\" = \"G55\"`"))));
@@ -159,7 +159,7 @@ impl<M: Machine> Planner<'_, M> {
         self.there = false;
         self.clear = false;
         // It was given in the other frame.
-        self.clearance = self.config.retract.clearance;
+        self.clearance = self.policy.options.retract.clearance;
         Ok(sink.step(&Step::WorkOffset { word })?)
     }
 
@@ -176,7 +176,7 @@ impl<M: Machine> Planner<'_, M> {
         };
         let (needed, registers) = (self.placer.needs_length(), self.abilities.registers);
         let tool =
-            Tool::resolve(call, &before, self.config, needed, registers, remark).map_err(|fault| stop(at, fault))?;
+            Tool::resolve(call, &before, self.policy, needed, registers, remark).map_err(|fault| stop(at, fault))?;
         let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
         self.calls.insert(call.number, ToolCall { length, offset, ..*call });
         Ok(tool)
@@ -195,8 +195,8 @@ impl<M: Machine> Planner<'_, M> {
 
     fn stop(&mut self, at: Location, optional: bool, sink: &mut impl Sink) -> Planned {
         // Behind the stop the retract axis goes up from wherever the tool stands: a tilted tool is led out before.
-        self.begin(at, self.config.stop_retract || !self.placer.straight(), sink)?;
-        if self.config.stop_retract {
+        self.begin(at, self.policy.options.stop_retract || !self.placer.straight(), sink)?;
+        if self.policy.options.stop_retract {
             self.coolant_off(sink)?;
             self.machine_retract(at, sink)?;
             self.spindle_off(sink)?;

@@ -1,7 +1,7 @@
 //! Rewinding: where no course of the rotary axes runs through, the tool leaves the part, turns, and comes back to the same
 //! pose.
 
-use crate::config::Rewind;
+use super::options::Rewind;
 use crate::diag::Severity;
 use crate::kinematics::Machine;
 use crate::program::{Location, Move};
@@ -22,11 +22,11 @@ impl<M: Machine> Planner<'_, M> {
         let here = self.place;
         let why = self.why_rewind();
         sink.serve(at, Why::Rewind);
-        if self.config.retract.rewind == Rewind::Follow {
+        if self.policy.options.retract.rewind == Rewind::Follow {
             return self.rewind_in_place(at, motion, words, &why, sink);
         }
         let out = self.clearance.and_then(|clearance| way_out(&clearance, &here.pose.tip, &here.pose.axis));
-        let Some(distance) = self.config.retract.distance.or(out) else {
+        let Some(distance) = self.policy.options.retract.distance.or(out) else {
             return Err(fault(
                 Fault::new(format_args!("here the rotary axes have to be rewound out of the part: {why}")).help(
                     "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data",
@@ -39,7 +39,7 @@ impl<M: Machine> Planner<'_, M> {
         let context = |text: Fault| fault(text.context(format_args!("the retract of {distance} mm to rewind")));
         let out = self.placer.shifted(tip, &here).map_err(context)?;
         self.cancel_inverse_time(sink)?;
-        if self.config.retract.rewind_dry {
+        if self.policy.options.retract.rewind_dry {
             self.coolant_off(sink)?;
         }
         self.rapid(&out, self.placer.linear_mask(), sink)?;
@@ -93,7 +93,7 @@ impl<M: Machine> Planner<'_, M> {
         let limits: Vec<String> = limited
             .map(|rotary| format!("{} {}", M::AXES[rotary.index].letter, self.placer.limits_text(rotary.index)))
             .collect();
-        let way = match (self.config.greedy, self.placer.wide()) {
+        let way = match (self.policy.options.course.greedy, self.placer.wide()) {
             (true, _) => "not planned ahead",
             (false, true) => "not avoided by the turns that were looked at",
             (false, false) => "unavoidable",

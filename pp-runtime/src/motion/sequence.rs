@@ -12,7 +12,7 @@
 //! "Out" and "in" are along the tool axis. Where the machine stands is never assumed at program start, behind a tool
 //! change or behind a stop.
 
-use crate::config::{Mode, Transition};
+use super::options::{Mode, Transition};
 use crate::diag::Severity;
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::program::{Location, Move};
@@ -43,9 +43,9 @@ impl<M: Machine> Planner<'_, M> {
         let led_out = self.retreat.length();
         let Pose { tip, axis } = self.place.pose;
         let out = self.clearance.and_then(|clearance| way_out(&clearance, &tip, &axis));
-        match self.config.retract.distance.or_else(|| out.map(|distance| distance + led_out)) {
+        match self.policy.options.retract.distance.or_else(|| out.map(|distance| distance + led_out)) {
             Some(distance) if led_out + ENOUGH < distance => {
-                let (distance, what) = match self.config.retract.distance {
+                let (distance, what) = match self.policy.options.retract.distance {
                     Some(distance) => (distance, "`retract.distance` ="),
                     None => (distance - led_out, "to the clearance geometry,"),
                 };
@@ -59,7 +59,7 @@ impl<M: Machine> Planner<'_, M> {
             Some(_) => {}
             None if self.placer.straight() => {}
             None if led_out > ENOUGH => {
-                let wanted = self.config.approach.distance;
+                let wanted = self.policy.options.approach.distance;
                 if led_out + ENOUGH < wanted {
                     let text = format!(
                         "before this line the CL data leads the tool out by {led_out:.3} mm only, less than \
@@ -93,10 +93,11 @@ impl<M: Machine> Planner<'_, M> {
         if self.restarts == 0 {
             self.restart(sink)?;
         }
-        let words = self.placer.retract_words(self.config.retract.position).map_err(|fault| stop(at, fault))?;
+        let words =
+            self.placer.retract_words(self.policy.options.retract.position()).map_err(|fault| stop(at, fault))?;
         let off = match self.abilities.plane {
             _ if !self.framed => None,
-            Some(plane) if self.config.mode == Mode::Plane => Some((Step::PlaneOff, plane.ends_behind_retract)),
+            Some(plane) if self.policy.options.mode == Mode::Plane => Some((Step::PlaneOff, plane.ends_behind_retract)),
             _ => Some((Step::TipControl { on: false }, false)),
         };
         self.framed = false;
@@ -116,7 +117,7 @@ impl<M: Machine> Planner<'_, M> {
         &mut self,
         place: Place<M::Axes>,
     ) -> Result<(Place<M::Axes>, Option<Step<'static>>), Fault> {
-        match (self.config.mode, self.abilities.plane) {
+        match (self.policy.options.mode, self.abilities.plane) {
             (Mode::Axes, _) | (Mode::Plane, None) => Ok((place, None)),
             (Mode::Tcp, _) => {
                 let place = if self.placer.frame.is_set_anew() { self.placer.started(place)? } else { place };
@@ -154,7 +155,7 @@ impl<M: Machine> Planner<'_, M> {
         }
         let wanted = self.next_tool.take();
         let change = opens || wanted.is_some_and(|wanted| self.tool.is_none_or(|tool| tool.number != wanted.number));
-        if self.there && self.config.transition == Transition::Direct && !change {
+        if self.there && self.policy.options.rapids.transition == Transition::Direct && !change {
             return self.start_directly(at, first, planned, sink);
         }
         self.leave(at, sink)?;
@@ -175,8 +176,8 @@ impl<M: Machine> Planner<'_, M> {
             self.tool = Some(tool);
             self.placer.set_gauge_length(tool.length);
             self.changes += usize::from(change);
-            let given = self.config.tools.get(&tool.number);
-            let spindle = self.request.resolve(given, self.config).map_err(|fault| stop(at, fault))?;
+            let given = self.policy.set_up.tools.get(&tool.number);
+            let spindle = self.request.resolve(given, self.policy).map_err(|fault| stop(at, fault))?;
             sink.step(&Step::Tool {
                 number: tool.number,
                 offset: tool.offset,
@@ -193,14 +194,14 @@ impl<M: Machine> Planner<'_, M> {
             }
             if !self.placer.gauge_line() {
                 sink.step(&Step::Length { offset: tool.offset })?;
-                let guarded = self.config.length_guard.unwrap_or(self.placer.needs_length().is_some());
+                let guarded = self.policy.options.guards.length_guard.unwrap_or(self.placer.needs_length().is_some());
                 if let Some(length) = tool.length.filter(|_| guarded) {
                     sink.step(&Step::LengthGuard {
                         label: self.restarts,
                         tool: tool.number,
                         offset: tool.offset,
                         length,
-                        tolerance: self.config.length_tolerance,
+                        tolerance: self.policy.options.guards.length_tolerance,
                     })?;
                 }
             }
@@ -270,7 +271,7 @@ impl<M: Machine> Planner<'_, M> {
         self.clamps.approach();
         let place = self.placer.place(&first.pose, &self.place, false, planned).map_err(fault)?;
         let (place, frame) = self.framed_at(place).map_err(fault)?;
-        let distance = self.config.approach.distance;
+        let distance = self.policy.options.approach.distance;
         let above = if first.rapid && next.is_some_and(|next| straight_down(&first.pose, &next.pose)) {
             place
         } else {
@@ -309,7 +310,7 @@ impl<M: Machine> Planner<'_, M> {
         frame: Option<Step<'static>>,
         sink: &mut impl Sink,
     ) -> Planned {
-        let retract = self.config.retract.position;
+        let retract = self.policy.options.retract.position();
         if let Some(below) = self.placer.below_retract(above, retract)
             && below < -self.placer.unit_mm()
         {
@@ -332,7 +333,7 @@ impl<M: Machine> Planner<'_, M> {
             self.clear = false;
         }
         self.clamp(sink)?;
-        let last = match self.config.mode {
+        let last = match self.policy.options.mode {
             Mode::Axes => 1 << self.placer.retract_axis(),
             // Along the tool axis of the plane.
             Mode::Plane => 1 << self.placer.frame.letters()[2],
@@ -356,7 +357,7 @@ impl<M: Machine> Planner<'_, M> {
 
     pub(super) fn park(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
         let fault = |fault: Fault| stop(at, fault);
-        let (turned, mask) = self.placer.parked(&self.config.park, &self.place).map_err(fault)?;
+        let (turned, mask) = self.placer.parked(&self.policy.options.park, &self.place).map_err(fault)?;
         if mask != 0 {
             self.clamp_parked(mask, false, sink)?;
             self.rapid_alone(&turned, mask, sink)?;
@@ -369,7 +370,7 @@ impl<M: Machine> Planner<'_, M> {
         let mut last = None;
         let linear = M::AXES.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Linear && !axis.held);
         for (index, coordinate) in
-            linear.filter_map(|(index, axis)| Some((index, *self.config.park.get(&axis.letter)?)))
+            linear.filter_map(|(index, axis)| Some((index, *self.policy.options.park.get(&axis.letter)?)))
         {
             let words = self.placer.machine_words(index, coordinate).map_err(fault)?;
             if index == self.placer.retract_axis() {

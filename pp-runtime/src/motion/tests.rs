@@ -9,13 +9,16 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::machines::{Ay, Cb, Head, Xyw, Xyz};
 use super::{Navigator, Nowhere, Planner, Sink, Statistics, Stop};
-use crate::config::{Config, Rapid, Tool, Transition, Units, Wrap};
+use crate::config::Config;
 use crate::control::{Control, Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
+use crate::motion::{Rapid, Transition, Wrap};
+use crate::program::Units;
 use crate::program::{
     Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
 };
+use crate::set_up::GivenTool;
 
 /// What came out of a run.
 pub(super) struct Run {
@@ -37,7 +40,7 @@ impl Run {
 /// Posts events for LinuxCNC; the event at position `n` stands in line `n + 1`.
 pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let units = config.output_units.unwrap_or(Units::Millimetres);
-    let layout = Layout::new::<M>(config, units, b"");
+    let layout = Layout::new::<M>(config.demands(), units, b"");
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
     let (diagnostics, statistics) = plan::<M>(&LinuxCnc, config, events, &mut encoder);
@@ -54,20 +57,22 @@ pub(super) fn plan<M: Machine>(
     events: &[Event<'_>],
     sink: &mut impl Sink,
 ) -> (Vec<Diagnostic>, Statistics) {
-    let machine = config.machine::<M>().expect("valid");
+    let machine = config.set_up.machine::<M>().expect("valid");
     let units = config.output_units.unwrap_or(Units::Millimetres);
-    let abilities = crate::control::abilities(control, config);
-    let mut navigator = Navigator::new(machine.clone(), config);
+    let abilities = crate::control::abilities(control, config.demands());
+    let mut navigator = Navigator::new(machine.clone(), config.policy());
     events.iter().for_each(|event| navigator.event(event));
     let course = navigator.finish();
-    let mut planner = Planner::new(machine.clone(), config, units, abilities, false).with_course(course.clone());
-    if !config.clamp.is_empty() {
+    let mut planner =
+        Planner::new(machine.clone(), config.policy(), units, abilities, false).with_course(course.clone());
+    if !config.motion.rotaries.clamp.is_empty() {
         for event in events {
             planner.event(Location::default(), event, &mut Nowhere).expect("a rehearsal");
         }
         planner.finish(Location::default(), &mut Nowhere).expect("a rehearsal");
         let moving = planner.rehearsed();
-        planner = Planner::new(machine, config, units, abilities, false).with_course(course).with_clamps(moving);
+        planner =
+            Planner::new(machine, config.policy(), units, abilities, false).with_course(course).with_clamps(moving);
     }
     let mut diagnostics = Vec::new();
     let mut at = Location::default();
@@ -133,9 +138,9 @@ pub(super) fn config() -> Config {
 fn with_lengths(distance: Option<f64>) -> Config {
     let mut config = config();
     for number in 1..=2 {
-        config.tools.insert(number, Tool { length: Some(100.0), ..Tool::default() });
+        config.set_up.tools.insert(number, GivenTool { length: Some(100.0), ..GivenTool::default() });
     }
-    config.retract.distance = distance;
+    config.motion.retract.distance = distance;
     config
 }
 

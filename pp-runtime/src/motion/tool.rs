@@ -1,8 +1,10 @@
 //! What is known of a tool: from the configuration, from the CL data, and where the two disagree.
 
-use crate::config::{Config, Defaults, Tool as Given};
+use super::options::Defaults;
+use super::options::Policy;
 use crate::nc::Decimal;
 use crate::program::{Rotation, Spindle, ToolCall};
+use crate::set_up::GivenTool as Given;
 
 use super::fault::Fault;
 use super::planner::Registers;
@@ -38,13 +40,13 @@ impl Tool {
     pub(crate) fn resolve(
         call: &ToolCall,
         before: &ToolCall,
-        config: &Config,
+        policy: Policy<'_>,
         needed: Option<&str>,
         registers: Registers,
         mut warn: impl FnMut(Fault),
     ) -> Result<Self, Fault> {
         let number = call.number;
-        let given = config.tools.get(&number);
+        let given = policy.set_up.tools.get(&number);
         if let (Some(before), Some(now)) = (before.length, call.length)
             && (before - now).abs() > SAME
         {
@@ -99,22 +101,26 @@ impl SpindleRequest {
     }
 
     /// Speed and sense for a tool; `None` if the spindle is not to turn or nothing is known.
-    pub(crate) fn resolve(&self, given: Option<&Given>, config: &Config) -> Result<Option<(Decimal, Rotation)>, Fault> {
-        let Defaults { speed, rotation, .. } = config.defaults;
+    pub(crate) fn resolve(
+        &self,
+        given: Option<&Given>,
+        policy: Policy<'_>,
+    ) -> Result<Option<(Decimal, Rotation)>, Fault> {
+        let Defaults { speed, rotation, .. } = policy.options.defaults;
         if self.off {
             return Ok(None);
         }
         let speed = self.speed.or(given.and_then(|tool| tool.speed)).or(speed);
         let rotation = self.rotation.or(given.and_then(|tool| tool.rotation)).or(rotation);
         let (Some(speed), Some(rotation)) = (speed, rotation) else { return Ok(None) };
-        if let Some(largest) = config.spindle_max
+        if let Some(largest) = policy.options.guards.spindle_max
             && speed > largest
         {
             return Err(Fault::new(format_args!("a spindle speed of {speed} is above `spindle_max` = {largest}")));
         }
-        let word = Decimal::fixed(speed, config.formats.speed)
+        let word = Decimal::fixed(speed, policy.formats.speed)
             .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} does not fit into a word")))?;
-        if word.value() >= 10_f64.powi(config.formats.speed_whole as i32) {
+        if word.value() >= 10_f64.powi(policy.formats.speed_whole as i32) {
             return Err(Fault::new(format_args!(
                 "a spindle speed of {speed} has more digits than S of this control holds"
             ))

@@ -3,7 +3,7 @@
 //! Limits are machine coordinates: `M = machine_zero + q + g`, where `g` is what the gauge length adds to the axis.
 //! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
 
-use crate::config::Config;
+use super::options::Policy;
 use crate::kinematics::{AxisKind, Limits, Machine, Side};
 
 use super::fault::Fault;
@@ -44,8 +44,8 @@ pub(crate) struct Travel {
 }
 
 impl Travel {
-    pub(crate) fn new<M: Machine>(machine: &M, config: &Config) -> Self {
-        let limits = config.travel::<M>().limits;
+    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
+        let limits = policy.set_up.travel::<M>().limits;
         let solved: Vec<usize> = (0..M::AXES.len().min(MAX_AXES))
             .filter(|&i| M::AXES[i].kind == AxisKind::Linear && !M::AXES[i].held)
             .collect();
@@ -57,7 +57,7 @@ impl Travel {
                 index,
                 letter: M::AXES[index].letter,
                 limits: limits[index],
-                zero: config.machine_zero.get(&M::AXES[index].letter).copied(),
+                zero: policy.set_up.machine_zero.get(&M::AXES[index].letter).copied(),
                 share: shares[index],
                 span: None,
                 turned,

@@ -3,7 +3,8 @@
 //! Planning counts turns without end. Where the control's axis rolls over, words stay within a turn, and the control goes
 //! there the short way, or the way that the sign says.
 
-use crate::config::{Config, Wrap};
+use super::options::Policy;
+use super::options::Wrap;
 use crate::kinematics::Machine;
 
 use super::choose::Rotary;
@@ -27,9 +28,9 @@ pub(crate) struct Speller {
 }
 
 impl Speller {
-    pub(crate) fn new<M: Machine>(config: &Config, rotaries: &[Rotary], turn: i64) -> Self {
+    pub(crate) fn new<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary], turn: i64) -> Self {
         let wrapped = |rotary: &Rotary| {
-            let wrap = *config.wrap.get(&M::AXES[rotary.index].letter)?;
+            let wrap = *policy.options.rotaries.wrap.get(&M::AXES[rotary.index].letter)?;
             Some(Wrapped { index: rotary.index, wrap, last: None })
         };
         Self { axes: rotaries.iter().filter_map(wrapped).collect(), turn }
@@ -83,13 +84,14 @@ impl Speller {
 mod tests {
     use super::super::machines::Cb;
     use super::*;
+    use crate::config::Config;
 
     /// The words of C for a row of positions in degrees.
     fn spelled(wrap: Wrap, degrees: &[i64]) -> Vec<i64> {
         let mut config = Config::default();
-        config.wrap.insert('C', wrap);
+        config.motion.rotaries.wrap.insert('C', wrap);
         let rotary = Rotary { index: 0, lower: None, upper: None, rest: 0.0 };
-        let mut speller = Speller::new::<Cb>(&config, &[rotary], 360);
+        let mut speller = Speller::new::<Cb>(config.policy(), &[rotary], 360);
         let mut from = [0; MAX_AXES];
         degrees
             .iter()

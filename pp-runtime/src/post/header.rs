@@ -3,13 +3,14 @@
 use std::io::{self, Write};
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
-use crate::config::{
-    Config, CutterPath, LengthMode, Mode, ProgramZero, Stock, TcpFrame, ToolPosture, Units, Wrap, part_angles,
-};
+use crate::config::Config;
 use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
+use crate::motion::{CutterPath, Mode, TcpFrame, ToolPosture, Wrap};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
+use crate::program::Units;
+use crate::set_up::{LengthMode, ProgramZero, Stock};
 
 use super::Job;
 use super::survey::{Survey, ToolUse};
@@ -33,7 +34,7 @@ fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
 
 /// The work offset as the control names it.
 pub(super) fn work_offset(control: &dyn Control, config: &Config) -> String {
-    let word = &config.work_offset;
+    let word = &config.set_up.work_offset;
     let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
     format!("{}{spelled}", control.spellings().offset_title)
 }
@@ -49,7 +50,8 @@ pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
         list.push("the points of the CL data count from the part zero".to_owned());
     }
     // A control that counts the tip in the frame of the part knows where the part lies.
-    let known = config.mode != Mode::Axes && config.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
+    let known = config.motion.mode != Mode::Axes
+        && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
     if !known && rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
         list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
     }
@@ -57,16 +59,16 @@ pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
         list.push(format!("work offset {}", work_offset(control, config)));
     }
     if !config.is_given("retract.position") {
-        list.push(format!("retract to machine coordinate {} mm", config.retract.position));
+        list.push(format!("retract to machine coordinate {} mm", config.motion.retract.position()));
     }
     if !config.is_given("approach.distance") {
-        list.push(format!("approach from {} mm along the tool axis", config.approach.distance));
+        list.push(format!("approach from {} mm along the tool axis", config.motion.approach.distance));
     }
     for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
         let number = tool.call.number;
-        let given = config.tools.get(&number);
-        let speed = given.and_then(|tool| tool.speed).or(config.defaults.speed);
-        let rotation = given.and_then(|tool| tool.rotation).or(config.defaults.rotation);
+        let given = config.set_up.tools.get(&number);
+        let speed = given.and_then(|tool| tool.speed).or(config.motion.defaults.speed);
+        let rotation = given.and_then(|tool| tool.rotation).or(config.motion.defaults.rotation);
         if let (Some(speed), Some(rotation)) = (speed, rotation) {
             let sense = match rotation {
                 Rotation::Clockwise => "CLW",
@@ -77,7 +79,7 @@ pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
             ));
         }
     }
-    for (letter, wrap) in &config.wrap {
+    for (letter, wrap) in &config.motion.rotaries.wrap {
         match wrap {
             Wrap::Positive | Wrap::Symmetric => {
                 list.push(format!("{letter} rolls over, and the control turns it the short way to every angle"));
@@ -101,19 +103,19 @@ pub(super) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
         let (first, last, all) = (wanted.start(), wanted.end(), survey.operations);
         list.push(format!("operations {first} to {last} of {all} only, entered as at their restart points"));
     }
-    let [x, y, z] = part_angles(config);
+    let [x, y, z] = config.set_up.part_angles();
     if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
         list.push(format!(
             "part rotation {x}, {y}, {z}: the CL data is turned by these degrees about X, then Y, then Z of the table"
         ));
     }
-    if let Some(lift) = config.lift {
+    if let Some(lift) = config.motion.lift {
         list.push(format!("DRY RUN: every point {lift} mm out along the tool axis, spindle and coolant off"));
     }
-    if config.program_zero == ProgramZero::Table {
+    if config.set_up.program_zero == ProgramZero::Table {
         list.push("program zero: linear words count from the reference point of the table".to_owned());
     }
-    if config.length_mode == LengthMode::Gauge {
+    if config.set_up.length_mode == LengthMode::Gauge {
         list.push(
             "length mode: linear words are coordinates of the gauge line, no length offset may be active".to_owned(),
         );
@@ -125,12 +127,12 @@ pub(super) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
 /// is used.
 fn rotary_entries<M: Machine>(control: &dyn Control, config: &Config) -> Vec<String> {
     let entries_of = work_offset(control, config);
-    let used = !config.rotary_offset.is_empty();
+    let used = !config.set_up.rotary_offset.is_empty();
     let mut letters: Vec<char> = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
     letters.extend(rotaries::<M>(Side::Tool).filter(|_| used).map(|axis| axis.letter));
     let (mut list, mut zero) = (Vec::new(), String::new());
     for letter in letters {
-        match config.rotary_offset.get(&letter) {
+        match config.set_up.rotary_offset.get(&letter) {
             Some(offset) => list.push(format!(
                 "words of {letter} are the axis value minus {0}: its entry in {1} must be {0}",
                 rounded(offset.to_degrees()),
@@ -187,7 +189,7 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
 }
 
 pub(super) fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
-    config.tools.get(&tool.call.number).and_then(|given| given.length).or(tool.call.length)
+    config.set_up.tools.get(&tool.call.number).and_then(|given| given.length).or(tool.call.length)
 }
 
 /// One sentence for each reason why limits were not checked.
@@ -214,24 +216,29 @@ impl<M: Machine> Header<'_, M> {
         encoder.comment(&name)?;
         let mut lines = vec![
             format!("CL FILE {}", self.job.cl_name),
-            format!("MACHINE {}, CONTROL {}, MODE {}", M::NAME, self.job.control.spellings().title, config.mode.name()),
+            format!(
+                "MACHINE {}, CONTROL {}, MODE {}",
+                M::NAME,
+                self.job.control.spellings().title,
+                config.motion.mode.name()
+            ),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
-            format!("PART ORIGIN {} from the table reference", self.point(config.part_origin)),
+            format!("PART ORIGIN {} from the table reference", self.point(config.set_up.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
-            format!("ARCS AND CURVES left by at most {}", self.length(config.tolerance)),
+            format!("ARCS AND CURVES left by at most {}", self.length(config.motion.tolerance)),
         ];
         lines.extend(set_up(config, self.survey));
-        lines.extend(config.compensation.map(|path| match path {
+        lines.extend(config.motion.compensation.map(|path| match path {
             CutterPath::Centre => "CUTTER COMPENSATION of the path of the tool's centre: D holds wear only".to_owned(),
             CutterPath::Contour => "CUTTER COMPENSATION of the contour: D holds the radius".to_owned(),
         }));
         lines.extend(reading(config, self.survey));
         let turns = rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some();
-        let kept = (turns && config.mode != Mode::Plane).then(|| {
+        let kept = (turns && config.motion.mode != Mode::Plane).then(|| {
             format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
-                self.length(config.tolerance),
-                (config.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
+                self.length(config.motion.tolerance),
+                (config.motion.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
             )
         });
         lines.extend(self.machine_lines(kept));
@@ -246,20 +253,20 @@ impl<M: Machine> Header<'_, M> {
     /// None around cuts in one plane, and none where words count to the gauge line.
     fn blank(&self) -> Option<Stock> {
         let config = self.job.config;
-        let mut blank = config.stock.or_else(|| self.around_cuts())?;
-        if config.program_zero == ProgramZero::Table {
-            for (index, origin) in config.part_origin.into_iter().enumerate() {
+        let mut blank = config.set_up.stock.or_else(|| self.around_cuts())?;
+        if config.set_up.program_zero == ProgramZero::Table {
+            for (index, origin) in config.set_up.part_origin.into_iter().enumerate() {
                 blank.lower[index] += origin;
                 blank.upper[index] += origin;
             }
         }
         let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < THINNEST);
-        Some(blank).filter(|_| !flat && config.length_mode == LengthMode::Tip)
+        Some(blank).filter(|_| !flat && config.set_up.length_mode == LengthMode::Tip)
     }
 
     fn around_cuts(&self) -> Option<Stock> {
         let boxes = self.survey.tools.iter().filter_map(|tool| {
-            let given = self.job.config.tools.get(&tool.call.number).and_then(|given| given.diameter);
+            let given = self.job.config.set_up.tools.get(&tool.call.number).and_then(|given| given.diameter);
             let radius = given.or(tool.call.diameter).unwrap_or(0.0) / 2.0;
             let [lower, upper] = tool.cuts?;
             let aside = [radius, radius, 0.0];
@@ -279,10 +286,10 @@ impl<M: Machine> Header<'_, M> {
         lines.extend(self.rotary_words());
         lines.extend(framed(self.job.control, config));
         lines.extend(unchecked(&self.unchecked));
-        if config.mode == Mode::Axes && rotaries::<M>(Side::Workpiece).next().is_some() {
+        if config.motion.mode == Mode::Axes && rotaries::<M>(Side::Workpiece).next().is_some() {
             lines.push(format!(
                 "valid only for part origin {} from the table reference; do not touch off again",
-                self.point(config.part_origin)
+                self.point(config.set_up.part_origin)
             ));
         }
         lines.extend(rotary_entries::<M>(self.job.control, config));
@@ -292,10 +299,10 @@ impl<M: Machine> Header<'_, M> {
 
     /// What words beyond a turn take for granted; nothing where every rotary axis rolls over, or has no words.
     fn rotary_words(&self) -> Option<String> {
-        let (wrap, codes) = (&self.job.config.wrap, self.job.control.spellings());
+        let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
         let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
         let letters: String = M::AXES.iter().filter(counting).map(|axis| axis.letter).collect();
-        if letters.is_empty() || self.job.config.mode == Mode::Plane {
+        if letters.is_empty() || self.job.config.motion.mode == Mode::Plane {
             return None;
         }
         let of = if wrap.is_empty() { String::new() } else { format!(" of {}", spaced(&letters)) };
@@ -354,14 +361,14 @@ impl<M: Machine> Header<'_, M> {
     /// Whether the control can compare the length of a tool with its own.
     fn compares(&self, tool: u32, offset: Option<u32>, length: f64) -> bool {
         let Some(offset) = self.job.control.spellings().length.registers.of_tool(tool, offset) else { return false };
-        let (tolerance, units) = (self.job.config.length_tolerance, self.units);
+        let (tolerance, units) = (self.job.config.motion.guards.length_tolerance, self.units);
         !self.job.control.length_guard(&LengthGuard { label: 1, tool, offset, length, tolerance, units }).is_empty()
     }
 
     fn tool(&self, tool: &ToolUse) -> Vec<String> {
         let config = self.job.config;
         let number = tool.call.number;
-        let given = config.tools.get(&number);
+        let given = config.set_up.tools.get(&number);
         let mut text = format!("T{number}");
         if let Some(name) = given.and_then(|given| given.name.as_deref()) {
             text += &format!(" {name}");
@@ -380,7 +387,7 @@ impl<M: Machine> Header<'_, M> {
             Some(offset) if !registers.address.is_empty() => format!("{}{offset}", registers.address),
             _ => "the tool table".to_owned(),
         };
-        if !registers.address.is_empty() && config.length_mode == LengthMode::Tip {
+        if !registers.address.is_empty() && config.set_up.length_mode == LengthMode::Tip {
             text += &format!(" {register}");
         }
         text += &format!(", {}", super::counted(tool.operations, "operation"));
@@ -388,12 +395,12 @@ impl<M: Machine> Header<'_, M> {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
         let mut lines = vec![text];
-        let gauge_line = config.length_mode == LengthMode::Gauge;
+        let gauge_line = config.set_up.length_mode == LengthMode::Gauge;
         if let Some(length) = length
-            && (gauge_line || config.mode == Mode::Axes && rotaries::<M>(Side::Tool).next().is_some())
+            && (gauge_line || config.motion.mode == Mode::Axes && rotaries::<M>(Side::Tool).next().is_some())
         {
             let mut held = format!("{register} must hold exactly this");
-            if config.length_guard != Some(false) && !self.compares(number, offset, length) {
+            if config.motion.guards.length_guard != Some(false) && !self.compares(number, offset, length) {
                 held += ", and nothing compares it";
             }
             let length = self.length(length);
@@ -407,17 +414,18 @@ impl<M: Machine> Header<'_, M> {
 /// What the words count in a mode in which the control moves the tip, and what it takes for granted.
 fn framed(control: &dyn Control, config: &Config) -> Vec<String> {
     let codes = control.spellings();
-    let note =
-        |note: &str| (!note.is_empty()).then(|| format!("MODE {} takes for granted: {note}", config.mode.name()));
-    match config.mode {
+    let note = |note: &str| {
+        (!note.is_empty()).then(|| format!("MODE {} takes for granted: {note}", config.motion.mode.name()))
+    };
+    match config.motion.mode {
         Mode::Axes => Vec::new(),
         Mode::Tcp => {
-            let frame = match config.tcp_frame {
+            let frame = match config.motion.tip.tcp_frame {
                 None | Some(TcpFrame::TableAtZero) => "fixed to the table as it stands with its rotary axes at zero",
                 Some(TcpFrame::TableAtStart) => "fixed to the table as it stands where tip control begins",
                 Some(TcpFrame::NotTurning) => "standing still while the table turns",
             };
-            let posture = match config.tool_posture {
+            let posture = match config.motion.tip.tool_posture {
                 ToolPosture::Axes => "rotary axes move evenly",
                 ToolPosture::Plane => "the tool axis turns in the plane of its ends",
             };

@@ -18,12 +18,13 @@ mod tests;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
 use crate::cl::{self, Reader};
-use crate::config::{Config, Units};
+use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Chorded, Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
 use crate::program::Location;
+use crate::program::Units;
 
 use account::Recorded;
 pub(crate) use account::Stand;
@@ -181,7 +182,7 @@ fn course_text(course: &Course, config: &Config) -> String {
     };
     let planned = format!("rotary axes: {}", cost(&course.cost));
     match &course.greedy {
-        _ if config.greedy => format!("{planned}, chosen motion by motion"),
+        _ if config.motion.course.greedy => format!("{planned}, chosen motion by motion"),
         None => format!("{planned}; motion by motion there would be no way through"),
         Some(greedy) if *greedy == course.cost => planned,
         Some(greedy) => format!("{planned}; motion by motion: {}", cost(greedy)),
@@ -213,14 +214,14 @@ pub fn post_with_account<M: Machine>(
     output: &mut impl Write,
     account: Option<&mut dyn Account>,
 ) -> Result<Report, PostError> {
-    let unfit = control::unfit::<M>(job.control, job.config);
+    let unfit = control::unfit::<M>(job.control, job.config.demands());
     if !unfit.is_empty() {
         return Err(PostError::Unfit(unfit.join("\n")));
     }
     let start = input.stream_position().map_err(PostError::Input)?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
-    let machine = job.config.machine::<M>();
-    let navigator = machine.as_ref().ok().map(|machine| Navigator::new(machine.clone(), job.config));
+    let machine = job.config.set_up.machine::<M>();
+    let navigator = machine.as_ref().ok().map(|machine| Navigator::new(machine.clone(), job.config.policy()));
     let mut survey = Survey::take(&mut *input, options.clone(), job.config, navigator).map_err(PostError::Input)?;
     input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
 
@@ -255,17 +256,17 @@ pub fn post_with_account<M: Machine>(
     if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
         report.course = course_text(&survey.course, job.config);
     }
-    let layout = Layout::new::<M>(job.config, units, &survey.name);
+    let layout = Layout::new::<M>(job.config.demands(), units, &survey.name);
     let mut recorded = Recorded::new(Encoder::new(job.control, &layout, &mut *output), account);
-    let abilities = control::abilities(job.control, job.config);
+    let abilities = control::abilities(job.control, job.config.demands());
     let (upside_down, order) = (survey.upside_down(), std::mem::take(&mut survey.order));
     let course = std::mem::take(&mut survey.course);
     let planner = |course| {
-        Planner::new(machine.clone(), job.config, units, abilities, upside_down)
+        Planner::new(machine.clone(), job.config.policy(), units, abilities, upside_down)
             .with_course(course)
             .with_tools(order.clone())
     };
-    let moving = if job.config.clamp.is_empty() {
+    let moving = if job.config.motion.rotaries.clamp.is_empty() {
         Moving::default()
     } else {
         let reader = Reader::new(&mut *input, options.clone());
@@ -365,7 +366,7 @@ fn rehearse<M: Machine>(
 /// The end code, or the first error in its place.
 fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>) -> io::Result<()> {
     if !report.failed {
-        let times = if job.config.program.times { time::lines(&report.times) } else { Vec::new() };
+        let times = if job.config.control.program.times { time::lines(&report.times) } else { Vec::new() };
         return encoder.end(&times);
     }
     let errors = report.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);

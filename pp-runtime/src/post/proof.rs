@@ -6,12 +6,14 @@ use std::io::{self, Write};
 
 use nalgebra::Point3;
 
-use crate::config::{Config, Mode, Units};
+use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AxisKind, Machine, Side};
+use crate::motion::Mode;
 use crate::motion::{Planner, Stop, Sweep};
 use crate::program::ToolCall;
+use crate::program::Units;
 
 use super::Job;
 use super::header::{Header, work_offset};
@@ -49,13 +51,16 @@ pub fn prove<M: Machine>(proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     }
     // A dry run that stays where it is: no spindle, no coolant. What is proven is the declaration of the machine, and not what
     // the control makes of tip control or a plane.
-    let slow = given.reorient_speed.min(SLOW);
-    let config = Config { lift: Some(0.0), mode: Mode::Axes, reorient_speed: slow, ..given.clone() };
+    let slow = given.motion.rapids.reorient_speed.min(SLOW);
+    let mut config = given.clone();
+    config.motion.lift = Some(0.0);
+    config.motion.mode = Mode::Axes;
+    config.motion.rapids.reorient_speed = slow;
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let machine =
-        config.machine::<M>().map_err(|invalid| format!("{} cannot be built like this: {invalid}", M::NAME))?;
-    let abilities = control::abilities(proof.control, &config);
-    let mut planner = Planner::new(machine.clone(), &config, units, abilities, false);
+        config.set_up.machine::<M>().map_err(|invalid| format!("{} cannot be built like this: {invalid}", M::NAME))?;
+    let abilities = control::abilities(proof.control, config.demands());
+    let mut planner = Planner::new(machine.clone(), config.policy(), units, abilities, false);
     let sweeps = planner.sweeps().map_err(told)?;
 
     let number = proof.tool.unwrap_or_else(|| usual_tool(&config));
@@ -64,7 +69,7 @@ pub fn prove<M: Machine>(proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     let survey = survey(number, &point);
     let header = Header { job: &job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
     let mut out = Vec::new();
-    let mut encoder = Encoder::new(proof.control, &Layout::new::<M>(&config, units, b"PROOF"), &mut out);
+    let mut encoder = Encoder::new(proof.control, &Layout::new::<M>(config.demands(), units, b"PROOF"), &mut out);
     let written = head(&header, &point, &sweeps, &mut encoder).map_err(Stop::Output);
     let planned = written
         .and_then(|()| planner.prove(number, point, &sweeps, &mut encoder))
@@ -85,7 +90,7 @@ fn told(stop: Stop) -> String {
 
 /// The tool of the configuration, if there is one, or the first of a magazine.
 fn usual_tool(config: &Config) -> u32 {
-    config.defaults.tool.or_else(|| config.tools.keys().next().copied()).unwrap_or(1)
+    config.motion.defaults.tool.or_else(|| config.set_up.tools.keys().next().copied()).unwrap_or(1)
 }
 
 /// One tool that does one thing.
@@ -109,7 +114,7 @@ fn head<M: Machine, W: Write>(
         "PROOF OF THE KINEMATICS: nothing is cut, the spindle stands".to_owned(),
         format!("MACHINE {}, CONTROL {}, MODE axes", M::NAME, control.spellings().title),
         format!("UNITS {}, WORK OFFSET {}", header.units.name(), work_offset(control, config)),
-        format!("PART ORIGIN {} from the table reference", header.point(config.part_origin)),
+        format!("PART ORIGIN {} from the table reference", header.point(config.set_up.part_origin)),
         format!("THE TIP STANDS AT {} of the part while the rotary axes turn", header.point((*point).into())),
         "WHAT MUST BE SEEN: an indicator that stands on the table and touches a ball at the tip stays still".to_owned(),
         "touch it along X, then Y, then Z of the table, and run the program for each".to_owned(),
@@ -118,7 +123,7 @@ fn head<M: Machine, W: Write>(
     ];
     let number = |index: usize, sweep: &Sweep| format!("SWEEP {}: {}", index + 1, sweep.name);
     lines.extend(sweeps.iter().enumerate().map(|(index, sweep)| number(index, sweep)));
-    let within = header.length(config.tolerance);
+    let within = header.length(config.motion.tolerance);
     lines.extend(
         header.machine_lines(Some(format!("WHILE A ROTARY AXIS MOVES the tip stays within {within} of its point"))),
     );

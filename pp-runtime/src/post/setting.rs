@@ -27,9 +27,14 @@ pub(crate) struct Setting {
 
 impl Setting {
     pub(crate) fn new(config: &Config) -> Self {
-        let rotation = config.part_rotation;
-        let lift = config.lift.unwrap_or(0.0);
-        Self { rotation, lift, plain: rotation == Rotation3::identity() && config.lift.is_none(), points: Vec::new() }
+        let rotation = config.set_up.part_rotation;
+        let lift = config.motion.lift.unwrap_or(0.0);
+        Self {
+            rotation,
+            lift,
+            plain: rotation == Rotation3::identity() && config.motion.lift.is_none(),
+            points: Vec::new(),
+        }
     }
 
     /// An event of the CL data as it is run; `None` if nothing changes.
@@ -91,7 +96,11 @@ mod tests {
     /// X to Y, Y to Z, Z to X.
     fn setting() -> Setting {
         let rotation = Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(0., 0., 1., 1., 0., 0., 0., 1., 0.));
-        Setting::new(&Config { part_rotation: rotation, ..Config::default() })
+        Setting::new(&{
+            let mut config = Config::default();
+            config.set_up.part_rotation = rotation;
+            config
+        })
     }
 
     #[test]
@@ -127,11 +136,20 @@ mod tests {
 
     #[test]
     fn a_dry_run_moves_every_point_along_the_tool_axis() {
-        let lifted =
-            |event| Setting::new(&Config { lift: Some(50.0), ..Config::default() }).event(&event) == Some(event);
+        let lifted = |event| {
+            Setting::new(&{
+                let mut config = Config::default();
+                config.motion.lift = Some(50.0);
+                config
+            })
+            .event(&event)
+                == Some(event)
+        };
         let axis = [0.6, 0.0, 0.8];
         let (here, there) = (pose([1., 2., 3.], axis), pose([31., 2., 43.], axis));
-        let mut setting = Setting::new(&Config { lift: Some(50.0), ..Config::default() });
+        let mut config = Config::default();
+        config.motion.lift = Some(50.0);
+        let mut setting = Setting::new(&config);
         let motion = |pose| Event::Move(Move { pose, rapid: true, feed: None });
         assert_eq!(setting.event(&motion(here)), Some(motion(there)));
         let (before, after) = ([here.tip; 2], [there.tip; 2]);

@@ -7,9 +7,10 @@ use std::ops::RangeInclusive;
 use nalgebra::UnitVector3;
 
 use crate::cl::{ArcVote, Dialect, Options, Reader};
-use crate::config::{Config, Operations, list, nearest};
+use crate::config::{Config, list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Side};
+use crate::motion::Operations;
 use crate::motion::{Course, Expander, Navigator, extent, hole_extent};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
@@ -118,8 +119,8 @@ impl Survey {
         mut navigator: Option<Navigator<M>>,
     ) -> io::Result<Self> {
         let mut reader = Reader::new(input, options);
-        let mut survey = Self { select: config.operations.clone(), ..Self::default() };
-        let (mut setting, mut expander) = (Setting::new(config), Expander::new(config));
+        let mut survey = Self { select: config.motion.operations.clone(), ..Self::default() };
+        let (mut setting, mut expander) = (Setting::new(config), Expander::new(config.policy()));
         let tool_axis = &M::default().tool_axis();
         let mut state = State { begun: true, head: has_head::<M>(), ..State::default() };
         loop {

@@ -5,10 +5,11 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use super::*;
-use crate::config::{Mode, Operations, Tool, Wrap};
 use crate::control::{Heidenhain, LinuxCnc, Siemens};
 use crate::motion::machines::{Cb, Head, Xyz};
+use crate::motion::{Mode, Operations, Wrap};
 use crate::program::{Clearance, Plane, Rotation};
+use crate::set_up::GivenTool;
 
 const PART: &str = "\
 PARTNO BRACKET
@@ -75,7 +76,7 @@ fn a_program_ends_with_its_end_code_and_has_no_fault() {
 #[test]
 fn a_heidenhain_program_begins_with_the_blank_of_the_configuration_or_a_box_around_the_cuts() {
     let blank = |change: fn(&mut Config), part: &str| -> Vec<String> {
-        let mut config = control::starting_point(&Heidenhain);
+        let mut config = crate::config::starting_point(&Heidenhain);
         change(&mut config);
         let job = Job { cl_name: "bracket.cls", config: &config, control: &Heidenhain, units: None };
         let mut out = Vec::new();
@@ -86,13 +87,13 @@ fn a_heidenhain_program_begins_with_the_blank_of_the_configuration_or_a_box_arou
     // Cuts from X 0 to 25, Y 0 to 8, Z -3 to 0 with a cutter of 10 mm.
     assert_eq!(blank(|_| {}, PART), ["1 BLK FORM 0.1 Z X-5 Y-5 Z-3", "2 BLK FORM 0.2 X+30 Y+13 Z+0"]);
     let wider: fn(&mut Config) = |config| {
-        config.tools.insert(1, Tool { diameter: Some(12.0), ..Tool::default() });
+        config.set_up.tools.insert(1, GivenTool { diameter: Some(12.0), ..GivenTool::default() });
     };
     assert_eq!(blank(wider, PART)[0], "1 BLK FORM 0.1 Z X-6 Y-6 Z-3");
     let given: fn(&mut Config) = |config| {
-        config.stock = Some(crate::config::Stock { lower: [-50.0, -40.0, -30.5], upper: [50.0, 40.0, 0.0] });
-        config.part_origin = [0.0, 0.0, 80.0];
-        config.program_zero = crate::config::ProgramZero::Table;
+        config.set_up.stock = Some(crate::set_up::Stock { lower: [-50.0, -40.0, -30.5], upper: [50.0, 40.0, 0.0] });
+        config.set_up.part_origin = [0.0, 0.0, 80.0];
+        config.set_up.program_zero = crate::set_up::ProgramZero::Table;
     };
     assert_eq!(blank(given, PART), ["1 BLK FORM 0.1 Z X-50 Y-40 Z+49.5", "2 BLK FORM 0.2 X+50 Y+40 Z+80"]);
     let inches: fn(&mut Config) = |config| config.output_units = Some(Units::Inches);
@@ -103,7 +104,8 @@ fn a_heidenhain_program_begins_with_the_blank_of_the_configuration_or_a_box_arou
 
 #[test]
 fn nothing_is_written_for_a_configuration_that_the_control_cannot_do() {
-    let config = Config { mode: Mode::Plane, ..Config::default() };
+    let mut config = Config::default();
+    config.motion.mode = Mode::Plane;
     let job = Job { cl_name: "part.cls", config: &config, control: &LinuxCnc, units: None };
     let mut out = Vec::new();
     let refused = post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out);
@@ -113,7 +115,7 @@ fn nothing_is_written_for_a_configuration_that_the_control_cannot_do() {
 
 #[test]
 fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
-    let mut config = control::starting_point(&Siemens);
+    let mut config = crate::config::starting_point(&Siemens);
     config.control.file_header = true;
     config.control.program_name = Some("op 10: a bracket with a long name".to_owned());
     let job = Job { cl_name: "bracket.cls", config: &config, control: &Siemens, units: None };
@@ -121,15 +123,15 @@ fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
     post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out).expect("memory neither fails nor fills");
     let text = String::from_utf8(out).expect("ASCII");
     assert!(text.starts_with("%_N_OP_10__A_BRACKET_WITH_A__MPF\n;$PATH=/_N_MPF_DIR\n; PROGRAM"), "{}", &text[..90]);
-    assert_eq!(control::unfit::<Cb>(&Siemens, &config), Vec::<String>::new());
-    assert_eq!(control::unfit::<Cb>(&LinuxCnc, &config).len(), 1);
+    assert_eq!(control::unfit::<Cb>(&Siemens, config.demands()), Vec::<String>::new());
+    assert_eq!(control::unfit::<Cb>(&LinuxCnc, config.demands()).len(), 1);
 }
 
 #[test]
 fn times_stand_behind_the_blocks_of_the_user_and_before_the_end_code() {
     let mut config = Config::default();
-    config.program.times = true;
-    config.program.end = vec!["M60".to_owned()];
+    config.control.program.times = true;
+    config.control.program.end = vec!["M60".to_owned()];
     let (text, _) = posted::<Cb>(&config, PART);
     let (_, end) = text.split_once("\nM60\n").expect("the block of the user");
     let lines: Vec<&str> = end.lines().collect();
@@ -141,8 +143,8 @@ fn times_stand_behind_the_blocks_of_the_user_and_before_the_end_code() {
 #[test]
 fn only_axes_that_do_not_roll_over_count_on_past_a_turn() {
     let line = |control: &dyn Control, wrapped: &str, wrap: Wrap| {
-        let mut config = control::starting_point(control);
-        config.wrap.extend(wrapped.chars().map(|letter| (letter, wrap)));
+        let mut config = crate::config::starting_point(control);
+        config.motion.rotaries.wrap.extend(wrapped.chars().map(|letter| (letter, wrap)));
         let job = Job { cl_name: "bracket.cls", config: &config, control, units: None };
         let mut out = Vec::new();
         post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out).expect("memory neither fails nor fills");
@@ -162,10 +164,12 @@ fn only_axes_that_do_not_roll_over_count_on_past_a_turn() {
 
 #[test]
 fn the_header_says_what_the_program_is_valid_for() {
-    let mut config = Config { part_origin: [1.0, 2.0, 50.25], ..Config::default() };
-    config
-        .tools
-        .insert(1, Tool { name: Some("END MILL".into()), length: Some(80.0), offset: Some(21), ..Tool::default() });
+    let mut config = Config::default();
+    config.set_up.part_origin = [1.0, 2.0, 50.25];
+    config.set_up.tools.insert(
+        1,
+        GivenTool { name: Some("END MILL".into()), length: Some(80.0), offset: Some(21), ..GivenTool::default() },
+    );
     config.given.insert("part_origin");
     let (text, _) = posted::<Cb>(&config, PART);
     for line in [
@@ -191,10 +195,8 @@ fn the_header_says_what_the_program_is_valid_for() {
 #[test]
 fn a_head_program_says_the_length_it_was_posted_with() {
     let text = PART.replace("LOADTL/1\nSPINDL", "LOADTL/1,LENGTH,95.5\nSPINDL");
-    let config = Config {
-        retract: crate::config::Retract { distance: Some(30.0), ..Config::default().retract },
-        ..Config::default()
-    };
+    let mut config = Config::default();
+    config.motion.retract = crate::motion::Retract { distance: Some(30.0), ..Config::default().motion.retract };
     let (text, report) = posted::<Head>(&config, &text);
     assert_eq!(report.diagnostics, []);
     assert!(text.contains("(T1 posted with L = 95.5: H1 must hold exactly this)"), "{text}");
@@ -232,8 +234,9 @@ fn the_motion_held_back_for_its_approach_is_written_before_the_error() {
 fn a_program_whose_tool_axes_all_point_into_the_table_is_refused() {
     let down = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,100,CLW\nRAPID\nGOTO/0,0,-20,0,0,-1\nFEDRAT/MMPM,100\nGOTO/0,0,0\n";
     let free = |table_check| {
-        let mut config = Config { table_check, ..Config::default() };
-        config.limits.insert('B', None);
+        let mut config = Config::default();
+        config.motion.guards.table_check = table_check;
+        config.set_up.limits.insert('B', None);
         posted::<Cb>(&config, down).1
     };
     let report = free(true);
@@ -255,7 +258,7 @@ fn more_tools_than_any_magazine_holds_are_refused() {
     let calls = |count: u32| {
         let calls: String = (1..=count).map(|n| format!("LOADTL/{n}\nGOTO/0,0,{n},0,0,1\n")).collect();
         let mut config = Config::default();
-        config.retract.distance = Some(9.0);
+        config.motion.retract.distance = Some(9.0);
         posted::<Cb>(&config, &format!("UNITS/MM\nSPINDL/RPM,100,CLW\nFEDRAT/9\n{calls}")).1
     };
     let refused = |report: &Report| {
@@ -284,8 +287,8 @@ fn remarks_of_a_kind_are_counted_and_records_do_not_wait_without_end() {
 #[test]
 fn what_was_assumed_stands_in_the_summary() {
     let mut config = Config::default();
-    config.defaults.speed = Some(3000.0);
-    config.defaults.rotation = Some(Rotation::Clockwise);
+    config.motion.defaults.speed = Some(3000.0);
+    config.motion.defaults.rotation = Some(Rotation::Clockwise);
     let (_, report) = posted::<Cb>(&config, &PART.replace("SPINDL/RPM,6000,CLW\n", ""));
     let summary = report.summary().join("\n");
     for text in [
@@ -303,9 +306,9 @@ fn what_was_assumed_stands_in_the_summary() {
 #[test]
 fn blocks_of_the_configuration_stand_behind_the_header_and_before_the_end() {
     let mut config = Config::default();
-    config.program.start = vec!["G64 P0.01".into()];
-    config.program.end = vec!["M64 P0".into()];
-    config.program.line_numbers = Some(5);
+    config.control.program.start = vec!["G64 P0.01".into()];
+    config.control.program.end = vec!["M64 P0".into()];
+    config.control.program.line_numbers = Some(5);
     let (text, _) = posted::<Cb>(&config, PART);
     assert_eq!(blocks(&text)[..3], ["G64 P0.01", "(OPERATION ROUGH)", "N5 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01"]);
     assert!(text.contains("M64 P0\nN"), "{text}");
@@ -346,7 +349,9 @@ fn input_and_output_errors_are_told_apart() {
 
 #[test]
 fn an_empty_file_is_no_program() {
-    let (text, report) = posted::<Cb>(&Config { part_origin: [0.0; 3], ..Config::default() }, "");
+    let mut config = Config::default();
+    config.set_up.part_origin = [0.0; 3];
+    let (text, report) = posted::<Cb>(&config, "");
     assert!(report.failed, "an empty file has no motion");
     assert!(!text.contains("M2\n"));
 }
@@ -371,11 +376,13 @@ fn overturned(text: &str) -> String {
 #[test]
 fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it() {
     let upright = PART.replace("TOOL PATH/SIDE", "GOTO/25,0,9\nTOOL PATH/SIDE");
-    let mut config = Config { floor: Some(-3.0), ..Config::default() };
-    config.retract.clearance = Some(Clearance::Plane(Plane { normal: Vector3::z_axis(), distance: 30.0 }));
+    let mut config = Config::default();
+    config.motion.guards.floor = Some(-3.0);
+    config.motion.retract.clearance = Some(Clearance::Plane(Plane { normal: Vector3::z_axis(), distance: 30.0 }));
     let (expected, report) = posted::<Cb>(&config, &upright);
     assert!(!report.failed && report.set_up.is_empty(), "{report:?}");
-    config.part_rotation = Rotation3::from_matrix_unchecked(Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0)));
+    config.set_up.part_rotation =
+        Rotation3::from_matrix_unchecked(Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0)));
     let (text, report) = posted::<Cb>(&config, &overturned(&upright));
     assert!(!report.failed, "{report:?}");
     assert_eq!(blocks(&text), blocks(&expected));
@@ -383,14 +390,14 @@ fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it(
     assert_eq!(report.set_up, [said]);
     assert!(text.lines().any(|line| line == format!("({said})")), "{text}");
     assert!(text.contains("tip Z -3 to 20"), "{text}");
-    config.floor = Some(-2.0);
+    config.motion.guards.floor = Some(-2.0);
     assert!(posted::<Cb>(&config, &overturned(&upright)).1.failed);
 }
 
 #[test]
 fn the_header_says_what_the_rotary_entries_of_the_work_offset_must_hold() {
     let mut config = Config::default();
-    config.rotary_offset.insert('C', 12.5_f64.to_radians());
+    config.set_up.rotary_offset.insert('C', 12.5_f64.to_radians());
     let (text, _) = posted::<Cb>(&config, PART);
     assert!(text.contains("(words of C are the axis value minus 12.5: its entry in G54 must be 12.5)"), "{text}");
     assert!(text.contains("(the entries of B in G54 must be zero)"), "{text}");
@@ -400,7 +407,9 @@ fn the_header_says_what_the_rotary_entries_of_the_work_offset_must_hold() {
 #[test]
 fn a_dry_run_says_so_and_runs_the_same_path_further_out() {
     let (_, report) = posted::<Cb>(&Config::default(), PART);
-    let (text, dry) = posted::<Cb>(&Config { lift: Some(50.0), ..Config::default() }, PART);
+    let mut config = Config::default();
+    config.motion.lift = Some(50.0);
+    let (text, dry) = posted::<Cb>(&config, PART);
     assert!(!dry.failed && dry.statistics.motions == report.statistics.motions, "{dry:?}");
     let said = "DRY RUN: every point 50 mm out along the tool axis, spindle and coolant off";
     assert!(dry.set_up == [said] && text.contains(said), "{text}");
@@ -460,7 +469,9 @@ fn an_operation_that_is_posted_alone_moves_as_it_does_in_the_whole_program() {
     let all = by_operation(&whole);
     for (first, last) in [(1, 1), (1, 2), (2, 2), (2, 3), (3, 4), (4, 4)] {
         let operations = Some(Operations::Range(first, Some(last)));
-        let (text, report) = posted::<Cb>(&Config { operations, ..Config::default() }, FOUR);
+        let mut config = Config::default();
+        config.motion.operations = operations;
+        let (text, report) = posted::<Cb>(&config, FOUR);
         assert!(!report.failed && text.ends_with("M5\nM2\n"), "{report:?}\n{text}");
         assert!(text.contains(&format!("operations {first} to {last} of 4 only")), "{text}");
         assert_eq!(report.tools.len(), if (first, last) == (2, 3) { 2 } else { 1 });
@@ -480,8 +491,11 @@ fn an_operation_that_is_posted_alone_moves_as_it_does_in_the_whole_program() {
 #[test]
 fn without_transitions_an_operation_that_is_posted_alone_is_entered_and_left_safely() {
     let operations = Some(Operations::Range(2, Some(2)));
-    let transition = crate::config::Transition::Direct;
-    let (text, report) = posted::<Cb>(&Config { operations, transition, ..Config::default() }, FOUR);
+    let transition = crate::motion::Transition::Direct;
+    let mut config = Config::default();
+    config.motion.operations = operations;
+    config.motion.rapids.transition = transition;
+    let (text, report) = posted::<Cb>(&config, FOUR);
     assert!(!report.failed, "{report:?}");
     let blocks = blocks(&text);
     assert!(blocks[0].starts_with("N2 G21") && blocks.contains(&"T1 M6"), "{text}");
@@ -494,7 +508,9 @@ fn without_transitions_an_operation_that_is_posted_alone_is_entered_and_left_saf
 fn what_is_between_operations_goes_with_the_one_it_speaks_of() {
     let some = |first, last| {
         let operations = Some(Operations::Range(first, Some(last)));
-        posted::<Cb>(&Config { operations, ..Config::default() }, FOUR).0
+        let mut config = Config::default();
+        config.motion.operations = operations;
+        posted::<Cb>(&config, FOUR).0
     };
     let second = some(2, 2);
     assert!(second.contains("(OPERATION SIDE)") && second.contains("M0") && !second.contains("FINISH"), "{second}");
@@ -507,7 +523,8 @@ fn what_is_between_operations_goes_with_the_one_it_speaks_of() {
 #[test]
 fn operations_are_found_by_name_and_what_is_not_there_is_said() {
     let post = |operations| {
-        let config = Config { operations: Some(operations), ..Config::default() };
+        let mut config = Config::default();
+        config.motion.operations = Some(operations);
         let job = Job { cl_name: "a", config: &config, control: &LinuxCnc, units: None };
         let mut out = Vec::new();
         post::<Cb>(&job, &mut Cursor::new(FOUR.as_bytes()), &mut out).map(|_| String::from_utf8(out).expect("ASCII"))
@@ -524,8 +541,8 @@ fn operations_are_found_by_name_and_what_is_not_there_is_said() {
 #[test]
 fn clamps_hold_the_axes_of_an_operation_that_does_not_turn_them() {
     let mut config = Config::default();
-    let codes = crate::config::ClampCodes { on: "M10".to_owned(), off: "M11".to_owned() };
-    config.clamp.insert('C', codes);
+    let codes = crate::motion::ClampCodes { on: "M10".to_owned(), off: "M11".to_owned() };
+    config.motion.rotaries.clamp.insert('C', codes);
     let (text, report) = posted::<Cb>(&config, FOUR);
     assert!(!report.failed, "{report:?}");
     assert_eq!(text.matches("\nM11\nG0 B").count(), 4, "{text}");
@@ -536,9 +553,10 @@ fn clamps_hold_the_axes_of_an_operation_that_does_not_turn_them() {
 
 #[test]
 fn the_last_operation_that_is_posted_is_left_along_the_tool() {
-    let mut config = Config { operations: Some(Operations::Range(1, Some(1))), ..Config::default() };
-    config.transition = crate::config::Transition::Direct;
-    config.retract.distance = Some(12.0);
+    let mut config = Config::default();
+    config.motion.operations = Some(Operations::Range(1, Some(1)));
+    config.motion.rapids.transition = crate::motion::Transition::Direct;
+    config.motion.retract.distance = Some(12.0);
     let (text, report) = posted::<Cb>(&config, FOUR);
     assert!(!report.failed, "{report:?}");
     assert!(text.ends_with("\nM9\nG0 Z14\nG53 G0 Z0\nM5\nM2\n"), "{text}");
@@ -548,7 +566,9 @@ fn the_last_operation_that_is_posted_is_left_along_the_tool() {
 fn a_rapid_before_the_first_tool_is_no_operation() {
     let early = FOUR.replace("TOOL PATH/ROUGH", "RAPID\nGOTO/0,0,90,0,0,1\nTOOL PATH/ROUGH");
     let operations = Some(Operations::Range(4, None));
-    let (text, report) = posted::<Cb>(&Config { operations, ..Config::default() }, &early);
+    let mut config = Config::default();
+    config.motion.operations = operations;
+    let (text, report) = posted::<Cb>(&config, &early);
     assert!(!report.failed && report.set_up[0].contains("4 to 4 of 4"), "{report:?}");
     assert!(text.contains("(OPERATION CHAMFER)\nN4 "), "{text}");
 }

@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use machines::SpinnerU5620;
 use pp_runtime::cl::{Frames, Insert};
-use pp_runtime::config::Config;
+use pp_runtime::config::{Config, starting_point};
 use pp_runtime::control::{self, CONTROLS, Control};
 use pp_runtime::program::{Rotation, Units};
 
@@ -27,16 +27,16 @@ static SET_UPS: LazyLock<Vec<Option<SetUp>>> = LazyLock::new(|| {
 });
 
 fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
-    let mut config = control::starting_point(control).read_over::<SpinnerU5620>(mode).ok()?;
-    config.defaults.speed = Some(3000.0);
-    config.defaults.rotation = Some(Rotation::Clockwise);
-    config.defaults.tool = Some(1);
-    config.retract.distance = Some(50.0);
+    let mut config = starting_point(control).read_over::<SpinnerU5620>(mode).ok()?;
+    config.motion.defaults.speed = Some(3000.0);
+    config.motion.defaults.rotation = Some(Rotation::Clockwise);
+    config.motion.defaults.tool = Some(1);
+    config.motion.retract.distance = Some(50.0);
     config.cl.insert = Insert::Comment;
     config.cl.frames = Frames::Main;
     config.output_units = UNITS;
     config.control.tip_control = control.spellings().tip.is_none().then(|| ["M428".to_owned(), "M429".to_owned()]);
-    control::unfit::<SpinnerU5620>(control, &config).is_empty().then_some(SetUp { control, config })
+    control::unfit::<SpinnerU5620>(control, config.demands()).is_empty().then_some(SetUp { control, config })
 }
 
 /// The set-up that the first byte chooses, and the other bytes.

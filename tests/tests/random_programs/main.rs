@@ -13,7 +13,7 @@ use std::io::Cursor;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
-use pp_runtime::config::Mode;
+use pp_runtime::config::{Mode, starting_point};
 use pp_runtime::control::{self, Control};
 use pp_runtime::diag::Severity;
 use pp_runtime::kinematics::Machine;
@@ -150,11 +150,14 @@ impl Case {
 
 /// Posts a case twice and checks it.
 fn run<M: Machine>(case: &Case) -> Outcome {
-    let config = match control::starting_point(case.control).read_over::<M>(&case.set_up) {
-        Ok(config) => pp_runtime::config::Config { mode: case.mode, ..config },
+    let config = match starting_point(case.control).read_over::<M>(&case.set_up) {
+        Ok(mut config) => {
+            config.motion.mode = case.mode;
+            config
+        }
         Err(faults) => return Outcome::Unsuited(faults[0].text.clone()),
     };
-    if let Some(fault) = control::unfit::<M>(case.control, &config).into_iter().next() {
+    if let Some(fault) = control::unfit::<M>(case.control, config.demands()).into_iter().next() {
         return Outcome::Unsuited(fault);
     }
     let job = post::Job { cl_name: "random.cls", config: &config, control: case.control, units: None };
@@ -291,8 +294,8 @@ impl Case {
 }
 
 fn findings<M: Machine>(case: &Case, program: &[u8]) -> (u64, usize) {
-    let config = control::starting_point(case.control).read_over::<M>(&case.set_up).expect("it has been read before");
-    let config = pp_runtime::config::Config { mode: case.mode, ..config };
+    let mut config = starting_point(case.control).read_over::<M>(&case.set_up).expect("it has been read before");
+    config.motion.mode = case.mode;
     let job = check::Job { config: &config, control: case.control, units: None };
     let outcome = check::check::<M>(&job, Cursor::new(&case.cl), program).expect("it can be read").outcome;
     (outcome.count, outcome.findings.len())

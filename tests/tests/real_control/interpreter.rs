@@ -8,7 +8,7 @@ use std::slice::Iter;
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
 use pp_runtime::check::read::{Action, ArcMove, Block, CycleKind, CycleMove};
 use pp_runtime::check::{Job, blocks};
-use pp_runtime::config::{Config, Units};
+use pp_runtime::config::{Config, Units, starting_point};
 use pp_runtime::control;
 use pp_runtime::kinematics::{AxisKind, Machine};
 use tests::binaries::{binary, workspace};
@@ -27,7 +27,7 @@ struct Compared {
 
 fn read<M: Machine>(program: &str, units: Units) -> Vec<Block> {
     let control = control::by_name("linuxcnc").expect("it is there");
-    let config = Config { output_units: Some(units), ..control::starting_point(control) };
+    let config = Config { output_units: Some(units), ..starting_point(control) };
     blocks::<M>(&Job { config: &config, control, units: None }, program.as_bytes()).expect("it can be read")
 }
 

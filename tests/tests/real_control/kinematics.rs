@@ -12,7 +12,7 @@ use std::io::Cursor;
 use nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use pp_runtime::check::read::{Action, Block, Length, TipControl};
 use pp_runtime::check::{self, blocks};
-use pp_runtime::config::{Config, Mode, Tool};
+use pp_runtime::config::{Config, GivenTool, Mode};
 use pp_runtime::control::LinuxCnc;
 use pp_runtime::kinematics::{AxisKind, Machine, Pose};
 use pp_runtime::machine;
@@ -87,10 +87,12 @@ const AXIS: f64 = 0.5e-4 * 1.4143 / 57.295 + 1e-8;
 const PARTNER: (f64, f64) = (TIP, 2e-6);
 
 fn set_up(mode: Mode) -> Config {
-    let mut config = Config { mode, part_origin: [40.0, -25.0, 18.0], ..Config::default() };
-    config.machine_zero = "XYZ".chars().zip(WORK_OFFSET).collect();
-    config.tools.insert(1, Tool { length: Some(LENGTH), ..Tool::default() });
-    config.retract.distance = Some(50.0);
+    let mut config = Config::default();
+    config.motion.mode = mode;
+    config.set_up.part_origin = [40.0, -25.0, 18.0];
+    config.set_up.machine_zero = "XYZ".chars().zip(WORK_OFFSET).collect();
+    config.set_up.tools.insert(1, GivenTool { length: Some(LENGTH), ..GivenTool::default() });
+    config.motion.retract.distance = Some(50.0);
     if mode == Mode::Tcp {
         config.control.tip_control = Some(["M428".to_owned(), "M429".to_owned()]);
     }
@@ -99,7 +101,7 @@ fn set_up(mode: Mode) -> Config {
 
 /// The control of a machine: centre lines as declared, in machine coordinates.
 fn control<M: Machine>(kinematics: &'static str, letters: &'static str) -> Control {
-    let machine = set_up(Mode::Axes).machine::<M>().expect("valid");
+    let machine = set_up(Mode::Axes).set_up.machine::<M>().expect("valid");
     let index = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter).expect("an axis of the chain");
     let centre = |letter: char| machine.joint(index(letter)).point.coords + Vector3::from(WORK_OFFSET);
     let tilt = letters.chars().nth(3).expect("a tilting axis");
@@ -147,11 +149,11 @@ fn run<M: Machine>(simulation: &mut Simulation, config: &Config, every: bool) ->
     assert!(!report.failed, "{:?}\n{text}", report.diagnostics);
     let read = check::Job { config, control: &LinuxCnc, units: None };
     let blocks: Vec<Block> = blocks::<M>(&read, text.as_bytes()).expect("it can be read");
-    let blocks: Vec<Block> = blocks.into_iter().filter(|block| is_looked_at::<M>(block, config.mode)).collect();
+    let blocks: Vec<Block> = blocks.into_iter().filter(|block| is_looked_at::<M>(block, config.motion.mode)).collect();
     let partners = partners::<M>(&blocks, config);
     let (blocks, partners) = if every { (blocks, partners) } else { only(&blocks, &partners) };
     let lines: Vec<usize> = blocks.iter().map(|block| block.line as usize).collect();
-    let look = if config.mode == Mode::Tcp { Look::AsProgrammed } else { Look::ThroughKinematics };
+    let look = if config.motion.mode == Mode::Tcp { Look::AsProgrammed } else { Look::ThroughKinematics };
     let reached = simulation.run(&text, &lines, look).unwrap_or_else(|error| panic!("{}: {error}", M::NAME));
     Run { blocks, reached, partners }
 }
@@ -179,11 +181,11 @@ fn meant<M: Machine>(machine: &M, block: &Block, mode: Mode) -> Pose {
 
 /// The blocks that go to the points, in their order.
 fn partners<M: Machine>(blocks: &[Block], config: &Config) -> Vec<usize> {
-    let machine = config.machine::<M>().expect("valid");
+    let machine = config.set_up.machine::<M>().expect("valid");
     let mut next = 0;
     let partner = |point: &Pose| {
         let goes_there = |block: &Block| {
-            let pose = meant(&machine, block, config.mode);
+            let pose = meant(&machine, block, config.motion.mode);
             (pose.tip - point.tip).norm() <= PARTNER.0 && angle_between(&pose.axis, &point.axis) <= PARTNER.1
         };
         let found = blocks[next..].iter().position(goes_there).map(|index| next + index);
@@ -315,7 +317,8 @@ fn assert_agrees<M: Machine, Turned: Machine>(kinematics: &'static str, letters:
 
     // A centre line a tenth of a millimetre beside its place.
     let declared = M::DIMENSIONS.iter().find(|dimension| dimension.name == centre).expect("a dimension").default;
-    let beside = Config { dimensions: [(centre.to_owned(), declared + 0.1)].into(), ..axes };
+    let mut beside = axes;
+    beside.set_up.dimensions = [(centre.to_owned(), declared + 0.1)].into();
     let beside = difference::<M>(&by_tip, &run::<M>(&mut simulation, &beside, false), letters);
     println!("{kinematics} with {centre} a tenth beside: {beside:?}");
     assert!((0.05..0.25).contains(&beside.tip) && (0.05..0.25).contains(&beside.joints), "{beside:?}");

@@ -11,7 +11,7 @@ use super::block::{
     Action, Block, CycleMove, Fault, FeedMode, Length, MAX_AXES, State, Tilt, TipControl, coolant, stated,
 };
 use super::draft::{Code, Cycle, Draft, LengthCode, TiltCode, fault};
-use crate::config::Wrap;
+use crate::motion::Wrap;
 use crate::program::Units;
 
 /// Angles nearer to half a turn than this have no shorter way, rad.

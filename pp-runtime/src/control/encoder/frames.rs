@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::config::Mode;
+use crate::motion::Mode;
 use crate::motion::{PoseRule, Words};
 use crate::nc::Decimal;
 

@@ -1,8 +1,8 @@
 //! Values of the fields of templates.
 
-use crate::config::Units;
 use crate::motion::{Cycle, CycleKind};
 use crate::nc::{Decimal, Numerals, write_number};
+use crate::program::Units;
 
 use super::super::template::Field;
 

@@ -7,10 +7,12 @@ use proptest::prelude::*;
 
 use super::super::machines::{Ay, Cb, Head, Mirrored, Xyz};
 use super::super::tests::{Run, config, feed, run, spindle, tool};
-use crate::config::{ArcForm, ArcOutput, Config, Tool};
+use crate::config::Config;
 use crate::kinematics::{AxisKind, Machine, Pose};
+use crate::motion::{ArcForm, ArcOutput};
 use crate::nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use crate::program::{Arc, Event, Feed};
+use crate::set_up::GivenTool;
 
 /// Axis words by letter, as far as they are known.
 type Words = BTreeMap<char, f64>;
@@ -173,8 +175,8 @@ impl Wanted {
 
 fn set_up(change: impl Fn(&mut Config)) -> Config {
     let mut config = config();
-    config.tools.insert(1, Tool { length: Some(100.0), ..Tool::default() });
-    config.retract.distance = Some(20.0);
+    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
+    config.motion.retract.distance = Some(20.0);
     change(&mut config);
     config
 }
@@ -185,8 +187,8 @@ fn posted<M: Machine>(config: &Config, wanted: &Wanted) -> Option<(f64, usize, V
     if !run.diagnostics.is_empty() {
         return None;
     }
-    let mut machine = config.machine::<M>().expect("valid");
-    machine.set_up(config.part_origin.into(), 100.0);
+    let mut machine = config.set_up.machine::<M>().expect("valid");
+    machine.set_up(config.set_up.part_origin.into(), 100.0);
     let (tips, arcs) = path(&run, &machine, &wanted.tip(0.0));
     let (mut off, mut reached) = (0.0_f64, 0.0_f64);
     let sides = tips.windows(2).flat_map(|pair| {
@@ -250,7 +252,7 @@ fn words_that_run_backwards_turn_arcs_round() {
 
 #[test]
 fn a_radius_says_the_same_where_it_says_anything() {
-    let radius = set_up(|config| config.arcs.form = ArcForm::Radius);
+    let radius = set_up(|config| config.motion.arcs.form = ArcForm::Radius);
     let said = |angle: f64| arc_lines::<Xyz>(&radius, &Wanted { angle, ..up() });
     assert_eq!(number(&said(1.9)[0], 'R'), Some(12.0));
     assert_eq!(number(&said(4.0)[0], 'R'), Some(-12.0));
@@ -262,9 +264,9 @@ fn a_radius_says_the_same_where_it_says_anything() {
 #[test]
 fn lines_where_lines_are_wanted_and_where_the_radius_is_not() {
     for config in [
-        set_up(|config| config.arcs.output = ArcOutput::Lines),
-        set_up(|config| config.arcs.largest_radius = 11.0),
-        set_up(|config| config.arcs.smallest_radius = 13.0),
+        set_up(|config| config.motion.arcs.output = ArcOutput::Lines),
+        set_up(|config| config.motion.arcs.largest_radius = 11.0),
+        set_up(|config| config.motion.arcs.smallest_radius = 13.0),
     ] {
         assert_eq!(arc_lines::<Xyz>(&config, &up()), Vec::<String>::new());
         let (off, arcs, _) = posted::<Xyz>(&config, &up()).expect("posted");
@@ -283,7 +285,10 @@ fn why_arcs_are_lines_is_counted() {
     assert_eq!(counted(&up(), |_| {}), (1, none));
     let leaning = Wanted { normal: UnitVector3::new_normalize(Vector3::new(0.0, 0.3, 1.0)), ..up() };
     assert_eq!(counted(&leaning, |_| {}), (0, super::Chorded { plane: 1, ..none }));
-    assert_eq!(counted(&up(), |config| config.arcs.largest_radius = 1.0), (0, super::Chorded { radius: 1, ..none }));
+    assert_eq!(
+        counted(&up(), |config| config.motion.arcs.largest_radius = 1.0),
+        (0, super::Chorded { radius: 1, ..none })
+    );
     assert_eq!(counted(&up(), |config| config.formats.linear_mm = 1), (0, super::Chorded { rounding: 1, ..none }));
 }
 
@@ -291,7 +296,7 @@ fn why_arcs_are_lines_is_counted() {
 fn an_arc_that_bulges_over_a_limit_is_refused_although_its_ends_are_inside() {
     // The arc bulges in X up to 190 + 12.
     let wide = Wanted { centre: Point3::new(190.0, 0.0, -50.0), from: -0.9 - 0.25 * TAU, angle: 1.8, ..up() };
-    let zero = |config: &mut Config| config.machine_zero = BTreeMap::from([('X', 0.0)]);
+    let zero = |config: &mut Config| config.set_up.machine_zero = BTreeMap::from([('X', 0.0)]);
     let run = run::<Xyz>(&set_up(zero), &wide.events());
     let fault = run.error();
     assert!(
@@ -304,9 +309,9 @@ fn an_arc_that_bulges_over_a_limit_is_refused_although_its_ends_are_inside() {
 #[test]
 fn an_arc_that_bulges_below_the_floor_is_refused() {
     let bowl = Wanted { normal: Vector3::y_axis(), from: 0.0, angle: TAU, ..up() };
-    let refused = run::<Xyz>(&set_up(|config| config.floor = Some(-10.9)), &bowl.events());
+    let refused = run::<Xyz>(&set_up(|config| config.motion.guards.floor = Some(-10.9)), &bowl.events());
     assert!(refused.error().text.contains("the tip goes to Z -11.0000"), "{:?}", refused.error());
-    assert_eq!(run::<Xyz>(&set_up(|config| config.floor = Some(-11.1)), &bowl.events()).diagnostics, []);
+    assert_eq!(run::<Xyz>(&set_up(|config| config.motion.guards.floor = Some(-11.1)), &bowl.events()).diagnostics, []);
 }
 
 fn unit() -> impl Strategy<Value = UnitVector3<f64>> {
@@ -359,7 +364,7 @@ fn within_tolerance<M: Machine>(wanted: &Wanted) -> Result<usize, TestCaseError>
     // Limits are none of these tests' business, nor is the stroke of the safe sequence.
     let free = |config: &mut Config| {
         for axis in M::AXES {
-            config.limits.insert(axis.letter, None);
+            config.set_up.limits.insert(axis.letter, None);
         }
     };
     let config = set_up(free);
@@ -370,8 +375,8 @@ fn within_tolerance<M: Machine>(wanted: &Wanted) -> Result<usize, TestCaseError>
     for form in [ArcForm::Radius, ArcForm::Centre] {
         let lines = set_up(|config| {
             free(config);
-            config.arcs.form = form;
-            config.arcs.output = if form == ArcForm::Radius { ArcOutput::Native } else { ArcOutput::Lines };
+            config.motion.arcs.form = form;
+            config.motion.arcs.output = if form == ArcForm::Radius { ArcOutput::Native } else { ArcOutput::Lines };
         });
         let (off, _, other) = posted::<M>(&lines, wanted).expect("posted as before");
         prop_assert!(off <= 0.0109, "{off} {form:?}: {wanted:?}");

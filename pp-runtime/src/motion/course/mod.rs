@@ -22,9 +22,10 @@ use std::collections::BTreeMap;
 
 use nalgebra::UnitVector3;
 
-use crate::config::{Config, Transition, Units};
+use super::options::{Policy, Transition};
 use crate::diag::Diagnostic;
 use crate::kinematics::{Branch, Machine, Pose};
+use crate::program::Units;
 use crate::program::{Event, Location};
 
 use super::expand::Expander;
@@ -140,18 +141,18 @@ impl From<Diagnostic> for Silent {
 impl<M: Machine> Navigator<M> {
     /// A navigator for one program.
     #[must_use]
-    pub fn new(machine: M, config: &Config) -> Self {
-        let placer = Placer::new(machine, config, Units::Millimetres);
+    pub fn new(machine: M, policy: Policy<'_>) -> Self {
+        let placer = Placer::new(machine, policy, Units::Millimetres);
         let way = |greedy| Seeker { search: Search::new(placer.metric, [0; 2], greedy), ended: false };
         Self {
             ways: [way(false), way(true)],
             placer,
-            expander: Expander::new(config),
-            safe: config.transition == Transition::Safe,
-            greedy: config.greedy,
-            prefer: config.prefer,
-            park: config.park.clone(),
-            start_branch: config.start_branch,
+            expander: Expander::new(policy),
+            safe: policy.options.rapids.transition == Transition::Safe,
+            greedy: policy.options.course.greedy,
+            prefer: policy.options.course.prefer,
+            park: policy.options.park.clone(),
+            start_branch: policy.options.course.start_branch,
             motion: 0,
             here: None,
             pole: None,

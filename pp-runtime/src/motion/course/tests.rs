@@ -5,6 +5,7 @@ use proptest::prelude::*;
 
 use super::super::machines::{Cb, Head};
 use super::*;
+use crate::config::Config;
 use crate::kinematics::Limits;
 use crate::program::{Feed, Move, ToolCall};
 
@@ -35,7 +36,7 @@ fn changes(mut course: Course) -> Vec<Change> {
 }
 
 fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
-    let mut navigator = Navigator::new(config.machine::<M>().expect("valid"), config);
+    let mut navigator = Navigator::new(config.set_up.machine::<M>().expect("valid"), config.policy());
     navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
     for point in points {
         let feed = Some(Feed::PerMinute(100.0));
@@ -47,9 +48,9 @@ fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
 #[test]
 fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
     let mut config = Config::default();
-    config.limits.insert('C', limits(-190.0, 190.0));
-    config.park.insert('C', 0.0);
-    let mut navigator = Navigator::new(config.machine::<Cb>().expect("valid"), &config);
+    config.set_up.limits.insert('C', limits(-190.0, 190.0));
+    config.motion.park.insert('C', 0.0);
+    let mut navigator = Navigator::new(config.set_up.machine::<Cb>().expect("valid"), config.policy());
     navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
     for event in [Some(170.0), None, Some(-172.0)] {
         let pose = |turn| Pose { tip: Point3::origin(), axis: axis(turn, 30.0) };
@@ -116,7 +117,7 @@ impl<M: Machine> Everything<'_, M> {
 }
 
 fn everything<M: Machine>(config: &Config, points: &[Point]) -> Option<Cost> {
-    let placer = Placer::<M>::new(config.machine::<M>().expect("valid"), config, Units::Millimetres);
+    let placer = Placer::<M>::new(config.set_up.machine::<M>().expect("valid"), config.policy(), Units::Millimetres);
     let layers = points
         .iter()
         .map(|point| {
@@ -166,11 +167,11 @@ proptest! {
     ) {
         let mut config = Config::default();
         let (a, b) = if head { ('B', 'A') } else { ('C', 'B') };
-        config.limits.insert(a, limits(first.0, first.0 + first.1));
-        config.limits.insert(b, limits(second.0, second.0 + second.1));
+        config.set_up.limits.insert(a, limits(first.0, first.0 + first.1));
+        config.set_up.limits.insert(b, limits(second.0, second.0 + second.1));
         if let Some((one, other)) = speeds {
-            config.speeds.insert(a, one);
-            config.speeds.insert(b, other);
+            config.set_up.speeds.insert(a, one);
+            config.set_up.speeds.insert(b, other);
         }
         let points = path(start, &steps);
         if head { agree::<Head>(&config, &points)? } else { agree::<Cb>(&config, &points)? }
@@ -180,7 +181,7 @@ proptest! {
 #[test]
 fn a_limit_on_the_way_of_a_single_block_is_met_by_a_rewind_at_the_limit() {
     let mut config = Config::default();
-    config.limits.insert('C', limits(-180.0, 180.0));
+    config.set_up.limits.insert('C', limits(-180.0, 180.0));
     // From 170 to 190 degrees: at each end there is one turn only.
     let course = course::<Cb>(&config, &path((170.0, 30.0), &[(20.0, 0.0, false)]));
     assert_eq!(course.cost.rewinds, 1);
@@ -194,7 +195,7 @@ fn a_limit_on_the_way_of_a_single_block_is_met_by_a_rewind_at_the_limit() {
 #[test]
 fn of_equal_courses_the_first_branch_is_taken_and_the_turn_nearest_to_zero() {
     let mut config = Config::default();
-    config.limits.insert('B', limits(-110.0, 110.0));
+    config.set_up.limits.insert('B', limits(-110.0, 110.0));
     // C 90 B 30 or C -90 B -30: the same travel.
     let course = course::<Cb>(&config, &path((90.0, 30.0), &[]));
     assert_eq!(changes(course), [Change { motion: 0, how: How::Take, words: [900_000, 300_000] }]);
@@ -202,8 +203,9 @@ fn of_equal_courses_the_first_branch_is_taken_and_the_turn_nearest_to_zero() {
 
 #[test]
 fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
-    let mut config = Config { prefer: Some(('B', false)), ..Config::default() };
-    config.limits.insert('B', limits(-50.0, 110.0));
+    let mut config = Config::default();
+    config.motion.course.prefer = Some(('B', false));
+    config.set_up.limits.insert('B', limits(-50.0, 110.0));
     let begins = |config: &Config, steps: &[(f64, f64, bool)]| {
         let course = course::<Cb>(config, &path((20.0, 30.0), steps));
         changes(course).first().map(|change| change.words[1])
@@ -211,14 +213,16 @@ fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
     assert_eq!(begins(&config, &[]), Some(-300_000));
     // Tilted on, B- would run into its limit.
     assert_eq!(begins(&config, &[(0.0, 40.0, false)]), None);
-    let second = Config { start_branch: Some(Branch::Second), prefer: None, ..config };
+    let mut second = config;
+    second.motion.course.start_branch = Some(Branch::Second);
+    second.motion.course.prefer = None;
     assert_eq!(begins(&second, &[]), Some(-300_000));
 }
 
 #[test]
 fn a_hundred_thousand_motions_leave_nothing_behind_but_changes() {
     let mut config = Config::default();
-    config.limits.insert('B', limits(-110.0, 110.0));
+    config.set_up.limits.insert('B', limits(-110.0, 110.0));
     let points: Vec<Point> = (0..100_000).map(|step| path((f64::from(step) * 0.3, 30.0), &[])[0]).collect();
     let course = course::<Cb>(&config, &points);
     assert_eq!(course.cost.rewinds, 0);
@@ -229,19 +233,19 @@ fn a_hundred_thousand_motions_leave_nothing_behind_but_changes() {
 fn a_spiral_goes_on_where_an_axis_has_more_turns_than_are_looked_at() {
     let mut config = Config::default();
     let spiral: Vec<Point> = (0..=40 * 36).map(|step| path((f64::from(step) * 10.0, 30.0), &[])[0]).collect();
-    config.limits.insert('C', limits(-99_999.0, 99_999.0));
+    config.set_up.limits.insert('C', limits(-99_999.0, 99_999.0));
     assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 0);
     // From end to end, and not a turn more.
-    config.limits.insert('C', limits(-7200.0, 7200.0));
+    config.set_up.limits.insert('C', limits(-7200.0, 7200.0));
     assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 0);
-    config.limits.insert('C', limits(-7200.0, 7199.0));
+    config.set_up.limits.insert('C', limits(-7200.0, 7199.0));
     assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 1);
 }
 
 #[test]
 fn a_cut_runs_through_however_near_it_passes_the_pole() {
     let mut config = Config::default();
-    config.limits.insert('B', limits(-110.0, 110.0));
+    config.set_up.limits.insert('B', limits(-110.0, 110.0));
     for beside in [1.1e-6, 2e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
         let pose = |tilt: f64| {
             let axis = UnitVector3::new_normalize(Vector3::new(tilt.sin(), beside, tilt.cos()));

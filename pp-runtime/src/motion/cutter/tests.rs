@@ -3,18 +3,19 @@
 use super::super::machines::{Cb, Mirrored, Xyz};
 use super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use super::*;
-use crate::config::Units;
-use crate::config::{Config, Tool};
+use crate::config::Config;
 use crate::control::{Control, Encoder, Haas, Heidenhain, Layout, Siemens};
+use crate::program::Units;
 use crate::program::{Arc, Feed};
+use crate::set_up::GivenTool;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn set_up(path: Option<CutterPath>) -> Config {
     let mut config = config();
-    config.tools.insert(1, Tool { length: Some(100.0), diameter: Some(10.0), ..Tool::default() });
-    config.retract.distance = Some(20.0);
-    config.compensation = path;
+    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), diameter: Some(10.0), ..GivenTool::default() });
+    config.motion.retract.distance = Some(20.0);
+    config.motion.compensation = path;
     config
 }
 
@@ -59,7 +60,7 @@ fn cuts(run: &Run) -> Vec<String> {
 }
 
 fn posted(control: &dyn Control, config: &Config, events: &[Event<'_>]) -> Vec<String> {
-    let layout = Layout::new::<Xyz>(config, Units::Millimetres, b"");
+    let layout = Layout::new::<Xyz>(config.demands(), Units::Millimetres, b"");
     let mut out = Vec::new();
     let mut encoder = Encoder::new(control, &layout, &mut out);
     let (diagnostics, _) = plan::<Xyz>(control, config, events, &mut encoder);
@@ -103,7 +104,7 @@ fn each_control_has_its_words_and_its_register() {
         ends[ends.len() - 7..ends.len() - 2],
         ["L Y+0 RR", "L X+30", "CC X+30 Y+10", "C X+40 Y+10 DR+", "L Y+30 R0"]
     );
-    config.tools.get_mut(&1).expect("the tool").radius_offset = Some(31);
+    config.set_up.tools.get_mut(&1).expect("the tool").radius_offset = Some(31);
     assert!(posted(&Haas, &config, &contour(CutterSide::Left)).iter().any(|line| line == "G41 D31 Y0."));
     let (found, _) = plan::<Xyz>(&Heidenhain, &config, &contour(CutterSide::Left), &mut super::super::Nowhere);
     assert!(found[0].text.contains("register 31"), "{found:?}");
@@ -189,7 +190,7 @@ fn what_a_control_cannot_look_ahead_over_is_refused() {
 #[test]
 fn an_arc_that_would_be_chords_is_refused() {
     let mut config = set_up(Some(CutterPath::Centre));
-    config.arcs.output = crate::config::ArcOutput::Lines;
+    config.motion.arcs.output = crate::motion::ArcOutput::Lines;
     assert!(run::<Xyz>(&config, &contour(CutterSide::Left)).error().text.contains("would be chords"));
 }
 
@@ -206,7 +207,7 @@ fn compensation_wants_the_plane_of_x_and_y_and_no_tip_control() {
     let other = Event::Compensation(Compensation { side: CutterSide::Left, register: None, xy: false });
     assert!(refused(&from_below(&[other])).contains("plane of X and Y only"));
     let mut config = set_up(Some(CutterPath::Centre));
-    config.mode = Mode::Tcp;
+    config.motion.mode = Mode::Tcp;
     assert!(run::<Xyz>(&config, &contour(CutterSide::Left)).error().text.contains("under tip control"));
 }
 

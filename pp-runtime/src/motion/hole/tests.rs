@@ -5,18 +5,19 @@ use proptest::prelude::*;
 use super::super::machines::{Cb, Head, Xyz};
 use super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use super::*;
-use crate::config::{Config, Tool};
+use crate::config::Config;
 use crate::control::{CONTROLS, Control, Heidenhain, Siemens};
 use crate::diag::Severity;
 use crate::program::Event;
+use crate::set_up::GivenTool;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn set_up(output: CycleOutput) -> Config {
     let mut config = config();
-    config.tools.insert(1, Tool { length: Some(100.0), ..Tool::default() });
-    config.retract.distance = Some(20.0);
-    config.cycles.output = output;
+    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
+    config.motion.retract.distance = Some(20.0);
+    config.motion.cycles.output = output;
     config
 }
 
@@ -316,7 +317,7 @@ fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec
         }
     }
     let config = set_up(output);
-    let returns = crate::control::abilities(control, &config).cycles.own_return;
+    let returns = crate::control::abilities(control, config.demands()).cycles.own_return;
     let mut steps = Steps(Way::default(), returns);
     let (diagnostics, _) = plan::<Xyz>(control, &config, events, &mut steps);
     assert!(diagnostics.iter().all(|found| found.severity == Severity::Warning), "{diagnostics:?}");
@@ -423,7 +424,7 @@ proptest! {
         start in prop::array::uniform3(-4_i32..8),
     ) {
         for control in CONTROLS {
-            let told = crate::control::abilities(*control, &set_up(CycleOutput::Native)).cycles.states_gap;
+            let told = crate::control::abilities(*control, set_up(CycleOutput::Native).demands()).cycles.states_gap;
             let holes: Vec<Event<'static>> = holes.iter().map(|(event, drilling)| match *event {
                 Event::Hole(hole) if told => Event::Hole(Hole { drilling: *drilling, ..hole }),
                 event => event,

@@ -11,7 +11,9 @@ fn a_spiral_of_twenty_turns_counts_past_360_without_a_jump() {
         let (sin, cos) = angle.to_radians().sin_cos();
         events.push(feed([30.0 * cos, 30.0 * sin, -f64::from(step) / 300.0], cb(angle, 60.0)));
     }
-    let lines = lines::<Cb>(&Config { tolerance: 1.0, ..config() }, &events);
+    let mut config = config();
+    config.motion.tolerance = 1.0;
+    let lines = lines::<Cb>(&config, &events);
     let turns: Vec<f64> = lines
         .iter()
         .filter(|line| !line.starts_with('('))
@@ -67,7 +69,9 @@ fn rounding_near_the_vertical_does_not_turn_the_table() {
 fn a_motion_that_turns_an_axis_far_becomes_blocks_within_tolerance() {
     let turned = |to: f64, tolerance: f64| {
         let events = [tool(1), spindle(), feed([40.0, 0.0, 0.0], cb(0.0, 30.0)), feed([10.0, 40.0, 0.0], cb(to, 30.0))];
-        run::<Cb>(&Config { tolerance, ..config() }, &events)
+        let mut config = config();
+        config.motion.tolerance = tolerance;
+        run::<Cb>(&config, &events)
     };
     let far = turned(60.0, 0.01);
     assert_eq!(far.diagnostics, []);
@@ -107,7 +111,8 @@ fn what_cannot_be_certified_is_an_error_with_its_reason() {
     assert!(line == 4 && opposite.contains("turns by 180° in one motion"), "{opposite}");
     let (_, limit) = error(&config(), cb(0.0, 105.0), cb(120.0, 105.0));
     assert!(limit.contains("on the way from the point before") && limit.contains("limits -5"), "{limit}");
-    let fine = Config { tolerance: 0.0005, ..config() };
+    let mut fine = config();
+    fine.motion.tolerance = 0.0005;
     let (_, coarse) = error(&fine, cb(0.0, 30.0), cb(90.0, 30.0));
     assert!(coarse.contains("too coarse for a tolerance of 0.0005 mm"), "{coarse}");
 }
@@ -123,7 +128,7 @@ crate::machine! {
 fn an_axis_out_of_reach_between_two_points_is_an_error() {
     let events = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(180.0, 50.0))];
     let mut config = config();
-    config.retract.distance = Some(20.0);
+    config.motion.retract.distance = Some(20.0);
     let run = run::<Leaning>(&config, &events);
     assert_eq!(run.error().location.line, 4);
     assert!(run.error().text.starts_with("on the way from the point before: "), "{}", run.error().text);
@@ -156,7 +161,7 @@ fn a_rotary_limit_is_named_with_value_and_line() {
 #[test]
 fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
     let mut config = config();
-    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
+    config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
     let at = |angle: f64, feed: bool| {
         let pose = pose([10.0, 0.0, 0.0], cb(angle, 30.0));
         Event::Move(Move { pose, rapid: !feed, feed: Some(Feed::PerMinute(100.0)) })
@@ -165,19 +170,19 @@ fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
     assert!(cut.error().text.contains("have to be rewound"), "{:?}", cut.error());
     assert_eq!(run::<Cb>(&config, &events(at(186.0, false))).diagnostics, []);
-    config.retract.distance = Some(20.0);
+    config.motion.retract.distance = Some(20.0);
     let cut = run::<Cb>(&config, &events(at(186.0, true)));
     assert_eq!(cut.statistics.rewinds, 1);
     assert!(cut.diagnostics[0].text.contains("unavoidable within C -183.3465° to 183.3465°"), "{:?}", cut.diagnostics);
     // Begun a whole turn lower there would be no need.
-    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.5, upper: 3.2 }));
+    config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.5, upper: 3.2 }));
     assert_eq!(run::<Cb>(&config, &events(at(186.0, true))).diagnostics, []);
 }
 
 #[test]
 fn a_rewind_never_begins_by_going_down_to_the_clearance() {
     let mut config = config();
-    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
+    config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
     let plane = Plane { normal: Vector3::z_axis(), distance: 30.0 };
     let mut events = vec![tool(1), spindle(), Event::ClearancePlane(plane)];
     events.extend([170.0, 183.0, 186.0].map(|angle| feed([10.0, 0.0, 60.0], cb(angle, 30.0))));
@@ -191,9 +196,9 @@ fn a_rewind_never_begins_by_going_down_to_the_clearance() {
 #[test]
 fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
     let mut config = config();
-    config.wrap.insert('C', Wrap::Positive);
-    config.limits.insert('B', Some(crate::kinematics::Limits { lower: 0.0, upper: 2.0 }));
-    config.retract.distance = Some(20.0);
+    config.motion.rotaries.wrap.insert('C', Wrap::Positive);
+    config.set_up.limits.insert('B', Some(crate::kinematics::Limits { lower: 0.0, upper: 2.0 }));
+    config.motion.retract.distance = Some(20.0);
     let events = [
         tool(1),
         spindle(),
@@ -213,7 +218,7 @@ fn only_the_rapid_that_turns_an_axis_is_cut_into_short_ways() {
 #[test]
 fn the_table_turns_for_a_cut_from_the_pole_where_the_operation_begins() {
     let mut config = config();
-    config.retract.distance = Some(20.0);
+    config.motion.retract.distance = Some(20.0);
     let events = [
         tool(1),
         spindle(),
@@ -231,7 +236,7 @@ fn the_table_turns_for_a_cut_from_the_pole_where_the_operation_begins() {
 #[test]
 fn a_free_axis_stands_inside_limits_that_exclude_zero() {
     let mut config = config();
-    config.limits.insert('C', Some(crate::kinematics::Limits { lower: 0.5, upper: 6.0 }));
+    config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: 0.5, upper: 6.0 }));
     let lines = lines::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP), feed([10.0, 0.0, 0.0], UP)]);
     assert!(lines.contains(&"G0 B0 C28.6479".to_owned()), "{lines:?}");
 }
@@ -239,8 +244,8 @@ fn a_free_axis_stands_inside_limits_that_exclude_zero() {
 #[test]
 fn first_and_second_pass_count_from_the_same_place() {
     let mut config = config();
-    config.limits.insert('B', Some(crate::kinematics::Limits { lower: -1.2, upper: 1.8 }));
-    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -5.2, upper: 5.2 }));
+    config.set_up.limits.insert('B', Some(crate::kinematics::Limits { lower: -1.2, upper: 1.8 }));
+    config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -5.2, upper: 5.2 }));
     let events = [
         Event::From(pose([0.0, 0.0, 100.0], cb(100.0, 20.0))),
         // Not written, for there is no tool; the table keeps its value at the pole.
@@ -259,13 +264,13 @@ fn first_and_second_pass_count_from_the_same_place() {
 #[test]
 fn on_request_a_rewind_leaves_the_tip_in_place() {
     let mut config = config();
-    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
-    config.retract.rewind = crate::config::Rewind::Follow;
+    config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
+    config.motion.retract.rewind = crate::motion::Rewind::Follow;
     let at = |angle: f64| feed([10.0, 0.0, 0.0], cb(angle, 30.0));
     let run = run::<Cb>(&config, &[tool(1), spindle(), at(170.0), at(183.0), at(186.0)]);
     assert_eq!(run.statistics.rewinds, 1);
     assert!(run.diagnostics.len() == 1 && run.diagnostics[0].text.contains("swings about it"), "{:?}", run.diagnostics);
-    let machine = config.machine::<Cb>().expect("valid");
+    let machine = config.set_up.machine::<Cb>().expect("valid");
     let mut axes = [0.0; 5];
     let mut turned = 0.0_f64;
     for line in run.lines.iter().skip_while(|line| !line.starts_with("G93")).take_while(|line| *line != "G94") {
@@ -300,7 +305,7 @@ fn an_operation_begins_in_the_branch_and_turn_that_last() {
     // 160 to 320 degrees do not fit below 200: begin at -200.
     let mut limited = config();
     let limit = 200_f64.to_radians();
-    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
+    limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
     let turning: Vec<_> = (0..=80).map(|step| cb(160.0 + 2.0 * f64::from(step), 30.0)).collect();
     assert_eq!(rotaries(&limited, &turning), "G0 B30 C-200");
     assert_eq!(rotaries(&limited, &turning[..10]), "G0 B30 C160");
@@ -324,7 +329,7 @@ fn a_branch_is_changed_at_the_vertical_only() {
     // Beside the vertical nothing helps.
     let mut limited = config();
     let limit = |angle: f64| angle.to_radians();
-    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: limit(-60.0), upper: limit(60.0) }));
+    limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: limit(-60.0), upper: limit(60.0) }));
     let past = [cb(-50.0, 20.0), cb(-70.0, 20.0)].map(|axis| feed([0.0; 3], axis));
     let past = run::<Cb>(&limited, &[tool(1), spindle(), past[0], past[1]]);
     assert!(past.error().text.contains("C would have to turn to -70°"), "{:?}", past.error());
@@ -340,7 +345,7 @@ fn the_table_turns_where_the_tool_passes_the_vertical_between_two_points() {
         feed([20.0, 0.0, 0.0], cb(0.0, -20.0)),
     ];
     let mut config = config();
-    config.index_angle = 360_f64.to_radians();
+    config.motion.rapids.index_angle = 360_f64.to_radians();
     let run = run::<Cb>(&config, &events);
     assert_eq!(run.diagnostics, [], "{}", run.text());
     let end = turns_alone('C', 'B', "C180", &run.lines);
@@ -351,7 +356,7 @@ fn the_table_turns_where_the_tool_passes_the_vertical_between_two_points() {
 #[test]
 fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
     let mut config = config();
-    config.limits.insert('B', Some(Limits { lower: -0.1, upper: 1.9 }));
+    config.set_up.limits.insert('B', Some(Limits { lower: -0.1, upper: 1.9 }));
     let events = [
         tool(1),
         spindle(),
@@ -368,7 +373,7 @@ fn a_rotary_that_is_free_at_the_start_turns_before_the_cut_and_not_in_it() {
 #[test]
 fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     let mut config = config();
-    config.grid.insert('C', 5_f64.to_radians());
+    config.motion.rotaries.grid.insert('C', 5_f64.to_radians());
     let with = |config: &Config, axes: &[[f64; 3]]| {
         let mut events = vec![tool(1), spindle()];
         events.extend(axes.iter().map(|&axis| feed([0.0; 3], axis)));
@@ -383,14 +388,14 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     assert!(between.error().text.contains("36°, between the steps of 5°"), "{:?}", between.error());
     let turning = with(&config, &[cb(35.0, 30.0), cb(40.0, 30.0)]);
     assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
-    config.axis_tolerance = 1_f64.to_radians();
+    config.motion.course.axis_tolerance = 1_f64.to_radians();
     assert_eq!(with(&config, &[cb(36.0, 30.0)]).diagnostics, []);
 }
 
 #[test]
 fn an_indexed_axis_stays_where_it_is_while_another_turns() {
     let mut config = config();
-    config.grid.insert('B', 5_f64.to_radians());
+    config.motion.rotaries.grid.insert('B', 5_f64.to_radians());
     let around = |by: f64| {
         let mut events = vec![tool(1), spindle()];
         events.extend((0..=6).map(|step| feed([100.0, 0.0, 0.0], cb(by * f64::from(step), 30.0))));
@@ -407,7 +412,7 @@ fn an_indexed_axis_stays_where_it_is_while_another_turns() {
 #[test]
 fn an_axis_tolerance_at_the_pole_is_none_of_the_path() {
     let mut config = config();
-    config.axis_tolerance = 0.5_f64.to_radians();
+    config.motion.course.axis_tolerance = 0.5_f64.to_radians();
     let beside = 0.4_f64.to_radians();
     let across = |tilt: f64| [tilt.to_radians().sin(), beside, tilt.to_radians().cos()];
     let mut events = vec![tool(1), spindle()];
@@ -421,8 +426,8 @@ fn an_axis_tolerance_at_the_pole_is_none_of_the_path() {
 #[test]
 fn a_spiral_of_forty_turns_is_written_within_a_turn() {
     let mut config = config();
-    config.wrap.insert('A', Wrap::Positive);
-    config.park.insert('A', 0.0);
+    config.motion.rotaries.wrap.insert('A', Wrap::Positive);
+    config.motion.park.insert('A', 0.0);
     let axis = |degrees: f64| {
         let angle = degrees.to_radians();
         [0.0, -angle.sin(), angle.cos()]
@@ -465,9 +470,9 @@ fn the_table_turns_the_way_that_rotabl_asks_for() {
     assert_eq!(rotaries(&config(), Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
     // Where the axis is limited, the sense leads to a state inside, or nowhere.
     let mut limited = config();
-    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -6.0, upper: 1.0 }));
+    limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -6.0, upper: 1.0 }));
     assert_eq!(rotaries(&limited, Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
-    limited.limits.insert('C', Some(crate::kinematics::Limits { lower: -1.0, upper: 1.0 }));
+    limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -1.0, upper: 1.0 }));
     let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], cb(40.0, 30.0)));
     assert!(run::<Cb>(&limited, &events).error().text.contains("leads out of the limits"));
     let events = after(Turning::Next(Rotation::CounterClockwise), feed([0.0; 3], cb(40.0, 30.0)));

@@ -18,9 +18,9 @@ fn two_tools_go_through_every_step_of_the_safe_sequence_one_block_each() {
         feed([20.0, 0.0, 0.0], cb(90.0, 30.0)),
     ];
     let mut config = config();
-    config.spindle_dwell = 2.0;
-    config.park.insert('C', 0.0);
-    config.retract.distance = Some(20.0);
+    config.motion.spindle_dwell = 2.0;
+    config.motion.park.insert('C', 0.0);
+    config.motion.retract.distance = Some(20.0);
     assert_eq!(
         lines::<Cb>(&config, &events),
         [
@@ -153,7 +153,7 @@ fn a_stop_retracts_first_and_starts_with_every_word_again() {
 #[test]
 fn without_stop_retract_the_stop_stands_alone() {
     let mut config = config();
-    config.stop_retract = false;
+    config.motion.stop_retract = false;
     let events = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), Event::Stop, feed([0.0, 0.0, 0.0], UP)];
     let lines = lines::<Xyz>(&config, &events);
     let stop = lines.iter().position(|line| line == "M0").expect("a stop");
@@ -202,14 +202,14 @@ fn a_rapid_that_turns_less_than_the_index_angle_is_one_block() {
     assert_eq!(run::<Cb>(&config(), &events(1.0)).statistics.sequences, 1);
     assert_eq!(run::<Cb>(&config(), &events(1.001)).statistics.sequences, 2);
     let mut direct = config();
-    direct.transition = Transition::Direct;
+    direct.motion.rapids.transition = Transition::Direct;
     assert_eq!(run::<Cb>(&direct, &events(90.0)).statistics.sequences, 1);
 }
 
 #[test]
 fn a_direct_transition_goes_on_where_the_operation_ended_but_never_over_a_tool_change() {
     let mut direct = config();
-    direct.transition = Transition::Direct;
+    direct.motion.rapids.transition = Transition::Direct;
     let events = [
         tool(1),
         spindle(),
@@ -261,7 +261,7 @@ fn a_head_needs_a_way_out_along_the_tool() {
 #[test]
 fn a_retreat_of_the_cl_data_as_long_as_the_distance_is_not_repeated() {
     let mut config = config();
-    config.retract.distance = Some(20.0);
+    config.motion.retract.distance = Some(20.0);
     let events = |height| [tool(1), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, height], UP)];
     let long = lines::<Xyz>(&config, &events(20.0));
     assert_eq!(long[long.len() - 3..], ["Z20", "G53 G0 Z0", "M5"]);
@@ -290,7 +290,7 @@ fn blocks_of_the_sequence_lie_on_the_tool_axis_within_one_unit() {
     let config = with_lengths(Some(33.0));
     let events = [tool(1), spindle(), feed([7.0, 8.0, -9.0], axis), feed([8.0, 8.0, -9.0], axis)];
     let lines = lines::<Head>(&config, &events);
-    let mut machine = config.machine::<Head>().expect("valid");
+    let mut machine = config.set_up.machine::<Head>().expect("valid");
     machine.set_up(Vector3::zeros(), 100.0);
     let mut axes = Head::HELD;
     let mut tips = Vec::new();
@@ -319,19 +319,19 @@ fn blocks_of_the_sequence_lie_on_the_tool_axis_within_one_unit() {
 #[test]
 fn points_of_the_sequence_keep_the_limits_too() {
     let mut config = with_lengths(Some(500.0));
-    config.machine_zero.insert('Z', -300.0);
+    config.set_up.machine_zero.insert('Z', -300.0);
     let up = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
     assert!(
         up.error().text.contains("`retract.distance` = 500 mm: Z would have to go to 300.000 mm"),
         "{:?}",
         up.error()
     );
-    config.retract.distance = None;
-    config.retract.position = 1.0;
+    config.motion.retract.distance = None;
+    config.motion.retract.position = Some(1.0);
     let above = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
     assert!(above.error().text.contains("machine coordinate 1.000 mm"), "{:?}", above.error());
-    config.retract.position = 0.0;
-    config.park.insert('B', 2.0);
+    config.motion.retract.position = Some(0.0);
+    config.motion.park.insert('B', 2.0);
     let parked = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
     assert!(parked.error().text.contains("B would have to turn to 114.5916°"), "{:?}", parked.error());
 }
@@ -340,7 +340,7 @@ fn points_of_the_sequence_keep_the_limits_too() {
 fn axes_park_one_after_the_other_with_the_retract_axis_last() {
     let mut config = config();
     for (letter, value) in [('B', 0.0), ('X', -100.0), ('Y', 200.0), ('Z', -5.0)] {
-        config.park.insert(letter, value);
+        config.motion.park.insert(letter, value);
     }
     let lines = lines::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], cb(0.0, 20.0))]);
     assert_eq!(lines[lines.len() - 5..], ["G53 G0 Z0", "M5", "G0 B0", "G53 G0 X-100 Y200", "G53 G0 Z-5"]);
@@ -351,12 +351,12 @@ fn without_stop_retract_a_head_leaves_the_part_along_the_tool_all_the_same() {
     let tilted = [1.0, 0.0, 1.0];
     let events = [tool(1), spindle(), feed([0.0; 3], tilted), Event::Stop, feed([9.0, 0.0, 0.0], tilted)];
     let mut config = with_lengths(Some(20.0));
-    config.stop_retract = false;
+    config.motion.stop_retract = false;
     let lines = lines::<Head>(&config, &events);
     let stop = lines.iter().position(|line| line == "M0").expect("a stop");
     assert!(lines[stop - 2].starts_with("G1 ") && lines[stop - 1].starts_with("G0 X"), "{lines:#?}");
 
-    config.retract.distance = None;
+    config.motion.retract.distance = None;
     let run = run::<Head>(&config, &events);
     assert_eq!(run.error().location.line, 4, "{}", run.text());
     assert!(!run.text().contains("M0"), "{}", run.text());
@@ -365,21 +365,21 @@ fn without_stop_retract_a_head_leaves_the_part_along_the_tool_all_the_same() {
 #[test]
 fn a_retract_position_at_the_part_end_of_the_travel_is_refused() {
     let mut config = config();
-    config.limits.insert('Z', Some(crate::kinematics::Limits { lower: 0.0, upper: 500.0 }));
+    config.set_up.limits.insert('Z', Some(crate::kinematics::Limits { lower: 0.0, upper: 500.0 }));
     let events = [tool(1), spindle(), feed([0.0; 3], UP)];
     let run = run::<Xyz>(&config, &events);
     assert_eq!(
         run.error().text,
         "the retract position Z = 0 mm (machine coordinate) is the end of the travel at the part"
     );
-    config.retract.position = 500.0;
+    config.motion.retract.position = Some(500.0);
     lines::<Xyz>(&config, &events);
 }
 
 #[test]
 fn the_spindle_stops_behind_the_way_out_and_only_once() {
     let mut config = config();
-    config.retract.distance = Some(20.0);
+    config.motion.retract.distance = Some(20.0);
     let cut = [tool(1), spindle(), feed([0.0, 0.0, 0.0], UP), feed([5.0, 0.0, 0.0], UP), Event::Spindle(Spindle::Off)];
     let end = |events: &[Event<'_>]| {
         let lines = lines::<Xyz>(&config, events);
@@ -398,7 +398,7 @@ fn gohome_retracts_and_parks_or_is_refused() {
     let events = [tool(1), spindle(), feed([0.0; 3], UP), Event::Home, feed([1.0, 0.0, 0.0], UP)];
     assert!(run::<Cb>(&config(), &events).error().text.contains("neither `park` nor `retract.position`"));
     let mut config = config();
-    config.park.insert('B', 0.5);
+    config.motion.park.insert('B', 0.5);
     let lines = lines::<Cb>(&config, &events);
     let home = lines.iter().position(|line| line == "G0 B28.6479").expect("parked");
     assert_eq!(lines[home - 1], "G53 G0 Z0");
@@ -409,8 +409,8 @@ fn gohome_retracts_and_parks_or_is_refused() {
 fn the_first_turn_behind_gohome_counts_from_where_the_axes_were_parked() {
     let turned = |wrap: Option<Wrap>, before: f64, behind: f64| -> Vec<String> {
         let mut config = config();
-        config.park.insert('C', 0.0);
-        config.wrap.extend(wrap.map(|wrap| ('C', wrap)));
+        config.motion.park.insert('C', 0.0);
+        config.motion.rotaries.wrap.extend(wrap.map(|wrap| ('C', wrap)));
         let point = |c: f64| feed([10.0, 0.0, 60.0], cb(c, 30.0));
         let lines = lines::<Cb>(&config, &[tool(1), spindle(), point(before), Event::Home, point(behind)]);
         let words = lines.iter().flat_map(|line| line.split(' ')).filter(|word| word.starts_with('C'));
@@ -427,7 +427,7 @@ fn the_first_turn_behind_gohome_counts_from_where_the_axes_were_parked() {
 #[test]
 fn from_behind_gohome_does_not_move_what_has_been_parked() {
     let mut config = config();
-    config.park.insert('C', 0.0);
+    config.motion.park.insert('C', 0.0);
     let from = Event::From(pose([0.0; 3], cb(170.0, 30.0)));
     let events = [tool(1), Event::Home, from, spindle(), feed([10.0, 0.0, 60.0], cb(-170.0, 30.0))];
     let lines = lines::<Cb>(&config, &events);
@@ -436,7 +436,10 @@ fn from_behind_gohome_does_not_move_what_has_been_parked() {
 
 #[test]
 fn a_rapid_that_indexes_is_not_written_as_a_feed_motion() {
-    let config = Config { rapid: Rapid::Feed, rapid_feed: Some(9000.0), transition: Transition::Direct, ..config() };
+    let mut config = config();
+    config.motion.rapids.rapid = Rapid::Feed;
+    config.motion.rapids.rapid_feed = Some(9000.0);
+    config.motion.rapids.transition = Transition::Direct;
     let tilted = cb(200.0, 100.0);
     let events = [
         tool(1),
@@ -456,7 +459,9 @@ fn a_rapid_that_indexes_is_not_written_as_a_feed_motion() {
 #[test]
 fn a_rapid_is_written_as_the_configuration_wants_it() {
     let blocks = |rapid_mode: Rapid, to: [f64; 3]| {
-        let config = Config { rapid: rapid_mode, rapid_feed: Some(9000.0), ..config() };
+        let mut config = config();
+        config.motion.rapids.rapid = rapid_mode;
+        config.motion.rapids.rapid_feed = Some(9000.0);
         let events = [tool(1), spindle(), feed([0.0; 3], UP), rapid(to, UP), feed([20.0, 0.0, -3.0], UP)];
         let lines = lines::<Cb>(&config, &events);
         let from = lines.iter().position(|line| line.starts_with("G1 Z0")).expect("the first point");

@@ -13,7 +13,7 @@ fn a_head_does_not_post_without_the_length_of_the_tool() {
 #[test]
 fn a_head_refuses_two_lengths_and_a_table_only_warns() {
     let mut config = config();
-    config.tools.insert(1, Tool { length: Some(100.0), ..Tool::default() });
+    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
     let call = |length| Event::Tool(ToolCall { number: 1, length: Some(length), ..ToolCall::default() });
     let events = |length| [call(length), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, 60.0], UP)];
     assert!(run::<Head>(&config, &events(100.02)).error().text.contains("100 mm long"));
@@ -56,9 +56,9 @@ fn the_speed_of_one_tool_is_not_that_of_the_next() {
 #[test]
 fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none() {
     let mut config = config();
-    config.defaults.speed = Some(1000.0);
-    config.defaults.rotation = Some(Rotation::Clockwise);
-    config.tools.insert(1, Tool { speed: Some(2000.0), ..Tool::default() });
+    config.motion.defaults.speed = Some(1000.0);
+    config.motion.defaults.rotation = Some(Rotation::Clockwise);
+    config.set_up.tools.insert(1, GivenTool { speed: Some(2000.0), ..GivenTool::default() });
     let text = run::<Xyz>(&config, &[tool(1), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)]).text();
     assert!(text.contains("S2000 M3") && text.contains("S1000 M3"), "{text}");
 }
@@ -66,7 +66,7 @@ fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none(
 #[test]
 fn spindle_speeds_that_make_no_sense_are_refused() {
     let mut config = config();
-    config.spindle_max = Some(8000.0);
+    config.motion.guards.spindle_max = Some(8000.0);
     let text = |config: &Config, speed, rotation| {
         let on = Event::Spindle(Spindle::On { speed: Some(speed), rotation: Some(rotation) });
         run::<Xyz>(config, &[tool(1), on, feed([0.0; 3], UP)]).diagnostics.first().map(|found| found.text.clone())
@@ -74,7 +74,7 @@ fn spindle_speeds_that_make_no_sense_are_refused() {
     assert_eq!(text(&config, 8000.0, Rotation::Clockwise), None);
     assert!(text(&config, 8000.1, Rotation::Clockwise).is_some_and(|text| text.contains("spindle_max")));
     assert!(text(&config, 0.4, Rotation::Clockwise).is_some_and(|text| text.contains("S0")));
-    config.tools.insert(1, Tool { left_handed: true, ..Tool::default() });
+    config.set_up.tools.insert(1, GivenTool { left_handed: true, ..GivenTool::default() });
     assert!(text(&config, 100.0, Rotation::Clockwise).is_some_and(|text| text.contains("counter-clockwise")));
     assert_eq!(text(&config, 100.0, Rotation::CounterClockwise), None);
 }
@@ -82,7 +82,7 @@ fn spindle_speeds_that_make_no_sense_are_refused() {
 #[test]
 fn the_floor_is_the_lowest_tip() {
     let mut config = config();
-    config.floor = Some(-5.0);
+    config.motion.guards.floor = Some(-5.0);
     let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
     assert_eq!(run::<Xyz>(&config, &events(-5.0)).diagnostics, []);
     assert!(run::<Xyz>(&config, &events(-5.01)).error().text.contains("floor"));
@@ -103,7 +103,9 @@ fn inverse_time_stands_where_a_rotary_word_changes_and_f_is_repeated_behind_it()
         rapid([90.0, 0.0, 0.0], cb(0.0, 15.0)),
         feed([91.0, 0.0, 0.0], cb(0.0, 15.0)),
     ];
-    let lines = lines::<Cb>(&Config { tolerance: 1.0, ..config() }, &events);
+    let mut config = config();
+    config.motion.tolerance = 1.0;
+    let lines = lines::<Cb>(&config, &events);
     let first = lines.iter().position(|line| line.starts_with("G93")).expect("inverse time");
     let codes: Vec<String> = lines[first..first + 8]
         .iter()
@@ -145,10 +147,10 @@ fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
 #[test]
 fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
     let mut config = config();
-    config.transition = Transition::Direct;
-    config.retract.distance = Some(20.0);
+    config.motion.rapids.transition = Transition::Direct;
+    config.motion.retract.distance = Some(20.0);
     let limit = 180_f64.to_radians();
-    config.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
+    config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -limit, upper: limit }));
     let events = [
         tool(1),
         spindle(),
@@ -283,7 +285,7 @@ fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
     assert!(run::<Cb>(&config(), &events).error().text.contains("on a table that turns"));
     assert!(run::<Xyz>(&config(), &events).error().text.contains("frame 2 of the CL data has no work offset"));
     let mut config = config();
-    config.frames.insert(2, "G55".to_owned());
+    config.set_up.frames.insert(2, "G55".to_owned());
     let lines = lines::<Xyz>(&config, &events);
     let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
     assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
@@ -313,12 +315,12 @@ fn the_posted_length_is_guarded_where_it_matters() {
     assert!(head.lines[at + 1].starts_with("o1 if [[ABS[#5403 - 100] GT 0.01]"), "{}", head.text());
     assert!(head.lines.contains(&"o2 endif".to_owned()), "behind the stop again: {}", head.text());
     assert_eq!((guards(&head), guards(&run::<Cb>(&config, &events))), (2, 0));
-    config.length_guard = Some(true);
+    config.motion.guards.length_guard = Some(true);
     assert_eq!(guards(&run::<Cb>(&config, &events)), 2);
-    config.length_guard = Some(false);
+    config.motion.guards.length_guard = Some(false);
     assert_eq!(guards(&run::<Head>(&config, &events)), 0);
-    config.length_guard = None;
-    config.tools.insert(1, Tool { length: Some(100.0), offset: Some(21), ..Tool::default() });
+    config.motion.guards.length_guard = None;
+    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), offset: Some(21), ..GivenTool::default() });
     assert_eq!(guards(&run::<Head>(&config, &events)), 0, "the table of the tool says nothing about H21");
 }
 
@@ -332,7 +334,9 @@ fn in_a_dry_run_spindle_and_coolant_stay_off() {
         Event::Spindle(Spindle::On { speed: Some(900.0), rotation: None }),
         feed([9.0, 0.0, -5.0], UP),
     ];
-    let config = Config { lift: Some(50.0), spindle_dwell: 1.0, ..config() };
+    let mut config = config();
+    config.motion.lift = Some(50.0);
+    config.motion.spindle_dwell = 1.0;
     let lines = lines::<Cb>(&config, &events);
     assert!(lines.iter().any(|line| line == "M5"), "{lines:?}");
     for code in ["M3", "M4", "M8", "M7", "G4 P"] {

@@ -11,9 +11,9 @@ fn an_axis_out_of_reach_is_told_in_the_words_of_the_machine() {
 #[test]
 fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
     let mut config = config();
-    config.machine_zero.insert('Z', -200.0);
-    config.approach.distance = 10.0;
-    config.tools.insert(1, Tool { length: Some(100.0), ..Tool::default() });
+    config.set_up.machine_zero.insert('Z', -200.0);
+    config.motion.approach.distance = 10.0;
+    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
     let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
     // -200 + z + 100 >= -300, and the approach point stays below Z0.
     assert_eq!(run::<Xyz>(&config, &events(-200.0)).diagnostics, []);
@@ -22,7 +22,7 @@ fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
     assert_eq!(run::<Xyz>(&config, &events(90.0)).diagnostics, []);
     assert!(run::<Xyz>(&config, &events(90.001)).error().text.contains("approach"));
     // Lower retract position: the approach point must not lie above it.
-    config.retract.position = -50.0;
+    config.motion.retract.position = Some(-50.0);
     assert!(run::<Xyz>(&config, &events(45.0)).error().text.contains("above the retract position"));
     assert_eq!(run::<Xyz>(&config, &events(40.0)).diagnostics, []);
 }
@@ -48,8 +48,8 @@ fn words_of_a_tilted_program_put_the_tip_within_half_a_unit_for_the_written_angl
         }
         let run = run::<M>(config, &events);
         assert_eq!(run.diagnostics, []);
-        let mut machine = config.machine::<M>().expect("valid");
-        machine.set_up(config.part_origin.into(), config.tools[&1].length.unwrap_or(0.0));
+        let mut machine = config.set_up.machine::<M>().expect("valid");
+        machine.set_up(config.set_up.part_origin.into(), config.set_up.tools[&1].length.unwrap_or(0.0));
         let mut axes = M::HELD;
         let mut checked = 0;
         for line in run.lines.iter().filter(|line| !line.starts_with(['(', 'N', 'o']) && !line.contains("G53")) {
@@ -80,8 +80,8 @@ fn words_of_a_tilted_program_put_the_tip_within_half_a_unit_for_the_written_angl
         assert_eq!(checked, wanted.len());
     }
     let mut config = with_lengths(Some(10.0));
-    config.part_origin = [3.0, -2.0, 50.0];
-    config.tools.insert(1, Tool { length: Some(123.456), ..Tool::default() });
+    config.set_up.part_origin = [3.0, -2.0, 50.0];
+    config.set_up.tools.insert(1, GivenTool { length: Some(123.456), ..GivenTool::default() });
     check::<Cb>(&config, |t| cb(300.0 * t, 10.0 + 50.0 * t));
     check::<Head>(&config, |t| [0.5 * t, 0.3 * (5.0 * t).sin(), 1.0]);
     check::<Ay>(&config, |t| [0.0, 0.5 * (6.0 * t).sin(), 1.0]);

@@ -1,19 +1,19 @@
-//! A configuration applied to a machine: its dimensions, travel and speeds for this job.
+//! A set-up applied to a machine: its dimensions, travel and speeds for this job.
 
 use crate::kinematics::{Invalid, Limits, Machine};
 
-use super::Config;
+use super::SetUp;
 
 /// Travel and speeds of the axes for one job, in chain order: the planner's own copy of what the machine declares.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Travel {
+pub struct AxisBounds {
     /// mm or rad, inclusive; `None` is endless. Linear limits are machine coordinates.
     pub limits: Vec<Option<Limits>>,
     /// mm/min or rad/min; `None` is unlimited.
     pub speeds: Vec<Option<f64>>,
 }
 
-impl Config {
+impl SetUp {
     /// The machine with this job's dimensions and part origin; the gauge length is set at each tool.
     ///
     /// # Errors
@@ -30,10 +30,10 @@ impl Config {
         Ok(machine)
     }
 
-    /// Travel and speeds of the machine's axes: as declared, unless this configuration says otherwise.
+    /// Travel and speeds of the machine's axes: as declared, unless this set-up says otherwise.
     #[must_use]
-    pub fn travel<M: Machine>(&self) -> Travel {
-        Travel {
+    pub fn travel<M: Machine>(&self) -> AxisBounds {
+        AxisBounds {
             limits: M::AXES.iter().map(|axis| self.limits.get(&axis.letter).copied().unwrap_or(axis.limits)).collect(),
             speeds: M::AXES.iter().map(|axis| self.speeds.get(&axis.letter).copied().or(axis.speed)).collect(),
         }
