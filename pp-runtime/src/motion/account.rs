@@ -1,9 +1,8 @@
-//! Where the blocks of a program come from: which record of the CL data a step serves, why it is there, and where the
-//! machine stands behind it. The planner says it to its sink, which may keep an account of it or not.
+//! Where the blocks of a program come from: the record of the CL data that a step serves, why it is there, and where the
+//! machine is after it. The planner hands it over with each step; a sink may keep an account of it or not.
 
-use super::place::Place;
-use super::planner::Planner;
-use crate::kinematics::{Branch, Machine, Pose};
+use crate::kinematics::{Branch, Pose};
+use crate::program::Location;
 
 /// Why a step is in the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -85,26 +84,26 @@ impl Why {
     }
 }
 
-/// Where the machine stands behind a step.
+/// Where the machine is after a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Standing<'a> {
-    /// Tip in mm and tool axis in the workpiece; `None` while some axes are on their way alone.
+    /// Tip in mm and tool axis in the workpiece; `None` while only some axes have arrived.
     pub pose: Option<&'a Pose>,
-    /// Which answer of the inverse kinematics it is.
+    /// Branch of the inverse kinematics.
     pub branch: Branch,
     /// Axis values in chain order, mm and rad.
     pub axes: &'a [f64],
-    /// Which of them are reached: bit `i` for the axis at position `i`.
+    /// Axes that have arrived: bit `i` for the axis at position `i`.
     pub mask: u16,
-    /// It is a point that the record does not name.
-    pub inserted: Option<Why>,
 }
 
-impl<M: Machine> Planner<'_, M> {
-    /// The machine at a place.
-    #[inline]
-    pub(super) fn standing<'p>(&self, place: &'p Place<M::Axes>, inserted: Option<Why>) -> Standing<'p> {
-        let mask = self.placer.linear_mask() | self.placer.rotary_mask();
-        Standing { pose: Some(&place.pose), branch: place.branch, axes: place.axes.as_ref(), mask, inserted }
-    }
+/// Where a step comes from and where it leads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Provenance<'a> {
+    /// The record that it serves; `None` before the first.
+    pub at: Option<Location>,
+    /// Why it is in the program.
+    pub why: Why,
+    /// Where the machine is after it, if it moves.
+    pub standing: Option<Standing<'a>>,
 }

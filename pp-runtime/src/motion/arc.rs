@@ -21,11 +21,11 @@ pub(crate) struct Round<'a> {
     u: Vector3<f64>,
     v: Vector3<f64>,
     /// Distances of start and end from the axis, mm.
-    pub(super) radii: [f64; 2],
+    pub(crate) radii: [f64; 2],
     /// Height of the start above the centre, mm.
     level: f64,
     /// What the tip moves along the normal, mm.
-    pub(super) rise: f64,
+    pub(crate) rise: f64,
 }
 
 impl<'a> Round<'a> {

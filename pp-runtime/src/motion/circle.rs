@@ -65,40 +65,40 @@ pub struct Circle {
 
 /// The circle of the CL data in the plane, mm.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Nominal {
-    pub(super) centre: [f64; 2],
+pub(crate) struct Nominal {
+    pub(crate) centre: [f64; 2],
     /// At start and end.
-    pub(super) radii: [f64; 2],
-    pub(super) clockwise: bool,
+    pub(crate) radii: [f64; 2],
+    pub(crate) clockwise: bool,
     /// rad.
-    pub(super) sweep: f64,
+    pub(crate) sweep: f64,
 }
 
 /// What words have to keep.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     /// Units in 1 mm.
-    pub(super) per_mm: f64,
+    pub(crate) per_mm: f64,
     /// By how much the control lets the radii at both ends differ, mm.
-    pub(super) radius_tolerance: f64,
+    pub(crate) radius_tolerance: f64,
 }
 
 /// Words of a circle and how well they say it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Fit {
-    pub(super) centre: [i64; 2],
+pub(crate) struct Fit {
+    pub(crate) centre: [i64; 2],
     /// Angle of the circle that the words say, rad.
-    pub(super) sweep: f64,
-    pub(super) off: Off,
+    pub(crate) sweep: f64,
+    pub(crate) off: Off,
 }
 
 /// How far the circle of some words is off the nominal one, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Off {
+pub(crate) struct Off {
     /// In its plane.
-    pub(super) plane: f64,
+    pub(crate) plane: f64,
     /// Its centre: so much does a point lead or lag, seen from either centre.
-    pub(super) centre: f64,
+    pub(crate) centre: f64,
 }
 
 fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
@@ -156,7 +156,7 @@ impl Nominal {
     }
 
     /// The words of the circle between two points in whole units; `None` if none say it.
-    pub(super) fn fit(&self, start: [i64; 2], end: [i64; 2], grid: Grid) -> Option<Fit> {
+    pub(crate) fn fit(&self, start: [i64; 2], end: [i64; 2], grid: Grid) -> Option<Fit> {
         let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.per_mm);
         let (from, to) = (mm(start), mm(end));
         let whole = start == end;
@@ -192,7 +192,7 @@ impl Nominal {
     }
 
     /// The radius that says the same as a centre, in whole units, and how far the circle of its words is off, mm.
-    pub(super) fn radius(&self, start: [i64; 2], end: [i64; 2], fit: &Fit, grid: Grid) -> Option<(i64, Off)> {
+    pub(crate) fn radius(&self, start: [i64; 2], end: [i64; 2], fit: &Fit, grid: Grid) -> Option<(i64, Off)> {
         let small = fit.sweep.min(TAU - fit.sweep);
         if !(CLEAR_SWEEP[0]..=CLEAR_SWEEP[1]).contains(&small) {
             return None;

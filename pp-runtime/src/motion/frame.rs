@@ -39,19 +39,19 @@ pub struct TipAbility {
 
 /// An isometry of the workpiece frame: `word = rotation · p + shift`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Map {
-    pub(super) rotation: Matrix3<f64>,
-    pub(super) shift: Vector3<f64>,
+pub(crate) struct Map {
+    pub(crate) rotation: Matrix3<f64>,
+    pub(crate) shift: Vector3<f64>,
 }
 
 impl Map {
     /// The words X Y Z of a tip, mm.
-    pub(super) fn words(&self, tip: &Point3<f64>) -> Vector3<f64> {
+    pub(crate) fn words(&self, tip: &Point3<f64>) -> Vector3<f64> {
         self.rotation * tip.coords + self.shift
     }
 
     /// The tip of words.
-    pub(super) fn tip(&self, words: &Vector3<f64>) -> Point3<f64> {
+    pub(crate) fn tip(&self, words: &Vector3<f64>) -> Point3<f64> {
         Point3::from(self.rotation.transpose() * (words - self.shift))
     }
 }
@@ -69,7 +69,7 @@ enum Counting {
 
 /// The frames of one machine and set-up.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     counting: Counting,
     mode: Mode,
     tcp_frame: TcpFrame,
@@ -83,7 +83,7 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    pub(super) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
+    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
         let position = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter);
         let letters = ['X', 'Y', 'Z'].map(|letter| position(letter).unwrap_or_default());
         let sign = letters.map(|index| machine.joint(index).sign);
@@ -109,22 +109,22 @@ impl Frame {
     }
 
     /// Positions of X Y Z in the chain.
-    pub(super) fn letters(&self) -> [usize; 3] {
+    pub(crate) fn letters(&self) -> [usize; 3] {
         self.letters
     }
 
     /// Words count the tip, not the axes.
-    pub(super) fn counts_tip(&self) -> bool {
+    pub(crate) fn counts_tip(&self) -> bool {
         self.counting != Counting::Axes
     }
 
     /// The control turns the tool axis in the plane of its ends, whatever the rotary axes do for it.
-    pub(super) fn turns_in_plane(&self) -> bool {
+    pub(crate) fn turns_in_plane(&self) -> bool {
         self.posture == ToolPosture::Plane
     }
 
     /// Whether the frame has to be set where the rotaries have turned.
-    pub(super) fn is_set_anew(&self) -> bool {
+    pub(crate) fn is_set_anew(&self) -> bool {
         self.mode == Mode::Plane || self.mode == Mode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
     }
 
@@ -135,14 +135,14 @@ impl Frame {
     }
 
     /// The frame is fixed to the table as it stands.
-    pub(super) fn start<M: Machine>(&mut self, machine: &M, axes: &M::Axes) {
+    pub(crate) fn start<M: Machine>(&mut self, machine: &M, axes: &M::Axes) {
         let (turn, moved) = table(machine, axes);
         // The zero of the table's words turns with it, about the same centre lines.
         self.fix(&turn, moved - turn * self.zero + self.zero);
     }
 
     /// The plane of an orientation in the workpiece frame, as the control will have it.
-    pub(super) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<Tilt> {
+    pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<Tilt> {
         let tilt = ability.tilt(&(self.signs * orientation * self.signs))?;
         let rotation = tilt.orientation.transpose() * self.signs;
         self.counting = Counting::Fixed(Map { rotation, shift: rotation * self.zero });
@@ -151,7 +151,7 @@ impl Frame {
 
     /// The map from the workpiece to the words, where words count the tip.
     #[inline]
-    pub(super) fn map<M: Machine>(&self, machine: &M, axes: &M::Axes) -> Option<Map> {
+    pub(crate) fn map<M: Machine>(&self, machine: &M, axes: &M::Axes) -> Option<Map> {
         match &self.counting {
             Counting::Axes => None,
             Counting::Fixed(map) => Some(*map),
@@ -164,7 +164,7 @@ impl Frame {
 
     /// What is certified of a block: `bound` is for axes that all move evenly.
     #[inline]
-    pub(super) fn bound(&self, bound: MotionBound) -> MotionBound {
+    pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
         match (&self.counting, self.posture) {
             (Counting::Axes | Counting::Turning, _) => bound,
             (Counting::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
@@ -190,7 +190,7 @@ fn table<M: Machine>(machine: &M, axes: &M::Axes) -> (Matrix3<f64>, Vector3<f64>
 }
 
 /// How all rotary axes together turn the tool in the workpiece frame.
-pub(super) fn orientation<M: Machine>(machine: &M, axes: &M::Axes) -> Matrix3<f64> {
+pub(crate) fn orientation<M: Machine>(machine: &M, axes: &M::Axes) -> Matrix3<f64> {
     let rotaries = M::AXES.iter().enumerate().take(MAX_AXES).filter(|(_, axis)| axis.kind == AxisKind::Rotary);
     rotaries
         .fold(Matrix3::identity(), |turned, (index, _)| turned * rotation(&machine.joint(index), axes.as_ref()[index]))
@@ -312,7 +312,7 @@ fn tool_along_z<M: Machine>(machine: &M) -> bool {
 }
 
 /// What a control cannot do with a plane, in words.
-pub(super) fn no_plane() -> Fault {
+pub(crate) fn no_plane() -> Fault {
     Fault::new("the angles of the tilted plane do not give the orientation of the machine")
         .help("this is a fault of the postprocessor, not of the CL data: use mode axes")
 }

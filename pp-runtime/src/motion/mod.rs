@@ -6,39 +6,24 @@
 
 mod account;
 mod arc;
-mod arcs;
-mod auxiliary;
 mod choose;
 mod circle;
-mod clamps;
 mod clearance;
 mod course;
-mod cutter;
-mod expand;
 mod fault;
-mod feed;
 mod frame;
-mod hole;
+mod hole_cycle;
 mod linearise;
-mod operation;
 mod options;
 mod origin;
 mod place;
-mod planner;
-mod proof;
-mod records;
+mod plan;
 mod refuse;
-mod retreat;
-mod rewind;
-mod selection;
-mod sequence;
+mod source;
 mod step;
 mod structure;
 mod tilt;
-mod times;
-mod tool;
 mod travel;
-mod waiting;
 mod way;
 mod wrap;
 
@@ -47,26 +32,24 @@ pub(crate) mod machines;
 #[cfg(test)]
 mod tests;
 
-pub use account::{Standing, Why};
+pub use account::{Provenance, Standing, Why};
 pub(crate) use arc::extent;
-pub use arcs::Chorded;
 pub use circle::{Circle, Plane};
-pub use clamps::{Moving, Nowhere};
 pub(crate) use clearance::way_out;
 pub use course::{Cost, Course, Navigator};
-pub use expand::Expander;
+pub use fault::Stop;
 pub use frame::{TipAbility, unsuited};
-pub(crate) use hole::hole_extent;
-pub use hole::{Cycle, CycleAbilities, CycleKind};
+pub use hole_cycle::{Cycle, CycleAbilities, CycleKind};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
     Defaults, FeedLimits, GuardOptions, Mode, Operations, Options, PathNorm, Policy, Rapid, RapidOptions, Retract,
     Rewind, RotaryOptions, TcpFrame, TcpWords, TipOptions, ToolPosture, Transition, Wrap,
 };
-pub use planner::{Abilities, Planner, Registers, Statistics, Stop};
-pub use proof::Sweep;
-pub use selection::Gate;
-pub use step::{Feed, MAX_AXES, Sink, Step, VECTOR_DECIMALS, Words};
+pub(crate) use plan::hole_extent;
+pub use plan::{
+    Abilities, Chorded, FastestTurn, Moving, OperationTime, Planner, ProofProgram, Registers, Statistics, Sweep, Times,
+};
+pub(crate) use source::Setting;
+pub use source::{Action, Begins, Item, MotionIndex, Next, Source, Stage};
+pub use step::{Feed, MAX_AXES, Nowhere, Sink, Step, VECTOR_DECIMALS, Words};
 pub use tilt::{PlaneAbility, PlaneAngles, PoseRule};
-pub use times::{FastestTurn, OperationTime, Times};
-pub use tool::Tool;

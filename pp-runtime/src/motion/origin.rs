@@ -18,7 +18,7 @@ const NOISE: f64 = 1e-6;
 
 /// From axis values to written words, by position in the chain.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Origin {
+pub(crate) struct Origin {
     /// Linear words at the zero position with a tool of no length, mm.
     zero: [f64; MAX_AXES],
     /// What 1 mm of gauge length adds to linear words.
@@ -32,7 +32,7 @@ pub(super) struct Origin {
 }
 
 impl Origin {
-    pub(super) fn new<M: Machine>(machine: &M, policy: Policy<'_>, scale: AngleScale) -> Self {
+    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>, scale: AngleScale) -> Self {
         let (mut offsets, mut whole) = ([0.0; MAX_AXES], [0; MAX_AXES]);
         for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
             if let Some(offset) = policy.set_up.rotary_offset.get(&axis.letter) {
@@ -52,31 +52,31 @@ impl Origin {
     }
 
     /// With another tool in the spindle.
-    pub(super) fn set_gauge_length(&mut self, length: f64) {
+    pub(crate) fn set_gauge_length(&mut self, length: f64) {
         self.linear = std::array::from_fn(|index| self.zero[index] + length * self.share[index]);
     }
 
     /// What the word of a linear axis is more than its value, mm.
     #[inline]
-    pub(super) fn linear(&self, index: usize) -> f64 {
+    pub(crate) fn linear(&self, index: usize) -> f64 {
         self.linear[index]
     }
 
     /// What whole units do not hold of the offset of a rotary axis, degrees.
-    pub(super) fn rest(&self, index: usize, scale: AngleScale) -> f64 {
+    pub(crate) fn rest(&self, index: usize, scale: AngleScale) -> f64 {
         let rest = self.offsets[index] - self.whole[index] as f64;
         if rest.abs() < NOISE { 0.0 } else { rest / scale.per_degree }
     }
 
     /// The words to write for words that count axis values.
     #[inline]
-    pub(super) fn written(&self, words: &[i64; MAX_AXES]) -> [i64; MAX_AXES] {
+    pub(crate) fn written(&self, words: &[i64; MAX_AXES]) -> [i64; MAX_AXES] {
         std::array::from_fn(|index| words[index] - self.whole[index])
     }
 }
 
 /// Words of the solved linear axes whose motion together, at the zero position, is a vector; zero for every other axis.
-pub(super) fn along_axes<M: Machine>(machine: &M, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
+pub(crate) fn along_axes<M: Machine>(machine: &M, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
     let linear = |index: &usize| M::AXES[*index].kind == AxisKind::Linear && !M::AXES[*index].held;
     let solved: Vec<usize> = (0..M::AXES.len().min(MAX_AXES)).filter(linear).collect();
     // Columns: where each axis moves the tool for a positive word.

@@ -17,8 +17,9 @@ use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
+use super::account::Standing;
 use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
-use super::course::{Metric, Target};
+use super::course::{Metric, Target, Turns};
 use super::fault::Fault;
 use super::frame::Frame;
 use super::origin::Origin;
@@ -54,17 +55,17 @@ pub(crate) struct Place<A> {
 /// Puts poses into words for one machine, one set-up and the current tool.
 #[derive(Debug, Clone)]
 pub(crate) struct Placer<M: Machine> {
-    pub(super) machine: M,
+    pub(crate) machine: M,
     part_origin: Vector3<f64>,
-    pub(super) rotaries: Vec<Rotary>,
+    pub(crate) rotaries: Vec<Rotary>,
     /// The same axes without their limits.
     endless: Vec<Rotary>,
     limited: bool,
     /// Tool axes within reach that leave the first rotary free.
-    pub(super) poles: Vec<UnitVector3<f64>>,
+    pub(crate) poles: Vec<UnitVector3<f64>>,
     /// Angle to the pole up to which the tool axis counts as being there, rad.
-    pub(super) pole_tolerance: f64,
-    pub(super) metric: Metric,
+    pub(crate) pole_tolerance: f64,
+    pub(crate) metric: Metric,
     /// Rotaries whose words stay within a turn.
     wrapped: u16,
     /// Indexed rotaries, and their steps in whole units.
@@ -77,16 +78,16 @@ pub(crate) struct Placer<M: Machine> {
     bounds: [i64; MAX_AXES],
     linear_mask: u16,
     rotary_mask: u16,
-    pub(super) scale: AngleScale,
+    pub(crate) scale: AngleScale,
     /// What the words count from.
     origin: Origin,
     /// What the linear words count.
-    pub(super) frame: Frame,
+    pub(crate) frame: Frame,
     /// Units of linear words in 1 mm.
     per_mm: f64,
     /// Places of X Y Z in the chain, where these are the linear axes that are solved.
     xyz: Option<[usize; 3]>,
-    pub(super) limits: Vec<Option<Limits>>,
+    pub(crate) limits: Vec<Option<Limits>>,
     pub(crate) travel: Travel,
     /// Solved linear axis that retracts.
     retract_axis: usize,
@@ -199,6 +200,54 @@ impl<M: Machine> Placer<M> {
             rotaries,
             speeds,
         }
+    }
+
+    /// The solved rotary axes.
+    pub(crate) fn rotaries(&self) -> &[Rotary] {
+        &self.rotaries
+    }
+
+    /// How rotary words count angles.
+    pub(crate) fn scale(&self) -> AngleScale {
+        self.scale
+    }
+
+    /// Places of X Y Z in the chain, in whose words a control with a frame of its own counts.
+    pub(crate) fn frame_letters(&self) -> [usize; 3] {
+        self.frame.letters()
+    }
+
+    /// The machine at a place.
+    #[inline]
+    pub(crate) fn standing_at<'p>(&self, place: &'p Place<M::Axes>) -> Standing<'p> {
+        let mask = self.linear_mask | self.rotary_mask;
+        Standing { pose: Some(&place.pose), branch: place.branch, axes: place.axes.as_ref(), mask }
+    }
+
+    /// Compares a place with the travel of the linear axes.
+    #[inline]
+    pub(crate) fn check_travel(&mut self, place: &Place<M::Axes>) -> Result<(), Fault> {
+        self.travel.check(place.axes.as_ref())
+    }
+
+    /// Linear axes whose limits could not be compared: letter and why.
+    pub(crate) fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
+        self.travel.axes().iter().filter_map(|axis| axis.unchecked().map(|why| (axis.letter(), why))).collect()
+    }
+
+    /// The tool axis in the part with these rotary words.
+    pub(crate) fn axis_at(&self, words: &Turns) -> UnitVector3<f64> {
+        self.machine.forward_kinematics(&self.standing(words).axes).axis
+    }
+
+    /// The place of a pose with these rotary words; limits are not compared.
+    pub(crate) fn with_turns(
+        &self,
+        pose: &Pose,
+        from: &Place<M::Axes>,
+        words: &Turns,
+    ) -> Result<Place<M::Axes>, Fault> {
+        self.set(self.at(pose, from, &self.all_words(words)))
     }
 
     /// Solved rotary axes stand on the tool side: the tool's length moves the linear axes.
@@ -375,7 +424,7 @@ impl<M: Machine> Placer<M> {
 
     /// The linear words of a pose whose rotaries are known; the travel is not compared.
     #[inline]
-    pub(super) fn set(&self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn set(&self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(self.unreachable(&place.pose, &place.axes));
         };
@@ -408,13 +457,13 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Whether offsets along two axes have more digits than their words.
-    pub(super) fn too_large(&self, units: [i64; 2], axes: [usize; 2]) -> bool {
+    pub(crate) fn too_large(&self, units: [i64; 2], axes: [usize; 2]) -> bool {
         units.iter().zip(axes).any(|(units, axis)| units.abs() >= self.bounds[axis])
     }
 
     /// Minutes that the linear axes need while the tip travels so far, mm, in whatever direction, with the rotary axes
     /// still; 0 where their speeds are not to be kept.
-    pub(super) fn least_minutes_of_tip(&self, length: f64, at: &Place<M::Axes>) -> f64 {
+    pub(crate) fn least_minutes_of_tip(&self, length: f64, at: &Place<M::Axes>) -> f64 {
         let Some((solved, map)) = self.axis_map(at).filter(|_| self.timed) else { return 0.0 };
         let minutes =
             |(row, axis): (usize, usize)| self.speeds[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed);
@@ -422,7 +471,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// How far rounding of the linear words can take the tip, mm.
-    pub(super) fn largest_rounding(&self) -> f64 {
+    pub(crate) fn largest_rounding(&self) -> f64 {
         0.5 * self.unit_mm() * if self.orthogonal { 3_f64.sqrt() } else { 3.0 }
     }
 
@@ -512,7 +561,7 @@ impl<M: Machine> Placer<M> {
 
     /// Whether a control that goes the short way would turn an axis the wrong way in this block.
     #[inline]
-    pub(super) fn rolls_over(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> bool {
+    pub(crate) fn rolls_over(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> bool {
         let half_turn = |rotary: &Rotary| {
             self.wrapped & (1 << rotary.index) != 0
                 && 2 * from.words[rotary.index].abs_diff(to.words[rotary.index]) >= self.scale.turn.unsigned_abs()

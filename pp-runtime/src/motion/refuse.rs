@@ -8,7 +8,7 @@ use super::place::Placer;
 use super::step::MAX_AXES;
 
 impl<M: Machine> Placer<M> {
-    pub(super) fn limits_text(&self, index: usize) -> String {
+    pub(crate) fn limits_text(&self, index: usize) -> String {
         self.limits[index].map_or_else(
             || "none".to_owned(),
             |limits| format!("{:.4}° to {:.4}°", limits.lower.to_degrees(), limits.upper.to_degrees()),
@@ -16,7 +16,7 @@ impl<M: Machine> Placer<M> {
     }
 
     #[cold]
-    pub(super) fn outside_limits(&self, outside: &[Option<OutOfLimits>; 2]) -> Fault {
+    pub(crate) fn outside_limits(&self, outside: &[Option<OutOfLimits>; 2]) -> Fault {
         let mut text = String::new();
         for out in outside.iter().flatten() {
             let letter = M::AXES[out.rotary.index].letter;
@@ -32,7 +32,7 @@ impl<M: Machine> Placer<M> {
     }
 
     #[cold]
-    pub(super) fn jump(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
+    pub(crate) fn jump(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
         let outside = self.rotaries.iter().find(|rotary| !rotary.holds(nearest[rotary.index]));
         let turned = self.rotaries.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
         let (Some(limit), Some(turned)) = (outside, turned) else { return self.outside_limits(&[None; 2]) };
@@ -51,7 +51,7 @@ impl<M: Machine> Placer<M> {
     }
 
     #[cold]
-    pub(super) fn unreachable(&self, pose: &Pose, held: &M::Axes) -> Fault {
+    pub(crate) fn unreachable(&self, pose: &Pose, held: &M::Axes) -> Fault {
         match self.machine.reach(&pose.axis, held) {
             Err(reason) => Fault::new(reason),
             Ok(()) => Fault::new(format_args!(

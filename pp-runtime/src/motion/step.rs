@@ -3,11 +3,11 @@
 use std::io;
 
 use crate::nc::Decimal;
-use crate::program::{Coolant, Location, Rotation};
+use crate::program::{Coolant, Rotation};
 
-use super::account::{Standing, Why};
+use super::account::Provenance;
 use super::circle::Circle;
-use super::hole::Cycle;
+use super::hole_cycle::Cycle;
 
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;
@@ -226,26 +226,26 @@ impl Step<'_> {
 
 /// Takes the steps of a program.
 pub trait Sink {
-    /// Writes one step.
+    /// Writes one step; `from` says where it comes from and where it leads.
     ///
     /// # Errors
     /// Those of the output.
-    fn step(&mut self, step: &Step<'_>) -> io::Result<()>;
+    fn step(&mut self, step: &Step<'_>, from: &Provenance<'_>) -> io::Result<()>;
+}
 
-    /// Whether the steps that follow are to be written; a sink that is not asked to select writes all of them.
-    fn show(&mut self, shown: bool) {
-        let _ = shown;
-    }
-
-    /// Which record the steps that follow serve, and why they are there; a sink that keeps no account passes it over.
+impl<S: Sink> Sink for &mut S {
     #[inline]
-    fn serve(&mut self, at: Location, why: Why) {
-        let _ = (at, why);
+    fn step(&mut self, step: &Step<'_>, from: &Provenance<'_>) -> io::Result<()> {
+        (**self).step(step, from)
     }
+}
 
-    /// Where the machine stands behind the next step.
-    #[inline]
-    fn stand(&mut self, standing: &Standing<'_>) {
-        let _ = standing;
+/// Takes the steps of a rehearsal.
+#[derive(Debug, Clone, Copy)]
+pub struct Nowhere;
+
+impl Sink for Nowhere {
+    fn step(&mut self, _: &Step<'_>, _: &Provenance<'_>) -> io::Result<()> {
+        Ok(())
     }
 }

@@ -7,7 +7,7 @@ use crate::kinematics::{Axis, AxisKind, Joint, Machine, Pose, Side};
 use super::choose::Rotary;
 
 /// Tool axes within reach that leave the first of two rotaries free: along its direction and against it.
-pub(super) fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
+pub(crate) fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
     let [first, _] = rotaries else { return Vec::new() };
     let mut direction = machine.joint(first.index).direction.into_inner();
     for index in (0..first.index).rev().filter(|&index| M::AXES[index].kind == AxisKind::Rotary) {
@@ -21,13 +21,13 @@ pub(super) fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVec
 }
 
 /// Positions of the solved rotary axes of one side, from the workpiece on.
-pub(super) fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = usize> {
+pub(crate) fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = usize> {
     let wanted = move |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side;
     M::AXES.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(index, _)| index)
 }
 
 /// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.
-pub(super) fn held_tool_axis<M: Machine>(machine: &M) -> Vector3<f64> {
+pub(crate) fn held_tool_axis<M: Machine>(machine: &M) -> Vector3<f64> {
     let mut axis = machine.tool_axis().into_inner();
     for (index, described) in M::AXES.iter().enumerate().rev() {
         if described.kind == AxisKind::Rotary && described.held && described.side == Side::Tool {
@@ -42,7 +42,7 @@ fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
 }
 
 /// Linear directions that are square to each other and stay so, because no rotary stands between two of them.
-pub(super) fn orthogonal<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
+pub(crate) fn orthogonal<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
     let solved = solved_linear(axes);
     let square = solved.iter().enumerate().all(|(position, &a)| {
         solved[position + 1..]
@@ -54,12 +54,12 @@ pub(super) fn orthogonal<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
 }
 
 /// X Y Z: along U V W no control counts F in a block that moves one of these.
-pub(super) fn counted(axes: &[Axis]) -> bool {
+pub(crate) fn counted(axes: &[Axis]) -> bool {
     solved_linear(axes).iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'))
 }
 
 /// Places of X, Y and Z in the chain, if these are the linear axes that are solved.
-pub(super) fn coordinates(axes: &[Axis]) -> Option<[usize; 3]> {
+pub(crate) fn coordinates(axes: &[Axis]) -> Option<[usize; 3]> {
     let place = |letter: char| axes.iter().position(|axis| axis.letter == letter && !axis.held);
     Some([place('X')?, place('Y')?, place('Z')?])
 }

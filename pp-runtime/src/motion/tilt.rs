@@ -128,7 +128,7 @@ impl PoseRule {
     /// What says which pose it is: `true` for plus or higher, `None` where nothing is to be said, because the control takes
     /// the pose in which the rotary axes stand already. `here` and `others`: the values of the rotary axis nearest the tool
     /// in this pose and in the others.
-    pub(super) fn choose(self, here: f64, others: &[f64]) -> Option<bool> {
+    pub(crate) fn choose(self, here: f64, others: &[f64]) -> Option<bool> {
         let mut apart = others.iter().filter(|other| (*other - here).abs() > SAME_POSE).peekable();
         apart.peek()?;
         match self {

@@ -110,6 +110,19 @@ impl Travel {
 }
 
 impl LinearTravel {
+    /// Why its limits could not be compared; `None` if they were.
+    pub(crate) fn unchecked(&self) -> Option<&'static str> {
+        if !self.limited() {
+            Some("no travel declared")
+        } else if !self.placed() {
+            Some("no machine_zero")
+        } else if self.unknown_length {
+            Some("gauge length unknown")
+        } else {
+            None
+        }
+    }
+
     /// Whether the travel is declared.
     pub(crate) fn limited(&self) -> bool {
         self.limits.is_some()

@@ -5,21 +5,24 @@ use nalgebra::{Rotation3, UnitVector3, Vector3};
 
 use crate::kinematics::{Pose, REACH_TOLERANCE};
 
+/// Tool axes within this angle are the same, rad: CL data has seven digits.
+pub(crate) const SAME_AXIS: f64 = 1e-6;
+
 /// Angle between two unit vectors, rad; as exact for small angles as for large ones.
-pub(super) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     a.cross(b).norm().atan2(a.dot(b))
 }
 
 /// The shortest turn that brings `a` to `b`, which are not opposite. No arc cosine: the cosine of axes that are the same but
 /// for rounding may be above 1.
-pub(super) fn turn_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> Rotation3<f64> {
+pub(crate) fn turn_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> Rotation3<f64> {
     let normal = UnitVector3::try_new(a.cross(b), 0.0);
     normal.map_or_else(Rotation3::identity, |normal| Rotation3::from_axis_angle(&normal, angle_between(a, b)))
 }
 
 /// From one pose to another.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Way {
+pub(crate) struct Way {
     start: Pose,
     step: Vector3<f64>,
     /// Unit vector in the plane of the tool axes, square to the first; zero where these are the same.
@@ -30,7 +33,7 @@ pub(super) struct Way {
 
 impl Way {
     /// `None` if the tool axes are opposite: which way round, nobody says.
-    pub(super) fn new(from: &Pose, to: &Pose) -> Option<Self> {
+    pub(crate) fn new(from: &Pose, to: &Pose) -> Option<Self> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let angle = angle_between(&a, &b);
         let aside = a.cross(&b).cross(&a).try_normalize(0.0).unwrap_or_else(Vector3::zeros);
@@ -39,17 +42,17 @@ impl Way {
     }
 
     /// Length of the tip path, mm.
-    pub(super) fn length(&self) -> f64 {
+    pub(crate) fn length(&self) -> f64 {
         self.step.norm()
     }
 
     /// Angle between the tool axes at the ends, rad.
-    pub(super) fn angle(&self) -> f64 {
+    pub(crate) fn angle(&self) -> f64 {
         self.angle
     }
 
     /// Where the tool is at a part of the way.
-    pub(super) fn at(&self, part: f64) -> Pose {
+    pub(crate) fn at(&self, part: f64) -> Pose {
         let (sine, cosine) = (part * self.angle).sin_cos();
         let axis = self.start.axis.into_inner() * cosine + self.aside * sine;
         Pose { tip: self.start.tip + self.step * part, axis: UnitVector3::new_normalize(axis) }

@@ -42,11 +42,11 @@ pub(super) fn work_offset(control: &dyn Control, config: &Config) -> String {
 /// What the program takes for granted because nothing was given, one sentence each.
 pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
-    if survey.units_only_given {
-        let unit = survey.units.map_or("", Units::name);
+    if survey.file.units_only_given {
+        let unit = survey.file.units.map_or("", Units::name);
         list.push(format!("the unit of the CL data, which does not state one, is {unit} as given with the job"));
     }
-    if !survey.framed {
+    if !survey.file.framed {
         list.push("the points of the CL data count from the part zero".to_owned());
     }
     // A control that counts the tip in the frame of the part knows where the part lies.
@@ -99,7 +99,7 @@ pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
 /// How the part is set up where that is not the plain case, one sentence each.
 pub(super) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
-    if let Ok(Some(wanted)) = survey.wanted() {
+    if let Some(Ok(wanted)) = &survey.wanted {
         let (first, last, all) = (wanted.start(), wanted.end(), survey.operations);
         list.push(format!("operations {first} to {last} of {all} only, entered as at their restart points"));
     }
@@ -155,8 +155,8 @@ fn rounded(degrees: f64) -> f64 {
 /// How the CL data was read, one sentence each.
 pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     let given = if config.cl.dialect.is_some() { "as given" } else { "by its own evidence" };
-    let mut list = vec![format!("CL data of {}, {given}", survey.dialect.title())];
-    let ArcVote { arcs, agree, against, given } = survey.arcs;
+    let mut list = vec![format!("CL data of {}, {given}", survey.file.dialect.title())];
+    let ArcVote { arcs, agree, against, given } = survey.file.arcs;
     let decided = agree + against;
     if arcs > 0 {
         let arcs = super::counted(arcs, "arc");
@@ -166,14 +166,14 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
             (false, decided) => format!("{arcs}, {agree} of {decided} decided arcs agree with their form"),
         });
     }
-    if survey.frames > 1 {
+    if survey.file.frames > 1 {
         list.push(match config.cl.frames {
-            Frames::Offset => format!("{} frames, each with a work offset of its own", survey.frames),
-            Frames::Main | Frames::Refuse => format!("{} frames, mapped into the first", survey.frames),
+            Frames::Offset => format!("{} frames, each with a work offset of its own", survey.file.frames),
+            Frames::Main | Frames::Refuse => format!("{} frames, mapped into the first", survey.file.frames),
         });
     }
-    if survey.setup_changes > 0 {
-        let times = super::counted(survey.setup_changes, "time");
+    if survey.file.setup_changes > 0 {
+        let times = super::counted(survey.file.setup_changes, "time");
         list.push(format!("CSYS changes {times}: its points stay in one common frame"));
     }
     if !config.cl.inert.is_empty() {
@@ -182,7 +182,7 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     if config.cl.insert == Insert::Write {
         list.push("INSERT written as it stands: nobody has checked it".to_owned());
     }
-    if survey.inverse_time {
+    if survey.file.inverse_time {
         list.push("the CL data asks for inverse-time feed: written wherever a rotary axis moves".to_owned());
     }
     list

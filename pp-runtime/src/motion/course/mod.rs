@@ -22,14 +22,14 @@ use std::collections::BTreeMap;
 
 use nalgebra::UnitVector3;
 
-use super::options::{Policy, Transition};
+use super::options::Policy;
 use crate::diag::Diagnostic;
 use crate::kinematics::{Branch, Machine, Pose};
+use crate::program::Event;
 use crate::program::Units;
-use crate::program::{Event, Location};
 
-use super::expand::Expander;
 use super::place::Placer;
+use super::source::{Action, Begins, Item, MotionIndex, Stage};
 use super::way::Way;
 
 pub use search::Cost;
@@ -92,6 +92,37 @@ impl Course {
     }
 }
 
+/// The course while it is followed.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Follower {
+    course: Course,
+    /// ROTABL/NEXT for the next motion.
+    towards: Option<Towards>,
+}
+
+impl Follower {
+    pub(crate) fn new(course: Course) -> Self {
+        Self { course, towards: None }
+    }
+
+    /// ROTABL.
+    pub(crate) fn set_towards(&mut self, towards: Option<Towards>) {
+        self.towards = towards;
+    }
+
+    /// ROTABL/NEXT for the motion at hand.
+    #[inline]
+    pub(crate) fn take_towards(&mut self) -> Option<Towards> {
+        self.towards.take()
+    }
+
+    /// The next change of a motion.
+    #[inline]
+    pub(crate) fn change(&mut self, motion: u64) -> Option<Change> {
+        self.course.change(motion)
+    }
+}
+
 /// One of the two searches: with a view ahead, and without.
 #[derive(Debug)]
 struct Seeker {
@@ -104,38 +135,25 @@ struct Seeker {
 #[derive(Debug)]
 pub struct Navigator<M: Machine> {
     placer: Placer<M>,
-    expander: Expander,
-    safe: bool,
     greedy: bool,
     prefer: Option<(char, bool)>,
     /// Where GOHOME takes the axes.
     park: BTreeMap<char, f64>,
     start_branch: Option<Branch>,
     ways: [Seeker; 2],
-    /// Motions so far.
+    /// The number of the motion at hand.
     motion: u64,
     here: Option<Pose>,
     /// The pole at which the tool axis stands.
     pole: Option<UnitVector3<f64>>,
     /// Something has been reached: FROM no longer counts.
     placed: bool,
-    armed: bool,
-    begun: bool,
     /// ROTABL/NEXT.
     towards: Option<Towards>,
     states: Vec<State>,
     /// Words near which turns are looked at where there are too many to look at all.
     near: Vec<Turns>,
     second: Vec<i64>,
-}
-
-/// What the planner will say, the navigator passes over.
-struct Silent;
-
-impl From<Diagnostic> for Silent {
-    fn from(_: Diagnostic) -> Self {
-        Self
-    }
 }
 
 impl<M: Machine> Navigator<M> {
@@ -147,8 +165,6 @@ impl<M: Machine> Navigator<M> {
         Self {
             ways: [way(false), way(true)],
             placer,
-            expander: Expander::new(policy),
-            safe: policy.options.rapids.transition == Transition::Safe,
             greedy: policy.options.course.greedy,
             prefer: policy.options.course.prefer,
             park: policy.options.park.clone(),
@@ -157,8 +173,6 @@ impl<M: Machine> Navigator<M> {
             here: None,
             pole: None,
             placed: false,
-            armed: false,
-            begun: true,
             towards: None,
             states: Vec::new(),
             near: Vec::new(),
@@ -166,64 +180,61 @@ impl<M: Machine> Navigator<M> {
         }
     }
 
-    /// Follows one event.
-    pub fn event(&mut self, event: &Event<'_>) {
-        if let Event::Move(_) = event
-            && self.expander.passes()
-        {
-            return self.straight(event);
+    /// Follows one item.
+    pub fn follow(&mut self, item: &Item<'_>) {
+        match item.action {
+            Action::Line { motion, index, .. } => {
+                let begins = index.begins == Begins::Operation;
+                self.move_to(&motion.pose, index, begins || motion.rapid);
+            }
+            // The tool has been led to its start.
+            Action::Arc { arc, index } => self.move_to(&arc.end, index, false),
+            // The tool goes over to it at rapid.
+            Action::Hole { hole, index } => self.move_to(&hole.top, index, true),
+            Action::Record { event, .. } => self.record(event),
         }
-        let mut expander = std::mem::take(&mut self.expander);
-        // An event that cannot be expanded ends the program there.
-        let _: Result<(), Silent> = expander.event(Location::default(), event, &mut |_, event| {
-            self.straight(event);
-            Ok(())
-        });
-        expander.take_warnings();
-        self.expander = expander;
     }
 
-    fn straight(&mut self, event: &Event<'_>) {
+    fn record(&mut self, event: &Event<'_>) {
         match event {
             Event::From(pose) => self.count_from(pose),
-            Event::Tool(_) => {
-                self.armed = true;
-                self.begun = true;
-            }
-            Event::Operation(_) => self.begun |= self.safe,
             Event::Home => self.go_home(),
-            _ if event.interrupts() => self.begun = true,
-            // The planner passes over these.
-            Event::Move(motion) if !self.armed && motion.rapid && !self.placer.head() => self.count_from(&motion.pose),
-            Event::Move(motion) => {
-                let begins = std::mem::take(&mut self.begun);
-                self.placed = true;
-                self.go(&motion.pose, begins || motion.rapid, begins);
-                self.towards = None;
-                self.motion += 1;
-            }
-            Event::Arc(arc) => {
-                // The tool has been led to its start.
-                self.go(&arc.end, false, false);
-                self.towards = None;
-                self.motion += 1;
-            }
-            Event::Hole(hole) => {
-                let begins = std::mem::take(&mut self.begun);
-                self.placed = true;
-                // The tool goes over to it at rapid.
-                self.go(&hole.top, true, begins);
-                self.towards = None;
-                self.motion += 1;
-            }
             Event::Turning(turning) => self.towards = self.placer.towards(*turning),
-            _ => {}
+            Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Operation(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Tool(_)
+            | Event::Preselect(_)
+            | Event::Spindle(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::Move(_)
+            | Event::Arc(_)
+            | Event::Spline(_)
+            | Event::Hole(_)
+            | Event::ClearancePlane(_)
+            | Event::Tolerance(_)
+            | Event::Delay(_)
+            | Event::OptionalStop
+            | Event::Stop
+            | Event::Message(_)
+            | Event::Insert(_)
+            | Event::Code { .. } => {}
         }
+    }
+
+    /// A motion; `air`: the tool is out of the part.
+    fn move_to(&mut self, end: &Pose, index: MotionIndex, air: bool) {
+        self.placed = true;
+        self.motion = index.motion;
+        self.go(end, air, index.begins == Begins::Operation);
+        self.towards = None;
     }
 
     /// The rotaries are parked where the configuration wants it; an angle out of reach is told by the planner.
     fn go_home(&mut self) {
-        self.begun = true;
         let (placer, park) = (&self.placer, &self.park);
         let Ok((_, 1..)) = placer.parked(park, &placer.zero()) else { return };
         self.placed = true;
@@ -320,6 +331,15 @@ impl<M: Machine> Navigator<M> {
         let (cost, changes) = if self.greedy { greedy.1 } else { best.1 };
         let mut changes = changes.read_from_start();
         Course { next: changes.next(), changes, cost, greedy: (!ended).then_some(motion_by_motion) }
+    }
+}
+
+impl<M: Machine> Stage for Navigator<M> {
+    type Stop = Diagnostic;
+
+    fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
+        self.follow(item);
+        Ok(())
     }
 }
 

@@ -17,7 +17,7 @@ pub(crate) struct Packed {
 }
 
 impl Packed {
-    pub(super) fn push(&mut self, change: &Change) {
+    pub(crate) fn push(&mut self, change: &Change) {
         let (tag, part) = match change.how {
             How::Take => (0, None),
             How::Turn => (1, None),
@@ -34,12 +34,12 @@ impl Packed {
     }
 
     /// Goes back to the first change, to read.
-    pub(super) fn read_from_start(self) -> Self {
+    pub(crate) fn read_from_start(self) -> Self {
         Self { bytes: self.bytes, ..Self::default() }
     }
 
     /// The next change.
-    pub(super) fn next(&mut self) -> Option<Change> {
+    pub(crate) fn next(&mut self) -> Option<Change> {
         let tag = self.byte()?;
         self.motion = self.motion.wrapping_add_signed(self.number()?);
         for axis in 0..self.words.len() {

@@ -44,7 +44,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Where nothing but the rotaries is known.
-    pub(in crate::motion) fn standing(&self, words: &Turns) -> Place<M::Axes> {
+    pub(crate) fn standing(&self, words: &Turns) -> Place<M::Axes> {
         Place { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
     }
 
@@ -59,7 +59,7 @@ impl<M: Machine> Placer<M> {
     /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first, then
     /// the turns nearest to zero, positive before negative. An endless axis stands within half a turn of zero. `near`: of an
     /// axis with too many turns those next to these words are among them, and those at its ends.
-    pub(super) fn states(&self, pose: &Pose, near: &[Turns], out: &mut Vec<State>) {
+    pub(crate) fn states(&self, pose: &Pose, near: &[Turns], out: &mut Vec<State>) {
         out.clear();
         for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
             let start = out.len();
@@ -104,7 +104,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The words of the second rotary at a pole.
-    pub(super) fn second_words(&self, pose: &Pose, out: &mut Vec<i64>) {
+    pub(crate) fn second_words(&self, pose: &Pose, out: &mut Vec<i64>) {
         out.clear();
         let [_, second] = self.rotaries[..] else { return };
         for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
@@ -115,7 +115,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Where a path between two poses touches the pole on its way: the part of the way and the pole.
-    pub(super) fn pole_between(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
+    pub(crate) fn pole_between(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b);
         let sine = normal.norm();
@@ -132,7 +132,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The part of its way at which a path is nearest to a pole, if it passes it rather than staying on one side.
-    pub(super) fn passing(&self, from: &Pose, to: &Pose) -> Option<f64> {
+    pub(crate) fn passing(&self, from: &Pose, to: &Pose) -> Option<f64> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b).try_normalize(1e-12)?;
         self.poles.iter().find_map(|pole| {
@@ -148,7 +148,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The words in which a path from (or to) an axis reaches the pole on the branch of a state.
-    pub(super) fn at_pole(&self, pole: &UnitVector3<f64>, axis: &UnitVector3<f64>, state: &State) -> Option<Turns> {
+    pub(crate) fn at_pole(&self, pole: &UnitVector3<f64>, axis: &UnitVector3<f64>, state: &State) -> Option<Turns> {
         let [first, second] = self.rotaries[..] else { return None };
         let p = pole.into_inner();
         let beside = (axis.into_inner() - p * p.dot(axis)).try_normalize(0.0)?;
@@ -172,7 +172,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// For each state the words in which a path to an axis leaves the pole.
-    pub(super) fn exits(
+    pub(crate) fn exits(
         &self,
         pole: &UnitVector3<f64>,
         axis: &UnitVector3<f64>,
@@ -182,7 +182,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Whether a cut from one state to another keeps the tool on its path: the axes run through from end to end.
-    pub(super) fn connected(&self, from: (&Pose, &State), to: (&Pose, &State), merged: bool) -> bool {
+    pub(crate) fn connected(&self, from: (&Pose, &State), to: (&Pose, &State), merged: bool) -> bool {
         let ((a, start), (b, end)) = (from, to);
         if !self.metric.short(&start.words, &end.words) || (start.branch != end.branch && !merged) {
             return false;
@@ -214,14 +214,14 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The solution of a pose nearest to some words, on any branch, without limits.
-    pub(super) fn nearest_turns(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
+    pub(crate) fn nearest_turns(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
         let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(expected));
         let off = |words: &Turns| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
         solutions.iter().filter_map(|solution| self.turned_to(solution, expected)).min_by_key(off)
     }
 
     /// The words to which a state runs on in a cut, whatever the limits say.
-    pub(super) fn continued(&self, pose: &Pose, state: &State) -> Option<Turns> {
+    pub(crate) fn continued(&self, pose: &Pose, state: &State) -> Option<Turns> {
         let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(&state.words));
         let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
         self.turned_to(solution, &state.words)
@@ -238,12 +238,12 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Whether words lie inside the limits of their axes.
-    pub(super) fn inside(&self, words: &Turns) -> bool {
+    pub(crate) fn inside(&self, words: &Turns) -> bool {
         self.rotaries.iter().zip(words).all(|(rotary, &word)| rotary.holds(word))
     }
 
     /// Both branches of a pose are one.
-    pub(super) fn merged(&self, states: &[State]) -> bool {
+    pub(crate) fn merged(&self, states: &[State]) -> bool {
         self.rotaries.len() == 2 && states.iter().all(|state| state.branch == Branch::First)
     }
 }

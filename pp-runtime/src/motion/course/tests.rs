@@ -4,6 +4,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use proptest::prelude::*;
 
 use super::super::machines::{Cb, Head};
+use super::super::tests::hand_on;
 use super::*;
 use crate::config::Config;
 use crate::kinematics::Limits;
@@ -35,14 +36,17 @@ fn changes(mut course: Course) -> Vec<Change> {
     .collect()
 }
 
-fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
+fn course_of<M: Machine>(config: &Config, events: &[Event<'_>]) -> Course {
     let mut navigator = Navigator::new(config.set_up.machine::<M>().expect("valid"), config.policy());
-    navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
-    for point in points {
-        let feed = Some(Feed::PerMinute(100.0));
-        navigator.event(&Event::Move(Move { pose: point.pose, rapid: point.rapid, feed }));
-    }
+    hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     navigator.finish()
+}
+
+fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
+    let mut events = vec![Event::Tool(ToolCall { number: 1, ..ToolCall::default() })];
+    let feed = Some(Feed::PerMinute(100.0));
+    events.extend(points.iter().map(|point| Event::Move(Move { pose: point.pose, rapid: point.rapid, feed })));
+    course_of::<M>(config, &events)
 }
 
 #[test]
@@ -50,14 +54,13 @@ fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
     let mut config = Config::default();
     config.set_up.limits.insert('C', limits(-190.0, 190.0));
     config.motion.park.insert('C', 0.0);
-    let mut navigator = Navigator::new(config.set_up.machine::<Cb>().expect("valid"), config.policy());
-    navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
+    let mut events = vec![Event::Tool(ToolCall { number: 1, ..ToolCall::default() })];
     for event in [Some(170.0), None, Some(-172.0)] {
         let pose = |turn| Pose { tip: Point3::origin(), axis: axis(turn, 30.0) };
         let cut = |turn| Move { pose: pose(turn), rapid: false, feed: Some(Feed::PerMinute(100.0)) };
-        navigator.event(&event.map_or(Event::Home, |turn| Event::Move(cut(turn))));
+        events.push(event.map_or(Event::Home, |turn| Event::Move(cut(turn))));
     }
-    let course = navigator.finish();
+    let course = course_of::<Cb>(&config, &events);
     // C to 170, home, to -172 and not to 188; B to 30 once.
     let degrees = course.cost.travel as f64 / 10_f64.powi(config.formats.rotary as i32);
     assert!((degrees - (170.0 + 170.0 + 172.0 + 30.0)).abs() < 0.01, "{degrees}");

@@ -26,7 +26,7 @@ const MOST_SEEN: f64 = 1000.0;
 impl<M: Machine> Placer<M> {
     /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
     /// where the program has no such words.
-    pub(in super::super) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
+    pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
         if let Some(map) = self.frame.map(&self.machine, &at.axes) {
             return Some(map.words(tip));
         }
@@ -37,12 +37,12 @@ impl<M: Machine> Placer<M> {
 
     /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
     /// place: the rows belong to the words, the columns to the directions of the workpiece.
-    pub(in super::super) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
         Some((self.xyz?, differences(|tip| self.program_point(tip, at))?))
     }
 
     /// The same where the words are square to each other and as long as the ways of the tip.
-    pub(in super::super) fn square_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn square_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
         self.program_map(at).filter(|(_, map)| {
             let off = map.transpose() * map - Matrix3::identity();
             off.iter().all(|part| part.abs() <= ORTHOGONAL)
@@ -50,7 +50,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.
-    pub(in super::super) fn axis_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn axis_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
         let mut linear = (0..M::AXES.len().min(MAX_AXES)).filter(|index| self.linear_mask & (1 << index) != 0);
         let solved = [linear.next()?, linear.next()?, linear.next()?];
         let values = |tip: &Point3<f64>| {
@@ -61,7 +61,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The words of a tip that the control counts in a frame of its own.
-    pub(super) fn set_tip(&self, mut place: Place<M::Axes>, map: &Map) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn set_tip(&self, mut place: Place<M::Axes>, map: &Map) -> Result<Place<M::Axes>, Fault> {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
@@ -77,8 +77,11 @@ impl<M: Machine> Placer<M> {
         Ok(place)
     }
 
-    /// The place in the frame that counts once its rotaries have been turned to.
-    pub(crate) fn started(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    /// The place in the frame of tip control, which may be that of the table once its rotaries have been turned.
+    pub(crate) fn in_tip_frame(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        if !self.frame.is_set_anew() {
+            return Ok(place);
+        }
         self.frame.start(&self.machine, &place.axes);
         self.finish(place)
     }

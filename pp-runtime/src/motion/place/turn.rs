@@ -29,7 +29,7 @@ impl<M: Machine> Placer<M> {
 
     /// Indexed axes stand on one of their steps, and do not turn in a cut.
     #[cold]
-    pub(super) fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
+    pub(crate) fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
         for &(rotary, step) in &self.grid {
             let index = rotary.index;
             let word = place.words[index];
@@ -62,7 +62,7 @@ impl<M: Machine> Placer<M> {
 
     /// On the way of a cut an indexed axis stays where it is, and the tool axis leaves its even turn by what that takes.
     #[inline]
-    pub(in super::super) fn hold_indexed(
+    pub(crate) fn hold_indexed(
         &self,
         place: &mut Place<M::Axes>,
         from: &Place<M::Axes>,
@@ -133,7 +133,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// At the pole the first rotary keeps its value: what CL data says of it there is rounding.
-    pub(super) fn turn_to_pole(
+    pub(crate) fn turn_to_pole(
         &self,
         pose: &Pose,
         pole: UnitVector3<f64>,
@@ -156,7 +156,7 @@ impl<M: Machine> Placer<M> {
 
     /// A pose with these rotary words; the linear axes are not computed.
     #[inline]
-    pub(in super::super) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
+    pub(crate) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
         let mut place = Place {
             pose: *pose,
             branch: from.branch,
@@ -173,7 +173,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// A pose with the rotary words of the course.
-    pub(super) fn planned(&self, pose: &Pose, from: &Place<M::Axes>, target: &Target) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn planned(&self, pose: &Pose, from: &Place<M::Axes>, target: &Target) -> Result<Place<M::Axes>, Fault> {
         let pole = self.pole(&pose.axis);
         let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         let mut words = self.all_words(&target.words);

@@ -4,13 +4,14 @@
 //! Whether an axis stays still is known at the end of an approach only from what follows. A rehearsal plans the whole
 //! program once without writing and says it, one mask for each approach: what moves is what the planner itself moves.
 
-use super::options::ClampCodes;
-use super::options::Policy;
+use std::io;
+
 use crate::kinematics::Machine;
 
-use super::choose::Rotary;
-use super::planner::{Planned, Planner};
-use super::step::{MAX_AXES, Sink, Step};
+use super::super::choose::Rotary;
+use super::super::options::{ClampCodes, Policy};
+use super::super::step::{MAX_AXES, Sink, Step};
+use super::output::Output;
 
 /// One clamp.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,19 +27,9 @@ struct Clamp {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Moving(Vec<u16>);
 
-/// Takes the steps of a rehearsal.
-#[derive(Debug, Clone, Copy)]
-pub struct Nowhere;
-
-impl Sink for Nowhere {
-    fn step(&mut self, _: &Step<'_>) -> std::io::Result<()> {
-        Ok(())
-    }
-}
-
 /// The clamps of a machine.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Clamps {
+pub(crate) struct Clamps {
     clamps: Vec<Clamp>,
     /// As rehearsed; `None` in the rehearsal itself.
     rehearsed: Option<Moving>,
@@ -48,7 +39,7 @@ pub(super) struct Clamps {
 }
 
 impl Clamps {
-    pub(super) fn new<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
+    pub(crate) fn new<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
         let clamp = |rotary: &Rotary| {
             let codes = policy.options.rotaries.clamp.get(&M::AXES[rotary.index].letter)?.clone();
             Some(Clamp { index: rotary.index, codes, on: None })
@@ -57,12 +48,12 @@ impl Clamps {
     }
 
     /// Whoever enters the program here knows nothing.
-    pub(super) fn forget(&mut self) {
+    pub(crate) fn forget(&mut self) {
         self.clamps.iter_mut().for_each(|clamp| clamp.on = None);
     }
 
     /// An approach begins.
-    pub(super) fn approach(&mut self) {
+    pub(crate) fn approach(&mut self) {
         self.approaches += 1;
         if !self.clamps.is_empty() && self.rehearsed.is_none() {
             self.seen.0.push(0);
@@ -71,7 +62,7 @@ impl Clamps {
 
     /// A block of an operation moves from some words to others.
     #[inline]
-    pub(super) fn note(&mut self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) {
+    pub(crate) fn note(&mut self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) {
         if let Some(seen) = self.seen.0.last_mut() {
             for clamp in self.clamps.iter().filter(|clamp| from[clamp.index] != to[clamp.index]) {
                 *seen |= 1 << clamp.index;
@@ -85,54 +76,47 @@ impl Clamps {
         self.approaches.checked_sub(1).and_then(|index| masks.get(index)).copied().unwrap_or(u16::MAX)
     }
 
+    /// Before the rotary axes go to some words alone: off where they turn, or will until the next approach.
+    pub(crate) fn open<S: Sink>(
+        &mut self,
+        from: &[i64; MAX_AXES],
+        to: &[i64; MAX_AXES],
+        output: &mut Output<S>,
+    ) -> io::Result<()> {
+        let turns = |clamp: &&Clamp| clamp.on.is_none() || from[clamp.index] != to[clamp.index];
+        let turning = self.clamps.iter().filter(turns).fold(0, |mask, clamp| mask | 1 << clamp.index);
+        self.switch(turning | self.moving(), false, output)
+    }
+
+    /// After that: on where they stay still until the next approach.
+    pub(crate) fn close<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
+        self.switch(!self.moving(), true, output)
+    }
+
     /// Switches the clamps of the axes in a mask.
-    fn switch(&mut self, mask: u16, on: bool, sink: &mut impl Sink) -> Planned {
+    pub(crate) fn switch<S: Sink>(&mut self, mask: u16, on: bool, output: &mut Output<S>) -> io::Result<()> {
         for clamp in self.clamps.iter_mut().filter(|clamp| mask & (1 << clamp.index) != 0 && clamp.on != Some(on)) {
             clamp.on = Some(on);
-            sink.step(&Step::Code { text: if on { &clamp.codes.on } else { &clamp.codes.off } })?;
+            output.step(&Step::Code { text: if on { &clamp.codes.on } else { &clamp.codes.off } })?;
         }
         Ok(())
     }
-}
 
-impl<M: Machine> Planner<'_, M> {
-    /// Switches clamps as a rehearsal of the same program has found.
-    #[must_use]
-    pub fn with_clamps(mut self, rehearsed: Moving) -> Self {
-        self.clamps.rehearsed = Some(rehearsed);
-        self
+    /// Switches as a rehearsal of the same program has found.
+    pub(crate) fn set_rehearsed(&mut self, rehearsed: Moving) {
+        self.rehearsed = Some(rehearsed);
     }
 
-    /// What a rehearsal has found.
-    #[must_use]
-    pub fn rehearsed(self) -> Moving {
-        self.clamps.seen
-    }
-
-    /// Before the rotary axes go to some words alone.
-    pub(super) fn unclamp(&mut self, to: &[i64; MAX_AXES], sink: &mut impl Sink) -> Planned {
-        let turns = |clamp: &&Clamp| clamp.on.is_none() || self.place.words[clamp.index] != to[clamp.index];
-        let turning = self.clamps.clamps.iter().filter(turns).fold(0, |mask, clamp| mask | 1 << clamp.index);
-        let moving = self.clamps.moving();
-        self.clamps.switch(turning | moving, false, sink)
-    }
-
-    /// Behind that.
-    pub(super) fn clamp(&mut self, sink: &mut impl Sink) -> Planned {
-        let moving = self.clamps.moving();
-        self.clamps.switch(!moving, true, sink)
-    }
-
-    /// Around the parking of the axes in a mask: `on` behind it.
-    pub(super) fn clamp_parked(&mut self, mask: u16, on: bool, sink: &mut impl Sink) -> Planned {
-        self.clamps.switch(mask, on, sink)
+    /// What the rehearsal has found.
+    pub(crate) fn into_seen(self) -> Moving {
+        self.seen
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::machines::Cb;
-    use super::super::tests::{config, feed, rapid, run, spindle, tool};
+    use super::super::super::machines::Cb;
+    use super::super::super::tests::{config, feed, rapid, run, spindle, tool};
     use super::*;
     use crate::config::Config;
     use crate::program::Event;

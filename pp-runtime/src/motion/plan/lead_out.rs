@@ -10,19 +10,14 @@ const SHORTEST: f64 = 1e-9;
 
 /// Running length of the last motions along +axis; one number, whatever came before.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Retreat {
+pub(crate) struct LeadOut {
     length: f64,
 }
 
-impl Retreat {
+impl LeadOut {
     /// mm along the tool axis since the last motion in any other direction.
     pub(crate) fn length(self) -> f64 {
         self.length
-    }
-
-    /// Nothing is known of what came before.
-    pub(crate) fn reset(&mut self) {
-        self.length = 0.0;
     }
 
     /// Follows one motion.
@@ -52,11 +47,11 @@ mod tests {
     fn length_after(tips: &[[f64; 3]], axis: [f64; 3]) -> f64 {
         let axis = UnitVector3::new_normalize(Vector3::from(axis));
         let poses: Vec<_> = tips.iter().map(|&tip| Pose { tip: Point3::from(tip), axis }).collect();
-        let mut retreat = Retreat::default();
+        let mut lead_out = LeadOut::default();
         for pair in poses.windows(2) {
-            retreat.follow(&pair[0], &pair[1]);
+            lead_out.follow(&pair[0], &pair[1]);
         }
-        retreat.length()
+        lead_out.length()
     }
 
     #[test]

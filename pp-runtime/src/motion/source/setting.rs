@@ -1,17 +1,17 @@
 //! How the part lies on the table, and how far from it a dry run stays: the program as the CL data has it into the program
 //! as it is run.
 //!
-//! Tips, axes and every other direction and point are multiplied by `part_rotation` here and nowhere else, in front of
-//! everything that looks at a program: survey, course, planner and expander all see the part as it lies, its frame along
-//! the table's directions. What the configuration says of the part (`floor`, `retract.clearance`) counts in that frame,
-//! too; what the CL data says (CLEARP) is turned with it. A dry run moves every point out along its tool axis; the
-//! clearance geometry stays where the part is.
+//! Tips, axes and every other direction and point are multiplied by `part_rotation` here and nowhere else. After it the
+//! frame of the part is along the table's directions. What the configuration says of the part (`floor`,
+//! `retract.clearance`) counts in that frame, too; what the CL data says (CLEARP) is turned with it. A dry run moves every
+//! point out along its tool axis; the clearance geometry stays where the part is.
 
 use nalgebra::{Point3, Rotation3, UnitVector3};
 
-use crate::config::Config;
 use crate::kinematics::Pose;
 use crate::program::{Arc, Event, Hole, Move, Plane, Spline};
+
+use super::super::options::Policy;
 
 /// Turns the events of a program.
 #[derive(Debug, Clone)]
@@ -26,13 +26,13 @@ pub(crate) struct Setting {
 }
 
 impl Setting {
-    pub(crate) fn new(config: &Config) -> Self {
-        let rotation = config.set_up.part_rotation;
-        let lift = config.motion.lift.unwrap_or(0.0);
+    pub(crate) fn new(policy: Policy<'_>) -> Self {
+        let rotation = policy.set_up.part_rotation;
+        let lift = policy.options.lift.unwrap_or(0.0);
         Self {
             rotation,
             lift,
-            plain: rotation == Rotation3::identity() && config.motion.lift.is_none(),
+            plain: rotation == Rotation3::identity() && policy.options.lift.is_none(),
             points: Vec::new(),
         }
     }
@@ -65,7 +65,26 @@ impl Setting {
             Event::ClearancePlane(plane) => {
                 Event::ClearancePlane(Plane { normal: self.direction(&plane.normal), ..plane })
             }
-            other => other,
+            // No point and no direction is in these.
+            Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Operation(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Tool(_)
+            | Event::Preselect(_)
+            | Event::Spindle(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::Home
+            | Event::Tolerance(_)
+            | Event::Turning(_)
+            | Event::Delay(_)
+            | Event::OptionalStop
+            | Event::Stop
+            | Event::Message(_)
+            | Event::Insert(_)
+            | Event::Code { .. } => *event,
         }
     }
 
@@ -87,6 +106,7 @@ mod tests {
     use nalgebra::Vector3;
 
     use super::*;
+    use crate::config::Config;
     use crate::program::Drilling;
 
     fn pose(tip: [f64; 3], axis: [f64; 3]) -> Pose {
@@ -96,11 +116,9 @@ mod tests {
     /// X to Y, Y to Z, Z to X.
     fn setting() -> Setting {
         let rotation = Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(0., 0., 1., 1., 0., 0., 0., 1., 0.));
-        Setting::new(&{
-            let mut config = Config::default();
-            config.set_up.part_rotation = rotation;
-            config
-        })
+        let mut config = Config::default();
+        config.set_up.part_rotation = rotation;
+        Setting::new(config.policy())
     }
 
     #[test]
@@ -131,25 +149,21 @@ mod tests {
     #[test]
     fn without_a_set_up_the_cl_data_stays_as_it_is() {
         let from = Event::From(pose([1., 2., 3.], [0., 0., 1.]));
-        assert_eq!(Setting::new(&Config::default()).event(&from), None);
+        assert_eq!(Setting::new(Config::default().policy()).event(&from), None);
     }
 
     #[test]
     fn a_dry_run_moves_every_point_along_the_tool_axis() {
         let lifted = |event| {
-            Setting::new(&{
-                let mut config = Config::default();
-                config.motion.lift = Some(50.0);
-                config
-            })
-            .event(&event)
-                == Some(event)
+            let mut config = Config::default();
+            config.motion.lift = Some(50.0);
+            Setting::new(config.policy()).event(&event) == Some(event)
         };
         let axis = [0.6, 0.0, 0.8];
         let (here, there) = (pose([1., 2., 3.], axis), pose([31., 2., 43.], axis));
         let mut config = Config::default();
         config.motion.lift = Some(50.0);
-        let mut setting = Setting::new(&config);
+        let mut setting = Setting::new(config.policy());
         let motion = |pose| Event::Move(Move { pose, rapid: true, feed: None });
         assert_eq!(setting.event(&motion(here)), Some(motion(there)));
         let (before, after) = ([here.tip; 2], [there.tip; 2]);

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 
-use super::super::machines::{Ay, Cb, Head, Mirrored, Xyz};
-use super::super::tests::{Run, config, feed, run, spindle, tool};
+use super::super::super::machines::{Ay, Cb, Head, Mirrored, Xyz};
+use super::super::super::tests::{Run, config, feed, run, spindle, tool};
 use crate::config::Config;
 use crate::kinematics::{AxisKind, Machine, Pose};
 use crate::motion::{ArcForm, ArcOutput};
@@ -281,15 +281,18 @@ fn why_arcs_are_lines_is_counted() {
         assert_eq!(run.diagnostics, []);
         (run.statistics.arcs, run.statistics.chorded)
     };
-    let none = super::Chorded::default();
+    let none = crate::motion::Chorded::default();
     assert_eq!(counted(&up(), |_| {}), (1, none));
     let leaning = Wanted { normal: UnitVector3::new_normalize(Vector3::new(0.0, 0.3, 1.0)), ..up() };
-    assert_eq!(counted(&leaning, |_| {}), (0, super::Chorded { plane: 1, ..none }));
+    assert_eq!(counted(&leaning, |_| {}), (0, crate::motion::Chorded { plane: 1, ..none }));
     assert_eq!(
         counted(&up(), |config| config.motion.arcs.largest_radius = 1.0),
-        (0, super::Chorded { radius: 1, ..none })
+        (0, crate::motion::Chorded { radius: 1, ..none })
     );
-    assert_eq!(counted(&up(), |config| config.formats.linear_mm = 1), (0, super::Chorded { rounding: 1, ..none }));
+    assert_eq!(
+        counted(&up(), |config| config.formats.linear_mm = 1),
+        (0, crate::motion::Chorded { rounding: 1, ..none })
+    );
 }
 
 #[test]

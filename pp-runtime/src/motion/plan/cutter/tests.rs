@@ -1,7 +1,7 @@
 //! Compensation of the cutter's radius: where it begins and ends, on which side, and what it does not bear.
 
-use super::super::machines::{Cb, Mirrored, Xyz};
-use super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
+use super::super::super::machines::{Cb, Mirrored, Xyz};
+use super::super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use super::*;
 use crate::config::Config;
 use crate::control::{Control, Encoder, Haas, Heidenhain, Layout, Siemens};
@@ -106,7 +106,7 @@ fn each_control_has_its_words_and_its_register() {
     );
     config.set_up.tools.get_mut(&1).expect("the tool").radius_offset = Some(31);
     assert!(posted(&Haas, &config, &contour(CutterSide::Left)).iter().any(|line| line == "G41 D31 Y0."));
-    let (found, _) = plan::<Xyz>(&Heidenhain, &config, &contour(CutterSide::Left), &mut super::super::Nowhere);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &config, &contour(CutterSide::Left), &mut crate::motion::Nowhere);
     assert!(found[0].text.contains("register 31"), "{found:?}");
 }
 

@@ -2,13 +2,14 @@
 
 use proptest::prelude::*;
 
-use super::super::machines::{Cb, Head, Xyz};
-use super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
+use super::super::super::machines::{Cb, Head, Xyz};
+use super::super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use super::*;
 use crate::config::Config;
 use crate::control::{CONTROLS, Control, Heidenhain, Siemens};
 use crate::diag::Severity;
-use crate::program::Event;
+use crate::motion::Provenance;
+use crate::program::{Dwell, Event};
 use crate::set_up::GivenTool;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -306,7 +307,7 @@ impl Way {
 fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec<([i64; 3], bool)>, Vec<Cycle>) {
     struct Steps(Way, bool);
     impl Sink for Steps {
-        fn step(&mut self, step: &Step<'_>) -> std::io::Result<()> {
+        fn step(&mut self, step: &Step<'_>, _: &Provenance<'_>) -> std::io::Result<()> {
             match step {
                 Step::Rapid { words } => self.0.words(words, true),
                 Step::Feed { words, .. } => self.0.words(words, false),
@@ -373,16 +374,16 @@ fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
     assert!((pitch(&Heidenhain, eighteen) - 1.4111).abs() < 1e-9);
     let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.0103) }, 2.0, None)]);
     let refused = |control: &dyn Control| {
-        let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut super::super::Nowhere);
+        let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
         found.into_iter().find(|found| found.severity == Severity::Error).map(|found| found.text)
     };
     assert_eq!(refused(&Heidenhain), None);
     let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.010_33) }, 2.0, None)]);
-    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut super::super::Nowhere);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
     // 1.25 mm in inches: with four decimals 1.249 68 mm would be cut.
     let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(1.25 / 25.4) }, 2.0, None)]);
-    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut super::super::Nowhere);
+    let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
 }
 

@@ -4,17 +4,19 @@
 //! Nothing of CL data is in it: rotary words run from end to end, and the linear axes follow as they do in every feed
 //! motion, certified within `tolerance`. What a chain, a sign, a pivot or a length is off moves the tip.
 
-use nalgebra::{Point3, UnitVector3};
+use nalgebra::Point3;
 
 use crate::kinematics::{Machine, Pose, Side};
 use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
-use super::choose::Rotary;
-use super::course::{Target, Turns};
-use super::fault::Fault;
-use super::linearise::Tolerance;
-use super::planner::{Planned, Planner, Stop, stop};
-use super::step::{Sink, Step};
+use super::super::account::Why;
+use super::super::choose::Rotary;
+use super::super::course::{Target, Turns};
+use super::super::fault::{Fault, Halt, Planned, Stop};
+use super::super::linearise::Tolerance;
+use super::super::source::Next;
+use super::super::step::{Sink, Step};
+use super::{Ahead, Planner, records};
 
 /// mm/min on the way to the point.
 const FEED: f64 = 300.0;
@@ -30,14 +32,24 @@ pub struct Sweep {
     stops: Vec<Turns>,
 }
 
-impl<M: Machine> Planner<'_, M> {
+/// Plans the proof program of a machine.
+pub struct ProofProgram<'p, 'a, M: Machine, S> {
+    planner: &'p mut Planner<'a, M, S>,
+}
+
+impl<'p, 'a, M: Machine, S: Sink> ProofProgram<'p, 'a, M, S> {
+    /// The proof program that a planner is to write; nothing else is planned with it.
+    pub fn new(planner: &'p mut Planner<'a, M, S>) -> Self {
+        Self { planner }
+    }
+
     /// The sweeps of a machine: each rotary axis with the other at zero or as near to it as its travel allows, and the
     /// first once more with the second at the end of its travel.
     ///
     /// # Errors
     /// [`Stop`] if an axis cannot be swept: its travel is not known, or it stands on steps.
     pub fn sweeps(&self) -> Result<Vec<Sweep>, Stop> {
-        let rotaries = &self.placer.rotaries;
+        let rotaries = self.planner.mover.placer().rotaries();
         let mut rest = [0; 2];
         for (word, rotary) in rest.iter_mut().zip(rotaries) {
             *word = rotary.clamped(0);
@@ -50,7 +62,7 @@ impl<M: Machine> Planner<'_, M> {
             let ends = self.ends(second, rest[1])?;
             // A turn ends where it began: half of it is as far as it goes.
             let far = match second.endless() {
-                true => rest[1] + self.placer.scale.turn / 2,
+                true => rest[1] + self.planner.mover.placer().scale().turn / 2,
                 false => ends.into_iter().max_by_key(|end| (end - rest[1]).abs()).unwrap_or(rest[1]),
             };
             sweeps.push(self.sweep(0, [rest[0], far])?);
@@ -59,10 +71,10 @@ impl<M: Machine> Planner<'_, M> {
     }
 
     fn sweep(&self, axis: usize, rest: Turns) -> Result<Sweep, Stop> {
-        let rotaries = &self.placer.rotaries;
+        let rotaries = self.planner.mover.placer().rotaries();
         let letter = |axis: usize| M::AXES[rotaries[axis].index].letter;
         let ends = self.ends(rotaries[axis], rest[axis])?;
-        let shown = |axis: usize, word: i64| rotaries[axis].shown(word, self.placer.scale);
+        let shown = |axis: usize, word: i64| rotaries[axis].shown(word, self.planner.mover.placer().scale());
         let from = if let [_] = ends[..] { rest[axis] } else { ends[0] };
         let last = ends[ends.len() - 1];
         let mut name = format!("{} from {} to {} degrees", letter(axis), shown(axis, from), shown(axis, last));
@@ -83,8 +95,8 @@ impl<M: Machine> Planner<'_, M> {
     fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, Stop> {
         let axis = &M::AXES[rotary.index];
         let letter = axis.letter;
-        let refused = |fault: Fault| Err(stop(Location::default(), fault));
-        if self.policy.options.rotaries.grid.contains_key(&letter) {
+        let refused = |fault: Fault| Err(Halt::from(fault).at(Location::default()));
+        if self.planner.policy.options.rotaries.grid.contains_key(&letter) {
             let fault =
                 Fault::new(format_args!("{letter} stands on steps and does not turn in a cut: it cannot be swept"));
             return refused(fault.help("check such an axis by hand, step by step"));
@@ -95,7 +107,7 @@ impl<M: Machine> Planner<'_, M> {
                 let fault = Fault::new(format_args!("the travel of {letter}, which turns the head, is not known"));
                 refused(fault.help(format_args!("give it in the configuration: `[limits] {letter} = [-90, 90]`")))
             }
-            _ => Ok(vec![rest + self.placer.scale.turn]),
+            _ => Ok(vec![rest + self.planner.mover.placer().scale().turn]),
         }
     }
 
@@ -103,55 +115,57 @@ impl<M: Machine> Planner<'_, M> {
     ///
     /// # Errors
     /// [`Stop`] if a point of it cannot be reached, or the output fails.
-    pub fn prove(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep], sink: &mut impl Sink) -> Planned {
+    pub fn plan(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Result<(), Stop> {
         let at = Location::default();
-        let fault = |fault: Fault| stop(at, fault);
-        self.event(at, &Event::Tool(ToolCall { number: tool, ..ToolCall::default() }), sink)?;
-        let on = Spindle::On { speed: Some(SPEED), rotation: Some(Rotation::Clockwise) };
-        self.event(at, &Event::Spindle(on), sink)?;
-        let Some(words) = sweeps.first().and_then(|sweep| sweep.stops.first()).copied() else {
-            return Err(fault(Fault::new("this machine has no rotary axis: there is nothing to prove")));
-        };
-        let axis = self.axis_at(&words);
-        let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };
-        self.start(at, &motion, None, Some(Target { words, towards: None }), sink)?;
-        for sweep in sweeps {
-            sink.step(&Step::Operation { name: format!("SWEEP {}", sweep.name).as_bytes() })?;
-            for words in &sweep.stops {
-                self.sweep_to(at, &motion, words, sink)?;
-            }
-        }
-        self.sweep_to(at, &motion, &words, sink)?;
-        self.lead_out(at, sink)?;
-        self.finish(at, sink)
+        self.planner.mover.output_mut().serve(at, Why::Record);
+        self.plan_all(tool, tip, sweeps).map_err(|halt| halt.at(at))?;
+        self.planner.finish(at)
     }
 
-    /// The tool axis in the part with these words.
-    fn axis_at(&self, words: &Turns) -> UnitVector3<f64> {
-        self.placer.machine.forward_kinematics(&self.placer.standing(words).axes).axis
+    fn plan_all(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Planned {
+        let planner = &mut *self.planner;
+        records::record(planner, &Event::Tool(ToolCall { number: tool, ..ToolCall::default() }), true)?;
+        let on = Spindle::On { speed: Some(SPEED), rotation: Some(Rotation::Clockwise) };
+        records::record(planner, &Event::Spindle(on), true)?;
+        let Some(words) = sweeps.first().and_then(|sweep| sweep.stops.first()).copied() else {
+            return Err(Fault::new("this machine has no rotary axis: there is nothing to prove").into());
+        };
+        let axis = planner.mover.placer().axis_at(&words);
+        let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };
+        let target = Target { words, towards: None };
+        planner.start(Ahead { motion: &motion, next: Next::None }, 1, Some(target))?;
+        for sweep in sweeps {
+            let name = format!("SWEEP {}", sweep.name);
+            self.planner.mover.output_mut().step(&Step::Operation { name: name.as_bytes() })?;
+            for words in &sweep.stops {
+                self.sweep_to(words)?;
+            }
+        }
+        self.sweep_to(&words)?;
+        self.lead_out()
     }
 
     /// Turns to some words with the tip in place. As in a rewind the tool swings about it: its axis is not held to a path.
-    fn sweep_to(&mut self, at: Location, motion: &Move, words: &Turns, sink: &mut impl Sink) -> Planned {
-        let fault = |fault: Fault| stop(at, fault);
-        let words = self.placer.all_words(words);
-        let turned = self.placer.at(&self.place.pose, &self.place, &words);
-        let place = self.placer.set(turned).map_err(fault)?;
-        let swinging = Tolerance { axis: f64::INFINITY, ..self.tolerance };
-        self.feed_in_pieces(at, motion, &place, swinging, sink)?;
-        self.place = place;
+    fn sweep_to(&mut self, words: &Turns) -> Planned {
+        let mover = &mut self.planner.mover;
+        let place = mover.placer().with_turns(&mover.position().pose(), mover.here(), words)?;
+        let swinging = Tolerance { axis: f64::INFINITY, ..mover.tolerance() };
+        mover.feed_in_pieces(&place, FEED, swinging)?;
+        mover.position_mut().go_to(place);
         Ok(())
     }
 
     /// Out along the tool axis, as far as the approach came in.
-    fn lead_out(&mut self, at: Location, sink: &mut impl Sink) -> Planned {
-        let Pose { tip, axis } = self.place.pose;
-        let tip = tip + axis.into_inner() * self.policy.options.approach.distance;
-        let out = self.placer.shifted(tip, &self.place).map_err(|fault| stop(at, fault))?;
-        self.cancel_inverse_time(sink)?;
-        self.rapid(&out, self.placer.linear_mask(), sink)?;
-        self.retreat.follow(&self.place.pose, &out.pose);
-        self.place = out;
+    fn lead_out(&mut self) -> Planned {
+        let distance = self.planner.policy.options.approach.distance;
+        let mover = &mut self.planner.mover;
+        let here = *mover.here();
+        let Pose { tip, axis } = here.pose;
+        let out = mover.shifted(tip + axis.into_inner() * distance, &here)?;
+        mover.output_mut().cancel_inverse_time()?;
+        mover.rapid_linear(&out)?;
+        mover.position_mut().follow(&here.pose, &out.pose);
+        mover.position_mut().go_to(out);
         Ok(())
     }
 }

@@ -64,7 +64,7 @@ impl Times {
         self.cutting + self.rapid + self.waiting
     }
 
-    pub(super) fn operation(&mut self, at: Location, name: &[u8]) {
+    pub(crate) fn operation(&mut self, at: Location, name: &[u8]) {
         if self.operations.len() >= MOST_OPERATIONS {
             self.others += 1;
             return;
@@ -74,13 +74,13 @@ impl Times {
     }
 
     /// Drops everything but the operation that has begun.
-    pub(super) fn keep_last_operation(&mut self) {
+    pub(crate) fn keep_last_operation(&mut self) {
         let last = self.operations.pop();
         *self = Self { operations: last.into_iter().collect(), ..Self::default() };
     }
 
     /// Drops operations in which nothing has happened.
-    pub(super) fn forget_empty(&mut self) {
+    pub(crate) fn forget_empty(&mut self) {
         self.operations.retain(|operation| operation.total > 0.0);
     }
 
@@ -96,13 +96,13 @@ impl Times {
     }
 
     #[inline]
-    pub(super) fn cut(&mut self, minutes: f64) {
+    pub(crate) fn cut(&mut self, minutes: f64) {
         self.cutting += minutes;
         self.add(minutes, true);
     }
 
     #[inline]
-    pub(super) fn rapid(&mut self, minutes: Option<f64>) {
+    pub(crate) fn rapid(&mut self, minutes: Option<f64>) {
         match minutes {
             Some(minutes) => {
                 self.rapid += minutes;
@@ -112,19 +112,19 @@ impl Times {
         }
     }
 
-    pub(super) fn wait(&mut self, minutes: f64) {
+    pub(crate) fn wait(&mut self, minutes: f64) {
         self.waiting += minutes;
         self.add(minutes, false);
     }
 
     #[inline]
-    pub(super) fn turn(&mut self, letter: char, speed: f64, at: Location) {
+    pub(crate) fn turn(&mut self, letter: char, speed: f64, at: Location) {
         if self.fastest.is_none_or(|fastest| speed > fastest.speed) {
             self.fastest = Some(FastestTurn { letter, speed, at });
         }
     }
 
-    pub(super) fn slow(&mut self, at: Location, minutes: f64) {
+    pub(crate) fn slow(&mut self, at: Location, minutes: f64) {
         if self.slowed == 0 {
             self.slowed_first = at;
         }

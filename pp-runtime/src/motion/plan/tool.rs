@@ -1,26 +1,26 @@
 //! What is known of a tool: from the configuration, from the CL data, and where the two disagree.
 
-use super::options::Defaults;
-use super::options::Policy;
+use super::super::options::Defaults;
+use super::super::options::Policy;
 use crate::nc::Decimal;
 use crate::program::{Rotation, Spindle, ToolCall};
 use crate::set_up::GivenTool as Given;
 
-use super::fault::Fault;
-use super::planner::Registers;
+use super::super::fault::Fault;
+use super::abilities::Registers;
 
 /// Two lengths or diameters of the same tool may differ by this much, mm.
 const SAME: f64 = 0.01;
 
 /// The tool in the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tool {
+pub(crate) struct Tool {
     /// T word.
-    pub number: u32,
+    pub(crate) number: u32,
     /// From gauge line to tip, mm, if known.
-    pub length: Option<f64>,
+    pub(crate) length: Option<f64>,
     /// H word.
-    pub offset: u32,
+    pub(crate) offset: u32,
 }
 
 /// The spindle as the CL data wants it; what is missing comes from the configuration.
