@@ -7,12 +7,12 @@ mod words;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::machines::{Ay, Cb, Head, Xyw, Xyz};
-use super::{Moving, Navigator, Nowhere, Planner, Sink, Source, Stage, Statistics, Stop};
 use crate::config::Config;
 use crate::control::{Control, Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
+use crate::motion::machines::{Ay, Cb, Head, Xyw, Xyz};
+use crate::motion::{Moving, Navigator, Nowhere, Planner, Sink, Source, Stage, Statistics, Stop};
 use crate::motion::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{

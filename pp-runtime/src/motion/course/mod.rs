@@ -22,21 +22,20 @@ use std::collections::BTreeMap;
 
 use nalgebra::UnitVector3;
 
-use super::options::Policy;
 use crate::diag::Diagnostic;
 use crate::kinematics::{Branch, Machine, Pose};
+use crate::motion::options::Policy;
 use crate::program::Event;
 use crate::program::Units;
 
-use super::place::Placer;
-use super::source::{Action, Begins, Item, MotionIndex, Stage};
-use super::way::Way;
-
-pub use search::Cost;
-pub(crate) use search::{Metric, Towards, Turns};
+use crate::motion::geometry::Way;
+use crate::motion::place::Placer;
+use crate::motion::rotary::{Cost, Towards, Turns};
+use crate::motion::source::{Action, Begins, Item, MotionIndex, Stage};
 
 use packed::Packed;
-use search::{Search, State};
+use search::{CourseSearch, RotaryState};
+use states::StateFinder;
 
 /// A limit is crossed at most this often in one block.
 const MOST_CROSSINGS: u32 = 16;
@@ -61,14 +60,6 @@ pub(crate) struct Change {
     pub(crate) motion: u64,
     pub(crate) how: How,
     pub(crate) words: Turns,
-}
-
-/// Rotary words that a motion is to end in.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Target {
-    pub(crate) words: Turns,
-    /// Which way round an endless axis goes there; else the short way.
-    pub(crate) towards: Option<Towards>,
 }
 
 /// The decisions for a program, in the order of its motions.
@@ -126,7 +117,7 @@ impl Follower {
 /// One of the two searches: with a view ahead, and without.
 #[derive(Debug)]
 struct Seeker {
-    search: Search,
+    search: CourseSearch,
     /// It has come to a motion that it cannot make.
     ended: bool,
 }
@@ -134,7 +125,7 @@ struct Seeker {
 /// Finds the course in the first pass.
 #[derive(Debug)]
 pub struct Navigator<M: Machine> {
-    placer: Placer<M>,
+    finder: StateFinder<M>,
     greedy: bool,
     prefer: Option<(char, bool)>,
     /// Where GOHOME takes the axes.
@@ -150,7 +141,7 @@ pub struct Navigator<M: Machine> {
     placed: bool,
     /// ROTABL/NEXT.
     towards: Option<Towards>,
-    states: Vec<State>,
+    states: Vec<RotaryState>,
     /// Words near which turns are looked at where there are too many to look at all.
     near: Vec<Turns>,
     second: Vec<i64>,
@@ -161,10 +152,10 @@ impl<M: Machine> Navigator<M> {
     #[must_use]
     pub fn new(machine: M, policy: Policy<'_>) -> Self {
         let placer = Placer::new(machine, policy, Units::Millimetres);
-        let way = |greedy| Seeker { search: Search::new(placer.metric, [0; 2], greedy), ended: false };
+        let way = |greedy| Seeker { search: CourseSearch::new(placer.metric(), [0; 2], greedy), ended: false };
         Self {
             ways: [way(false), way(true)],
-            placer,
+            finder: StateFinder::new(placer),
             greedy: policy.options.course.greedy,
             prefer: policy.options.course.prefer,
             park: policy.options.park.clone(),
@@ -199,7 +190,7 @@ impl<M: Machine> Navigator<M> {
         match event {
             Event::From(pose) => self.count_from(pose),
             Event::Home => self.go_home(),
-            Event::Turning(turning) => self.towards = self.placer.towards(*turning),
+            Event::Turning(turning) => self.towards = self.finder.placer().towards(*turning),
             Event::Name(_)
             | Event::MachineName(_)
             | Event::Operation(_)
@@ -235,7 +226,7 @@ impl<M: Machine> Navigator<M> {
 
     /// The rotaries are parked where the configuration wants it; an angle out of reach is told by the planner.
     fn go_home(&mut self) {
-        let (placer, park) = (&self.placer, &self.park);
+        let (placer, park) = (self.finder.placer(), &self.park);
         let Ok((_, 1..)) = placer.parked(park, &placer.zero()) else { return };
         self.placed = true;
         let parked = |words: &Turns| {
@@ -250,9 +241,9 @@ impl<M: Machine> Navigator<M> {
         if self.placed {
             return;
         }
-        let from = self.placer.standing(&self.ways[0].search.words());
-        if let Some(place) = self.placer.reference(pose, &from) {
-            let words = self.placer.turns_of(&place.words);
+        let from = self.finder.placer().standing(&self.ways[0].search.words());
+        if let Some(place) = self.finder.placer().reference(pose, &from) {
+            let words = self.finder.placer().turns_of(&place.words);
             self.ways.iter_mut().for_each(|way| way.search.restart(words));
         }
     }
@@ -261,15 +252,15 @@ impl<M: Machine> Navigator<M> {
         if self.ways[0].ended {
             return;
         }
-        let pole = self.placer.pole(&pose.axis);
+        let pole = self.finder.placer().pole(&pose.axis);
         let pose = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         self.near.clear();
-        if self.placer.wide() {
+        if self.finder.placer().wide() {
             self.ways.iter().for_each(|way| way.search.near(air, &mut self.near));
         }
         match pole {
-            Some(_) => self.placer.second_words(&pose, &mut self.second),
-            None => self.placer.states(&pose, &self.near, &mut self.states),
+            Some(_) => self.finder.second_words(&pose, &mut self.second),
+            None => self.finder.states(&pose, &self.near, &mut self.states),
         }
         let reached = if pole.is_some() { !self.second.is_empty() } else { !self.states.is_empty() };
         if !reached {
@@ -288,13 +279,14 @@ impl<M: Machine> Navigator<M> {
     /// One motion of one search. False if there is no way.
     fn step(&mut self, way: usize, (pose, pole): (&Pose, Option<&UnitVector3<f64>>), air: bool, begins: bool) -> bool {
         let motion = self.motion;
-        let (placer, search) = (&self.placer, &mut self.ways[way].search);
+        let (finder, search) = (&self.finder, &mut self.ways[way].search);
         let from = self.here.filter(|_| !air);
         match (from, pole) {
             (None, None) => {
-                let wished = |state: &State| {
+                let wished = |state: &RotaryState| {
                     let preferred = self.prefer.is_none_or(|(letter, positive)| {
-                        let axis = placer.rotaries.iter().position(|rotary| M::AXES[rotary.index].letter == letter);
+                        let axis =
+                            finder.placer().rotaries().iter().position(|rotary| M::AXES[rotary.index].letter == letter);
                         axis.is_none_or(|axis| if positive { state.words[axis] >= 0 } else { state.words[axis] <= 0 })
                     });
                     preferred && self.start_branch.is_none_or(|branch| branch == state.branch)
@@ -302,23 +294,23 @@ impl<M: Machine> Navigator<M> {
                 search.free(motion, &self.states, self.towards, wished)
             }
             (None, Some(_)) => {
-                let Some(first) = placer.rotaries.first() else { return false };
+                let Some(first) = finder.placer().rotaries().first() else { return false };
                 search.free_to_pole((motion, begins), (*first, &self.second), self.towards);
                 true
             }
             (Some(_), Some(_)) if self.pole.is_some() => true,
             (Some(from), Some(pole)) => {
-                search.cut_to_pole(motion, None, |state| placer.at_pole(pole, &from.axis, state))
+                search.cut_to_pole(motion, None, |state| finder.at_pole(pole, &from.axis, state))
             }
             (Some(_), None) if let Some(pole) = self.pole => {
-                search.leave_pole(motion, &self.states, &placer.exits(&pole, &pose.axis, &self.states))
+                search.leave_pole(motion, &self.states, &finder.exits(&pole, &pose.axis, &self.states))
             }
-            (Some(from), None) => match placer.pole_between(&from, pose) {
+            (Some(from), None) => match finder.pole_between(&from, pose) {
                 Some((part, pole)) => {
-                    search.cut_to_pole(motion, Some(part), |state| placer.at_pole(&pole, &from.axis, state))
-                        && search.leave_pole(motion, &self.states, &placer.exits(&pole, &pose.axis, &self.states))
+                    search.cut_to_pole(motion, Some(part), |state| finder.at_pole(&pole, &from.axis, state))
+                        && search.leave_pole(motion, &self.states, &finder.exits(&pole, &pose.axis, &self.states))
                 }
-                None => cut(placer, search, motion, &from, pose, &self.states),
+                None => cut(finder, search, motion, &from, pose, &self.states),
             },
         }
     }
@@ -346,33 +338,33 @@ impl<M: Machine> Stage for Navigator<M> {
 /// A cut between two poses beside the pole. Where no state runs through it is split: at its place nearest to a pole that it
 /// passes, since an axis may turn by more than half a turn there, and where a state runs into a limit on the way.
 fn cut<M: Machine>(
-    placer: &Placer<M>,
-    search: &mut Search,
+    finder: &StateFinder<M>,
+    search: &mut CourseSearch,
     motion: u64,
     from: &Pose,
     to: &Pose,
-    states: &[State],
+    states: &[RotaryState],
 ) -> bool {
     // Between opposite axes no way is known, and none is split.
     let way = Way::new(from, to);
     let (mut here, mut done) = (*from, 0.0);
-    let mut passing = placer.passing(from, to);
+    let mut passing = finder.passing(from, to);
     let (mut near, mut split) = (Vec::new(), Vec::new());
     for _ in 0..MOST_CROSSINGS {
-        let merged = placer.merged(states) || placer.merged(search.layer());
-        if search.cut(motion, states, None, |a, b| placer.connected((&here, a), (to, b), merged)) {
+        let merged = finder.merged(states) || finder.merged(search.layer());
+        if search.cut(motion, states, None, |a, b| finder.connected((&here, a), (to, b), merged)) {
             return true;
         }
         let Some(way) = &way else { return false };
         near.clear();
-        if placer.wide() {
+        if finder.placer().wide() {
             search.near(false, &mut near);
         }
-        let mut split_at = |search: &mut Search, part: f64| {
+        let mut split_at = |search: &mut CourseSearch, part: f64| {
             let there = way.at(part);
-            placer.states(&there, &near, &mut split);
+            finder.states(&there, &near, &mut split);
             let reached =
-                search.cut(motion, &split, Some(part), |a, b| placer.connected((&here, a), (&there, b), false));
+                search.cut(motion, &split, Some(part), |a, b| finder.connected((&here, a), (&there, b), false));
             reached.then_some(there)
         };
         if let Some(part) = passing.filter(|part| *part > done)
@@ -381,7 +373,7 @@ fn cut<M: Machine>(
             (here, done, passing) = (there, part, None);
             continue;
         }
-        let Some(part) = crossing(placer, search, way, (&here, done), &near) else { return false };
+        let Some(part) = crossing(finder, search, way, (&here, done), &near) else { return false };
         let Some(there) = split_at(search, part) else { return false };
         (here, done) = (there, part);
     }
@@ -390,8 +382,8 @@ fn cut<M: Machine>(
 
 /// The first part of the way at which a state of the last layer is about to leave its limits while another turn is inside.
 fn crossing<M: Machine>(
-    placer: &Placer<M>,
-    search: &Search,
+    finder: &StateFinder<M>,
+    search: &CourseSearch,
     way: &Way,
     (here, done): (&Pose, f64),
     near: &[Turns],
@@ -399,22 +391,22 @@ fn crossing<M: Machine>(
     let mut split = Vec::new();
     let mut first: Option<f64> = None;
     for state in search.layer() {
-        let runs = |part: f64| placer.continued(&way.at(part), state);
-        if !placer.continued(here, state).is_some_and(|words| placer.inside(&words)) {
+        let runs = |part: f64| finder.continued(&way.at(part), state);
+        if !finder.continued(here, state).is_some_and(|words| finder.inside(&words)) {
             continue;
         }
         let (mut inside, mut outside) = (done, 1.0);
         for _ in 0..60 {
             let middle = 0.5 * (inside + outside);
             match runs(middle) {
-                Some(words) if placer.inside(&words) => inside = middle,
+                Some(words) if finder.inside(&words) => inside = middle,
                 _ => outside = middle,
             }
         }
         if inside <= done || first.is_some_and(|first| first <= inside) {
             continue;
         }
-        placer.states(&way.at(inside), near, &mut split);
+        finder.states(&way.at(inside), near, &mut split);
         if split.len() > 1 {
             first = Some(inside);
         }

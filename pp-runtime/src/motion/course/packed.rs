@@ -3,7 +3,8 @@
 //! A change takes a byte for what it is, and as many as they need for the motions since the one before and for how far the
 //! words differ; the part of a way takes eight more.
 
-use super::{Change, How, Turns};
+use crate::motion::course::{Change, How};
+use crate::motion::rotary::Turns;
 
 /// Changes in the order of their motions, written once and then read.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -3,11 +3,11 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 use proptest::prelude::*;
 
-use super::super::machines::{Cb, Head};
-use super::super::tests::hand_on;
 use super::*;
 use crate::config::Config;
 use crate::kinematics::Limits;
+use crate::motion::machines::{Cb, Head};
+use crate::motion::tests::hand_on;
 use crate::program::{Feed, Move, ToolCall};
 
 fn limits(lower: f64, upper: f64) -> Option<Limits> {
@@ -70,9 +70,9 @@ fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
 /// Everything that can be done, one choice after the other: which state each motion ends in, and to which state of the
 /// same pose the axes are rewound before it. Paths keep away from the pole.
 struct Everything<'t, M: Machine> {
-    placer: &'t Placer<M>,
+    finder: &'t StateFinder<M>,
     points: &'t [Point],
-    layers: Vec<Vec<State>>,
+    layers: Vec<Vec<RotaryState>>,
     least: Option<Cost>,
 }
 
@@ -86,7 +86,7 @@ impl<M: Machine> Everything<'_, M> {
         }
     }
 
-    fn go(&mut self, index: usize, from: State, cost: Cost) {
+    fn go(&mut self, index: usize, from: RotaryState, cost: Cost) {
         if self.least.is_some_and(|least| least < cost) {
             return;
         }
@@ -96,7 +96,7 @@ impl<M: Machine> Everything<'_, M> {
             }
             return;
         };
-        let turning = |a: &State, b: &State| self.placer.metric.cost(&a.words, &b.words);
+        let turning = |a: &RotaryState, b: &RotaryState| self.finder.placer().metric().cost(&a.words, &b.words);
         let mut next = Vec::new();
         for to in &self.layers[index] {
             if index == 0 || point.rapid {
@@ -107,7 +107,7 @@ impl<M: Machine> Everything<'_, M> {
             for start in &self.layers[index - 1] {
                 let rewound = Cost { rewinds: u32::from(*start != from), ..Cost::default() };
                 let cost = Self::sum(Self::sum(cost, rewound), turning(&from, start));
-                if self.placer.connected((before, start), (&point.pose, to), false) {
+                if self.finder.connected((before, start), (&point.pose, to), false) {
                     next.push((*to, Self::sum(cost, turning(start, to))));
                 }
             }
@@ -121,16 +121,17 @@ impl<M: Machine> Everything<'_, M> {
 
 fn everything<M: Machine>(config: &Config, points: &[Point]) -> Option<Cost> {
     let placer = Placer::<M>::new(config.set_up.machine::<M>().expect("valid"), config.policy(), Units::Millimetres);
+    let finder = StateFinder::new(placer);
     let layers = points
         .iter()
         .map(|point| {
             let mut states = Vec::new();
-            placer.states(&point.pose, &[], &mut states);
+            finder.states(&point.pose, &[], &mut states);
             states
         })
         .collect();
-    let mut all = Everything { placer: &placer, points, layers, least: None };
-    all.go(0, State { branch: Branch::First, words: [0; 2] }, Cost::default());
+    let mut all = Everything { finder: &finder, points, layers, least: None };
+    all.go(0, RotaryState { branch: Branch::First, words: [0; 2] }, Cost::default());
     all.least
 }
 

@@ -2,9 +2,9 @@
 
 use crate::config::PathNorm;
 
-use super::super::frame::TipAbility;
-use super::super::hole_cycle::CycleAbilities;
-use super::super::tilt::PlaneAbility;
+use crate::motion::place::PlaneAbility;
+use crate::motion::place::TipAbility;
+use crate::motion::step::CycleAbilities;
 
 /// What a control has no code for must not be planned.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,22 +8,22 @@
 
 use std::f64::consts::TAU;
 
-use super::super::options::{ArcForm, ArcOutput};
 use crate::kinematics::{Machine, Pose};
+use crate::motion::options::{ArcForm, ArcOutput};
 use crate::nalgebra::Vector3;
 use crate::program::{Arc, Move};
 
-use super::super::account::Why;
-use super::super::arc::Round;
-use super::super::circle::{Circle, Grid, Nominal, Off, Plane};
-use super::super::course::Target;
-use super::super::fault::{Fault, Halt, Planned};
-use super::super::place::Place;
-use super::super::source::{Begins, MotionIndex};
-use super::super::step::{Feed, Sink, Step, Words};
-use super::Planner;
-use super::feed::Stroke;
-use super::statistics::Statistics;
+use crate::motion::fault::{Fault, Halt, Planned};
+use crate::motion::geometry::Round;
+use crate::motion::geometry::{Circle, Grid, Nominal, Off, Plane};
+use crate::motion::place::Place;
+use crate::motion::plan::Planner;
+use crate::motion::plan::feed::Stroke;
+use crate::motion::plan::statistics::Statistics;
+use crate::motion::rotary::Target;
+use crate::motion::source::{Begins, MotionIndex};
+use crate::motion::step::Why;
+use crate::motion::step::{Feed, Sink, Step, Words};
 
 /// More turns than this of one record are a fault of the file.
 const MOST_TURNS: f64 = 1e6;
@@ -111,7 +111,7 @@ pub(crate) fn arc<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, arc: &Ar
     if planner.cutter.is_idle() {
         ArcRun { planner, arc, round }.run(index)
     } else {
-        super::cutter::arc(planner, arc, |planner| ArcRun { planner, arc, round }.run(index))
+        crate::motion::plan::cutter::arc(planner, arc, |planner| ArcRun { planner, arc, round }.run(index))
     }
 }
 

@@ -8,10 +8,10 @@ use std::io;
 
 use crate::kinematics::Machine;
 
-use super::super::choose::Rotary;
-use super::super::options::{ClampCodes, Policy};
-use super::super::step::{MAX_AXES, Sink, Step};
-use super::output::Output;
+use crate::motion::options::{ClampCodes, Policy};
+use crate::motion::plan::output::Output;
+use crate::motion::rotary::Rotary;
+use crate::motion::step::{MAX_AXES, Sink, Step};
 
 /// One clamp.
 #[derive(Debug, Clone, PartialEq)]
@@ -115,10 +115,10 @@ impl Clamps {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::machines::Cb;
-    use super::super::super::tests::{config, feed, rapid, run, spindle, tool};
     use super::*;
     use crate::config::Config;
+    use crate::motion::machines::Cb;
+    use crate::motion::tests::{config, feed, rapid, run, spindle, tool};
     use crate::program::Event;
 
     fn axis(c: f64, b: f64) -> [f64; 3] {

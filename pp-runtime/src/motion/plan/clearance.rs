@@ -3,7 +3,7 @@
 use crate::kinematics::Pose;
 use crate::program::{Clearance, Plane};
 
-use super::super::clearance::way_out;
+use crate::motion::geometry::way_out;
 
 /// The clearance geometry in force.
 #[derive(Debug, Clone, Copy)]

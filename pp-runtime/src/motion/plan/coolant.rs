@@ -2,14 +2,14 @@
 
 use std::io;
 
-use super::super::options::Policy;
+use crate::motion::options::Policy;
 use crate::program::Coolant as Kind;
 
-use super::super::fault::{Fault, Planned};
-use super::super::step::{Sink, Step};
-use super::abilities::Abilities;
-use super::output::Output;
-use super::tool::Tool;
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::plan::abilities::Abilities;
+use crate::motion::plan::output::Output;
+use crate::motion::plan::tool::Tool;
+use crate::motion::step::{Sink, Step};
 
 /// Coolant while a program is planned.
 #[derive(Debug, Clone)]

@@ -10,16 +10,16 @@
 
 use nalgebra::Vector3;
 
-use super::super::options::{ArcOutput, CutterPath, Mode, Policy};
 use crate::kinematics::Machine;
+use crate::motion::options::{ArcOutput, CutterPath, Mode, Policy};
 use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 
-use super::super::fault::{Fault, Planned};
-use super::super::place::Place;
-use super::super::source::MotionIndex;
-use super::super::step::{Sink, Step};
-use super::super::way::SAME_AXIS;
-use super::{Ahead, Planner};
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::geometry::SAME_AXIS;
+use crate::motion::place::Place;
+use crate::motion::plan::{Ahead, Planner};
+use crate::motion::source::MotionIndex;
+use crate::motion::step::{Sink, Step};
 
 /// Points of CL data are rounded: a motion is in the plane if it leaves it by no more than this, mm, however fine the words.
 const FLAT: f64 = 5e-4;
@@ -33,11 +33,11 @@ pub(crate) struct Cutter {
     last: Option<CutterSide>,
     /// Register that the CL data named.
     register: Option<u32>,
-    state: State,
+    state: Compensating,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-enum State {
+enum Compensating {
     #[default]
     Off,
     /// Asked for, to begin with the next line in the plane.
@@ -51,11 +51,11 @@ impl Cutter {
     /// Nothing is asked for and nothing in force.
     #[inline]
     pub(crate) fn is_idle(&self) -> bool {
-        self.state == State::Off
+        self.state == Compensating::Off
     }
 
     fn in_force(&self) -> bool {
-        matches!(self.state, State::On | State::Ends)
+        matches!(self.state, Compensating::On | Compensating::Ends)
     }
 
     /// CUTCOM/LEFT, RIGHT or ON.
@@ -69,15 +69,15 @@ impl Cutter {
             return Err(beside("CUTCOM asks for the other side"));
         }
         let register = register.or(self.register.filter(|_| asked == CutterSide::On));
-        let state = if self.in_force() { State::On } else { State::Begins };
+        let state = if self.in_force() { Compensating::On } else { Compensating::Begins };
         *self = Self { side: Some(side), last: Some(side), register, state };
         Ok(())
     }
 
     /// CUTCOM/OFF; false if nothing was compensated since it was asked for.
     fn end(&mut self) -> bool {
-        let began = self.state != State::Begins;
-        self.state = if self.in_force() { State::Ends } else { State::Off };
+        let began = self.state != Compensating::Begins;
+        self.state = if self.in_force() { Compensating::Ends } else { Compensating::Off };
         began
     }
 
@@ -127,12 +127,12 @@ impl Cutter {
     /// The program ends.
     pub(crate) fn check_end(&self) -> Result<(), Fault> {
         match self.state {
-            State::Off => Ok(()),
-            State::Begins => {
+            Compensating::Off => Ok(()),
+            Compensating::Begins => {
                 Err(Fault::new("CUTCOM asked for compensation, and no straight feed motion in the plane follows")
                     .help("leave CUTCOM out, or give it in front of the lead-in"))
             }
-            State::On | State::Ends => Err(beside("the program ends")),
+            Compensating::On | Compensating::Ends => Err(beside("the program ends")),
         }
     }
 }
@@ -191,8 +191,8 @@ pub(crate) fn line<M: Machine, S: Sink>(
     let flat = |step: &Vector3<f64>| step.z.abs() <= (0.5 * unit).max(FLAT);
     let line = |step: &Vector3<f64>| !motion.rapid && flat(step) && step.x.hypot(step.y) >= unit;
     match planner.cutter.state {
-        State::Off => {}
-        State::Begins => {
+        Compensating::Off => {}
+        Compensating::Begins => {
             // Elsewhere the tool may still be led to where the line begins.
             if let Ok(step) = step.as_ref()
                 && line(step)
@@ -203,13 +203,13 @@ pub(crate) fn line<M: Machine, S: Sink>(
                 step?;
             }
         }
-        State::On if motion.rapid => return Err(beside("a rapid follows").into()),
-        State::On => {
+        Compensating::On if motion.rapid => return Err(beside("a rapid follows").into()),
+        Compensating::On => {
             if !flat(&step?) {
                 return Err(beside("a motion leaves its plane").into());
             }
         }
-        State::Ends => {
+        Compensating::Ends => {
             if !line(&step?) {
                 return Err(Fault::new(
                     "compensation ends in a straight feed motion in its plane, and another one follows",
@@ -235,8 +235,8 @@ pub(crate) fn arc<'a, M: Machine, S: Sink>(
     arc: &Arc,
     run: impl FnOnce(&mut Planner<'a, M, S>) -> Planned,
 ) -> Planned {
-    if planner.cutter.state != State::On {
-        let when = if planner.cutter.state == State::Begins { "begins" } else { "ends" };
+    if planner.cutter.state != Compensating::On {
+        let when = if planner.cutter.state == Compensating::Begins { "begins" } else { "ends" };
         let text = format!("compensation {when} in a straight feed motion in its plane, and an arc follows");
         return Err(Fault::new(text).help("let lead-in and lead-out be lines").into());
     }
@@ -299,7 +299,7 @@ fn switch<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, on: bool) -> Pla
     let mirrored = mover.placer().square_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);
     let left = (planner.cutter.side == Some(CutterSide::Left)) != mirrored;
     mover.output_mut().step(&Step::Beside { left: on.then_some(left), register })?;
-    planner.cutter.state = if on { State::On } else { State::Off };
+    planner.cutter.state = if on { Compensating::On } else { Compensating::Off };
     Ok(())
 }
 

@@ -4,15 +4,15 @@
 //! The tip keeps the programmed feed: a block takes its tip path over the feed. Longer only where an axis would turn or
 //! travel faster than it can, where the control asks for a longest F or a shortest block, and then by as much as it needs.
 
-use super::super::options::Policy;
-use super::super::options::{Mode, PathNorm};
+use crate::motion::options::Policy;
+use crate::motion::options::{Mode, PathNorm};
 use crate::nc::Decimal;
 use crate::program;
 use crate::program::Units;
 
-use super::super::fault::Fault;
-use super::super::step::Feed;
-use super::abilities::Abilities;
+use crate::motion::fault::Fault;
+use crate::motion::plan::abilities::Abilities;
+use crate::motion::step::Feed;
 
 /// Computes F words.
 #[derive(Debug, Clone, Copy, PartialEq)]

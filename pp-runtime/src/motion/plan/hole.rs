@@ -5,19 +5,19 @@
 //! program and the control has a cycle for just these steps; what it cannot say (a first step unlike the others, a stated
 //! way back) is written as motions. A thread is never: spindle and feed are in step only in a cycle.
 
-use super::super::options::{CycleOutput, Mode};
 use crate::kinematics::{Machine, Pose};
+use crate::motion::options::{CycleOutput, Mode};
 use crate::nc::Decimal;
 use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
 
-use super::super::account::Why;
-use super::super::fault::{Fault, Planned};
-use super::super::hole_cycle::{Cycle, CycleKind};
-use super::super::place::Place;
-use super::super::source::{Begins, MotionIndex, Next};
-use super::super::step::{Feed, Sink, Step, Words};
-use super::feed::{Feeds, Stroke};
-use super::{Ahead, Planner, records};
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::place::Place;
+use crate::motion::plan::feed::{Feeds, Stroke};
+use crate::motion::plan::{Ahead, Planner, records};
+use crate::motion::source::{Begins, MotionIndex, Next};
+use crate::motion::step::Why;
+use crate::motion::step::{Cycle, CycleKind};
+use crate::motion::step::{Feed, Sink, Step, Words};
 
 /// More steps than this are no drilling.
 const MOST_STEPS: u32 = 10_000;

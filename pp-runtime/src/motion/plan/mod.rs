@@ -30,18 +30,19 @@ mod tooling;
 use std::io;
 use std::ops::RangeInclusive;
 
-use super::options::{Policy, Transition};
 use crate::diag::Diagnostic;
 use crate::kinematics::{Machine, Pose};
+use crate::motion::options::{Policy, Transition};
 use crate::program::Units;
 use crate::program::{self, Location, Move};
 
-use super::account::Why;
-use super::course::{Change, Course, Follower, How, Target, Turns};
-use super::fault::{Fault, Halt, Planned, Stop};
-use super::source::{Action, Begins, Item, MotionIndex, Next, Stage};
-use super::step::Sink;
-use super::way::Way;
+use crate::motion::course::{Change, Course, Follower, How};
+use crate::motion::fault::{Fault, Halt, Planned, Stop};
+use crate::motion::geometry::Way;
+use crate::motion::rotary::{Target, Turns};
+use crate::motion::source::{Action, Begins, Item, MotionIndex, Next, Stage};
+use crate::motion::step::Sink;
+use crate::motion::step::Why;
 
 pub use abilities::{Abilities, Registers};
 pub use clamps::Moving;
@@ -109,7 +110,7 @@ impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
         }
     }
 
-    /// Follows the course that [`Navigator`](super::Navigator) has found.
+    /// Follows the course that [`Navigator`](crate::motion::Navigator) has found.
     #[must_use]
     pub fn with_course(mut self, course: Course) -> Self {
         self.course = Follower::new(course);

@@ -5,13 +5,13 @@ use std::io;
 use crate::diag::{Diagnostic, Severity};
 use crate::program::Location;
 
-use super::super::account::{Provenance, Standing, Why};
-use super::super::fault::Fault;
-use super::super::place::Place;
-use super::super::step::{Feed, Sink, Step};
-use super::feed::Pace;
-use super::machining_time::Times;
-use super::statistics::Statistics;
+use crate::motion::fault::Fault;
+use crate::motion::place::Place;
+use crate::motion::plan::feed::Pace;
+use crate::motion::plan::machining_time::Times;
+use crate::motion::plan::statistics::Statistics;
+use crate::motion::step::{Feed, Sink, Step};
+use crate::motion::step::{Provenance, Standing, Why};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
 const NO_DEVIATION: f64 = 1e-12;

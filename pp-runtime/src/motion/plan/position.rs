@@ -5,9 +5,9 @@
 
 use crate::kinematics::Pose;
 
-use super::super::place::Place;
-use super::super::way::SAME_AXIS;
-use super::lead_out::LeadOut;
+use crate::motion::geometry::SAME_AXIS;
+use crate::motion::place::Place;
+use crate::motion::plan::lead_out::LeadOut;
 
 /// A rapid this much below the lowest cut is remarked on, mm.
 const PLUNGE: f64 = 0.001;

@@ -9,14 +9,14 @@ use nalgebra::Point3;
 use crate::kinematics::{Machine, Pose, Side};
 use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
-use super::super::account::Why;
-use super::super::choose::Rotary;
-use super::super::course::{Target, Turns};
-use super::super::fault::{Fault, Halt, Planned, Stop};
-use super::super::linearise::Tolerance;
-use super::super::source::Next;
-use super::super::step::{Sink, Step};
-use super::{Ahead, Planner, records};
+use crate::motion::fault::{Fault, Halt, Planned, Stop};
+use crate::motion::place::Tolerance;
+use crate::motion::plan::{Ahead, Planner, records};
+use crate::motion::rotary::Rotary;
+use crate::motion::rotary::{Target, Turns};
+use crate::motion::source::Next;
+use crate::motion::step::Why;
+use crate::motion::step::{Sink, Step};
 
 /// mm/min on the way to the point.
 const FEED: f64 = 300.0;

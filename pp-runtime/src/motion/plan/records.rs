@@ -2,15 +2,15 @@
 
 use std::ops::RangeInclusive;
 
-use super::super::options::Transition;
 use crate::kinematics::Machine;
+use crate::motion::options::Transition;
 use crate::program::{Dwell, Event, ToolCall, Turning};
 
-use super::super::account::Why;
-use super::super::fault::{Fault, Planned};
-use super::super::step::{Sink, Step};
-use super::Planner;
-use super::tool::Tool;
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::plan::Planner;
+use crate::motion::plan::tool::Tool;
+use crate::motion::step::Why;
+use crate::motion::step::{Sink, Step};
 
 /// A wait that three decimals hold, and that somebody may want, seconds.
 const DWELL: RangeInclusive<f64> = 0.001..=99_999.0;
@@ -83,7 +83,7 @@ impl<M: Machine, S: Sink> Records<'_, '_, M, S> {
                 self.planner.clearance.set_plane(plane);
                 Ok(())
             }
-            Event::Compensation(asked) => super::cutter::request(self.planner, &asked),
+            Event::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
             Event::Turning(turning) => self.turn_towards(turning),
             Event::Insert(text) => self.raw(text),
             Event::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),

@@ -1,16 +1,16 @@
 //! Rewinding: where no course of the rotary axes runs through, the tool leaves the part, the axes turn, and it comes back to
 //! the same pose; or the tip stays in place while they turn.
 
-use super::super::options::Rewind;
 use crate::kinematics::Machine;
+use crate::motion::options::Rewind;
 use crate::program::Move;
 
-use super::super::account::Why;
-use super::super::course::{Target, Turns};
-use super::super::fault::{Fault, Planned};
-use super::super::linearise::Tolerance;
-use super::super::step::Sink;
-use super::Planner;
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::place::Tolerance;
+use crate::motion::plan::Planner;
+use crate::motion::rotary::{Target, Turns};
+use crate::motion::step::Sink;
+use crate::motion::step::Why;
 
 /// Rewinds as the configuration says, before a motion.
 #[cold]
@@ -88,7 +88,9 @@ fn reason<M: Machine, S: Sink>(planner: &Planner<'_, M, S>) -> String {
     let placer = planner.mover.placer();
     let limited = placer.rotaries().iter().filter(|rotary| !rotary.endless());
     let limits: Vec<String> = limited
-        .map(|rotary| format!("{} {}", M::AXES[rotary.index].letter, placer.limits_text(rotary.index)))
+        .map(|rotary| {
+            format!("{} {}", M::AXES[rotary.index].letter, crate::motion::place::limits_text(placer, rotary.index))
+        })
         .collect();
     let how = match (planner.policy.options.course.greedy, placer.wide()) {
         (true, _) => "not planned ahead",

@@ -12,18 +12,18 @@
 //! "Out" and "in" are along the tool axis. Where the machine is, is never assumed at program start, after a tool change or
 //! after a stop.
 
-use super::super::options::Transition;
 use crate::kinematics::{Machine, Pose};
+use crate::motion::options::Transition;
 use crate::program::{Location, Move};
 
-use super::super::account::Why;
-use super::super::course::Target;
-use super::super::fault::{Fault, Planned};
-use super::super::source::Next;
-use super::super::step::{Sink, Step};
-use super::super::way::SAME_AXIS;
-use super::tool::Tool;
-use super::{Ahead, Planner};
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::geometry::SAME_AXIS;
+use crate::motion::plan::tool::Tool;
+use crate::motion::plan::{Ahead, Planner};
+use crate::motion::rotary::Target;
+use crate::motion::source::Next;
+use crate::motion::step::Why;
+use crate::motion::step::{Sink, Step};
 
 /// A point this near to a line lies on it, mm.
 const ON_LINE: f64 = 0.001;
@@ -88,7 +88,7 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
 
     /// The operation of this number begins. True if it is the first that is written although it is not the first of the
     /// program: whoever begins there knows nothing of what came before.
-    fn begin_operation(&mut self, number: u64) -> Result<bool, super::Halt> {
+    fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::Halt> {
         let opening = self.selection.opening(number);
         if opening.ends {
             self.leave()?;

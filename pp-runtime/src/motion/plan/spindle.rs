@@ -2,13 +2,13 @@
 
 use std::io;
 
-use super::super::options::Policy;
+use crate::motion::options::Policy;
 use crate::program::{Dwell, Rotation, Spindle as Command};
 
-use super::super::fault::{Fault, Planned};
-use super::super::step::{Sink, Step};
-use super::output::Output;
-use super::tool::{SpindleRequest, Tool};
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::plan::output::Output;
+use crate::motion::plan::tool::{SpindleRequest, Tool};
+use crate::motion::step::{Sink, Step};
 
 /// The spindle while a program is planned.
 #[derive(Debug, Clone, Default)]

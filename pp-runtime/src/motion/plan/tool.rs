@@ -1,13 +1,13 @@
 //! What is known of a tool: from the configuration, from the CL data, and where the two disagree.
 
-use super::super::options::Defaults;
-use super::super::options::Policy;
+use crate::motion::options::Defaults;
+use crate::motion::options::Policy;
 use crate::nc::Decimal;
 use crate::program::{Rotation, Spindle, ToolCall};
 use crate::set_up::GivenTool as Given;
 
-use super::super::fault::Fault;
-use super::abilities::Registers;
+use crate::motion::fault::Fault;
+use crate::motion::plan::abilities::Registers;
 
 /// Two lengths or diameters of the same tool may differ by this much, mm.
 const SAME: f64 = 0.01;

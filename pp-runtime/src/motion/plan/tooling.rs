@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::program::ToolCall;
 
-use super::tool::Tool;
+use crate::motion::plan::tool::Tool;
 
 /// The tools of a program while it is planned.
 #[derive(Debug, Clone, Default)]

@@ -3,12 +3,12 @@
 //! Chords leave a curve by no more than the tolerance; its ends are exact. Arcs and holes stay one motion: the tool axis is
 //! held, and whether the control makes them is decided by the planner.
 
-use super::super::options::Policy;
 use crate::kinematics::Pose;
+use crate::motion::options::Policy;
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::{Move, Spline};
 
-use super::super::fault::Fault;
+use crate::motion::fault::Fault;
 
 /// More chords than this in one piece of a curve are a fault of the file.
 const MOST_CHORDS: f64 = 1e6;
@@ -111,11 +111,11 @@ fn blossom(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::machines::Xyz;
-    use super::super::{Action, Item, Source, Stage};
     use super::*;
     use crate::config::Config;
     use crate::diag::Diagnostic;
+    use crate::motion::machines::Xyz;
+    use crate::motion::source::{Action, Item, Source, Stage};
     use crate::program::{Arc, Event, Location, ToolCall};
 
     const AT: Location = Location { line: 1, column: 1 };

@@ -8,8 +8,8 @@ use std::ops::Range;
 
 use crate::program::{Arc, Event, Hole, Location, Move};
 
-use super::operations::{Begins, MotionIndex};
-use super::{Action, Item, Stage};
+use crate::motion::source::operations::{Begins, MotionIndex};
+use crate::motion::source::{Action, Item, Stage};
 
 /// More records than this between two motions are no habit of a CAM system; it bounds the memory.
 const MOST_RECORDS: usize = 10_000;

@@ -17,12 +17,12 @@ mod lookahead;
 mod operations;
 mod setting;
 
-use super::options::Policy;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
+use crate::motion::options::Policy;
 use crate::program::{Arc, Event, Hole, Location, Move, ToolCall};
 
-use super::fault::Fault;
+use crate::motion::fault::Fault;
 
 pub use lookahead::Next;
 pub use operations::{Begins, MotionIndex};

@@ -4,12 +4,12 @@
 //! the CL data. A stretch is what is cut between two changes of the tool axis in the air: it begins with an operation, and
 //! with a rapid or a hole whose tool axis is not the one before. Within it the tool axis is held, or it turns at feed.
 
-use super::super::options::{Policy, Transition};
 use crate::kinematics::{AxisKind, Machine, Pose, Side};
+use crate::motion::options::{Policy, Transition};
 use crate::nalgebra::UnitVector3;
 use crate::program::{Hole, Move};
 
-use super::super::way::SAME_AXIS;
+use crate::motion::geometry::SAME_AXIS;
 
 /// How a motion relates to the one before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

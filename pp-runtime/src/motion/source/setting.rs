@@ -11,7 +11,7 @@ use nalgebra::{Point3, Rotation3, UnitVector3};
 use crate::kinematics::Pose;
 use crate::program::{Arc, Event, Hole, Move, Plane, Spline};
 
-use super::super::options::Policy;
+use crate::motion::options::Policy;
 
 /// Turns the events of a program.
 #[derive(Debug, Clone)]

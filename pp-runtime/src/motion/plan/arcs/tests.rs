@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 
-use super::super::super::machines::{Ay, Cb, Head, Mirrored, Xyz};
-use super::super::super::tests::{Run, config, feed, run, spindle, tool};
 use crate::config::Config;
 use crate::kinematics::{AxisKind, Machine, Pose};
+use crate::motion::machines::{Ay, Cb, Head, Mirrored, Xyz};
+use crate::motion::tests::{Run, config, feed, run, spindle, tool};
 use crate::motion::{ArcForm, ArcOutput};
 use crate::nalgebra::{Point3, Rotation3, UnitVector3, Vector3};
 use crate::program::{Arc, Event, Feed};

@@ -1,10 +1,10 @@
 //! Compensation of the cutter's radius: where it begins and ends, on which side, and what it does not bear.
 
-use super::super::super::machines::{Cb, Mirrored, Xyz};
-use super::super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use super::*;
 use crate::config::Config;
 use crate::control::{Control, Encoder, Haas, Heidenhain, Layout, Siemens};
+use crate::motion::machines::{Cb, Mirrored, Xyz};
+use crate::motion::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use crate::program::Units;
 use crate::program::{Arc, Feed};
 use crate::set_up::GivenTool;

@@ -2,13 +2,13 @@
 
 use proptest::prelude::*;
 
-use super::super::super::machines::{Cb, Head, Xyz};
-use super::super::super::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use super::*;
 use crate::config::Config;
 use crate::control::{CONTROLS, Control, Heidenhain, Siemens};
 use crate::diag::Severity;
 use crate::motion::Provenance;
+use crate::motion::machines::{Cb, Head, Xyz};
+use crate::motion::tests::{Run, config, feed, plan, pose, rapid, run, spindle, tool};
 use crate::program::{Dwell, Event};
 use crate::set_up::GivenTool;
 

@@ -1,29 +1,29 @@
 //! The mover: the only one that moves the machine. It knows where the axes are, puts poses into words, and writes each
 //! motion as the blocks it takes.
 //!
-//! What is to be done next is decided by the [`Planner`](super::Planner); how an axis gets there is decided here: rounding,
+//! What is to be done next is decided by the [`Planner`](crate::motion::plan::Planner); how an axis gets there is decided here: rounding,
 //! linearisation, feed, words within a turn, limits, clamps, and the frame of the control.
 
 mod retract;
 
 use std::io;
 
-use super::super::options::{Mode, Policy, Rapid};
 use crate::kinematics::{Machine, Pose};
+use crate::motion::options::{Mode, Policy, Rapid};
 use crate::program::Move;
 use crate::program::Units;
 
-use super::super::account::{Standing, Why};
-use super::super::fault::{Fault, Planned};
-use super::super::linearise::{Pieces, Tolerance};
-use super::super::place::{Place, Placer};
-use super::super::step::{MAX_AXES, Sink, Step};
-use super::super::wrap::Speller;
-use super::abilities::Abilities;
-use super::clamps::{Clamps, Moving};
-use super::feed::{Feeds, Pace, Stroke};
-use super::output::Output;
-use super::position::Position;
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::place::{Linearised, Tolerance};
+use crate::motion::place::{Place, Placer};
+use crate::motion::plan::abilities::Abilities;
+use crate::motion::plan::clamps::{Clamps, Moving};
+use crate::motion::plan::feed::{Feeds, Pace, Stroke};
+use crate::motion::plan::output::Output;
+use crate::motion::plan::position::Position;
+use crate::motion::rotary::Speller;
+use crate::motion::step::{MAX_AXES, Sink, Step};
+use crate::motion::step::{Standing, Why};
 
 /// Moves the machine.
 pub(crate) struct Mover<'a, M: Machine, S> {
@@ -144,7 +144,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
         &mut self,
         pose: &Pose,
         feed: bool,
-        planned: Option<super::Target>,
+        planned: Option<crate::motion::plan::Target>,
     ) -> Result<Place<M::Axes>, Fault> {
         self.placer.place(pose, self.position.place(), feed, planned)
     }
@@ -225,7 +225,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
 
     /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
     pub(crate) fn feed_in_pieces(&mut self, place: &Place<M::Axes>, rate: f64, tolerance: Tolerance) -> Planned {
-        let mut pieces = Pieces::new(self.here(), place, tolerance);
+        let mut pieces = Linearised::new(self.here(), place, tolerance);
         let mut blocks = 0;
         while let Some(piece) = pieces.next(&self.placer)? {
             self.placer.check_travel(&piece.place)?;

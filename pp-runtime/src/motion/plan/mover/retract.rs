@@ -1,12 +1,12 @@
 //! Between cuts: the machine retract, the way in to an approach point, tip control and planes on and off, and parking.
 
-use super::super::super::options::Mode;
 use crate::kinematics::{AxisKind, Machine};
+use crate::motion::options::Mode;
 
-use super::super::super::fault::{Fault, Planned};
-use super::super::super::place::Place;
-use super::super::super::step::{Sink, Step, Words};
-use super::Mover;
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::place::Place;
+use crate::motion::plan::mover::Mover;
+use crate::motion::step::{Sink, Step, Words};
 
 impl<M: Machine, S: Sink> Mover<'_, M, S> {
     /// A safety line: the program can be entered here.

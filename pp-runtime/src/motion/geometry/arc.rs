@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::Arc;
 
-use super::fault::Fault;
+use crate::motion::fault::Fault;
 
 /// More chords than this in one arc are a fault of the file.
 const MOST_CHORDS: f64 = 1e6;

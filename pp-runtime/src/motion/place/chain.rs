@@ -4,7 +4,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{Axis, AxisKind, Joint, Machine, Pose, Side};
 
-use super::choose::Rotary;
+use crate::motion::rotary::Rotary;
 
 /// Tool axes within reach that leave the first of two rotaries free: along its direction and against it.
 pub(crate) fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {

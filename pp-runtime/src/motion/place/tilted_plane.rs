@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Rotation3, Vector3};
 
 use crate::nc::Decimal;
 
-use super::way::angle_between;
+use crate::motion::geometry::angle_between;
 
 /// Two poses of a plane are one where the second rotary axis stands as far as this from where both meet, rad.
 const SAME_POSE: f64 = 1e-9;

@@ -3,29 +3,38 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
+mod chain;
+mod datum;
+mod frame;
+mod linearise;
+mod refusal;
+mod tilted_plane;
 mod tip;
+mod travel;
 mod turn;
 
 use std::collections::BTreeMap;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::options::Policy;
-use super::options::{Mode, TcpWords};
 use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side};
+use crate::motion::fault::Fault;
+use crate::motion::options::{Mode, Policy, TcpWords};
+use crate::motion::rotary::{AngleScale, Metric, OutOfLimits, Rotary, Target, Turns, choose};
+use crate::motion::step::{MAX_AXES, Standing, VECTOR_DECIMALS, Words};
 use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
-use super::account::Standing;
-use super::choose::{AngleScale, OutOfLimits, Rotary, choose};
-use super::course::{Metric, Target, Turns};
-use super::fault::Fault;
-use super::frame::Frame;
-use super::origin::Origin;
-use super::step::{MAX_AXES, VECTOR_DECIMALS, Words};
-use super::structure::{coordinates, counted, held_tool_axis, orthogonal, poles, rotaries as rotaries_of};
-use super::travel::Travel;
+pub use frame::{TipAbility, unsuited};
+pub(crate) use linearise::{Linearised, Tolerance};
+pub(crate) use refusal::limits_text;
+pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
+
+use chain::{coordinates, counted, held_tool_axis, orthogonal, poles, rotaries as rotaries_of};
+use datum::Datum;
+use frame::Frame;
+use travel::Travel;
 
 /// Word units that floating-point noise of a limit may amount to.
 const LIMIT_NOISE: f64 = 1e-6;
@@ -52,57 +61,85 @@ pub(crate) struct Place<A> {
     pub(crate) rounding: f64,
 }
 
-/// Puts poses into words for one machine, one set-up and the current tool.
+/// The solved rotary axes.
 #[derive(Debug, Clone)]
-pub(crate) struct Placer<M: Machine> {
-    pub(crate) machine: M,
-    part_origin: Vector3<f64>,
-    pub(crate) rotaries: Vec<Rotary>,
+struct RotaryAxes {
+    axes: Vec<Rotary>,
     /// The same axes without their limits.
     endless: Vec<Rotary>,
+    /// Any of them has limits.
     limited: bool,
-    /// Tool axes within reach that leave the first rotary free.
-    pub(crate) poles: Vec<UnitVector3<f64>>,
-    /// Angle to the pole up to which the tool axis counts as being there, rad.
-    pub(crate) pole_tolerance: f64,
-    pub(crate) metric: Metric,
-    /// Rotaries whose words stay within a turn.
+    /// Bit `i` for the axis at position `i`.
+    mask: u16,
+    /// Those whose words stay within a turn.
     wrapped: u16,
-    /// Indexed rotaries, and their steps in whole units.
+    /// Indexed ones, and their steps in whole units.
     grid: Vec<(Rotary, i64)>,
-    /// Largest speeds, mm/min and rad/min, by position in the chain.
-    speeds: Vec<Option<f64>>,
-    /// Feeds are limited by them.
-    timed: bool,
-    /// Words stay below these, in units.
-    bounds: [i64; MAX_AXES],
-    linear_mask: u16,
-    rotary_mask: u16,
-    pub(crate) scale: AngleScale,
-    /// What the words count from.
-    origin: Origin,
-    /// What the linear words count.
-    pub(crate) frame: Frame,
-    /// Units of linear words in 1 mm.
+    scale: AngleScale,
+    metric: Metric,
+}
+
+/// Tool axes within reach that leave the first rotary free.
+#[derive(Debug, Clone)]
+struct Poles {
+    axes: Vec<UnitVector3<f64>>,
+    /// Angle to a pole up to which the tool axis counts as being there, rad.
+    tolerance: f64,
+}
+
+/// The solved linear axes.
+#[derive(Debug, Clone)]
+struct LinearAxes {
+    /// Bit `i` for the axis at position `i`.
+    mask: u16,
+    /// Units of their words in 1 mm.
     per_mm: f64,
-    /// Places of X Y Z in the chain, where these are the linear axes that are solved.
+    /// Positions of X Y Z in the chain, where these are the axes that are solved.
     xyz: Option<[usize; 3]>,
-    pub(crate) limits: Vec<Option<Limits>>,
-    pub(crate) travel: Travel,
-    /// Solved linear axis that retracts.
+    /// The one that retracts.
     retract_axis: usize,
     /// Component of the tool axis along that axis' positive word, at the zero position.
     retract_share: f64,
+    /// Going out along it is going out along the tool axis, whatever the rotaries do.
     straight: bool,
+    /// The control counts their path as long as that of the tip.
+    square: bool,
+    /// They are perpendicular to each other, whatever the rotaries do.
+    orthogonal: bool,
+}
+
+/// Largest speeds, mm/min and rad/min, by position in the chain.
+#[derive(Debug, Clone)]
+struct AxisSpeeds {
+    of_axes: Vec<Option<f64>>,
+    /// Feeds are limited by them.
+    timed: bool,
+}
+
+/// Puts poses into words for one machine, one set-up and the current tool.
+#[derive(Debug, Clone)]
+pub(crate) struct Placer<M: Machine> {
+    machine: M,
+    part_origin: Vector3<f64>,
+    rotary: RotaryAxes,
+    poles: Poles,
+    linear: LinearAxes,
+    speeds: AxisSpeeds,
+    /// Words are below these, in units.
+    bounds: [i64; MAX_AXES],
+    /// What the words count from.
+    datum: Datum,
+    /// What the linear words count.
+    frame: Frame,
+    limits: Vec<Option<Limits>>,
+    travel: Travel,
+    /// Solved rotary axes are on the tool side.
     head: bool,
     gauge_line: bool,
     /// Blocks hold the tool axis in the place of rotary words.
     vectors: bool,
     /// The control takes the length of the tool into account, whatever the rotaries do.
     compensated: bool,
-    square: bool,
-    /// The linear axes are square to each other, whatever the rotaries do.
-    orthogonal: bool,
 }
 
 fn too_large(letter: char) -> Fault {
@@ -124,19 +161,23 @@ fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> [i64; MAX_AXES] {
     bounds
 }
 
-impl<M: Machine> Placer<M> {
-    pub(crate) fn new(machine: M, policy: Policy<'_>, units: Units) -> Self {
-        let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
-        let scale = AngleScale::new(policy.formats.rotary);
+/// Positions of the solved axes of a kind.
+fn solved<M: Machine>(kind: AxisKind) -> impl Iterator<Item = usize> {
+    let axes = M::AXES.iter().enumerate().take(MAX_AXES);
+    axes.filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
+}
+
+/// A bit for each solved axis of a kind.
+fn mask<M: Machine>(kind: AxisKind) -> u16 {
+    solved::<M>(kind).fold(0_u16, |mask, index| mask | 1 << index)
+}
+
+impl RotaryAxes {
+    fn new<M: Machine>(policy: Policy<'_>, datum: &Datum, speeds: &[Option<f64>], scale: AngleScale) -> Self {
         let limits = policy.set_up.travel::<M>().limits;
-        let origin = Origin::new(&machine, policy, scale);
-        let solved = |kind: AxisKind| {
-            axes.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
-        };
-        let mask = |kind: AxisKind| solved(kind).fold(0_u16, |mask, index| mask | 1 << index);
-        let rotaries: Vec<Rotary> = solved(AxisKind::Rotary)
+        let axes: Vec<Rotary> = solved::<M>(AxisKind::Rotary)
             .map(|index| {
-                let rest = origin.rest(index, scale);
+                let rest = datum.rest(index, scale);
                 let word = |angle: f64| (angle.to_degrees() - rest) * scale.per_degree;
                 Rotary {
                     index,
@@ -146,70 +187,115 @@ impl<M: Machine> Placer<M> {
                 }
             })
             .collect();
-        let speeds = policy.set_up.travel::<M>().speeds;
-        let speed = |axis: usize| rotaries.get(axis).and_then(|rotary| speeds[rotary.index]);
+        let rotaries = &policy.options.rotaries;
+        let is_wrapped = |rotary: &&Rotary| rotaries.wrap.contains_key(&M::AXES[rotary.index].letter);
+        let speed = |axis: usize| axes.get(axis).and_then(|rotary| speeds[rotary.index]);
+        Self {
+            endless: axes.iter().map(|rotary| rotary.without_limits()).collect(),
+            limited: axes.iter().any(|rotary| !rotary.endless()),
+            mask: mask::<M>(AxisKind::Rotary),
+            wrapped: axes.iter().filter(is_wrapped).fold(0, |mask, rotary| mask | 1 << rotary.index),
+            grid: grid::<M>(policy, &axes, scale),
+            metric: Metric::new(&axes, [0, 1].map(speed), scale),
+            scale,
+            axes,
+        }
+    }
+}
+
+impl LinearAxes {
+    fn new<M: Machine>(machine: &M, policy: Policy<'_>, units: Units, head: bool) -> Self {
+        let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
         let tool_axis = machine.tool_axis();
         let share = |index: usize| {
             let joint = machine.joint(index);
             joint.direction.dot(&tool_axis) * joint.sign
         };
         // `max_by` keeps the last of equals; nearer the tool is later on the tool side, and the tool side is later.
-        let retract_axis = solved(AxisKind::Linear)
+        let retract_axis = solved::<M>(AxisKind::Linear)
             .max_by(|&a, &b| {
                 let (a, b) = (share(a).abs(), share(b).abs());
                 if (a - b).abs() < 1e-9 { std::cmp::Ordering::Equal } else { a.total_cmp(&b) }
             })
             .unwrap_or_default();
-        let head = rotaries_of::<M>(Side::Tool).next().is_some();
+        let along_tool = held_tool_axis(machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL;
         let per_unit = 10_f64.powi(policy.formats.linear(units) as i32);
+        let orthogonal = orthogonal(machine, axes);
         Self {
-            part_origin: policy.set_up.part_origin.into(),
-            endless: rotaries.iter().map(|rotary| rotary.without_limits()).collect(),
-            limited: rotaries.iter().any(|rotary| !rotary.endless()),
-            poles: poles(&machine, &rotaries),
-            pole_tolerance: policy.options.course.axis_tolerance.max(REACH_TOLERANCE),
-            timed: policy.options.feed.keep_speeds && speeds.iter().any(Option::is_some),
-            metric: Metric::new(&rotaries, [0, 1].map(speed), scale),
-            bounds: bounds(axes, policy, units),
-            linear_mask: mask(AxisKind::Linear),
-            rotary_mask: mask(AxisKind::Rotary),
-            scale,
+            mask: mask::<M>(AxisKind::Linear),
             per_mm: per_unit / units.in_mm(),
             xyz: coordinates(axes),
-            limits,
-            travel: Travel::new(&machine, policy),
-            frame: Frame::new(&machine, policy),
-            origin,
             retract_axis,
             retract_share: share(retract_axis),
-            straight: policy.options.mode == Mode::Axes
-                && !head
-                && held_tool_axis(&machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL,
+            straight: policy.options.mode == Mode::Axes && !head && along_tool,
+            square: orthogonal && counted(axes),
+            orthogonal,
+        }
+    }
+}
+
+impl<M: Machine> Placer<M> {
+    pub(crate) fn new(machine: M, policy: Policy<'_>, units: Units) -> Self {
+        let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
+        let scale = AngleScale::new(policy.formats.rotary);
+        let datum = Datum::new(&machine, policy, scale);
+        let speeds = policy.set_up.travel::<M>().speeds;
+        let head = rotaries_of::<M>(Side::Tool).next().is_some();
+        let rotary = RotaryAxes::new::<M>(policy, &datum, &speeds, scale);
+        let (options, mode) = (policy.options, policy.options.mode);
+        Self {
+            part_origin: policy.set_up.part_origin.into(),
+            poles: Poles {
+                axes: poles(&machine, &rotary.axes),
+                tolerance: options.course.axis_tolerance.max(REACH_TOLERANCE),
+            },
+            linear: LinearAxes::new(&machine, policy, units, head),
+            speeds: AxisSpeeds {
+                timed: options.feed.keep_speeds && speeds.iter().any(Option::is_some),
+                of_axes: speeds,
+            },
+            bounds: bounds(axes, policy, units),
+            limits: policy.set_up.travel::<M>().limits,
+            travel: Travel::new(&machine, policy),
+            frame: Frame::new(&machine, policy),
+            datum,
             head,
             gauge_line: policy.set_up.length_mode == LengthMode::Gauge,
-            vectors: policy.options.mode == Mode::Tcp && policy.options.tip.tcp_words == TcpWords::Vectors,
-            compensated: policy.options.mode != Mode::Axes,
-            square: orthogonal(&machine, axes) && counted(axes),
-            orthogonal: orthogonal(&machine, axes),
-            wrapped: rotaries
-                .iter()
-                .filter(|rotary| policy.options.rotaries.wrap.contains_key(&M::AXES[rotary.index].letter))
-                .fold(0, |mask, rotary| mask | 1 << rotary.index),
-            grid: grid::<M>(policy, &rotaries, scale),
+            vectors: mode == Mode::Tcp && options.tip.tcp_words == TcpWords::Vectors,
+            compensated: mode != Mode::Axes,
+            rotary,
             machine,
-            rotaries,
-            speeds,
         }
+    }
+
+    /// The machine with the current tool.
+    pub(crate) fn machine(&self) -> &M {
+        &self.machine
+    }
+
+    /// Measures turns of the rotary axes.
+    pub(crate) fn metric(&self) -> Metric {
+        self.rotary.metric
+    }
+
+    /// Tool axes within reach that leave the first rotary free.
+    pub(crate) fn poles(&self) -> &[UnitVector3<f64>] {
+        &self.poles.axes
+    }
+
+    /// Angle to a pole up to which the tool axis counts as being there, rad.
+    pub(crate) fn pole_tolerance(&self) -> f64 {
+        self.poles.tolerance
     }
 
     /// The solved rotary axes.
     pub(crate) fn rotaries(&self) -> &[Rotary] {
-        &self.rotaries
+        &self.rotary.axes
     }
 
     /// How rotary words count angles.
     pub(crate) fn scale(&self) -> AngleScale {
-        self.scale
+        self.rotary.scale
     }
 
     /// Places of X Y Z in the chain, in whose words a control with a frame of its own counts.
@@ -220,7 +306,7 @@ impl<M: Machine> Placer<M> {
     /// The machine at a place.
     #[inline]
     pub(crate) fn standing_at<'p>(&self, place: &'p Place<M::Axes>) -> Standing<'p> {
-        let mask = self.linear_mask | self.rotary_mask;
+        let mask = self.linear.mask | self.rotary.mask;
         Standing { pose: Some(&place.pose), branch: place.branch, axes: place.axes.as_ref(), mask }
     }
 
@@ -276,50 +362,50 @@ impl<M: Machine> Placer<M> {
 
     /// Going out along the retract axis is going out along the tool axis, whatever the rotaries do.
     pub(crate) fn straight(&self) -> bool {
-        self.straight
+        self.linear.straight
     }
 
     /// The path length of the linear words is that of the tip while no rotary moves.
     pub(crate) fn square(&self) -> bool {
-        self.square || self.frame.counts_tip()
+        self.linear.square || self.frame.counts_tip()
     }
 
     pub(crate) fn retract_axis(&self) -> usize {
-        self.retract_axis
+        self.linear.retract_axis
     }
 
     pub(crate) fn linear_mask(&self) -> u16 {
-        self.linear_mask
+        self.linear.mask
     }
 
     pub(crate) fn rotary_mask(&self) -> u16 {
-        self.rotary_mask
+        self.rotary.mask
     }
 
     /// A length in mm and words of one unit.
     pub(crate) fn unit_mm(&self) -> f64 {
-        1.0 / self.per_mm
+        1.0 / self.linear.per_mm
     }
 
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
         self.machine.set_up(self.part_origin, length.unwrap_or(0.0));
-        self.origin.set_gauge_length(length.unwrap_or(0.0));
+        self.datum.set_gauge_length(length.unwrap_or(0.0));
         self.travel.set_gauge_length(length);
     }
 
     /// Largest turn of a rotary word, rad.
     #[inline]
     pub(crate) fn rotary_travel(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> f64 {
-        let largest = self.rotaries.iter().map(|rotary| (to[rotary.index] - from[rotary.index]).abs()).max();
-        self.scale.angle(largest.unwrap_or(0))
+        let largest = self.rotary.axes.iter().map(|rotary| (to[rotary.index] - from[rotary.index]).abs()).max();
+        self.rotary.scale.angle(largest.unwrap_or(0))
     }
 
     /// The rotary that turns furthest, and how far, rad; none if none turns.
     #[inline]
     pub(crate) fn largest_turn(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
-        let turns = self.rotaries.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
+        let turns = self.rotary.axes.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
         let (index, turn) = turns.max_by_key(|(_, turn)| *turn).filter(|(_, turn)| *turn > 0)?;
-        Some((M::AXES[index].letter, self.scale.angle(turn.cast_signed())))
+        Some((M::AXES[index].letter, self.rotary.scale.angle(turn.cast_signed())))
     }
 
     /// How far the linear axes go together, mm, and the rotary axes, degrees.
@@ -329,16 +415,16 @@ impl<M: Machine> Placer<M> {
             let steps = steps.filter(|(index, _)| mask & (1 << index) != 0).map(|(_, (from, to))| to - from);
             steps.map(|step| step * step).sum::<f64>().sqrt()
         };
-        (length(self.linear_mask), length(self.rotary_mask).to_degrees())
+        (length(self.linear.mask), length(self.rotary.mask).to_degrees())
     }
 
     /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
     #[inline]
     pub(crate) fn least_minutes(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Option<f64> {
-        if !self.timed {
+        if !self.speeds.timed {
             return None;
         }
-        let times = self.speeds.iter().enumerate().filter_map(|(index, speed)| {
+        let times = self.speeds.of_axes.iter().enumerate().filter_map(|(index, speed)| {
             let travel = (to.axes.as_ref()[index] - from.axes.as_ref()[index]).abs();
             speed.map(|speed| travel / speed)
         });
@@ -348,7 +434,7 @@ impl<M: Machine> Placer<M> {
     /// Minutes of a rapid of some axes; `None` if one of those that move has no known speed.
     pub(crate) fn least_minutes_of(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, mask: u16) -> Option<f64> {
         let mut least: f64 = 0.0;
-        for (index, speed) in self.speeds.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
+        for (index, speed) in self.speeds.of_axes.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
             let travel = (to.axes.as_ref()[index] - from.axes.as_ref()[index]).abs();
             if travel > 0.0 {
                 least = least.max(travel / (*speed)?);
@@ -360,28 +446,28 @@ impl<M: Machine> Placer<M> {
     /// What is written for the words of a place, by position in the chain.
     #[inline]
     pub(crate) fn written(&self, place: &Place<M::Axes>) -> [i64; MAX_AXES] {
-        self.origin.written(&place.words)
+        self.datum.written(&place.words)
     }
 
     /// The written words of the axes in a mask.
     #[inline]
     pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
         let units = self.written(place);
-        let both = mask & self.linear_mask != 0 && mask & self.rotary_mask != 0;
+        let both = mask & self.linear.mask != 0 && mask & self.rotary.mask != 0;
         if !(self.vectors && both) {
             return Words { units, mask, vector: None };
         }
         let axis = self.frame.map(&self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
         let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
         let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
-        Words { units, mask: mask & !self.rotary_mask, vector }
+        Words { units, mask: mask & !self.rotary.mask, vector }
     }
 
     /// Whether a block would turn rotary axes by more than an angle, rad, and could not say so: a tool axis as a vector is the
     /// same before and behind a turn about it, or of whole turns. At the pole a control that turns the tool axis in the
     /// plane of its ends needs no such turn.
     pub(crate) fn hides_turn(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, angle: f64) -> bool {
-        let all = self.linear_mask | self.rotary_mask;
+        let all = self.linear.mask | self.rotary.mask;
         self.vectors
             && !(to.pole && self.frame.turns_in_plane())
             && self.rotary_travel(&from.words, &to.words) > angle
@@ -402,7 +488,7 @@ impl<M: Machine> Placer<M> {
             Some(target) => self.planned(pose, from, &target)?,
             None => self.turn(pose, from, feed)?,
         };
-        if !self.grid.is_empty() {
+        if !self.rotary.grid.is_empty() {
             self.snap(&mut place, from, feed)?;
         }
         self.finish(place)
@@ -426,7 +512,7 @@ impl<M: Machine> Placer<M> {
     #[inline]
     pub(crate) fn set(&self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
-            return Err(self.unreachable(&place.pose, &place.axes));
+            return Err(refusal::unreachable(self, &place.pose, &place.axes));
         };
         if let Some(map) = self.frame.map(&self.machine, &place.axes) {
             return self.set_tip(place, &map);
@@ -434,13 +520,13 @@ impl<M: Machine> Placer<M> {
         place.axes = axes;
         let (mut sum, mut squares) = (0.0, 0.0);
         for (index, value) in place.axes.as_mut().iter_mut().enumerate().take(MAX_AXES) {
-            if self.linear_mask & (1 << index) != 0 {
-                let shift = self.origin.linear(index);
-                let Ok(units) = whole_units(*value + shift, self.per_mm) else {
+            if self.linear.mask & (1 << index) != 0 {
+                let shift = self.datum.linear(index);
+                let Ok(units) = whole_units(*value + shift, self.linear.per_mm) else {
                     return Err(too_large(M::AXES[index].letter));
                 };
                 place.words[index] = units;
-                let written = units as f64 / self.per_mm - shift;
+                let written = units as f64 / self.linear.per_mm - shift;
                 let off = written - *value;
                 *value = written;
                 sum += off.abs();
@@ -452,7 +538,7 @@ impl<M: Machine> Placer<M> {
         {
             return Err(too_large(M::AXES[index].letter));
         }
-        place.rounding = if self.orthogonal { squares.sqrt() } else { sum };
+        place.rounding = if self.linear.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
     }
 
@@ -464,25 +550,26 @@ impl<M: Machine> Placer<M> {
     /// Minutes that the linear axes need while the tip travels so far, mm, in whatever direction, with the rotary axes
     /// still; 0 where their speeds are not to be kept.
     pub(crate) fn least_minutes_of_tip(&self, length: f64, at: &Place<M::Axes>) -> f64 {
-        let Some((solved, map)) = self.axis_map(at).filter(|_| self.timed) else { return 0.0 };
-        let minutes =
-            |(row, axis): (usize, usize)| self.speeds[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed);
+        let Some((solved, map)) = self.axis_map(at).filter(|_| self.speeds.timed) else { return 0.0 };
+        let minutes = |(row, axis): (usize, usize)| {
+            self.speeds.of_axes[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed)
+        };
         solved.into_iter().enumerate().map(minutes).fold(0.0, f64::max)
     }
 
     /// How far rounding of the linear words can take the tip, mm.
     pub(crate) fn largest_rounding(&self) -> f64 {
-        0.5 * self.unit_mm() * if self.orthogonal { 3_f64.sqrt() } else { 3.0 }
+        0.5 * self.unit_mm() * if self.linear.orthogonal { 3_f64.sqrt() } else { 3.0 }
     }
 
     /// The rotaries of a pose that only says where motion counts from; `None` if it cannot be reached.
     pub(crate) fn reference(&self, pose: &Pose, from: &Place<M::Axes>) -> Option<Place<M::Axes>> {
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
-        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale).ok()?;
+        let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).ok()?;
         let mut place = Place { branch: solutions[choice.solution].branch, ..*from };
-        for rotary in &self.rotaries {
+        for rotary in &self.rotary.axes {
             place.words[rotary.index] = choice.words[rotary.index];
-            place.axes.as_mut()[rotary.index] = rotary.angle(choice.words[rotary.index], self.scale);
+            place.axes.as_mut()[rotary.index] = rotary.angle(choice.words[rotary.index], self.rotary.scale);
         }
         Some(place)
     }
@@ -505,7 +592,7 @@ impl<M: Machine> Placer<M> {
     /// Words of a linear axis at a machine coordinate.
     pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<Words, Fault> {
         self.travel.check_machine(index, coordinate)?;
-        let units = whole_units(coordinate, self.per_mm)
+        let units = whole_units(coordinate, self.linear.per_mm)
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
             .ok_or_else(|| too_large(M::AXES[index].letter))?;
@@ -516,8 +603,8 @@ impl<M: Machine> Placer<M> {
 
     /// Words of the machine retract. The end of the travel at the part is no place to retract to.
     pub(crate) fn retract_words(&self, coordinate: f64) -> Result<Words, Fault> {
-        let index = self.retract_axis;
-        let part_end = |limits: Limits| if self.retract_share > 0.0 { limits.lower } else { limits.upper };
+        let index = self.linear.retract_axis;
+        let part_end = |limits: Limits| if self.linear.retract_share > 0.0 { limits.lower } else { limits.upper };
         if self.limits[index].is_some_and(|limits| (coordinate - part_end(limits)).abs() < self.unit_mm()) {
             return Err(Fault::new(format_args!(
                 "the retract position {} = {coordinate} mm (machine coordinate) is the end of the travel at the part",
@@ -530,12 +617,15 @@ impl<M: Machine> Placer<M> {
 
     /// Whole units of a rotary at an angle, inside its limits.
     pub(crate) fn rotary_word(&self, index: usize, angle: f64) -> Result<i64, Fault> {
-        let rotary = self.rotaries.iter().find(|rotary| rotary.index == index);
+        let rotary = self.rotary.axes.iter().find(|rotary| rotary.index == index);
         let Some(rotary) = rotary else { return Ok(0) };
         let mut words = [0; MAX_AXES];
-        words[index] = rotary.word(angle, self.scale);
+        words[index] = rotary.word(angle, self.rotary.scale);
         if !rotary.holds(words[index]) {
-            return Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word: words[index] }), None]));
+            return Err(refusal::outside_limits(
+                self,
+                &[Some(OutOfLimits { rotary: *rotary, word: words[index] }), None],
+            ));
         }
         Ok(words[index])
     }
@@ -548,12 +638,12 @@ impl<M: Machine> Placer<M> {
         from: &Place<M::Axes>,
     ) -> Result<(Place<M::Axes>, u16), Fault> {
         let (mut words, mut mask) = (from.words, 0);
-        for rotary in &self.rotaries {
+        for rotary in &self.rotary.axes {
             let index = rotary.index;
             let Some(&angle) = park.get(&M::AXES[index].letter) else { continue };
             let word = self.rotary_word(index, angle)?;
-            let nearest = || rotary.nearest(word, words[index], self.scale.turn).unwrap_or(word);
-            words[index] = if self.wrapped & (1 << index) != 0 { nearest() } else { word };
+            let nearest = || rotary.nearest(word, words[index], self.rotary.scale.turn).unwrap_or(word);
+            words[index] = if self.rotary.wrapped & (1 << index) != 0 { nearest() } else { word };
             mask |= 1 << index;
         }
         Ok((self.at(&from.pose, from, &words), mask))
@@ -563,17 +653,18 @@ impl<M: Machine> Placer<M> {
     #[inline]
     pub(crate) fn rolls_over(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> bool {
         let half_turn = |rotary: &Rotary| {
-            self.wrapped & (1 << rotary.index) != 0
-                && 2 * from.words[rotary.index].abs_diff(to.words[rotary.index]) >= self.scale.turn.unsigned_abs()
+            self.rotary.wrapped & (1 << rotary.index) != 0
+                && 2 * from.words[rotary.index].abs_diff(to.words[rotary.index])
+                    >= self.rotary.scale.turn.unsigned_abs()
         };
-        self.wrapped != 0 && self.rotaries.iter().any(half_turn)
+        self.rotary.wrapped != 0 && self.rotary.axes.iter().any(half_turn)
     }
 
     /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
     /// cannot be known.
     pub(crate) fn below_retract(&self, place: &Place<M::Axes>, retract: f64) -> Option<f64> {
-        let there = self.travel.value_at(self.retract_axis, retract)?;
-        Some((there - place.axes.as_ref()[self.retract_axis]) * self.retract_share.signum())
+        let there = self.travel.value_at(self.linear.retract_axis, retract)?;
+        Some((there - place.axes.as_ref()[self.linear.retract_axis]) * self.linear.retract_share.signum())
     }
 }
 
@@ -587,9 +678,9 @@ fn grid<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary], scale: AngleScale) 
 
 #[cfg(test)]
 mod tests {
-    use super::super::machines::{Ay, Cb, Head, Xyz};
     use super::*;
     use crate::config::Config;
+    use crate::motion::machines::{Ay, Cb, Head, Xyz};
 
     fn placer<M: Machine>() -> Placer<M> {
         let config = Config::default();

@@ -16,15 +16,15 @@
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
-use super::options::Policy;
-use super::options::{Mode, TcpFrame, TcpWords, ToolPosture};
 use crate::kinematics::{AxisKind, Machine, MotionBound, Side};
+use crate::motion::options::Policy;
+use crate::motion::options::{Mode, TcpFrame, TcpWords, ToolPosture};
 use crate::set_up::ProgramZero;
 
-use super::fault::Fault;
-use super::step::MAX_AXES;
-use super::structure::rotaries;
-use super::tilt::{PlaneAbility, Tilt};
+use super::chain::rotaries;
+use super::tilted_plane::{PlaneAbility, Tilt};
+use crate::motion::fault::Fault;
+use crate::motion::step::MAX_AXES;
 
 /// What tip control of a control can do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

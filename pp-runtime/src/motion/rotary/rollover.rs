@@ -3,12 +3,12 @@
 //! Planning counts turns without end. Where the control's axis rolls over, words stay within a turn, and the control goes
 //! there the short way, or the way that the sign says.
 
-use super::options::Policy;
-use super::options::Wrap;
 use crate::kinematics::Machine;
+use crate::motion::options::Policy;
+use crate::motion::options::Wrap;
 
-use super::choose::Rotary;
-use super::step::{MAX_AXES, Words};
+use crate::motion::rotary::Rotary;
+use crate::motion::step::{MAX_AXES, Words};
 
 /// One axis whose words stay within a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,9 +82,9 @@ impl Speller {
 
 #[cfg(test)]
 mod tests {
-    use super::super::machines::Cb;
     use super::*;
     use crate::config::Config;
+    use crate::motion::machines::Cb;
 
     /// The words of C for a row of positions in degrees.
     fn spelled(wrap: Wrap, degrees: &[i64]) -> Vec<i64> {

@@ -3,13 +3,13 @@
 //! Limits are machine coordinates: `M = machine_zero + q + g`, where `g` is what the gauge length adds to the axis.
 //! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
 
-use super::options::Policy;
 use crate::kinematics::{AxisKind, Limits, Machine, Side};
+use crate::motion::options::Policy;
 
-use super::fault::Fault;
-use super::origin::along_axes;
-use super::step::MAX_AXES;
-use super::structure::rotaries;
+use super::chain::rotaries;
+use super::datum::along_axes;
+use crate::motion::fault::Fault;
+use crate::motion::step::MAX_AXES;
 
 /// Noise of floating-point sums that must not turn an inclusive limit into an exclusive one, mm.
 const NOISE: f64 = 1e-6;

@@ -5,7 +5,11 @@
 
 use crate::kinematics::Solution;
 
-use super::step::MAX_AXES;
+use crate::motion::step::MAX_AXES;
+
+/// Turns of one axis that are looked at for one pose, nearest to zero first. Of a wider axis those at its ends and those in
+/// which the course stands are looked at besides.
+pub(crate) const MOST_TURNS: i64 = 24;
 
 /// A solved rotary axis and the words it may have.
 ///

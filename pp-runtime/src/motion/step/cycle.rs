@@ -2,7 +2,7 @@
 
 use crate::nc::Decimal;
 
-use super::step::Words;
+use crate::motion::step::Words;
 
 /// Cycles of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

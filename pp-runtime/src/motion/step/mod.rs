@@ -1,13 +1,17 @@
 //! What the planner hands to a control: one step is one block.
 
+mod cycle;
+mod provenance;
+
 use std::io;
 
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
 
-use super::account::Provenance;
-use super::circle::Circle;
-use super::hole_cycle::Cycle;
+use crate::motion::geometry::Circle;
+
+pub use cycle::{Cycle, CycleAbilities, CycleKind};
+pub use provenance::{Provenance, Standing, Why};
 
 /// Most axes a chain can have: X Y Z U V W A B C.
 pub const MAX_AXES: usize = 9;

@@ -1,7 +1,7 @@
 //! Linearisation with a guarantee: blocks whose tip and tool axis are *certified* to stay within tolerance.
 //!
 //! CL data means a straight tip path and a tool axis that turns evenly in the plane of its ends; a control moves every
-//! axis linearly instead. [`Pieces`] splits a motion so that [`Machine::motion`] certifies every piece, with the words
+//! axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, with the words
 //! as they are written: what rounding takes is taken off the tolerance.
 //!
 //! From the start the longest piece that certifies is taken, then the longest from its end, and so on. The search is a
@@ -17,11 +17,12 @@
 
 use crate::kinematics::{Branch, Machine, MotionBound, Pose, Solution};
 
-use super::choose::{OutOfLimits, Rotary};
-use super::fault::Fault;
-use super::place::{Place, Placer};
-use super::step::MAX_AXES;
-use super::way;
+use super::refusal;
+use super::{Place, Placer};
+use crate::motion::fault::Fault;
+use crate::motion::geometry::Way;
+use crate::motion::rotary::{OutOfLimits, Rotary};
+use crate::motion::step::MAX_AXES;
 
 /// A piece that uses so much of the tolerance is long enough.
 const LONG_ENOUGH: f64 = 0.97;
@@ -49,7 +50,7 @@ pub(crate) struct Tolerance {
 
 /// A piece with what is certified of it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Piece<A> {
+pub(crate) struct CertifiedPiece<A> {
     /// Where it ends.
     pub(crate) place: Place<A>,
     /// Largest deviation from the motion of the CL data, rounding of the words included.
@@ -58,34 +59,34 @@ pub(crate) struct Piece<A> {
     share: f64,
 }
 
-/// The pieces of one motion.
+/// The pieces of one motion, one after the other.
 #[derive(Debug, Clone)]
-pub(crate) struct Pieces<A> {
+pub(crate) struct Linearised<A> {
     tolerance: Tolerance,
     /// Where the last piece ended.
     from: Place<A>,
     to: Place<A>,
-    way: Way<A>,
+    rest: Remaining<A>,
 }
 
-/// How the rest of a motion is travelled.
-#[derive(Debug, Clone)]
+/// What is left of a motion, and how it is travelled.
+#[derive(Debug, Clone, Copy)]
 #[expect(clippy::large_enum_variant, reason = "one on the stack for a motion: nothing is allocated")]
-enum Way<A> {
-    /// In one block, if that certifies.
+enum Remaining<A> {
+    /// All of it, in one block if that certifies.
     Whole,
     /// Along the path.
     Path(Path),
     /// Turning on the spot, and then along the path, if that goes on.
     Spot(Spot<A>, Path),
-    /// Nothing is left.
-    Done,
+    /// Nothing.
+    Nothing,
 }
 
 /// The straight, evenly turning motion of the CL data.
 #[derive(Debug, Clone, Copy)]
 struct Path {
-    way: way::Way,
+    way: Way,
     /// The branch of both ends; `None` where they have none in common.
     branch: Option<Branch>,
     /// Shorter steps of the parameter than this are none: half a unit of the words.
@@ -96,7 +97,7 @@ struct Path {
     stride: f64,
 }
 
-/// A turn of the rotaries while the tool stands still.
+/// A turn of the rotaries while the tool stays in place.
 #[derive(Debug, Clone, Copy)]
 struct Spot<A> {
     start: Place<A>,
@@ -107,88 +108,117 @@ struct Spot<A> {
     stride: f64,
 }
 
-/// What a search has found.
-enum Found<A> {
+/// What a search for the longest piece has found.
+enum LongestPiece<A> {
     /// A parameter, and the piece that ends there.
-    Longest(f64, Piece<A>),
+    EndsAt(f64, CertifiedPiece<A>),
     /// Not even a piece up to this parameter certifies, and shorter ones are none.
     Stuck(f64),
 }
 
-impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Pieces<A> {
+impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
     /// The pieces from one place to another.
     pub(crate) fn new(from: &Place<A>, to: &Place<A>, tolerance: Tolerance) -> Self {
-        Self { tolerance, from: *from, to: *to, way: Way::Whole }
+        Self { tolerance, from: *from, to: *to, rest: Remaining::Whole }
     }
 
-    /// The next piece; `None` behind the last.
+    /// The next piece; `None` after the last.
     ///
     /// # Errors
-    /// If a part of the way cannot be certified, reached, or turned to inside the limits.
-    pub(crate) fn next<M: Machine<Axes = A>>(&mut self, placer: &Placer<M>) -> Result<Option<Piece<A>>, Fault> {
+    /// If a part of the path cannot be certified, reached, or turned to inside the limits.
+    pub(crate) fn next<M: Machine<Axes = A>>(
+        &mut self,
+        placer: &Placer<M>,
+    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
+        let certifier = Certifier { placer, allowed: self.tolerance };
         loop {
-            match &mut self.way {
-                Way::Done => return Ok(None),
-                Way::Whole => {
-                    let whole = placer.certify(&self.from, &self.to, self.tolerance);
-                    if whole.share <= 1.0 {
-                        self.way = Way::Done;
-                        return Ok(Some(whole));
-                    }
-                    self.way = Way::Path(placer.path(&self.from, &self.to, self.tolerance)?);
-                }
-                Way::Path(path) => {
-                    // From the start the whole has been tried.
-                    let rest = (path.at > 0.0).then(|| placer.certify(&self.from, &self.to, self.tolerance));
-                    if let Some(whole) = rest.filter(|rest| rest.share <= 1.0) {
-                        self.way = Way::Done;
-                        return Ok(Some(whole));
-                    }
-                    let (from, to, tolerance) = (self.from, self.to, self.tolerance);
-                    let walked = *path;
-                    let found = longest(walked.at, walked.stride, walked.resolution, |parameter| {
-                        let place = placer.between(&walked, (&from, &to), parameter, tolerance)?;
-                        Ok(placer.certify(&from, &place, tolerance))
-                    })?;
-                    match found {
-                        Found::Longest(parameter, piece) => {
-                            path.stride = parameter - path.at;
-                            path.at = parameter;
-                            self.from = piece.place;
-                            return Ok(Some(piece));
-                        }
-                        Found::Stuck(until) => {
-                            let target = if until < 1.0 {
-                                placer.between(&walked, (&from, &to), until, tolerance)?
-                            } else {
-                                self.to
-                            };
-                            let spot = placer.spot(&from, &target);
-                            self.way = Way::Spot(spot, Path { at: until, ..walked });
-                        }
-                    }
-                }
-                Way::Spot(spot, path) => {
-                    let (turned, from, tolerance) = (*spot, self.from, self.tolerance);
-                    let rest = placer.certify(&from, &turned.target, tolerance);
-                    if rest.share <= 1.0 {
-                        self.from = rest.place;
-                        self.way = if path.at < 1.0 { Way::Path(*path) } else { Way::Done };
-                        return Ok(Some(rest));
-                    }
-                    let found = longest(turned.at, turned.stride, turned.resolution, |parameter| {
-                        let place = placer.turned(&turned, parameter)?;
-                        Ok(placer.certify(&from, &place, tolerance))
-                    })?;
-                    let Found::Longest(parameter, piece) = found else {
-                        return Err(placer.uncertified(&from, &turned.target, tolerance));
-                    };
-                    spot.stride = parameter - spot.at;
-                    spot.at = parameter;
-                    self.from = piece.place;
-                    return Ok(Some(piece));
-                }
+            let piece = match self.rest {
+                Remaining::Nothing => return Ok(None),
+                Remaining::Whole => self.whole(&certifier)?,
+                Remaining::Path(path) => self.along(&certifier, path)?,
+                Remaining::Spot(spot, path) => Some(self.on_spot(&certifier, spot, path)?),
+            };
+            if let Some(piece) = piece {
+                self.from = piece.place;
+                return Ok(Some(piece));
             }
+        }
+    }
+
+    /// The rest of the motion as one piece, if that certifies.
+    fn rest_in_one<M: Machine<Axes = A>>(&mut self, certifier: &Certifier<'_, M>) -> Option<CertifiedPiece<A>> {
+        let piece = certifier.certify(&self.from, &self.to);
+        (piece.share <= 1.0).then(|| {
+            self.rest = Remaining::Nothing;
+            piece
+        })
+    }
+
+    fn whole<M: Machine<Axes = A>>(
+        &mut self,
+        certifier: &Certifier<'_, M>,
+    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
+        let piece = self.rest_in_one(certifier);
+        if piece.is_none() {
+            self.rest = Remaining::Path(certifier.path(&self.from, &self.to)?);
+        }
+        Ok(piece)
+    }
+
+    /// The next piece along the path; `None` if the tool has to turn on the spot first.
+    fn along<M: Machine<Axes = A>>(
+        &mut self,
+        certifier: &Certifier<'_, M>,
+        path: Path,
+    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
+        // From the start the whole has been tried.
+        if path.at > 0.0
+            && let Some(piece) = self.rest_in_one(certifier)
+        {
+            return Ok(Some(piece));
+        }
+        let (from, to) = (self.from, self.to);
+        let found = longest(path.at, path.stride, path.resolution, |parameter| {
+            let place = certifier.between(&path, (&from, &to), parameter)?;
+            Ok(certifier.certify(&from, &place))
+        })?;
+        match found {
+            LongestPiece::EndsAt(parameter, piece) => {
+                self.rest = Remaining::Path(Path { stride: parameter - path.at, at: parameter, ..path });
+                Ok(Some(piece))
+            }
+            LongestPiece::Stuck(until) => {
+                let target = if until < 1.0 { certifier.between(&path, (&from, &to), until)? } else { to };
+                self.rest = Remaining::Spot(certifier.spot(&from, &target), Path { at: until, ..path });
+                Ok(None)
+            }
+        }
+    }
+
+    /// The next piece of a turn on the spot.
+    fn on_spot<M: Machine<Axes = A>>(
+        &mut self,
+        certifier: &Certifier<'_, M>,
+        spot: Spot<A>,
+        path: Path,
+    ) -> Result<CertifiedPiece<A>, Fault> {
+        let from = self.from;
+        let piece = certifier.certify(&from, &spot.target);
+        if piece.share <= 1.0 {
+            self.rest = if path.at < 1.0 { Remaining::Path(path) } else { Remaining::Nothing };
+            return Ok(piece);
+        }
+        let found = longest(spot.at, spot.stride, spot.resolution, |parameter| {
+            let place = certifier.turned(&spot, parameter)?;
+            Ok(certifier.certify(&from, &place))
+        })?;
+        match found {
+            LongestPiece::EndsAt(parameter, piece) => {
+                let spot = Spot { stride: parameter - spot.at, at: parameter, ..spot };
+                self.rest = Remaining::Spot(spot, path);
+                Ok(piece)
+            }
+            LongestPiece::Stuck(_) => Err(certifier.uncertified(&from, &spot.target)),
         }
     }
 }
@@ -198,10 +228,10 @@ fn longest<A: Copy>(
     at: f64,
     stride: f64,
     resolution: f64,
-    mut piece_to: impl FnMut(f64) -> Result<Piece<A>, Fault>,
-) -> Result<Found<A>, Fault> {
+    mut piece_to: impl FnMut(f64) -> Result<CertifiedPiece<A>, Fault>,
+) -> Result<LongestPiece<A>, Fault> {
     let (mut good, mut bad) = (at, 1.0);
-    let mut best: Option<Piece<A>> = None;
+    let mut best: Option<CertifiedPiece<A>> = None;
     let mut next = at + stride;
     for count in 0..TRIES {
         let known = good - at;
@@ -225,22 +255,29 @@ fn longest<A: Copy>(
         }
         next = aim;
     }
-    Ok(best.map_or(Found::Stuck(bad), |piece| Found::Longest(good, piece)))
+    Ok(best.map_or(LongestPiece::Stuck(bad), |piece| LongestPiece::EndsAt(good, piece)))
 }
 
-impl<M: Machine> Placer<M> {
+/// Certifies blocks of one machine within a tolerance.
+#[derive(Clone, Copy)]
+struct Certifier<'p, M: Machine> {
+    placer: &'p Placer<M>,
+    allowed: Tolerance,
+}
+
+impl<M: Machine> Certifier<'_, M> {
     /// What is certified of one block.
     #[inline]
-    pub(crate) fn certify(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, allowed: Tolerance) -> Piece<M::Axes> {
-        let mut bound = self.frame.bound(self.machine.motion(&from.axes, &to.axes));
+    fn certify(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> CertifiedPiece<M::Axes> {
+        let mut bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
         let (tip_off, axis_off) = (from.rounding.max(to.rounding), self.axis_off(from).max(self.axis_off(to)));
-        if bound.tip > allowed.tip - tip_off && bound.axis <= allowed.axis - axis_off {
+        if bound.tip > self.allowed.tip - tip_off && bound.axis <= self.allowed.axis - axis_off {
             bound.tip = self.tip_by_halves(from, to, bound.tip);
         }
-        let share = (bound.tip / (allowed.tip - tip_off)).max(bound.axis / (allowed.axis - axis_off));
-        let roomy = allowed.tip > tip_off && allowed.axis > axis_off;
-        let narrow = from.pose.axis.dot(&to.pose.axis) > WIDEST && !self.rolls_over(from, to);
-        Piece {
+        let share = (bound.tip / (self.allowed.tip - tip_off)).max(bound.axis / (self.allowed.axis - axis_off));
+        let roomy = self.allowed.tip > tip_off && self.allowed.axis > axis_off;
+        let narrow = from.pose.axis.dot(&to.pose.axis) > WIDEST && !self.placer.rolls_over(from, to);
+        CertifiedPiece {
             place: *to,
             bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off },
             share: if roomy && narrow && share.is_finite() { share } else { f64::INFINITY },
@@ -256,7 +293,7 @@ impl<M: Machine> Placer<M> {
             *value = 0.5 * (*value + end);
         }
         let (start, line) = (from.pose.tip, to.pose.tip - from.pose.tip);
-        let along = self.machine.forward_kinematics(&middle).tip - start;
+        let along = self.placer.machine.forward_kinematics(&middle).tip - start;
         let length = line.norm_squared();
         let part = if length > 0.0 { (along.dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
         // The ends are where the words put them.
@@ -264,7 +301,7 @@ impl<M: Machine> Placer<M> {
         if off > 0.5 * whole {
             return whole;
         }
-        let halves = [(&from.axes, &middle), (&middle, &to.axes)].map(|(a, b)| self.machine.motion(a, b).tip);
+        let halves = [(&from.axes, &middle), (&middle, &to.axes)].map(|(a, b)| self.placer.machine.motion(a, b).tip);
         whole.min(off + halves[0].max(halves[1]))
     }
 
@@ -274,28 +311,29 @@ impl<M: Machine> Placer<M> {
     #[inline]
     fn axis_off(&self, place: &Place<M::Axes>) -> f64 {
         let deviation = if place.pole { 0.0 } else { place.deviation };
-        2.0 * (0.5 * self.scale.angle(1) * self.rotaries.len() as f64 + deviation)
+        2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
     }
 
     /// The path between two places.
     #[cold]
-    fn path(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, allowed: Tolerance) -> Result<Path, Fault> {
-        let rounding = self.largest_rounding();
-        if rounding >= allowed.tip {
+    fn path(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Result<Path, Fault> {
+        let rounding = self.placer.largest_rounding();
+        if rounding >= self.allowed.tip {
             return Err(Fault::new(format_args!(
                 "the words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone takes \
                  the tip up to {rounding:.5} mm off",
-                allowed.tip
+                self.allowed.tip
             ))
             .help("give a wider `tolerance`, or more decimals"));
         }
-        let Some(way) = way::Way::new(&from.pose, &to.pose) else {
+        let Some(way) = Way::new(&from.pose, &to.pose) else {
             return Err(Fault::new("the tool axis turns by 180° in one motion: which way, the CL data does not say")
                 .help("give a point in between"));
         };
         let half_unit = |unit: f64, way: f64| if way > 0.0 { 0.5 * unit / way } else { 1.0 };
-        let resolution =
-            half_unit(self.unit_mm(), way.length()).min(half_unit(self.scale.angle(1), way.angle())).min(1.0);
+        let resolution = half_unit(self.placer.unit_mm(), way.length())
+            .min(half_unit(self.placer.rotary.scale.angle(1), way.angle()))
+            .min(1.0);
         // At the pole both branches meet.
         let branch = match (from.pole, to.pole) {
             (true, false) => Some(to.branch),
@@ -308,11 +346,11 @@ impl<M: Machine> Placer<M> {
     /// Words of a solution's rotaries, in the turn nearest to some axis values.
     fn nearest_words(&self, solution: &Solution<M::Axes>, near: &M::Axes) -> [i64; MAX_AXES] {
         let mut words = [0; MAX_AXES];
-        for rotary in &self.rotaries {
-            let word = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
-            let wanted = rotary.word(near.as_ref()[rotary.index], self.scale);
-            let turns = (wanted - word + self.scale.turn / 2).div_euclid(self.scale.turn);
-            words[rotary.index] = word + turns * self.scale.turn;
+        for rotary in &self.placer.rotary.axes {
+            let word = rotary.word(solution.axes.as_ref()[rotary.index], self.placer.rotary.scale);
+            let wanted = rotary.word(near.as_ref()[rotary.index], self.placer.rotary.scale);
+            let turns = (wanted - word + self.placer.rotary.scale.turn / 2).div_euclid(self.placer.rotary.scale.turn);
+            words[rotary.index] = word + turns * self.placer.rotary.scale.turn;
         }
         words
     }
@@ -323,7 +361,6 @@ impl<M: Machine> Placer<M> {
         path: &Path,
         (from, to): (&Place<M::Axes>, &Place<M::Axes>),
         parameter: f64,
-        allowed: Tolerance,
     ) -> Result<Place<M::Axes>, Fault> {
         let pose = path.way.at(parameter);
         let mut guess = from.axes;
@@ -331,11 +368,11 @@ impl<M: Machine> Placer<M> {
         for (value, end) in guess.as_mut().iter_mut().zip(to.axes.as_ref()) {
             *value += (end - *value) * share;
         }
-        let solutions = self.machine.inverse_kinematics(&pose, &guess);
+        let solutions = self.placer.machine.inverse_kinematics(&pose, &guess);
         let travel = |solution: &&Solution<M::Axes>| {
             let words = self.nearest_words(solution, &guess);
-            let guessed = |rotary: &Rotary| rotary.word(guess.as_ref()[rotary.index], self.scale);
-            self.rotaries.iter().map(|rotary| words[rotary.index].abs_diff(guessed(rotary))).sum::<u64>()
+            let guessed = |rotary: &Rotary| rotary.word(guess.as_ref()[rotary.index], self.placer.rotary.scale);
+            self.placer.rotary.axes.iter().map(|rotary| words[rotary.index].abs_diff(guessed(rotary))).sum::<u64>()
         };
         let wanted = path.branch.filter(|_| solutions.len() > 1);
         let chosen = match wanted {
@@ -343,13 +380,13 @@ impl<M: Machine> Placer<M> {
             None => solutions.iter().min_by_key(travel),
         };
         let on_the_way = |fault: Fault| fault.context("on the way from the point before");
-        let Some(solution) = chosen else { return Err(on_the_way(self.unreachable(&pose, &guess))) };
+        let Some(solution) = chosen else { return Err(on_the_way(refusal::unreachable(self.placer, &pose, &guess))) };
         // Whole turns: between the ends, wherever near the pole most of the turning is done.
         let mut middle = from.axes;
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
             *value = 0.5 * (*value + end);
         }
-        self.beside(&pose, from, solution, &middle, allowed).map_err(on_the_way)
+        self.beside(&pose, from, solution, &middle).map_err(on_the_way)
     }
 
     /// The place of a solution, in the turn nearest to some axis values.
@@ -359,24 +396,24 @@ impl<M: Machine> Placer<M> {
         from: &Place<M::Axes>,
         solution: &Solution<M::Axes>,
         near: &M::Axes,
-        allowed: Tolerance,
     ) -> Result<Place<M::Axes>, Fault> {
         let words = self.nearest_words(solution, near);
-        for rotary in &self.rotaries {
+        for rotary in &self.placer.rotary.axes {
             let word = words[rotary.index];
             if !rotary.holds(word) {
-                return Err(self.outside_limits(&[Some(OutOfLimits { rotary: *rotary, word }), None]));
+                return Err(refusal::outside_limits(self.placer, &[Some(OutOfLimits { rotary: *rotary, word }), None]));
             }
         }
-        let mut place = self.at(pose, from, &words);
+        let mut place = self.placer.at(pose, from, &words);
         place.deviation = solution.deviation;
         place.branch = solution.branch;
-        self.hold_indexed(&mut place, from, allowed)?;
-        self.set(place)
+        self.placer.hold_indexed(&mut place, from, self.allowed)?;
+        self.placer.set(place)
     }
 
     fn spot(&self, start: &Place<M::Axes>, target: &Place<M::Axes>) -> Spot<M::Axes> {
-        let largest = self.rotaries.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));
+        let largest =
+            self.placer.rotary.axes.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));
         let units = largest.max().unwrap_or(0).max(1);
         Spot { start: *start, target: *target, resolution: 1.0 / units as f64, at: 0.0, stride: 0.5 }
     }
@@ -384,33 +421,39 @@ impl<M: Machine> Placer<M> {
     /// A place of a turn on the spot.
     fn turned(&self, spot: &Spot<M::Axes>, parameter: f64) -> Result<Place<M::Axes>, Fault> {
         let mut words = spot.start.words;
-        for rotary in &self.rotaries {
+        for rotary in &self.placer.rotary.axes {
             let change = (spot.target.words[rotary.index] - words[rotary.index]) as f64;
             words[rotary.index] += (change * parameter).round() as i64;
         }
         let tip = spot.start.pose.tip + (spot.target.pose.tip - spot.start.pose.tip) * parameter;
         let pose = Pose { tip, axis: spot.target.pose.axis };
-        let mut place = self.at(&pose, &spot.start, &words);
-        let reached = self.machine.forward_kinematics(&place.axes).axis;
+        let mut place = self.placer.at(&pose, &spot.start, &words);
+        let reached = self.placer.machine.forward_kinematics(&place.axes).axis;
         place.deviation = (reached.into_inner() - pose.axis.into_inner()).norm();
-        self.set(place)
+        self.placer.set(place)
     }
 
     /// Why a turn on the spot cannot be cut.
     #[cold]
-    fn uncertified(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, allowed: Tolerance) -> Fault {
-        let turned =
-            self.rotaries.iter().max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
+    fn uncertified(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Fault {
+        let turned = self
+            .placer
+            .rotary
+            .axes
+            .iter()
+            .max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
         let index = turned.map_or(0, |rotary| rotary.index);
-        let shown = |place: &Place<M::Axes>| turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.scale));
+        let shown = |place: &Place<M::Axes>| {
+            turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.placer.rotary.scale))
+        };
         Fault::new(format_args!(
             "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
              of tolerance ({} mm, {:.4}°)",
             M::AXES[index].letter,
             shown(from),
             shown(to),
-            allowed.tip,
-            allowed.axis.to_degrees(),
+            self.allowed.tip,
+            self.allowed.axis.to_degrees(),
         ))
         .help("retract before this point and start a new operation, or keep clear of the pole")
     }
@@ -420,9 +463,9 @@ impl<M: Machine> Placer<M> {
 mod tests {
     use nalgebra::Point3;
 
-    use super::super::machines::Cb;
     use super::*;
     use crate::config::Config;
+    use crate::motion::machines::Cb;
     use crate::program::Units;
 
     const TOLERANCE: Tolerance = Tolerance { tip: 0.01, axis: 0.001_745 };
@@ -435,8 +478,8 @@ mod tests {
     /// The place of rotary angles in degrees.
     fn place(placer: &Placer<Cb>, tip: [f64; 3], c: f64, b: f64) -> Place<[f64; 5]> {
         let mut place = placer.zero();
-        place.words[0] = placer.scale.word(c.to_radians());
-        place.words[1] = placer.scale.word(b.to_radians());
+        place.words[0] = placer.scale().word(c.to_radians());
+        place.words[1] = placer.scale().word(b.to_radians());
         let axes = [c.to_radians(), b.to_radians(), 0.0, 0.0, 0.0];
         let axis = placer.machine.forward_kinematics(&axes).axis;
         let words = place.words;
@@ -447,8 +490,8 @@ mod tests {
         placer: &Placer<Cb>,
         from: &Place<[f64; 5]>,
         to: &Place<[f64; 5]>,
-    ) -> Result<Vec<Piece<[f64; 5]>>, Fault> {
-        let mut pieces = Pieces::new(from, to, TOLERANCE);
+    ) -> Result<Vec<CertifiedPiece<[f64; 5]>>, Fault> {
+        let mut pieces = Linearised::new(from, to, TOLERANCE);
         let mut list = Vec::new();
         while let Some(piece) = pieces.next(placer)? {
             list.push(piece);

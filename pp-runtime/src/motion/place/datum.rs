@@ -6,19 +6,19 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::options::Policy;
 use crate::kinematics::{AxisKind, Machine};
+use crate::motion::options::Policy;
 use crate::set_up::{LengthMode, ProgramZero};
 
-use super::choose::AngleScale;
-use super::step::MAX_AXES;
+use crate::motion::rotary::AngleScale;
+use crate::motion::step::MAX_AXES;
 
 /// Part of a unit of a word that an offset may be off whole units because degrees became radians.
 const NOISE: f64 = 1e-6;
 
 /// From axis values to written words, by position in the chain.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Origin {
+pub(crate) struct Datum {
     /// Linear words at the zero position with a tool of no length, mm.
     zero: [f64; MAX_AXES],
     /// What 1 mm of gauge length adds to linear words.
@@ -31,7 +31,7 @@ pub(crate) struct Origin {
     whole: [i64; MAX_AXES],
 }
 
-impl Origin {
+impl Datum {
     pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>, scale: AngleScale) -> Self {
         let (mut offsets, mut whole) = ([0.0; MAX_AXES], [0; MAX_AXES]);
         for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
@@ -98,10 +98,10 @@ pub(crate) fn along_axes<M: Machine>(machine: &M, vector: &Vector3<f64>) -> [f64
 
 #[cfg(test)]
 mod tests {
-    use super::super::machines::{Cb, Head};
-    use super::super::tests::{Run, config, feed, rapid, run, spindle, tool};
     use super::*;
     use crate::config::Config;
+    use crate::motion::machines::{Cb, Head};
+    use crate::motion::tests::{Run, config, feed, rapid, run, spindle, tool};
     use crate::set_up::GivenTool;
 
     /// The axis at `C` and `B` degrees on the C-B table.
