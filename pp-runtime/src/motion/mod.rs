@@ -31,7 +31,8 @@ pub use options::{
 pub use place::{PlaneAbility, PlaneAngles, PoseRule, TipAbility, unsuited};
 pub(crate) use plan::hole_extent;
 pub use plan::{
-    Abilities, Chorded, FastestTurn, Moving, OperationTime, Planner, ProofProgram, Registers, Statistics, Sweep, Times,
+    Abilities, Chorded, FastestTurn, MovingAxes, OperationTime, Planner, ProofProgram, Registers, Statistics, Sweep,
+    Times,
 };
 pub use rotary::Cost;
 pub(crate) use source::Setting;

@@ -12,7 +12,7 @@ use crate::control::{Control, Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
 use crate::motion::machines::{Ay, Cb, Head, Xyw, Xyz};
-use crate::motion::{Moving, Navigator, Nowhere, Planner, Sink, Source, Stage, Statistics, Stop};
+use crate::motion::{MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Stage, Statistics, Stop};
 use crate::motion::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{
@@ -64,7 +64,7 @@ pub(super) fn plan<M: Machine>(
     hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     let course = navigator.finish();
     let policy = config.policy();
-    let mut moving = Moving::default();
+    let mut moving = MovingAxes::default();
     if !config.motion.rotaries.clamp.is_empty() {
         let mut planner = Planner::new(machine.clone(), policy, units, &abilities, false, Nowhere);
         planner = planner.with_course(course.clone());

@@ -59,7 +59,7 @@ impl Stand {
 }
 
 /// Hands steps to an encoder, and what it makes of them to an account, if one is kept.
-pub(super) struct Recorded<'e, 'r, W: Write> {
+pub(crate) struct Recorded<'e, 'r, W: Write> {
     encoder: Encoder<'e, W>,
     account: Option<&'r mut dyn Account>,
     /// The record that was served last.
@@ -68,24 +68,24 @@ pub(super) struct Recorded<'e, 'r, W: Write> {
 }
 
 impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
-    pub(super) fn new(mut encoder: Encoder<'e, W>, account: Option<&'r mut dyn Account>) -> Self {
+    pub(crate) fn new(mut encoder: Encoder<'e, W>, account: Option<&'r mut dyn Account>) -> Self {
         if account.is_some() {
             encoder.keep_lines();
         }
         Self { encoder, account, at: None, why: Why::Head }
     }
 
-    pub(super) fn encoder(&mut self) -> &mut Encoder<'e, W> {
+    pub(crate) fn encoder(&mut self) -> &mut Encoder<'e, W> {
         &mut self.encoder
     }
 
     /// Accounts for the header, which has been written.
-    pub(super) fn account_for_head(&mut self) -> io::Result<()> {
+    pub(crate) fn account_for_head(&mut self) -> io::Result<()> {
         self.settle("head", None)
     }
 
     /// Accounts for what has been written after the last step.
-    pub(super) fn account_for_end(&mut self) -> io::Result<()> {
+    pub(crate) fn account_for_end(&mut self) -> io::Result<()> {
         self.settle("end", None)
     }
 

@@ -22,7 +22,7 @@ use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
 use crate::kinematics::{AxisKind, Invalid, Machine};
 use crate::motion::{
-    Abilities, Chorded, Cost, Course, Moving, Navigator, Nowhere, Planner, Sink, Source, Statistics, Stop, Times,
+    Abilities, Chorded, Cost, Course, MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Statistics, Stop, Times,
 };
 use crate::program::Location;
 use crate::program::Units;
@@ -270,8 +270,11 @@ pub fn post_with_account<M: Machine>(
     let layout = Layout::new::<M>(job.config.demands(), units, &survey.name);
     let abilities = control::abilities(job.control, job.config.demands());
     let pass = Pass { job, survey: &survey, machine: &machine, units, abilities: &abilities };
-    let moving =
-        if job.config.motion.rotaries.clamp.is_empty() { Moving::default() } else { pass.rehearse(text.reader()?)? };
+    let moving = if job.config.motion.rotaries.clamp.is_empty() {
+        MovingAxes::default()
+    } else {
+        pass.rehearse(text.reader()?)?
+    };
     let recorded = Recorded::new(Encoder::new(job.control, &layout, output), account);
     pass.write(text.reader()?, recorded, moving, &mut report)?;
     report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
@@ -330,7 +333,7 @@ impl<M: Machine> Pass<'_, M> {
     }
 
     /// Which rotary axes stay still for how long: the whole program is planned and nothing written.
-    fn rehearse(&self, reader: Reader<impl Read>) -> Result<Moving, PostError> {
+    fn rehearse(&self, reader: Reader<impl Read>) -> Result<MovingAxes, PostError> {
         let mut planner = self.planner(Nowhere);
         // What goes wrong here goes wrong again when the program is written, and is reported then.
         let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
@@ -342,7 +345,7 @@ impl<M: Machine> Pass<'_, M> {
         &self,
         reader: Reader<impl Read>,
         recorded: Recorded<'_, '_, W>,
-        moving: Moving,
+        moving: MovingAxes,
         report: &mut Report,
     ) -> Result<(), PostError> {
         let Self { job, survey, machine, units, .. } = *self;

@@ -27,34 +27,34 @@ const MOST_CHANGES: usize = 10_000;
 
 /// One tool of the program.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct ToolUse {
-    pub(super) call: ToolCall,
+pub(crate) struct ToolUse {
+    pub(crate) call: ToolCall,
     /// Operations that cut or move with it.
-    pub(super) operations: u64,
+    pub(crate) operations: u64,
     /// Lowest and highest tip of the part as it lies, mm.
-    pub(super) tip: Option<(f64, f64)>,
+    pub(crate) tip: Option<(f64, f64)>,
     /// Lowest and highest corner of the box around the tips of its cuts, mm.
-    pub(super) cuts: Option<[[f64; 3]; 2]>,
+    pub(crate) cuts: Option<[[f64; 3]; 2]>,
     /// It cuts before any SPINDL/.. behind its call: speed and direction come from the configuration.
-    pub(super) spindle_assumed: bool,
+    pub(crate) spindle_assumed: bool,
 }
 
 /// What the reader has found out about a file.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct FileFacts {
-    pub(super) units: Option<Units>,
-    pub(super) units_only_given: bool,
+pub(crate) struct FileFacts {
+    pub(crate) units: Option<Units>,
+    pub(crate) units_only_given: bool,
     /// A frame is stated in the file.
-    pub(super) framed: bool,
-    pub(super) dialect: Dialect,
-    pub(super) arcs: ArcVote,
+    pub(crate) framed: bool,
+    pub(crate) dialect: Dialect,
+    pub(crate) arcs: ArcVote,
     /// Different frames.
-    pub(super) frames: usize,
+    pub(crate) frames: usize,
     /// How often CSYS changes.
-    pub(super) setup_changes: u64,
+    pub(crate) setup_changes: u64,
     /// The CAM system asks for inverse-time feed.
-    pub(super) inverse_time: bool,
-    pub(super) lines: u64,
+    pub(crate) inverse_time: bool,
+    pub(crate) lines: u64,
 }
 
 impl FileFacts {
@@ -75,26 +75,26 @@ impl FileFacts {
 
 /// What the whole program says.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Survey {
-    pub(super) name: Vec<u8>,
-    pub(super) file: FileFacts,
+pub(crate) struct Survey {
+    pub(crate) name: Vec<u8>,
+    pub(crate) file: FileFacts,
     /// Operations of the whole program.
-    pub(super) operations: u64,
+    pub(crate) operations: u64,
     /// Stretches of operations in which the tool axis is held, and in which it turns at feed.
-    pub(super) stretches: Stretches,
+    pub(crate) stretches: Stretches,
     /// Tools that move, by number.
-    pub(super) tools: Vec<ToolUse>,
+    pub(crate) tools: Vec<ToolUse>,
     /// Tools in the order in which they come into the spindle.
-    pub(super) order: Vec<u32>,
-    pub(super) diagnostics: Vec<Diagnostic>,
+    pub(crate) order: Vec<u32>,
+    pub(crate) diagnostics: Vec<Diagnostic>,
     /// Nothing may be posted from here on.
-    pub(super) first_error: Option<Location>,
+    pub(crate) first_error: Option<Location>,
     /// The course of the rotary axes.
-    pub(super) course: Course,
+    pub(crate) course: Course,
     /// Every tool axis of a feed motion points down: the frame of the part is probably upside down.
-    pub(super) upside_down: bool,
+    pub(crate) upside_down: bool,
     /// The operations that are posted, `None` for all; a sentence if there are none, or not as many.
-    pub(super) wanted: Option<Result<RangeInclusive<u64>, String>>,
+    pub(crate) wanted: Option<Result<RangeInclusive<u64>, String>>,
 }
 
 /// Stretches by what the tool axis does in them: a stretch is what is cut between two changes of the tool axis in the air.
@@ -108,7 +108,7 @@ pub struct Stretches {
 
 impl Survey {
     /// The first pass: reads the whole file, for the survey and the course alike.
-    pub(super) fn take<M: Machine>(
+    pub(crate) fn take<M: Machine>(
         input: impl Read,
         options: Options,
         policy: Policy<'_>,
@@ -174,7 +174,7 @@ impl<M: Machine> Stage for FirstPass<M> {
 #[derive(Debug)]
 struct Surveyor {
     survey: Survey,
-    selection: Selection,
+    selection: WantedOperations,
     /// Tool axis with every rotary axis at zero.
     tool_axis: UnitVector3<f64>,
     /// Tools called so far, and where those that have moved are in the list.
@@ -199,7 +199,7 @@ impl Surveyor {
     fn new(select: Option<Operations>, tool_axis: UnitVector3<f64>) -> Self {
         Self {
             survey: Survey::default(),
-            selection: Selection { select, ..Selection::default() },
+            selection: WantedOperations { select, ..WantedOperations::default() },
             tool_axis,
             called_so_far: BTreeMap::new(),
             call: None,
@@ -370,7 +370,7 @@ fn too_many_tools(location: Location) -> Diagnostic {
 
 /// Which operations are asked for, and whether they are there.
 #[derive(Debug, Default)]
-struct Selection {
+struct WantedOperations {
     select: Option<Operations>,
     /// The coming operation bears the name that was asked for.
     named: bool,
@@ -380,7 +380,7 @@ struct Selection {
     names: Vec<String>,
 }
 
-impl Selection {
+impl WantedOperations {
     /// TOOL PATH.
     fn name(&mut self, name: &[u8]) {
         let Some(Operations::From(wanted)) = &self.select else { return };

@@ -111,7 +111,7 @@ impl History {
 
 /// Where a cut can begin: a state of the last layer.
 #[derive(Debug, Clone, Copy)]
-struct Source {
+struct Ancestor {
     from: Survivor,
     /// It is reached by a rewind only.
     rewound: bool,
@@ -125,7 +125,7 @@ pub(crate) struct CourseSearch {
     layer: Vec<RotaryState>,
     survivors: Vec<Survivor>,
     next: Vec<Survivor>,
-    sources: Vec<Source>,
+    sources: Vec<Ancestor>,
     history: History,
     /// Keep the cheapest alone: pose by pose.
     greedy: bool,
@@ -285,14 +285,14 @@ impl CourseSearch {
         self.collect_sources();
         self.next.clear();
         for state in states {
-            let mut best: Option<(Cost, Source)> = None;
+            let mut best: Option<(Cost, Ancestor)> = None;
             for source in &self.sources {
                 let cost = source.from.cost.plus(self.metric.cost(&source.from.state.words, &state.words));
                 if best.is_none_or(|(least, _)| cost < least) && linked(&source.from.state, state) {
                     best = Some((cost, *source));
                 }
             }
-            let Some((cost, Source { from, rewound })) = best else { continue };
+            let Some((cost, Ancestor { from, rewound })) = best else { continue };
             let mut head = from.head;
             if rewound {
                 head = self.history.push(head, motion, How::Rewind, from.state.words);
@@ -314,7 +314,7 @@ impl CourseSearch {
         let settled = self.survivors.len() >= self.layer.len()
             && self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest);
         if settled {
-            self.sources.extend(self.survivors.iter().map(|&from| Source { from, rewound: false }));
+            self.sources.extend(self.survivors.iter().map(|&from| Ancestor { from, rewound: false }));
             return;
         }
         for state in &self.layer {
@@ -324,12 +324,12 @@ impl CourseSearch {
             let other = self.survivors.iter().map(|from| (rewound(from), from)).min_by_key(|(cost, _)| *cost);
             match (alive, other) {
                 (Some(&from), Some((cost, _))) if from.cost <= cost => {
-                    self.sources.push(Source { from, rewound: false });
+                    self.sources.push(Ancestor { from, rewound: false });
                 }
-                (Some(&from), None) => self.sources.push(Source { from, rewound: false }),
+                (Some(&from), None) => self.sources.push(Ancestor { from, rewound: false }),
                 (_, Some((cost, from))) => {
                     let from = Survivor { state: *state, cost, ..*from };
-                    self.sources.push(Source { from, rewound: true });
+                    self.sources.push(Ancestor { from, rewound: true });
                 }
                 (None, None) => {}
             }
@@ -345,7 +345,7 @@ impl CourseSearch {
     ) -> bool {
         self.collect_sources();
         self.next.clear();
-        for Source { from, rewound } in &self.sources {
+        for Ancestor { from, rewound } in &self.sources {
             let Some(words) = entry(&from.state) else { continue };
             let cost = from.cost.plus(self.metric.cost(&from.state.words, &words));
             let mut head = from.head;

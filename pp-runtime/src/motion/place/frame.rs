@@ -39,12 +39,12 @@ pub struct TipAbility {
 
 /// An isometry of the workpiece frame: `word = rotation · p + shift`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Map {
+pub(crate) struct WordMap {
     pub(crate) rotation: Matrix3<f64>,
     pub(crate) shift: Vector3<f64>,
 }
 
-impl Map {
+impl WordMap {
     /// The words X Y Z of a tip, mm.
     pub(crate) fn words(&self, tip: &Point3<f64>) -> Vector3<f64> {
         self.rotation * tip.coords + self.shift
@@ -62,14 +62,14 @@ enum Counting {
     /// Axis values.
     Axes,
     /// The tip, in one frame until the next change.
-    Fixed(Map),
+    Fixed(WordMap),
     /// The tip, in a frame that stands still while the table turns.
     Turning,
 }
 
 /// The frames of one machine and set-up.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Frame {
+pub(crate) struct WordFrame {
     counting: Counting,
     mode: Mode,
     tcp_frame: TcpFrame,
@@ -82,7 +82,7 @@ pub(crate) struct Frame {
     letters: [usize; 3],
 }
 
-impl Frame {
+impl WordFrame {
     pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
         let position = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter);
         let letters = ['X', 'Y', 'Z'].map(|letter| position(letter).unwrap_or_default());
@@ -131,7 +131,7 @@ impl Frame {
     fn fix(&mut self, turn: &Matrix3<f64>, moved: Vector3<f64>) {
         let rotation = self.signs * turn;
         let shift = rotation * self.zero + self.signs * moved;
-        self.counting = Counting::Fixed(Map { rotation, shift });
+        self.counting = Counting::Fixed(WordMap { rotation, shift });
     }
 
     /// The frame is fixed to the table as it stands.
@@ -145,19 +145,19 @@ impl Frame {
     pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<Tilt> {
         let tilt = ability.tilt(&(self.signs * orientation * self.signs))?;
         let rotation = tilt.orientation.transpose() * self.signs;
-        self.counting = Counting::Fixed(Map { rotation, shift: rotation * self.zero });
+        self.counting = Counting::Fixed(WordMap { rotation, shift: rotation * self.zero });
         Some(tilt)
     }
 
     /// The map from the workpiece to the words, where words count the tip.
     #[inline]
-    pub(crate) fn map<M: Machine>(&self, machine: &M, axes: &M::Axes) -> Option<Map> {
+    pub(crate) fn map<M: Machine>(&self, machine: &M, axes: &M::Axes) -> Option<WordMap> {
         match &self.counting {
             Counting::Axes => None,
             Counting::Fixed(map) => Some(*map),
             Counting::Turning => {
                 let (turn, moved) = table(machine, axes);
-                Some(Map { rotation: self.signs * turn, shift: self.signs * (moved + self.zero) })
+                Some(WordMap { rotation: self.signs * turn, shift: self.signs * (moved + self.zero) })
             }
         }
     }

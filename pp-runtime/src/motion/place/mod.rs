@@ -20,7 +20,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::{Mode, Policy, TcpWords};
-use crate::motion::rotary::{AngleScale, Metric, OutOfLimits, Rotary, Target, Turns, choose};
+use crate::motion::rotary::{AngleScale, Metric, OutOfLimits, Rotary, TurnTarget, Turns, choose};
 use crate::motion::step::{MAX_AXES, Standing, VECTOR_DECIMALS, Words};
 use crate::nc::whole_units;
 use crate::program::Units;
@@ -33,7 +33,7 @@ pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
 use chain::{coordinates, counted, held_tool_axis, orthogonal, poles, rotaries as rotaries_of};
 use datum::Datum;
-use frame::Frame;
+use frame::WordFrame;
 use travel::Travel;
 
 /// Word units that floating-point noise of a limit may amount to.
@@ -130,7 +130,7 @@ pub(crate) struct Placer<M: Machine> {
     /// What the words count from.
     datum: Datum,
     /// What the linear words count.
-    frame: Frame,
+    frame: WordFrame,
     limits: Vec<Option<Limits>>,
     travel: Travel,
     /// Solved rotary axes are on the tool side.
@@ -257,7 +257,7 @@ impl<M: Machine> Placer<M> {
             bounds: bounds(axes, policy, units),
             limits: policy.set_up.travel::<M>().limits,
             travel: Travel::new(&machine, policy),
-            frame: Frame::new(&machine, policy),
+            frame: WordFrame::new(&machine, policy),
             datum,
             head,
             gauge_line: policy.set_up.length_mode == LengthMode::Gauge,
@@ -482,7 +482,7 @@ impl<M: Machine> Placer<M> {
         pose: &Pose,
         from: &Place<M::Axes>,
         feed: bool,
-        planned: Option<Target>,
+        planned: Option<TurnTarget>,
     ) -> Result<Place<M::Axes>, Fault> {
         let mut place = match planned {
             Some(target) => self.planned(pose, from, &target)?,

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 use crate::kinematics::Machine;
 use crate::nc::whole_units;
 
-use super::frame::{Map, no_plane, orientation};
+use super::frame::{WordMap, no_plane, orientation};
 use super::refusal;
 use super::tilted_plane::{PlaneAbility, PoseRule, Tilt};
 use super::{Place, Placer, too_large};
@@ -62,7 +62,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The words of a tip that the control counts in a frame of its own.
-    pub(crate) fn set_tip(&self, mut place: Place<M::Axes>, map: &Map) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn set_tip(&self, mut place: Place<M::Axes>, map: &WordMap) -> Result<Place<M::Axes>, Fault> {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {

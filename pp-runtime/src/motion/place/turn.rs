@@ -10,7 +10,7 @@ use super::refusal;
 use super::{Place, Placer};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::rotary::{MOST_TURNS, Rotary, Target, Towards, Turns, choose};
+use crate::motion::rotary::{MOST_TURNS, Rotary, Towards, TurnTarget, Turns, choose};
 use crate::motion::step::MAX_AXES;
 
 /// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
@@ -175,7 +175,12 @@ impl<M: Machine> Placer<M> {
     }
 
     /// A pose with the rotary words of the course.
-    pub(crate) fn planned(&self, pose: &Pose, from: &Place<M::Axes>, target: &Target) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn planned(
+        &self,
+        pose: &Pose,
+        from: &Place<M::Axes>,
+        target: &TurnTarget,
+    ) -> Result<Place<M::Axes>, Fault> {
         let pole = self.pole(&pose.axis);
         let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         let mut words = self.all_words(&target.words);

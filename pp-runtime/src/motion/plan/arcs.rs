@@ -20,7 +20,7 @@ use crate::motion::place::Place;
 use crate::motion::plan::Planner;
 use crate::motion::plan::feed::Stroke;
 use crate::motion::plan::statistics::Statistics;
-use crate::motion::rotary::Target;
+use crate::motion::rotary::TurnTarget;
 use crate::motion::source::{Begins, MotionIndex};
 use crate::motion::step::Why;
 use crate::motion::step::{Feed, Sink, Step, Words};
@@ -304,7 +304,7 @@ impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
     }
 
     /// Writes the arc as chords that leave it by no more than the tolerance.
-    fn write_chords(&mut self, planned: Option<Target>) -> Planned {
+    fn write_chords(&mut self, planned: Option<TurnTarget>) -> Planned {
         self.planner.mover.output_mut().because(Why::Chord);
         let chords = self.round.chords(self.planner.mover.tolerance().tip)?;
         for index in 1..=chords {

@@ -25,15 +25,15 @@ struct Clamp {
 
 /// The axes that move between an approach and the next, for each approach: a bit by position in the chain.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Moving(Vec<u16>);
+pub struct MovingAxes(Vec<u16>);
 
 /// The clamps of a machine.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Clamps {
     clamps: Vec<Clamp>,
     /// As rehearsed; `None` in the rehearsal itself.
-    rehearsed: Option<Moving>,
-    seen: Moving,
+    rehearsed: Option<MovingAxes>,
+    seen: MovingAxes,
     /// Approaches so far.
     approaches: usize,
 }
@@ -72,7 +72,7 @@ impl Clamps {
 
     /// Axes that move until the next approach; without a rehearsal all of them.
     fn moving(&self) -> u16 {
-        let Some(Moving(masks)) = &self.rehearsed else { return u16::MAX };
+        let Some(MovingAxes(masks)) = &self.rehearsed else { return u16::MAX };
         self.approaches.checked_sub(1).and_then(|index| masks.get(index)).copied().unwrap_or(u16::MAX)
     }
 
@@ -103,12 +103,12 @@ impl Clamps {
     }
 
     /// Switches as a rehearsal of the same program has found.
-    pub(crate) fn set_rehearsed(&mut self, rehearsed: Moving) {
+    pub(crate) fn set_rehearsed(&mut self, rehearsed: MovingAxes) {
         self.rehearsed = Some(rehearsed);
     }
 
     /// What the rehearsal has found.
-    pub(crate) fn into_seen(self) -> Moving {
+    pub(crate) fn into_seen(self) -> MovingAxes {
         self.seen
     }
 }

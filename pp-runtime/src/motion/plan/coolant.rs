@@ -8,7 +8,7 @@ use crate::program::Coolant as Kind;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::output::Output;
-use crate::motion::plan::tool::Tool;
+use crate::motion::plan::tool::LoadedTool;
 use crate::motion::step::{Sink, Step};
 
 /// Coolant while a program is planned.
@@ -39,7 +39,7 @@ impl CoolantState {
     /// Brings the coolant to what is wanted.
     pub(crate) fn turn<S: Sink>(
         &mut self,
-        tool: Option<Tool>,
+        tool: Option<LoadedTool>,
         policy: Policy<'_>,
         abilities: &Abilities,
         output: &mut Output<S>,

@@ -1,4 +1,4 @@
-//! Cutter compensation in the plane by the control: CUTCOM.
+//! CutterCompensation compensation in the plane by the control: CUTCOM.
 //!
 //! The control shifts the path to its left or right by what the register D holds, in the plane square to Z of the program
 //! (G17), with the rotary axes still and the tool along that Z. It comes on with the first straight feed motion in this plane
@@ -26,7 +26,7 @@ const FLAT: f64 = 5e-4;
 
 /// What CUTCOM asked for last, and what is in force.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Cutter {
+pub(crate) struct CutterCompensation {
     /// Wanted from the next line in the plane on, or in force.
     side: Option<CutterSide>,
     /// Side of the last CUTCOM/LEFT or RIGHT.
@@ -47,7 +47,7 @@ enum Compensating {
     Ends,
 }
 
-impl Cutter {
+impl CutterCompensation {
     /// Nothing is asked for and nothing in force.
     #[inline]
     pub(crate) fn is_idle(&self) -> bool {

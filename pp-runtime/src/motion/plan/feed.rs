@@ -138,7 +138,9 @@ impl Feeds {
                 PathNorm::G93Seconds if !self.along_tip => {
                     inverse(minutes * 60.0).map(|word| (Feed::InverseTime(word), word))?
                 }
-                _ => along(self.path(stroke) * in_units).map(|word| (Feed::PerMinute(word), word))?,
+                PathNorm::G93Minutes | PathNorm::G93Seconds | PathNorm::Xyz | PathNorm::XyzDegrees => {
+                    along(self.path(stroke) * in_units).map(|word| (Feed::PerMinute(word), word))?
+                }
             }
         };
         if word.value() >= self.bound {

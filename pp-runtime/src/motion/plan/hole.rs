@@ -158,7 +158,11 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
                 }
                 let back = match hole.drilling {
                     Drilling::ChipBreak { back: Some(back), .. } => back,
-                    _ => self.planner.policy.options.defaults.peck_gap,
+                    Drilling::ChipBreak { back: None, .. }
+                    | Drilling::Peck { .. }
+                    | Drilling::Drill
+                    | Drilling::Ream
+                    | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap,
                 };
                 self.rapid_to((back - before).min(hole.clearance))?;
             }
@@ -266,7 +270,9 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
                 Err("that of this control does not wait at the bottom")
             }
             Drilling::Tap { pitch } => Ok(self.thread(pitch)?),
-            _ => Err("no cycle of this control does the same"),
+            Drilling::Drill | Drilling::Ream | Drilling::Peck { .. } | Drilling::ChipBreak { .. } => {
+                Err("no cycle of this control does the same")
+            }
         })
     }
 
@@ -303,7 +309,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
         let (hole, feeds) = (self.hole, self.planner.mover.feeds());
         let per_minute = match kind {
             CycleKind::Tap { pitch, speed, .. } => pitch.value() * feeds.length_unit() * speed.value(),
-            _ => {
+            CycleKind::Drill | CycleKind::Peck { .. } | CycleKind::ChipBreak { .. } | CycleKind::Ream => {
                 let feed = hole.feed.ok_or_else(|| Fault::new("a hole without feed"))?;
                 Feeds::per_minute(feed, self.planner.spindle.speed())?
             }

@@ -39,13 +39,13 @@ use crate::program::{self, Location, Move};
 use crate::motion::course::{Change, Course, Follower, How};
 use crate::motion::fault::{Fault, Halt, Planned, Stop};
 use crate::motion::geometry::Way;
-use crate::motion::rotary::{Target, Turns};
+use crate::motion::rotary::{TurnTarget, Turns};
 use crate::motion::source::{Action, Begins, Item, MotionIndex, Next, Stage};
 use crate::motion::step::Sink;
 use crate::motion::step::Why;
 
 pub use abilities::{Abilities, Registers};
-pub use clamps::Moving;
+pub use clamps::MovingAxes;
 pub(crate) use hole::hole_extent;
 pub use machining_time::{FastestTurn, OperationTime, Times};
 pub use proof::{ProofProgram, Sweep};
@@ -53,12 +53,12 @@ pub use statistics::{Chorded, Statistics};
 
 use clearance::ClearanceGeometry;
 use coolant::CoolantState;
-use cutter::Cutter;
+use cutter::CutterCompensation;
 use feed::Feeds;
 use mover::Mover;
 use output::Output;
 use selection::Selection;
-use spindle::Spindle;
+use spindle::SpindleState;
 use tooling::Tooling;
 
 /// Turns the items of a program into steps.
@@ -69,11 +69,11 @@ pub struct Planner<'a, M: Machine, S> {
     upside_down: bool,
     mover: Mover<'a, M, S>,
     tooling: Tooling,
-    spindle: Spindle,
+    spindle: SpindleState,
     coolant: CoolantState,
     clearance: ClearanceGeometry,
     course: Follower,
-    cutter: Cutter,
+    cutter: CutterCompensation,
     selection: Selection,
 }
 
@@ -101,11 +101,11 @@ impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
             upside_down: upside_down && policy.options.guards.table_check,
             mover: Mover::new(machine, policy, units, abilities, Output::new(sink)),
             tooling: Tooling::default(),
-            spindle: Spindle::default(),
+            spindle: SpindleState::default(),
             coolant: CoolantState::default(),
             clearance: ClearanceGeometry::new(policy.options.retract.clearance),
             course: Follower::default(),
-            cutter: Cutter::default(),
+            cutter: CutterCompensation::default(),
             selection: Selection::default(),
         }
     }
@@ -134,14 +134,14 @@ impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
 
     /// Switches clamps as a rehearsal of the same program has found.
     #[must_use]
-    pub fn with_clamps(mut self, rehearsed: Moving) -> Self {
+    pub fn with_clamps(mut self, rehearsed: MovingAxes) -> Self {
         self.mover.set_rehearsed(rehearsed);
         self
     }
 
     /// What a rehearsal has found.
     #[must_use]
-    pub fn rehearsed(self) -> Moving {
+    pub fn rehearsed(self) -> MovingAxes {
         self.mover.into_rehearsed()
     }
 
@@ -272,7 +272,7 @@ impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
 
     /// A motion inside an operation of which the course has been asked.
     #[inline]
-    fn go(&mut self, ahead: Ahead<'_>, planned: Option<Target>) -> Planned {
+    fn go(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
         let motion = ahead.motion;
         if !motion.rapid && self.spindle.take_stopped_by_cycle() {
             self.turn_spindle(true)?;
@@ -298,11 +298,11 @@ impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
 
     /// Does what the course has before a motion begins, and gives the words in which it ends if the course has these, too.
     #[inline]
-    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<Target>, Halt> {
+    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<TurnTarget>, Halt> {
         let (from, towards, mut planned) = (self.mover.position().pose(), self.course.take_towards(), None);
         while let Some(Change { how, words, .. }) = self.course.change(index.motion) {
             match how {
-                How::Take => planned = Some(Target { words, towards }),
+                How::Take => planned = Some(TurnTarget { words, towards }),
                 How::Rewind => rewind::rewind(self, motion, words)?,
                 How::Turn => self.cut_to(motion, self.mover.position().pose(), words)?,
                 How::Via(part) => {
@@ -319,7 +319,7 @@ impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
 
     /// A cut on the path of a motion, to a pose that the CL data does not name.
     fn cut_to(&mut self, motion: &Move, pose: Pose, words: Turns) -> Planned {
-        let place = self.mover.place(&pose, true, Some(Target { words, towards: None }))?;
+        let place = self.mover.place(&pose, true, Some(TurnTarget { words, towards: None }))?;
         let turned = place.words != self.mover.here().words;
         self.mover.output_mut().statistics_mut().inserted += u64::from(turned);
         self.mover.output_mut().because(Why::Course);

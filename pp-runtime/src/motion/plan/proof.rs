@@ -13,7 +13,7 @@ use crate::motion::fault::{Fault, Halt, Planned, Stop};
 use crate::motion::place::Tolerance;
 use crate::motion::plan::{Ahead, Planner, records};
 use crate::motion::rotary::Rotary;
-use crate::motion::rotary::{Target, Turns};
+use crate::motion::rotary::{TurnTarget, Turns};
 use crate::motion::source::Next;
 use crate::motion::step::Why;
 use crate::motion::step::{Sink, Step};
@@ -132,7 +132,7 @@ impl<'p, 'a, M: Machine, S: Sink> ProofProgram<'p, 'a, M, S> {
         };
         let axis = planner.mover.placer().axis_at(&words);
         let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };
-        let target = Target { words, towards: None };
+        let target = TurnTarget { words, towards: None };
         planner.start(Ahead { motion: &motion, next: Next::None }, 1, Some(target))?;
         for sweep in sweeps {
             let name = format!("SWEEP {}", sweep.name);

@@ -8,7 +8,7 @@ use crate::program::{Dwell, Event, ToolCall, Turning};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
-use crate::motion::plan::tool::Tool;
+use crate::motion::plan::tool::LoadedTool;
 use crate::motion::step::Why;
 use crate::motion::step::{Sink, Step};
 
@@ -137,13 +137,13 @@ impl<M: Machine, S: Sink> Records<'_, '_, M, S> {
     }
 
     /// The tool of a record; what is odd about a tool is reported once.
-    fn resolve(&mut self, call: &ToolCall) -> Result<Tool, Fault> {
+    fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
         let before = planner.tooling.called_before(call.number);
         let needed = planner.mover.placer().needs_length();
         let mut remarks = Vec::new();
         let registers = planner.abilities.registers;
-        let tool = Tool::resolve(call, &before.unwrap_or_default(), planner.policy, needed, registers, |fault| {
+        let tool = LoadedTool::resolve(call, &before.unwrap_or_default(), planner.policy, needed, registers, |fault| {
             remarks.push(fault);
         });
         if before.is_none() {

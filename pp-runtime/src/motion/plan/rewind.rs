@@ -8,7 +8,7 @@ use crate::program::Move;
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::Tolerance;
 use crate::motion::plan::Planner;
-use crate::motion::rotary::{Target, Turns};
+use crate::motion::rotary::{TurnTarget, Turns};
 use crate::motion::step::Sink;
 use crate::motion::step::Why;
 
@@ -48,7 +48,7 @@ fn rewind_out_of_part<M: Machine, S: Sink>(
         let help = "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data";
         return Err(Fault::new(text).help(help).into());
     };
-    let turned = planner.mover.place(&here.pose, false, Some(Target { words, towards: None }))?;
+    let turned = planner.mover.place(&here.pose, false, Some(TurnTarget { words, towards: None }))?;
     let tip = here.pose.tip + here.pose.axis.into_inner() * distance;
     let context = |fault: Fault| fault.context(format_args!("the retract of {distance} mm to rewind"));
     let out = planner.mover.shifted(tip, &here).map_err(context)?;
@@ -75,7 +75,7 @@ fn rewind_out_of_part<M: Machine, S: Sink>(
 /// The rotary axes turn while the linear axes follow: the tip stays where it is, and the tool swings about it.
 fn rewind_in_place<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, motion: &Move, words: Turns) -> Planned {
     let pose = planner.mover.position().pose();
-    let turned = planner.mover.place(&pose, false, Some(Target { words, towards: None }))?;
+    let turned = planner.mover.place(&pose, false, Some(TurnTarget { words, towards: None }))?;
     planner.mover.note_turns(&turned);
     let swinging = Tolerance { axis: f64::INFINITY, ..planner.mover.tolerance() };
     planner.mover.feed_in_pieces(&turned, planner.rate(motion.feed)?, swinging)?;

@@ -18,9 +18,9 @@ use crate::program::{Location, Move};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
-use crate::motion::plan::tool::Tool;
+use crate::motion::plan::tool::LoadedTool;
 use crate::motion::plan::{Ahead, Planner};
-use crate::motion::rotary::Target;
+use crate::motion::rotary::TurnTarget;
 use crate::motion::source::Next;
 use crate::motion::step::Why;
 use crate::motion::step::{Sink, Step};
@@ -109,7 +109,7 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
     }
 
     /// The first motion of an operation, with everything before it.
-    pub(crate) fn start(&mut self, ahead: Ahead<'_>, operation: u64, planned: Option<Target>) -> Planned {
+    pub(crate) fn start(&mut self, ahead: Ahead<'_>, operation: u64, planned: Option<TurnTarget>) -> Planned {
         let opens = self.begin_operation(operation)?;
         if self.selection.is_over() {
             return Ok(());
@@ -143,7 +143,7 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
     }
 
     /// Step 3 but for the spindle.
-    fn load_tool(&mut self, tool: Tool, change: bool) -> Planned {
+    fn load_tool(&mut self, tool: LoadedTool, change: bool) -> Planned {
         self.tooling.load(tool, change);
         self.mover.set_gauge_length(tool.length);
         let given = self.policy.set_up.tools.get(&tool.number);
@@ -184,7 +184,7 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
     }
 
     /// An operation that goes on where the last one ended, because the configuration wants it so.
-    fn start_directly(&mut self, ahead: Ahead<'_>, planned: Option<Target>) -> Planned {
+    fn start_directly(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
         let first = ahead.motion;
         let place = self.mover.place(&first.pose, !first.rapid, planned)?;
         if self.mover.leaves_plane(&place) {
@@ -205,7 +205,7 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
     }
 
     /// A rapid that turns the table or the head.
-    pub(crate) fn index(&mut self, ahead: Ahead<'_>, planned: Option<Target>) -> Planned {
+    pub(crate) fn index(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
         self.leave()?;
         self.mover.output_mut().because(Why::Approach);
         self.mover.machine_retract()?;
@@ -214,7 +214,7 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
     }
 
     /// Steps 4 to 8.
-    fn approach(&mut self, ahead: Ahead<'_>, planned: Option<Target>) -> Planned {
+    fn approach(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
         let first = ahead.motion;
         self.mover.begin_approach();
         let place = self.mover.place(&first.pose, false, planned)?;

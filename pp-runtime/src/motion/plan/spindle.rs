@@ -7,12 +7,12 @@ use crate::program::{Dwell, Rotation, Spindle as Command};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::output::Output;
-use crate::motion::plan::tool::{SpindleRequest, Tool};
+use crate::motion::plan::tool::{LoadedTool, SpindleRequest};
 use crate::motion::step::{Sink, Step};
 
 /// The spindle while a program is planned.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Spindle {
+pub(crate) struct SpindleState {
     request: SpindleRequest,
     /// What SPINDL has programmed since the last operation.
     between: SpindleRequest,
@@ -24,7 +24,7 @@ pub(crate) struct Spindle {
     tapped: bool,
 }
 
-impl Spindle {
+impl SpindleState {
     /// SPINDL; `between`: two operations.
     pub(crate) fn request(&mut self, command: Command, between: bool) {
         self.request.take(command);
@@ -91,7 +91,7 @@ impl Spindle {
     pub(crate) fn turn<S: Sink>(
         &mut self,
         again: bool,
-        tool: Option<Tool>,
+        tool: Option<LoadedTool>,
         policy: Policy<'_>,
         output: &mut Output<S>,
     ) -> Planned {

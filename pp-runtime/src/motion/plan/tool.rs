@@ -14,7 +14,7 @@ const SAME: f64 = 0.01;
 
 /// The tool in the spindle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Tool {
+pub(crate) struct LoadedTool {
     /// T word.
     pub(crate) number: u32,
     /// From gauge line to tip, mm, if known.
@@ -32,7 +32,7 @@ pub(crate) struct SpindleRequest {
     pub(crate) rotation: Option<Rotation>,
 }
 
-impl Tool {
+impl LoadedTool {
     /// The tool of a record; remarks go to `warn`.
     ///
     /// `before`: length and offset register that earlier records of the same tool gave. `needed`: why the words depend on

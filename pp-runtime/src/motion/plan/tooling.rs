@@ -4,19 +4,19 @@ use std::collections::BTreeMap;
 
 use crate::program::ToolCall;
 
-use crate::motion::plan::tool::Tool;
+use crate::motion::plan::tool::LoadedTool;
 
 /// The tools of a program while it is planned.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Tooling {
-    current: Option<Tool>,
+    current: Option<LoadedTool>,
     /// The tool that the next operation begins with.
-    next: Option<Tool>,
+    next: Option<LoadedTool>,
     /// Tools called so far, with the length and the offset register that the CL data gave last.
     calls: BTreeMap<u32, ToolCall>,
     /// Tools in the order in which they come into the spindle, as far as it is known.
     order: Vec<u32>,
-    /// Tool changes so far.
+    /// LoadedTool changes so far.
     changes: usize,
 }
 
@@ -27,12 +27,12 @@ impl Tooling {
     }
 
     /// The tool in the spindle.
-    pub(crate) fn current(&self) -> Option<Tool> {
+    pub(crate) fn current(&self) -> Option<LoadedTool> {
         self.current
     }
 
     /// The tool that the next operation begins with, where a tool record has named it.
-    pub(crate) fn next(&self) -> Option<Tool> {
+    pub(crate) fn next(&self) -> Option<LoadedTool> {
         self.next
     }
 
@@ -49,19 +49,19 @@ impl Tooling {
     }
 
     /// The next operation begins with this tool.
-    pub(crate) fn prepare(&mut self, tool: Tool) {
+    pub(crate) fn prepare(&mut self, tool: LoadedTool) {
         self.next = Some(tool);
     }
 
     /// The tool that an operation asks for, and whether it has to be changed.
-    pub(crate) fn take_next(&mut self) -> (Option<Tool>, bool) {
+    pub(crate) fn take_next(&mut self) -> (Option<LoadedTool>, bool) {
         let wanted = self.next.take();
         let change = wanted.is_some_and(|wanted| self.current.is_none_or(|tool| tool.number != wanted.number));
         (wanted, change)
     }
 
     /// A tool is in the spindle.
-    pub(crate) fn load(&mut self, tool: Tool, change: bool) {
+    pub(crate) fn load(&mut self, tool: LoadedTool, change: bool) {
         self.current = Some(tool);
         self.changes += usize::from(change);
     }

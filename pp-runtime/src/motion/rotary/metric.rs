@@ -16,7 +16,7 @@ pub(crate) struct Towards {
 
 /// Rotary words that a motion is to end in.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Target {
+pub(crate) struct TurnTarget {
     pub(crate) words: Turns,
     /// Which way round an endless axis goes there; else the short way.
     pub(crate) towards: Option<Towards>,

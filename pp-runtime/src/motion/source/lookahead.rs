@@ -39,7 +39,7 @@ struct Waiting {
 
 /// A record that waits; texts are kept together.
 #[derive(Debug, Clone)]
-enum Kept {
+enum WaitingRecord {
     Plain(Event<'static>),
     Name(Range<usize>),
     MachineName(Range<usize>),
@@ -50,7 +50,7 @@ enum Kept {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lookahead {
     motion: Option<Waiting>,
-    records: Vec<(Location, Kept, bool)>,
+    records: Vec<(Location, WaitingRecord, bool)>,
     texts: Vec<u8>,
 }
 
@@ -137,10 +137,10 @@ impl Lookahead {
         for (at, kept, between) in self.records.drain(..) {
             let text = |range: Range<usize>| &self.texts[range];
             let event = match kept {
-                Kept::Plain(event) => event,
-                Kept::Name(range) => Event::Name(text(range)),
-                Kept::MachineName(range) => Event::MachineName(text(range)),
-                Kept::Message(range) => Event::Message(text(range)),
+                WaitingRecord::Plain(event) => event,
+                WaitingRecord::Name(range) => Event::Name(text(range)),
+                WaitingRecord::MachineName(range) => Event::MachineName(text(range)),
+                WaitingRecord::Message(range) => Event::Message(text(range)),
             };
             to.take(&Item { at, action: Action::Record { event: &event, between } })?;
         }
@@ -149,25 +149,25 @@ impl Lookahead {
     }
 
     /// The record by itself; `None` of a motion or of what begins an operation.
-    fn keep(&mut self, event: &Event<'_>) -> Option<Kept> {
+    fn keep(&mut self, event: &Event<'_>) -> Option<WaitingRecord> {
         let mut keep = |text: &[u8]| {
             let start = self.texts.len();
             self.texts.extend_from_slice(text);
             start..self.texts.len()
         };
         Some(match *event {
-            Event::Name(text) => Kept::Name(keep(text)),
-            Event::MachineName(text) => Kept::MachineName(keep(text)),
-            Event::Message(text) => Kept::Message(keep(text)),
-            Event::Preselect(number) => Kept::Plain(Event::Preselect(number)),
-            Event::Spindle(spindle) => Kept::Plain(Event::Spindle(spindle)),
-            Event::Coolant(coolant) => Kept::Plain(Event::Coolant(coolant)),
-            Event::Compensation(compensation) => Kept::Plain(Event::Compensation(compensation)),
-            Event::From(pose) => Kept::Plain(Event::From(pose)),
-            Event::ClearancePlane(plane) => Kept::Plain(Event::ClearancePlane(plane)),
-            Event::Tolerance(tolerance) => Kept::Plain(Event::Tolerance(tolerance)),
-            Event::Turning(turning) => Kept::Plain(Event::Turning(turning)),
-            Event::Delay(dwell) => Kept::Plain(Event::Delay(dwell)),
+            Event::Name(text) => WaitingRecord::Name(keep(text)),
+            Event::MachineName(text) => WaitingRecord::MachineName(keep(text)),
+            Event::Message(text) => WaitingRecord::Message(keep(text)),
+            Event::Preselect(number) => WaitingRecord::Plain(Event::Preselect(number)),
+            Event::Spindle(spindle) => WaitingRecord::Plain(Event::Spindle(spindle)),
+            Event::Coolant(coolant) => WaitingRecord::Plain(Event::Coolant(coolant)),
+            Event::Compensation(compensation) => WaitingRecord::Plain(Event::Compensation(compensation)),
+            Event::From(pose) => WaitingRecord::Plain(Event::From(pose)),
+            Event::ClearancePlane(plane) => WaitingRecord::Plain(Event::ClearancePlane(plane)),
+            Event::Tolerance(tolerance) => WaitingRecord::Plain(Event::Tolerance(tolerance)),
+            Event::Turning(turning) => WaitingRecord::Plain(Event::Turning(turning)),
+            Event::Delay(dwell) => WaitingRecord::Plain(Event::Delay(dwell)),
             Event::Operation(_)
             | Event::SafeSequence
             | Event::Frame(_)

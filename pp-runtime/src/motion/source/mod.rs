@@ -20,7 +20,7 @@ mod setting;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
 use crate::motion::options::Policy;
-use crate::program::{Arc, Event, Hole, Location, Move, ToolCall};
+use crate::program::{Arc, Event, Hole, Location, Move, Spline, ToolCall};
 
 use crate::motion::fault::Fault;
 
@@ -30,7 +30,7 @@ pub(crate) use setting::Setting;
 
 use curves::Curves;
 use lookahead::Lookahead;
-use operations::Operations;
+use operations::MotionCounter;
 
 /// One thing that the program does, with the record of the CL data that asks for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,7 +99,7 @@ pub trait Stage {
 #[derive(Debug, Clone)]
 pub struct Source {
     setting: Setting,
-    operations: Operations,
+    operations: MotionCounter,
     curves: Curves,
     lookahead: Lookahead,
 }
@@ -110,7 +110,7 @@ impl Source {
     pub fn new<M: Machine>(policy: Policy<'_>) -> Self {
         Self {
             setting: Setting::new(policy),
-            operations: Operations::new::<M>(policy),
+            operations: MotionCounter::new::<M>(policy),
             curves: Curves::new(policy),
             lookahead: Lookahead::default(),
         }
@@ -145,7 +145,7 @@ impl Source {
 /// An event on its way from the operations through the curves to the look-ahead.
 struct Expansion<'s> {
     at: Location,
-    operations: &'s mut Operations,
+    operations: &'s mut MotionCounter,
     curves: &'s mut Curves,
     lookahead: &'s mut Lookahead,
 }
@@ -167,13 +167,7 @@ impl Expansion<'_> {
             }
             Event::Spline(spline) => {
                 self.call_assumed_tool(to)?;
-                let Some(start) = curves::start(spline) else { return Ok(()) };
-                self.lead_to(start, true, to)?;
-                let (at, tolerance) = (self.at, self.curves.tolerance());
-                curves::chords(spline, tolerance, |motion| match motion {
-                    Ok(motion) => self.line(&motion, true, to),
-                    Err(fault) => Err(fault.at(at, Severity::Error).into()),
-                })
+                self.curve(spline, to)
             }
             Event::Hole(hole) => {
                 self.call_assumed_tool(to)?;
@@ -230,6 +224,17 @@ impl Expansion<'_> {
         }
         let index = self.operations.line(motion);
         self.lookahead.line(self.at, motion, index, chord, to)
+    }
+
+    /// A curve, chord by chord.
+    fn curve<S: Stage>(&mut self, spline: &Spline<'_>, to: &mut S) -> Result<(), S::Stop> {
+        let Some(start) = curves::start(spline) else { return Ok(()) };
+        self.lead_to(start, true, to)?;
+        let (at, tolerance) = (self.at, self.curves.tolerance());
+        curves::chords(spline, tolerance, |motion| match motion {
+            Ok(motion) => self.line(&motion, true, to),
+            Err(fault) => Err(fault.at(at, Severity::Error).into()),
+        })
     }
 
     /// After a tool change or a stop the tool first comes back to where the path goes on.

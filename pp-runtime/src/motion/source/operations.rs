@@ -1,4 +1,4 @@
-//! Operations, stretches and the numbers of motions: counted once, for every pass.
+//! MotionCounter, stretches and the numbers of motions: counted once, for every pass.
 //!
 //! An operation begins with the first motion after TOOL PATH, a tool record, a stop, another frame, GOHOME, or NC text of
 //! the CL data. A stretch is what is cut between two changes of the tool axis in the air: it begins with an operation, and
@@ -39,8 +39,8 @@ pub struct MotionIndex {
 
 /// Counts the motions of a program.
 #[derive(Debug, Clone)]
-pub(crate) struct Operations {
-    /// Operations go on where the last one ended.
+pub(crate) struct MotionCounter {
+    /// MotionCounter go on where the last one ended.
     direct: bool,
     /// The tool's length moves the axes even without a tool: nothing may be passed over.
     head: bool,
@@ -59,7 +59,7 @@ pub(crate) struct Operations {
     axis: Option<UnitVector3<f64>>,
 }
 
-impl Operations {
+impl MotionCounter {
     pub(crate) fn new<M: Machine>(policy: Policy<'_>) -> Self {
         let in_head =
             |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool;

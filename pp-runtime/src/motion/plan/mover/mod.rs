@@ -17,11 +17,11 @@ use crate::motion::fault::{Fault, Planned};
 use crate::motion::place::{Linearised, Tolerance};
 use crate::motion::place::{Place, Placer};
 use crate::motion::plan::abilities::Abilities;
-use crate::motion::plan::clamps::{Clamps, Moving};
+use crate::motion::plan::clamps::{Clamps, MovingAxes};
 use crate::motion::plan::feed::{Feeds, Pace, Stroke};
 use crate::motion::plan::output::Output;
 use crate::motion::plan::position::Position;
-use crate::motion::rotary::Speller;
+use crate::motion::rotary::{Speller, TurnTarget};
 use crate::motion::step::{MAX_AXES, Sink, Step};
 use crate::motion::step::{Standing, Why};
 
@@ -123,12 +123,12 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
     }
 
     /// Clamps are switched as a rehearsal of the same program has found.
-    pub(crate) fn set_rehearsed(&mut self, rehearsed: Moving) {
+    pub(crate) fn set_rehearsed(&mut self, rehearsed: MovingAxes) {
         self.clamps.set_rehearsed(rehearsed);
     }
 
     /// What a rehearsal has found.
-    pub(crate) fn into_rehearsed(self) -> Moving {
+    pub(crate) fn into_rehearsed(self) -> MovingAxes {
         self.clamps.into_seen()
     }
 
@@ -144,7 +144,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
         &mut self,
         pose: &Pose,
         feed: bool,
-        planned: Option<crate::motion::plan::Target>,
+        planned: Option<TurnTarget>,
     ) -> Result<Place<M::Axes>, Fault> {
         self.placer.place(pose, self.position.place(), feed, planned)
     }

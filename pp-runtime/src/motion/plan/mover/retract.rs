@@ -27,10 +27,10 @@ impl<M: Machine, S: Sink> Mover<'_, M, S> {
             self.restart()?;
         }
         let words = self.placer.retract_words(self.policy.options.retract.position())?;
-        let off = match self.abilities.plane {
+        let off = match (self.policy.options.mode, self.abilities.plane) {
             _ if !self.position.is_in_frame() => None,
-            Some(plane) if self.policy.options.mode == Mode::Plane => Some((Step::PlaneOff, plane.ends_behind_retract)),
-            _ => Some((Step::TipControl { on: false }, false)),
+            (Mode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_behind_retract)),
+            (Mode::Plane, None) | (Mode::Tcp | Mode::Axes, _) => Some((Step::TipControl { on: false }, false)),
         };
         if let Some((off, false)) = off {
             self.output.step(&off)?;
