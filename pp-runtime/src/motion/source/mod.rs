@@ -16,6 +16,8 @@ mod curves;
 mod lookahead;
 mod operations;
 mod setting;
+#[cfg(test)]
+mod tests;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
