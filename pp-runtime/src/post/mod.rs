@@ -95,9 +95,14 @@ pub struct Report {
     pub tools: Vec<u32>,
 }
 
-/// `1 tool`, `2 tools`.
+/// `1 tool`, `2 tools`, `2 stretches`.
 fn counted(count: u64, word: &str) -> String {
-    format!("{} {word}{}", grouped(count), if count == 1 { "" } else { "s" })
+    let ending = match word.ends_with("ch") {
+        _ if count == 1 => "",
+        true => "es",
+        false => "s",
+    };
+    format!("{} {word}{ending}", grouped(count))
 }
 
 impl Report {
@@ -146,6 +151,7 @@ impl Report {
         lines.extend(self.set_up.iter().cloned());
         lines.extend(self.reading.iter().cloned());
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
+        lines.extend((!self.course.is_empty()).then(|| self.stretches.summary()));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {

@@ -106,6 +106,14 @@ pub struct Stretches {
     pub turning: u64,
 }
 
+impl Stretches {
+    /// For people.
+    pub(crate) fn summary(self) -> String {
+        let (held, turning) = (super::counted(self.held, "stretch"), super::counted(self.turning, "stretch"));
+        format!("tool axis: held in {held}, turning at feed in {turning}")
+    }
+}
+
 impl Survey {
     /// The first pass: reads the whole file, for the survey and the course alike.
     pub(crate) fn take<M: Machine>(
