@@ -10,7 +10,7 @@ use super::text::{ClFault, Help, Lexer, Statement};
 use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 
-/// Diagnostics in the order found, and how many more of each kind there were.
+/// Diagnostics in the order found, and the number of faults of each kind.
 #[derive(Debug, Default)]
 pub(crate) struct Faults {
     diagnostics: Vec<Diagnostic>,
@@ -42,7 +42,7 @@ impl Faults {
         self.add_at(fault, location, left_on_line);
     }
 
-    /// Takes the fault of a statement whose text goes on for so many bytes on its line.
+    /// Takes the fault of a statement with `left_on_line` bytes from there on its line.
     pub(crate) fn add_at(&mut self, fault: ClFault, location: Location, left_on_line: usize) {
         let length = fault.at.end.saturating_sub(fault.at.start).min(left_on_line).max(1);
         if !self.is_shown(fault.kind, fault.severity, location) {
@@ -66,13 +66,13 @@ impl Faults {
         });
     }
 
-    /// Takes what is said of the file as a whole.
+    /// Takes a diagnostic of the file as a whole.
     pub(crate) fn add_about_file(&mut self, severity: Severity, location: Location, text: String, help: &str) {
         self.failed |= severity == Severity::Error;
         self.diagnostics.push(Diagnostic { severity, location, length: 1, text, help: Some(help.into()), count: 1 });
     }
 
-    /// Says at the end how many diagnostics were not shown.
+    /// Adds the number of diagnostics that were not shown, at the end.
     pub(crate) fn conclude(&mut self) {
         for count in &self.counts {
             if let Some(hidden) = count.found.checked_sub(LISTED_OF_A_KIND).filter(|hidden| *hidden > 0) {

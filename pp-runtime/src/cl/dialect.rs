@@ -14,7 +14,7 @@ pub enum Dialect {
     Creo,
     /// SolidWorks CAM: `UNIT/`, `CSYS/`, `TRNTYP/`, `CSI_`.
     SolidWorks,
-    /// ISO 4343; no evidence tells, it must be given.
+    /// ISO 4343; there is no evidence of it, it must be given.
     Iso,
 }
 

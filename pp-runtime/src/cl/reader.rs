@@ -132,17 +132,17 @@ impl<R: Read> Reader<R> {
         self.interpreter.coordinates().workpiece().frame()
     }
 
-    /// What the arcs read so far say about their sense.
+    /// Evidence of the sense of the arcs read so far.
     pub fn arcs(&self) -> ArcVote {
         self.interpreter.votes().count(self.interpreter.options().circle_sense.is_some())
     }
 
-    /// How many frames that differ were stated so far.
+    /// Different frames stated so far.
     pub fn different_frames(&self) -> usize {
         self.interpreter.coordinates().workpiece().different()
     }
 
-    /// How often the CSYS of SolidWorks CAM changed so far.
+    /// Changes of the CSYS of SolidWorks CAM so far.
     pub fn setup_changes(&self) -> u64 {
         self.interpreter.coordinates().set_up().changes()
     }
@@ -152,7 +152,7 @@ impl<R: Read> Reader<R> {
         self.interpreter.asks_for_inverse_time()
     }
 
-    /// How many frames were stated so far, equal ones included.
+    /// Frames stated so far, equal ones included.
     pub fn frames_stated(&self) -> u64 {
         self.interpreter.coordinates().workpiece().stated()
     }
@@ -202,7 +202,7 @@ impl<R: Read> Reader<R> {
             && is_goto(self.lexer.text(statement))
     }
 
-    /// A GOTO while nothing is open and nothing waits: the same as the long way, without a queue.
+    /// A GOTO while nothing is open and nothing waits: the same as by `read`, without a queue.
     fn read_goto(&mut self, statement: &Statement) -> Option<(Location, Event<'static>)> {
         self.records += 1;
         let here = self.lexer.locate(statement, 0).0;
@@ -314,7 +314,7 @@ impl<R: Read> Reader<R> {
         }
     }
 
-    /// What can be said only of the whole file.
+    /// Checks of the whole file.
     fn finish(&mut self) {
         self.progress = Progress::Done;
         let unfinished = self.interpreter.finish();

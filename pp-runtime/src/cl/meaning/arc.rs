@@ -6,6 +6,7 @@
 use std::f64::consts::TAU;
 
 use super::change::Changes;
+use super::options::Sense;
 use super::permitted::Permitted;
 use crate::cl::record::{CircleForm, CircleRecord, TangentArc};
 use crate::cl::text::{ClFault, Span};
@@ -23,17 +24,8 @@ pub(crate) const ARC_TOLERANCE_MM: f64 = 0.005;
 /// Points closer than this are one point, mm.
 const SAME_POINT_MM: f64 = 1e-6;
 
-/// A chord this short may be rounding, mm: whether an arc over it is nothing or a whole turn cannot be told.
+/// A chord this short may be rounding, mm: an arc over it may be nothing or a whole turn.
 const SHORTEST_CHORD_MM: f64 = 5e-4;
-
-/// Sense of a circle about its axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sense {
-    /// Clockwise.
-    Clockwise,
-    /// Counter-clockwise.
-    CounterClockwise,
-}
 
 /// A circle in the workpiece frame that waits for its end.
 #[derive(Debug, Clone, Copy)]
@@ -264,17 +256,9 @@ pub(crate) fn arc_of(
     if first.min(last) <= ARC_TOLERANCE_MM {
         return Err(fault(format!("an arc has no radius: it begins {first:.4} mm from its centre")));
     }
-    let chord = (v - u).norm();
-    let swept = n.dot(&u.cross(&v)).atan2(u.dot(&v)).rem_euclid(TAU);
-    // No arc leads straight along the axis: a helix that ends over its start is a whole turn.
+    // Along the axis: a helix that ends over its start is a whole turn.
     let rise = (end.tip - start.tip).dot(&n).abs();
-    let part = if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise > ARC_TOLERANCE_MM) {
-        TAU
-    } else if chord < SHORTEST_CHORD_MM && circle.angle.is_none() {
-        return Err(fault(format!("the ends of an arc are {chord:.5} mm apart: it may be nothing or a whole turn")));
-    } else {
-        swept
-    };
+    let part = part_of_turn(u, v, n, rise, circle.angle.is_some()).map_err(fault)?;
     let Some(stated) = circle.angle else {
         let angle = part + f64::from(circle.times - 1) * TAU;
         return Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed });
@@ -291,7 +275,25 @@ pub(crate) fn arc_of(
     Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed })
 }
 
-/// Whether the tip passes over a point on its way along the arc; along the normal is not looked at.
+/// Angle about `n` from the arm `u` to the arm `v` with a rise along `n`, rad, 0 to a whole turn.
+fn part_of_turn(
+    u: Vector3<f64>,
+    v: Vector3<f64>,
+    n: Vector3<f64>,
+    rise: f64,
+    angle_is_stated: bool,
+) -> Result<f64, String> {
+    let chord = (v - u).norm();
+    if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise > ARC_TOLERANCE_MM) {
+        Ok(TAU)
+    } else if chord < SHORTEST_CHORD_MM && !angle_is_stated {
+        Err(format!("the ends of an arc are {chord:.5} mm apart: it may be nothing or a whole turn"))
+    } else {
+        Ok(n.dot(&u.cross(&v)).atan2(u.dot(&v)).rem_euclid(TAU))
+    }
+}
+
+/// Whether the tip passes over a point of the arc; the place along the normal is not compared.
 pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
     let n = arc.normal.into_inner();
     let flat = |point: Point3<f64>| {

@@ -81,7 +81,7 @@ pub(crate) struct Changes {
 }
 
 impl Changes {
-    /// Whether numbers of the file are coordinates of the workpiece frame as they stand.
+    /// Whether numbers of the file are coordinates of the workpiece frame, unchanged.
     pub(crate) fn none(&self) -> bool {
         self.combined.is_none()
     }

@@ -20,7 +20,7 @@ const SAME_AXES: f64 = 1e-6;
 /// Largest deviation of the axes from a right-handed unit frame.
 const SQUARE: f64 = 1e-3;
 
-/// Directions whose components differ by less are the same, as far as CL data can tell.
+/// Directions whose components differ by less are the same, within the digits of CL data.
 const SAME_DIRECTION: f64 = 1e-5;
 
 /// A frame stated by MSYS, by Creo's CSYS comment or by CATIA's matrix.

@@ -1,7 +1,7 @@
 //! Meaning of a CYCLE: levels along the tool axis from the point of each GOTO, by the habits of each CAM system.
 
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{CycleKind, CycleWords, FeedUnit, Return};
+use crate::cl::record::{CycleCall, CycleKind, FeedUnit, Return};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Drilling, Dwell, Feed};
 
@@ -77,7 +77,7 @@ fn fault(at: Span, text: impl Into<String>, help: &str) -> ClFault {
 }
 
 /// Gives the numbers without words their meaning.
-fn named(cycle: &CycleWords, args: Option<&[CycleArg]>) -> Result<(CycleWords, Option<f64>), ClFault> {
+fn named(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<(CycleCall, Option<f64>), ClFault> {
     let mut cycle = *cycle;
     let mut pitch = None;
     if cycle.positionals == 0 {
@@ -114,12 +114,12 @@ fn named(cycle: &CycleWords, args: Option<&[CycleArg]>) -> Result<(CycleWords, O
 }
 
 /// The record with its numbers named, for the feed in it.
-pub(crate) fn with_names(cycle: &CycleWords, args: Option<&[CycleArg]>) -> Result<CycleWords, ClFault> {
+pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<CycleCall, ClFault> {
     named(cycle, args).map(|(cycle, _)| cycle)
 }
 
 /// The hole that a CYCLE describes.
-pub(crate) fn define(cycle: &CycleWords, context: &CycleContext<'_>) -> Result<HoleDefinition, ClFault> {
+pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<HoleDefinition, ClFault> {
     let (cycle, pitch) = named(cycle, context.args)?;
     let unit = context.unit;
     let depth = depth(&cycle, context.dialect)? * unit;
@@ -139,7 +139,7 @@ pub(crate) fn define(cycle: &CycleWords, context: &CycleContext<'_>) -> Result<H
 }
 
 /// Depth below the point of the GOTO, above 0.
-fn depth(cycle: &CycleWords, dialect: Dialect) -> Result<f64, ClFault> {
+fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
     let value = match (cycle.fedto, cycle.depth, dialect) {
         (Some(fedto), None, Dialect::Nx) => -fedto,
         (Some(fedto), None, Dialect::SolidWorks) => fedto,
@@ -174,8 +174,11 @@ fn depth(cycle: &CycleWords, dialect: Dialect) -> Result<f64, ClFault> {
 }
 
 /// Level to which the tool comes down at rapid.
-fn clearance(cycle: &CycleWords, dialect: Dialect) -> Result<f64, ClFault> {
-    let couplet = !matches!(dialect, Dialect::Nx | Dialect::SolidWorks);
+fn clearance(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
+    let couplet = match dialect {
+        Dialect::Nx | Dialect::SolidWorks => false,
+        Dialect::Generic | Dialect::Catia | Dialect::Creo | Dialect::Iso => true,
+    };
     let level = match (cycle.rapto, cycle.clear) {
         (Some(rapto), None) if !couplet => rapto,
         (None, Some(clear)) => clear,
@@ -204,7 +207,7 @@ fn clearance(cycle: &CycleWords, dialect: Dialect) -> Result<f64, ClFault> {
     Ok(level)
 }
 
-fn back(cycle: &CycleWords, context: &CycleContext<'_>, clearance: f64) -> Result<ReturnLevel, ClFault> {
+fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result<ReturnLevel, ClFault> {
     let back = match (context.dialect, cycle.back_to) {
         (Dialect::SolidWorks, level) => {
             let Some(initial) = context.initial else {
@@ -237,7 +240,7 @@ fn back(cycle: &CycleWords, context: &CycleContext<'_>, clearance: f64) -> Resul
     }
 }
 
-fn drilling(cycle: &CycleWords, feed: Option<Feed>, pitch: Option<f64>, unit: f64) -> Result<Drilling, ClFault> {
+fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit: f64) -> Result<Drilling, ClFault> {
     let steps = |step: Option<f64>| match step {
         Some(step) if step > 0.0 => Ok(step * unit),
         Some(_) => Err(fault(cycle.at, "the step of a cycle is not above 0", "write STEP,depth")),
@@ -250,10 +253,12 @@ fn drilling(cycle: &CycleWords, feed: Option<Feed>, pitch: Option<f64>, unit: f6
             "have the CAM system write the motions, or bore with feed out: BORE without ORIENT",
         ));
     }
+    let any = cycle.back.or(cycle.first_step).or(cycle.step);
     let stray = match cycle.kind {
         CycleKind::Deep => cycle.back,
         CycleKind::Brkchp => cycle.first_step,
-        _ => cycle.back.or(cycle.first_step).or(cycle.step),
+        CycleKind::Drill | CycleKind::Face | CycleKind::Csink | CycleKind::Thru | CycleKind::Cbore => any,
+        CycleKind::Bore | CycleKind::Back | CycleKind::Ream | CycleKind::Tap => any,
     };
     if stray.is_some() {
         return Err(fault(

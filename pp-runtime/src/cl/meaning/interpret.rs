@@ -210,7 +210,7 @@ impl RecordInterpreter {
         self.axis.begin_operation();
         self.coordinates.release_axis();
         self.cycle.end_operation();
-        // Rapids and lines of another operation say nothing about an arc.
+        // Rapids and lines of another operation are no evidence of the sense of an arc.
         self.path.forget_line();
         self.votes.settle(None);
     }

@@ -2,7 +2,7 @@
 //!
 //! `interpret` hands each record to the owners of modal state: `units`, `modal_tool`, `axis`,
 //! `coordinates` (with `frame` and `change`), `path_state`, and what is open: `arc`, `nurbs_curve`, `cycle` (with `holes`,
-//! the habits of the CAM systems). `permitted` says which records may come while something is open; `votes` checks the
+//! the habits of the CAM systems). `permitted` lists the records that may come while something is open; `votes` checks the
 //! sense of arcs. Events wait in `event_queue`.
 
 mod arc;
@@ -23,10 +23,9 @@ mod permitted;
 mod units;
 mod votes;
 
-pub use self::arc::Sense;
 pub(crate) use self::event_queue::{QueuedEvent, TextUse};
 pub use self::frame::StatedFrame;
 pub use self::holes::CycleArg;
 pub(crate) use self::interpret::RecordInterpreter;
-pub use self::options::{ClPoint, FeedLabel, Frames, Insert, Options};
+pub use self::options::{ClPoint, FeedLabel, Frames, Insert, Options, Sense};
 pub use self::votes::ArcVote;

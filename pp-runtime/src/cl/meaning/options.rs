@@ -2,11 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use super::arc::Sense;
 use super::holes::CycleArg;
 use crate::cl::dialect::Dialect;
 use crate::cl::record::CycleKind;
 use crate::program::Units;
+
+/// Sense of a circle about its axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sense {
+    /// Clockwise.
+    Clockwise,
+    /// Counter-clockwise.
+    CounterClockwise,
+}
 
 /// What to do with a frame that differs from the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -32,19 +40,19 @@ pub enum Insert {
     Write,
 }
 
-/// What to make of a feed labelled MMPM or MMPR in a file in inches.
+/// Meaning of a feed labelled MMPM or MMPR in a file in inches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum FeedLabel {
     /// Refuse it.
     #[default]
     Refuse,
-    /// It is in millimetres, as it says.
+    /// It is in millimetres, as labelled.
     Trust,
-    /// It is in the unit of the file, whatever it says.
+    /// It is in the unit of the file, whatever its label.
     FileUnits,
 }
 
-/// Which point of the tool the CL data programs.
+/// The point of the tool that the CL data programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ClPoint {
     /// The end of the tool on its axis.
@@ -59,7 +67,7 @@ pub enum ClPoint {
 pub struct Options {
     /// Unit of a file that does not state one (`--units`).
     pub units: Option<Units>,
-    /// The CAM system, whatever the file's evidence says (`--dialect`).
+    /// The CAM system, whatever the evidence in the file (`--dialect`).
     pub dialect: Option<Dialect>,
     /// Columns of a line that count (`--columns`); default: all.
     pub columns: Option<u32>,
@@ -67,7 +75,7 @@ pub struct Options {
     pub inert: Vec<String>,
     /// Frames other than the first (`--frames`).
     pub frames: Frames,
-    /// Sense of every CIRCLE about its axis, whatever its form says (`--circle-sense`).
+    /// Sense of every CIRCLE about its axis, whatever its form (`--circle-sense`).
     pub circle_sense: Option<Sense>,
     /// INSERT (`--insert comment`, `--allow-insert`).
     pub insert: Insert,

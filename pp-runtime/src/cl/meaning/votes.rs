@@ -10,7 +10,7 @@ use crate::program::{Arc, Location};
 /// A line is tangential within this angle; its cosine.
 const TANGENTIAL: f64 = 0.999_847_695_156_391_3;
 
-/// Shorter lines say nothing about a direction, mm.
+/// Shorter lines have no reliable direction, mm.
 const SHORTEST_LINE_MM: f64 = 0.01;
 
 /// Groups of arcs that vote separately; more frames than that share the last group.

@@ -71,7 +71,7 @@ pub const MOST_POSITIONAL: usize = 6;
 
 /// The words of a CYCLE as written; what they mean depends on the CAM system.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CycleWords {
+pub struct CycleCall {
     /// Kind.
     pub kind: CycleKind,
     /// FEDTO: bottom, signed along the tool axis (NX) or positive into the part (SolidWorks CAM).
@@ -108,11 +108,11 @@ pub struct CycleWords {
     pub depth_at: Span,
 }
 
-impl CycleWords {
+impl CycleCall {
     /// A cycle of this kind without any level.
     #[must_use]
     pub const fn new(kind: CycleKind, at: Span) -> Self {
-        CycleWords {
+        CycleCall {
             kind,
             fedto: None,
             depth: None,
@@ -156,7 +156,7 @@ impl CycleState {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CycleRecord {
     /// `CYCLE/kind,..`.
-    Define(CycleWords),
+    Define(CycleCall),
     /// `CYCLE/OFF`, `CYCLE/ON`, `CYCLE/INIT`, `CYCLE/CLEAR`.
     Switch {
         /// Which.
@@ -174,7 +174,7 @@ pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
         return Ok(CycleRecord::Switch { state, at: first.at });
     }
     let kind = first.among(&CycleKind::WORDS).ok_or_else(|| args.not_understood(first))?;
-    let mut cycle = CycleWords::new(kind, at);
+    let mut cycle = CycleCall::new(kind, at);
     let mut only_kind = true;
     while let Some(arg) = args.next()? {
         match arg.among(&CycleKind::WORDS) {
@@ -188,7 +188,7 @@ pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
 }
 
 /// The place of a number in the words of a cycle.
-type NumberOf = fn(&mut CycleWords) -> &mut Option<f64>;
+type NumberOf = fn(&mut CycleCall) -> &mut Option<f64>;
 
 /// Words that one number follows.
 const NUMBER_AFTER: [(&str, NumberOf); 9] = [
@@ -203,7 +203,7 @@ const NUMBER_AFTER: [(&str, NumberOf); 9] = [
     ("ORIENT", |cycle| &mut cycle.orient),
 ];
 
-impl CycleWords {
+impl CycleCall {
     /// One word with what follows it, or a number without a word.
     fn take(&mut self, arg: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
         if let Some(place) = arg.among(&NUMBER_AFTER) {
@@ -285,7 +285,7 @@ fn once(first: bool, word: Arg<'_>) -> Result<(), ClFault> {
     Err(ClFault::new("CYCLE", word.at, text, "write every level of a cycle once"))
 }
 
-impl Display for CycleWords {
+impl Display for CycleCall {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         write!(out, "CYCLE/{}", self.kind.word())?;
         for value in &self.positional[..self.positionals.min(self.positional.len())] {

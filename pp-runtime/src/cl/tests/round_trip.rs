@@ -71,7 +71,7 @@ fn circle() -> impl Strategy<Value = CircleRecord> {
     )
 }
 
-fn cycle() -> impl Strategy<Value = CycleWords> {
+fn cycle() -> impl Strategy<Value = CycleCall> {
     let kind = prop::sample::select(CycleKind::WORDS.map(|(_, kind)| kind).to_vec());
     let some = || prop::option::of(number());
     let back_to =
@@ -83,7 +83,7 @@ fn cycle() -> impl Strategy<Value = CycleWords> {
             let (depth, is_fedto, rapto, clear, step, first_step) = levels;
             let (dwell, dwell_turns, back, orient) = waits;
             let mut cycle =
-                CycleWords { back_to, feed, rapto, clear, step, first_step, ..CycleWords::new(kind, Span::default()) };
+                CycleCall { back_to, feed, rapto, clear, step, first_step, ..CycleCall::new(kind, Span::default()) };
             (cycle.dwell, cycle.dwell_turns, cycle.back, cycle.orient) = (dwell, dwell_turns, back, orient);
             *(if is_fedto { &mut cycle.fedto } else { &mut cycle.depth }) = depth;
             cycle.positionals = positional.len();

@@ -1,7 +1,7 @@
 //! The arguments of a record: words and numbers between commas.
 //!
 //! [`Args`] walks over them from left to right and knows the major word they belong to, for its messages. An empty place
-//! between commas is an error, and so is an argument that nobody takes: see [`Args::finish`].
+//! between commas is an error, and so is an argument that is not taken: see [`Args::finish`].
 
 use super::fault::{ClFault, Span, quoted};
 use super::lexer::is_blank;
@@ -250,7 +250,7 @@ impl<'a> Args<'a> {
         let mut count = 0;
         while self.more {
             let start = skip_blanks(self.text, self.at);
-            // The common case in one pass; everything unusual goes the slow way for its message.
+            // The common case in one pass; everything unusual is read again for its message.
             let value = match number_at_start(&self.text[start..]) {
                 Some((value, used)) if value.is_finite() => {
                     let end = skip_blanks(self.text, start + used);

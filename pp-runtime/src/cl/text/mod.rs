@@ -1,7 +1,7 @@
 //! Text of CL data: bytes to statements, and the arguments of a statement to words and numbers.
 //!
-//! `lexer` cuts the input into statements, `args` walks over the arguments of one, `number` reads decimals, `fault` says
-//! which bytes are not understood. No word of CL data is known here.
+//! `lexer` cuts the input into statements, `args` walks over the arguments of one, `number` reads decimals, `fault` names
+//! the bytes that are not understood. No word of CL data is known here.
 
 mod args;
 mod fault;

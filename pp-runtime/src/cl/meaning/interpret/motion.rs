@@ -7,7 +7,7 @@ use crate::cl::meaning::feed::feed_of;
 use crate::cl::meaning::holes::{self, CycleContext};
 use crate::cl::meaning::options::ClPoint;
 use crate::cl::record::{
-    ArcRecord, CircleRecord, CycleRecord, CycleWords, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point, TangentArc,
+    ArcRecord, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point, TangentArc,
 };
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::near;
@@ -346,7 +346,7 @@ impl RecordInterpreter {
         }
     }
 
-    fn define_cycle(&mut self, cycle: &CycleWords) -> Result<(), ClFault> {
+    fn define_cycle(&mut self, cycle: &CycleCall) -> Result<(), ClFault> {
         self.cycle.begin_definition();
         self.votes.settle(None);
         let known = self.options.cycle_args.iter().find(|(kind, _)| *kind == cycle.kind);
