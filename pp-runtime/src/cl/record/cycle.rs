@@ -154,6 +154,7 @@ impl CycleState {
 
 /// A cycle begins, ends, or is resumed.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "nothing is allocated for a record")]
 pub enum CycleRecord {
     /// `CYCLE/kind,..`.
     Define(CycleCall),
