@@ -19,7 +19,7 @@ use super::permitted::Permitted;
 use super::units::FileUnits;
 use super::votes::ArcVotes;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{ProgramRecord, Record, Text};
+use crate::cl::record::{ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Event, Location, Spline};
 
@@ -136,7 +136,10 @@ impl RecordInterpreter {
             Record::Machine(record) => self.take_machine(record, here),
             Record::Program(record) => self.take_program(record, here),
             // The reader defines and calls subprograms.
-            Record::Subprogram(_) | Record::Inert => Ok(()),
+            Record::Subprogram(SubprogramRecord::Define(_) | SubprogramRecord::End | SubprogramRecord::Call { .. }) => {
+                Ok(())
+            }
+            Record::Inert => Ok(()),
         }
     }
 
