@@ -11,6 +11,33 @@ use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, rotation, translatio
 /// Place of an axis in the chain, from the workpiece.
 pub type AxisId = usize;
 
+/// Variables of the generated functions: no quantity of a model may have one of these names there.
+pub(crate) const LOCALS: &[&str] = &[
+    "axes",
+    "axis",
+    "change",
+    "deviation",
+    "edge_height",
+    "edge_root",
+    "from",
+    "held",
+    "index",
+    "inside",
+    "math",
+    "middle",
+    "point",
+    "pose",
+    "reach",
+    "singular",
+    "solved",
+    "tip",
+    "to",
+    "turns",
+    "value",
+    "first",
+    "second",
+];
+
 /// Linear or rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {

@@ -151,7 +151,7 @@ fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), St
     let [p, q, _] = &values;
     let same =
         [(q, p, false), (q, &-p, true)].into_iter().find(|(a, b, _)| reader.equal(a, b)).map(|(.., minus)| minus);
-    let symbols = ["p", "q", "along"].map(|name| Poly::from(graph.ring.symbol(name)));
+    let symbols = ["p", "q", "along"].map(|name| Poly::from(graph.symbol(name)));
     let mut abstracted: [Poly; 3] = std::array::from_fn(|index| {
         graph.constant_of(cosines[index]).cloned().unwrap_or_else(|| symbols[index].clone())
     });
@@ -159,7 +159,7 @@ fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), St
     if let Some(minus) = same {
         abstracted[1] = if minus { -&abstracted[0] } else { abstracted[0].clone() };
     }
-    let squares = sine_squares(&abstracted, &graph.ring);
+    let squares = sine_squares(&abstracted, graph.ring());
     let mut reader = Interpreter::new(graph, BTreeMap::new());
     for (node, value) in cosines.into_iter().zip(abstracted) {
         reader.assume(node, value);
@@ -213,7 +213,7 @@ impl General {
         let rotaries = model.axes.iter().zip(&solved.directions).filter(|(axis, _)| axis.kind == Kind::Rotary);
         let directions = rotaries.map(|(axis, nodes)| (&axis.direction, *nodes));
         for (direction, nodes) in directions.chain([(&model.tool_axis, solved.tool_axis)]) {
-            if !graph.ring.is_zero(&(&graph.ring.dot(direction, direction) - &Poly::one())) {
+            if !graph.ring().is_zero(&(&graph.ring().dot(direction, direction) - &Poly::one())) {
                 return None;
             }
             disguise(graph, direction, nodes, &mut general.known);
@@ -229,7 +229,7 @@ impl General {
             .zip(&solved.directions)
             .for_each(|(axis, nodes)| replace(&mut axis.direction, *nodes));
         replace(&mut general.model.tool_axis, solved.tool_axis);
-        general.model.ring = solved.graph.ring.clone();
+        general.model.ring = solved.graph.ring().clone();
         (!general.known.is_empty()).then_some(general)
     }
 
@@ -255,11 +255,11 @@ fn disguise(graph: &mut Graph, direction: &P3, nodes: V3, known: &mut Vec<(Id, P
     if alone || free.contains(last) {
         return;
     }
-    known.extend(free.iter().map(|node| (*node, Poly::from(graph.ring.symbol("component")))));
+    known.extend(free.iter().map(|node| (*node, Poly::from(graph.symbol("component")))));
     let others = (0..3).filter(|index| nodes_without_sign[*index] != *last);
     let others: Vec<Poly> = others.map(|index| in_disguise(graph, &direction[index], nodes[index], known)).collect();
-    let square = others.iter().fold(Poly::one(), |rest, part| &rest - &graph.ring.mul(part, part));
-    known.push((*last, Poly::from(graph.ring.root("component", square))));
+    let square = others.iter().fold(Poly::one(), |rest, part| &rest - &graph.ring().mul(part, part));
+    known.push((*last, Poly::from(graph.root("component", square))));
 }
 
 /// The symbol of a component, or the component itself.
@@ -334,8 +334,8 @@ fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<Strin
     let edge = &two.edge;
     let height = Poly::from(edge.height);
     let capacity = general.reader(&mut solved.graph, BTreeMap::new()).value(two.capacity);
-    let radicand = &capacity - &solved.graph.ring.mul(&height, &height);
-    let root = Poly::from(solved.graph.ring.root("edge", radicand));
+    let radicand = &capacity - &solved.graph.ring().mul(&height, &height);
+    let root = Poly::from(solved.graph.root("edge", radicand));
     let mut reader = general.reader(&mut solved.graph, BTreeMap::from([(edge.root, root)]));
     let mut words = turns(model, &mut reader, &[second], &[edge.second]);
     on_circle(model, &reader, second, &words)?;

@@ -7,7 +7,7 @@ use num_rational::BigRational;
 use num_traits::Signed;
 use syn::ext::IdentExt;
 
-use crate::model::{Axis, Dimension, Frame, Kind, Model, Quantity, Side};
+use crate::model::{Axis, Dimension, Frame, Kind, LOCALS, Model, Quantity, Side};
 use crate::report::{Errors, Phrase, Refused};
 use crate::solve::Refusal;
 use crate::symbolic::{P3, Poly, Ring, Surd};
@@ -325,7 +325,7 @@ pub(crate) fn is_reserved(name: &str) -> bool {
 /// What a length is called inside generated functions: its own name, unless that is a variable there. The ring keeps
 /// all other names apart.
 fn local_name(name: &str) -> String {
-    if crate::emit::LOCALS.contains(&name) { format!("dim_{name}") } else { name.to_string() }
+    if LOCALS.contains(&name) { format!("dim_{name}") } else { name.to_string() }
 }
 
 fn axis(

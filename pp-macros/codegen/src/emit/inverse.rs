@@ -70,7 +70,7 @@ fn single(model: &Model, solved: &Solved, deviation: Id, one: Option<&One>) -> T
     };
     let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
     // A cone so slim that its axis is within tolerance of it: there the rotary is free.
-    let claim = solved.graph.constant_of(one.length_claim).and_then(|poly| solved.graph.ring.value(poly));
+    let claim = solved.graph.constant_of(one.length_claim).and_then(|poly| solved.graph.ring().value(poly));
     let slim = claim.is_none_or(|squared| squared < SLIM * SLIM);
     let rotary = one.rotary;
     let (first, singular) = if slim {

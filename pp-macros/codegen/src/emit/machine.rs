@@ -8,6 +8,7 @@ use super::Options;
 use super::body::Body;
 use super::names::{Places, prelude};
 use crate::explain::Explanation;
+use crate::formula::{Formula, Known};
 use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
 use crate::solve::{SideCondition, Solved};
 use crate::syntax::Declaration;
@@ -162,7 +163,7 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
         let statements = body.statements(&[node]);
         let (lets, value) = (super::body::lets(&statements), body.tokens(node));
         let prelude = prelude(model, &inputs, Places::default());
-        let written = crate::explain::in_words(model, &solved.graph, node);
+        let written = Formula::of_node(model, &solved.graph, node, &Known::new()).source();
         let least = float(*zero);
         tests.extend(quote! {
             {

@@ -17,35 +17,6 @@ use crate::model::Model;
 use crate::solve::Solved;
 use crate::syntax::Declaration;
 
-pub(crate) use body::Count;
-
-/// Variables of the generated functions; nothing else may have these names there.
-pub(crate) const LOCALS: &[&str] = &[
-    "axes",
-    "axis",
-    "change",
-    "deviation",
-    "edge_height",
-    "edge_root",
-    "from",
-    "held",
-    "index",
-    "inside",
-    "math",
-    "middle",
-    "point",
-    "pose",
-    "reach",
-    "singular",
-    "solved",
-    "tip",
-    "to",
-    "turns",
-    "value",
-    "first",
-    "second",
-];
-
 /// Choices of the caller.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Options {

@@ -74,7 +74,7 @@ fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
     let mut known = 0.0;
     let mut terms = TokenStream::new();
     for &component in centres {
-        match motion.graph.constant_of(component).and_then(|value| motion.graph.ring.value(value)) {
+        match motion.graph.constant_of(component).and_then(|value| motion.graph.ring().value(value)) {
             Some(value) => known += 4.0 * value.abs(),
             None => {
                 let component = body.tokens(component);
@@ -90,7 +90,7 @@ fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
 fn inputs(model: &Model, motion: &Motion, body: &Body<'_>, outputs: &[Id], words: &str) -> TokenStream {
     let used = body.inputs(outputs);
     let mut lets = prelude(model, &used, Places { words: Some(words), ..Places::default() });
-    let name = |symbol: Symbol| Ident::new(motion.graph.ring.name(symbol), Span::call_site());
+    let name = |symbol: Symbol| Ident::new(motion.graph.ring().name(symbol), Span::call_site());
     let array = format_ident!("change");
     for (place, (&change, &size)) in motion.changes.iter().zip(&motion.sizes).enumerate() {
         if used.contains(&change) {

@@ -7,17 +7,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::chain::{at_the_table, coordinate, part, vector};
 use super::page::{Section, line};
-use crate::emit::Count;
-use crate::formula::{Formula, Known, common_number};
+use crate::formula::{ClosedForm, Formula, Known, angle_of_one, common_number, is_readable};
 use crate::model::{AxisId, Model};
 use crate::solve::{Angle, Orientation, Solved, Tilt, Two};
-use crate::symbolic::{Graph, Id, Interpreter, Node, P3, Poly, Surd, Symbol};
-
-/// Polynomials with more terms than this are shown step by step, as they are computed.
-const LONGEST: usize = 60;
-
-/// Roots with at most this much under them are written in place.
-const SHORT: usize = 2;
+use crate::symbolic::{Graph, Id, Interpreter, Node, Operations, P3, Poly, Surd};
 
 /// Rotary axes of both branches, then the linear axes.
 pub(super) fn formulas(model: &Model, solved: &Solved) -> Section {
@@ -26,10 +19,8 @@ pub(super) fn formulas(model: &Model, solved: &Solved) -> Section {
         Orientation::Fixed { .. } => {}
         Orientation::One(one) => {
             section.say("Rotary axis from the tool axis (i, j, k):");
-            let mut graph = solved.graph.clone();
-            let word = stripped(&graph, one.word, one.inverse);
-            match angle(&mut graph, word, None).filter(is_readable) {
-                Some(parts) => section.equations(&[(letter(model, one.rotary), atan2(model, &graph, &parts))]),
+            match angle_of_one(model, solved, one) {
+                Some(angle) => section.equations(&[(letter(model, one.rotary), angle)]),
                 None => in_steps(model, solved, &[(one.rotary, one.word)], &mut section),
             }
         }
@@ -44,161 +35,21 @@ fn letter(model: &Model, axis: AxisId) -> Formula {
     Formula::name(model.axes[axis].letter.to_string())
 }
 
-fn is_readable(parts: &[Poly; 2]) -> bool {
-    parts.iter().all(|part| part.coefficients().count() <= LONGEST)
-}
-
-/// Whether a reciprocal of what is no number is in it.
-fn is_divided(graph: &Graph, poly: &Poly) -> bool {
-    let unknown = |symbol: Symbol| graph.ring.value(&Poly::from(symbol)).is_none();
-    let mut symbols = poly.terms().flat_map(|(powers, _)| powers).map(|(symbol, _)| *symbol);
-    symbols.any(|symbol| graph.ring.divisor(symbol).is_some() && unknown(symbol))
-}
-
-/// A node without a sign and without a positive factor or divisor.
-type Signed = (bool, Id);
-
-/// Sine and cosine without the factor, or divisor, that both have.
-fn stripped(graph: &Graph, (sine, cosine): (Id, Id), common: Id) -> [Signed; 2] {
-    let without = |id: Id| {
-        let (minus, inner) = match *graph.node(id) {
-            Node::Neg(inner) => (true, inner),
-            _ => (false, id),
-        };
-        match *graph.node(inner) {
-            Node::Mul(a, b) if b == common => Some((minus, a)),
-            Node::Mul(a, b) if a == common => Some((minus, b)),
-            Node::Div(a, b) if b == common => Some((minus, a)),
-            _ if graph.is_zero(inner) => Some((minus, inner)),
-            _ => None,
-        }
-    };
-    match (without(sine), without(cosine)) {
-        (Some(sine), Some(cosine)) => [sine, cosine],
-        _ => [(false, sine), (false, cosine)],
-    }
-}
-
-/// The arguments of an `atan2`, without a common number; `None` if something is divided by what is no number.
-fn angle(graph: &mut Graph, word: [Signed; 2], root: Option<(Id, &Poly)>) -> Option<[Poly; 2]> {
-    let mut reader = Interpreter::new(graph, BTreeMap::new());
-    if let Some((root, square)) = root {
-        reader.assume_square(root, square.clone());
-    }
-    let parts = word.map(|(minus, node)| {
-        let value = reader.value(node);
-        if minus { -&value } else { value }
-    });
-    if parts.iter().any(|part| is_divided(graph, part)) {
-        return None;
-    }
-    // Terms without the root get plain numbers first.
-    let rooted = |powers: &[(Symbol, u32)]| powers.iter().any(|(symbol, _)| graph.ring.name(*symbol) == "r");
-    let terms: Vec<_> = parts.iter().flat_map(Poly::terms).collect();
-    let all: Vec<&Surd> = terms.iter().map(|(_, factor)| *factor).collect();
-    let plain: Vec<&Surd> = terms.iter().filter(|(powers, _)| !rooted(powers)).map(|(_, factor)| *factor).collect();
-    let number = common_number(if plain.is_empty() { &all } else { &plain });
-    let inverse = number.inverse().unwrap_or_else(Surd::one);
-    Some(parts.map(|part| part.scaled(&inverse)))
-}
-
-fn atan2(model: &Model, graph: &Graph, [sine, cosine]: &[Poly; 2]) -> Formula {
-    Formula::call("atan2", [sine, cosine].map(|part| Formula::of_poly(model, &graph.ring, part)))
-}
-
 fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {
     section.say("Rotary axes from the tool axis (i, j, k):");
-    let Some(Closed { radicand, branches }) = closed(model, solved, two) else {
+    let Some(closed) = ClosedForm::of_two(model, solved, two) else {
         let words = two.rotaries.into_iter().zip(two.answers[0].words).collect::<Vec<_>>();
         section.say("first branch, step by step:");
         in_steps(model, solved, &words, section);
         section.say("second branch: the same with -root for root");
         return;
     };
-    let short = radicand.size() <= SHORT;
-    let root = Formula::call("sqrt", [radicand]);
-    let branches = branches.map(|branch| branch.map(|formula| if short { replaced(formula, &root) } else { formula }));
-    if branches.iter().flatten().any(mentions_root) {
-        section.equations(&[(Formula::name("r"), root)]);
-    }
-    for (title, branch) in ["first branch:", "second branch:"].into_iter().zip(branches) {
+    section.equations(closed.named_root().as_slice());
+    for (title, branch) in ["first branch:", "second branch:"].into_iter().zip(closed.branches()) {
         section.say(title);
         let equations: Vec<(Formula, Formula)> =
             two.rotaries.into_iter().map(|axis| letter(model, axis)).zip(branch).collect();
         section.equations(&equations);
-    }
-}
-
-/// Both angles of both branches, over the root `r` of one radicand.
-struct Closed {
-    radicand: Formula,
-    branches: [[Formula; 2]; 2],
-}
-
-/// `None` if they are too long to be read in one line.
-fn closed(model: &Model, solved: &Solved, two: &Two) -> Option<Closed> {
-    let mut graph = solved.graph.clone();
-    // r² = D - w², whatever way the code takes to it.
-    let square = {
-        let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
-        let (capacity, height) = (reader.value(two.capacity), reader.value(two.height));
-        let square = reader.ring().mul(&height, &height);
-        &capacity - &square
-    };
-    let mut formula = |word: (Id, Id), common: Id| {
-        let word = stripped(&graph, word, common);
-        let parts = angle(&mut graph, word, Some((two.root, &square))).filter(is_readable)?;
-        Some(atan2(model, &graph, &parts))
-    };
-    let [first, second] = two
-        .answers
-        .map(|answer| Some([formula(answer.words[0], two.inverse)?, formula(answer.words[1], two.capacity)?]));
-    Some(Closed { branches: [first?, second?], radicand: Formula::of_poly(model, &graph.ring, &square) })
-}
-
-/// `T = atan2(...)` of the first branch for each solved rotary axis, where that is no longer than a line.
-pub(crate) fn first_branch(model: &Model, solved: &Solved) -> Vec<(AxisId, Formula)> {
-    match &solved.orientation {
-        Orientation::Fixed { .. } => Vec::new(),
-        Orientation::One(one) => {
-            let mut graph = solved.graph.clone();
-            let word = stripped(&graph, one.word, one.inverse);
-            let parts = angle(&mut graph, word, None).filter(is_readable);
-            parts.map(|parts| (one.rotary, atan2(model, &graph, &parts))).into_iter().collect()
-        }
-        Orientation::Two(two) => {
-            let Some(Closed { radicand, branches: [first, _] }) = closed(model, solved, two) else { return Vec::new() };
-            let root = Formula::call("sqrt", [radicand]);
-            two.rotaries.into_iter().zip(first.map(|formula| replaced(formula, &root))).collect()
-        }
-    }
-}
-
-/// The root in place of its name.
-fn replaced(formula: Formula, root: &Formula) -> Formula {
-    let all = |parts: Vec<Formula>| parts.into_iter().map(|part| replaced(part, root)).collect();
-    match formula {
-        Formula::Name(name) if name == "r" => root.clone(),
-        Formula::Neg(inner) => Formula::Neg(Box::new(replaced(*inner, root))),
-        Formula::Sum(parts) => Formula::Sum(all(parts)),
-        Formula::Product(parts) => Formula::Product(all(parts)),
-        // An angle may be called r.
-        Formula::Call(function, parts) if function != "sin" && function != "cos" => Formula::Call(function, all(parts)),
-        Formula::Quotient(above, below) => {
-            Formula::Quotient(Box::new(replaced(*above, root)), Box::new(replaced(*below, root)))
-        }
-        other => other,
-    }
-}
-
-fn mentions_root(formula: &Formula) -> bool {
-    match formula {
-        Formula::Name(name) => name == "r",
-        Formula::Number(_) | Formula::Degrees(_) => false,
-        Formula::Call(function, _) if function == "sin" || function == "cos" => false,
-        Formula::Neg(inner) | Formula::Power(inner, _) => mentions_root(inner),
-        Formula::Sum(parts) | Formula::Product(parts) | Formula::Call(_, parts) => parts.iter().any(mentions_root),
-        Formula::Quotient(above, below) => mentions_root(above) || mentions_root(below),
     }
 }
 
@@ -279,7 +130,7 @@ fn linear(model: &Model, solved: &Solved, section: &mut Section) {
     let determinant = reader.value(position.determinant);
     let divided = found.iter().any(|(_, divided, _)| *divided);
     let mut polys = found.iter().map(|(_, _, poly)| poly).chain([&determinant]);
-    let long = polys.any(|poly| poly.coefficients().count() > LONGEST || is_divided(&graph, poly));
+    let long = !polys.all(|poly| is_readable(&graph, poly));
     if long {
         let values: Vec<Id> = position.values.iter().map(|(_, node)| *node).collect();
         let known = steps(model, &solved.graph, &values, section);
@@ -290,12 +141,12 @@ fn linear(model: &Model, solved: &Solved, section: &mut Section) {
     }
     let below = Formula::name("det");
     if divided {
-        let formula = Formula::of_poly(model, &graph.ring, &determinant);
+        let formula = Formula::of_poly(model, graph.ring(), &determinant);
         section.equations(&[(below.clone(), formula)]);
     }
     let written = |of: &dyn Fn(&Poly) -> Poly| -> Vec<(Formula, Formula)> {
         let formula = |(axis, divided, poly): &(AxisId, bool, Poly)| {
-            let formula = Formula::of_poly(model, &graph.ring, &of(poly));
+            let formula = Formula::of_poly(model, graph.ring(), &of(poly));
             let formula =
                 if *divided { Formula::Quotient(Box::new(formula), Box::new(below.clone())) } else { formula };
             (letter(model, *axis), formula)
@@ -322,7 +173,7 @@ pub(super) fn branches(model: &Model, solved: &Solved) -> Section {
     };
     let second = &model.axes[two.rotaries[1]];
     let name = Formula::name(second.letter.to_string());
-    let alpha = two.alpha.map(|node| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring.value(poly)));
+    let alpha = two.alpha.map(|node| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly)));
     let reversed = second.reversed;
     let mut positive = two.first_is_plus;
     let turn = |function: &str| Formula::call(function, [name.clone()]);
@@ -355,7 +206,7 @@ fn general_side(model: &Model, solved: &Solved, two: &Two) -> Formula {
     let [first, other] = two.alpha.map(|node| reader.value(node));
     let side = &reader.ring().mul(&first, &model.joint_sine(second)) - &reader.ring().mul(&other, &cosine);
     let number = common_number(&side.coefficients().collect::<Vec<_>>()).inverse().unwrap_or_else(Surd::one);
-    match Formula::of_poly(model, &graph.ring, &side.scaled(&number)) {
+    match Formula::of_poly(model, graph.ring(), &side.scaled(&number)) {
         // A square is not negative.
         Formula::Product(mut factors) => {
             factors.retain(|factor| !matches!(factor, Formula::Power(_, power) if power % 2 == 0));
@@ -413,7 +264,7 @@ fn direction(model: &Model, solved: &Solved, tilt: &Tilt) -> Option<P3> {
 /// Angles between tool axis and first rotary.
 pub(super) fn reachable(model: &Model, solved: &Solved) -> Section {
     let mut section = Section::default();
-    let value = |node: Id| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring.value(poly));
+    let value = |node: Id| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly));
     let (rotary, tilt) = match &solved.orientation {
         Orientation::Fixed { .. } => {
             section.say("one tool axis");
@@ -476,8 +327,8 @@ pub(super) fn degenerate(model: &Model, solved: &Solved) -> Section {
     let mut graph = solved.graph.clone();
     let node = solved.position.determinant;
     let value = Interpreter::new(&mut graph, BTreeMap::new()).value(node);
-    let formula = Formula::of_poly(model, &graph.ring, &value);
-    if graph.ring.value(&value).is_some() {
+    let formula = Formula::of_poly(model, graph.ring(), &value);
+    if graph.ring().value(&value).is_some() {
         section.line(line(&format!("nowhere: the determinant of {letters} is ")).math(&formula));
     } else {
         section.line(
@@ -493,10 +344,10 @@ pub(super) fn degenerate(model: &Model, solved: &Solved) -> Section {
 pub(super) fn operations(solved: &Solved) -> Section {
     let graph = &solved.graph;
     let values: Vec<Id> = solved.position.values.iter().map(|(_, node)| *node).collect();
-    let position = Count::of(graph, &values);
+    let position = Operations::of(graph, &values);
     let (count, atan2) = match &solved.orientation {
-        Orientation::Fixed { deviation } => (Count::of(graph, &[*deviation]).and(position), 0),
-        Orientation::One(one) => (Count::of(graph, &[one.word.0, one.word.1, one.deviation]).and(position), 1),
+        Orientation::Fixed { deviation } => (Operations::of(graph, &[*deviation]).and(position), 0),
+        Orientation::One(one) => (Operations::of(graph, &[one.word.0, one.word.1, one.deviation]).and(position), 1),
         Orientation::Two(two) => {
             let nodes: Vec<Id> = two
                 .answers
@@ -505,10 +356,10 @@ pub(super) fn operations(solved: &Solved) -> Section {
                 .chain([two.root])
                 .collect();
             let own = two.answers.iter().flat_map(|answer| answer.angles).filter(|angle| *angle == Angle::Own).count();
-            (Count::of(graph, &nodes).and(position).and(position), own)
+            (Operations::of(graph, &nodes).and(position).and(position), own)
         }
     };
-    let Count { additions, products, divisions, roots } = count;
+    let Operations { additions, products, divisions, roots } = count;
     let many = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     let mut section = Section::default();
     section.say(&format!(

@@ -8,12 +8,9 @@ mod page;
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::formula::{Formula, Known};
 use crate::model::Model;
 use crate::solve::Solved;
-use crate::symbolic::{Graph, Id};
 use crate::verify::{Proven, Verified};
-pub(crate) use inverse::first_branch;
 pub use page::Section;
 use page::line;
 
@@ -110,11 +107,6 @@ pub fn explain(model: &Model, solved: &Solved, proofs: Vec<String>, verified: &[
         operations: inverse::operations(solved),
         jog_sheet: jog::sheet(model),
     }
-}
-
-/// A node in the names of the declaration, in the language of the macro.
-pub(crate) fn in_words(model: &Model, graph: &Graph, node: Id) -> String {
-    Formula::of_node(model, graph, node, &Known::new()).source()
 }
 
 fn proven(claims: Vec<String>, verified: &[Verified]) -> Section {

@@ -329,7 +329,7 @@ fn unit() -> Terms {
 
 fn is_plain(formula: &Formula) -> bool {
     match formula {
-        Formula::Name(_) => true,
+        Formula::Name(_) | Formula::Root(_) => true,
         Formula::Neg(inner) => is_plain(inner),
         _ => false,
     }
@@ -404,7 +404,7 @@ fn assemble(number: &Surd, mut factors: Vec<Formula>) -> Formula {
     let divisor = number.as_rational().filter(|q| q.numer().is_one() && !q.denom().is_one());
     let formula = match (factors.len(), divisor) {
         (0, _) => Formula::Number(number),
-        (1, Some(divisor)) if matches!(factors[0], Formula::Sum(_) | Formula::Name(_)) => {
+        (1, Some(divisor)) if matches!(factors[0], Formula::Sum(_) | Formula::Name(_) | Formula::Root(_)) => {
             let below = BigRational::from(divisor.denom().clone());
             Formula::Quotient(Box::new(factors.remove(0)), Box::new(Formula::Number(Surd::from(below))))
         }

@@ -3,6 +3,7 @@
 //! A formula is for reading. What decides is a [`Poly`], what computes is a
 //! [`Graph`]; both can be turned into a formula.
 
+mod closed_form;
 mod factor;
 mod names;
 mod node;
@@ -12,6 +13,7 @@ use num_rational::BigRational;
 
 use crate::model::{Model, to_f64};
 use crate::symbolic::{Graph, Id, Poly, Ring, Surd};
+pub(crate) use closed_form::{ClosedForm, angle_of_one, first_branch, is_readable};
 pub(crate) use factor::common_number;
 pub use node::Known;
 
@@ -22,6 +24,8 @@ pub enum Formula {
     Number(Surd),
     /// A quantity by its name: `x`, `B`, `gauge`, `alpha`.
     Name(String),
+    /// A root of unknown quantities by its name: `r`.
+    Root(String),
     /// `-a`
     Neg(Box<Formula>),
     /// `a + b - c`: the difference is a `Neg` among the terms.
@@ -104,7 +108,7 @@ impl Formula {
         let all = |parts: &[Self]| parts.iter().map(|part| part.value(of)).collect::<Option<Vec<f64>>>();
         Some(match self {
             Self::Number(number) => number.to_f64(),
-            Self::Name(name) => of(name)?,
+            Self::Name(name) | Self::Root(name) => of(name)?,
             Self::Neg(inner) => -inner.value(of)?,
             Self::Sum(terms) => all(terms)?.iter().sum(),
             Self::Product(factors) => all(factors)?.iter().product(),
@@ -127,11 +131,41 @@ impl Formula {
     #[must_use]
     pub fn size(&self) -> usize {
         match self {
-            Self::Number(_) | Self::Name(_) | Self::Degrees(_) => 1,
+            Self::Number(_) | Self::Name(_) | Self::Root(_) | Self::Degrees(_) => 1,
             Self::Neg(inner) | Self::Power(inner, _) => inner.size(),
             Self::Sum(parts) | Self::Product(parts) => parts.iter().map(Self::size).sum(),
             Self::Quotient(above, below) => above.size() + below.size(),
             Self::Call(_, arguments) => arguments.iter().map(Self::size).sum(),
+        }
+    }
+
+    /// Whether another formula is a part of it.
+    pub(crate) fn mentions(&self, part: &Self) -> bool {
+        let any = |parts: &[Self]| parts.iter().any(|inner| inner.mentions(part));
+        self == part
+            || match self {
+                Self::Number(_) | Self::Name(_) | Self::Root(_) | Self::Degrees(_) => false,
+                Self::Neg(inner) | Self::Power(inner, _) => inner.mentions(part),
+                Self::Sum(parts) | Self::Product(parts) | Self::Call(_, parts) => any(parts),
+                Self::Quotient(above, below) => above.mentions(part) || below.mentions(part),
+            }
+    }
+
+    /// The same with `value` in place of `part`.
+    pub(crate) fn with(self, part: &Self, value: &Self) -> Self {
+        if self == *part {
+            return value.clone();
+        }
+        let one = |inner: Box<Self>| Box::new(inner.with(part, value));
+        let all = |parts: Vec<Self>| parts.into_iter().map(|inner| inner.with(part, value)).collect();
+        match self {
+            plain @ (Self::Number(_) | Self::Name(_) | Self::Root(_) | Self::Degrees(_)) => plain,
+            Self::Neg(inner) => Self::Neg(one(inner)),
+            Self::Power(base, power) => Self::Power(one(base), power),
+            Self::Sum(parts) => Self::Sum(all(parts)),
+            Self::Product(parts) => Self::Product(all(parts)),
+            Self::Call(function, parts) => Self::Call(function, all(parts)),
+            Self::Quotient(above, below) => Self::Quotient(one(above), one(below)),
         }
     }
 }

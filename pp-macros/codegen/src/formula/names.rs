@@ -76,7 +76,7 @@ impl<'a> Names<'a> {
             let below = Formula::of_poly(self.model, self.ring, divisor);
             return Formula::Quotient(Box::new(Formula::integer(1)), Box::new(below));
         }
-        Formula::name(name)
+        if self.ring.is_root(symbol) { Formula::Root(name.into()) } else { Formula::name(name) }
     }
 
     /// Place of a symbol among others.

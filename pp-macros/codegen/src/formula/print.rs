@@ -62,7 +62,7 @@ pub(super) fn latex(formula: &Formula) -> String {
 fn piece(formula: &Formula, style: Style) -> Piece {
     match formula {
         Formula::Number(number) => surd(number, style),
-        Formula::Name(name) => {
+        Formula::Name(name) | Formula::Root(name) => {
             Piece::new(if style == Style::Latex { latex_name(name) } else { name.clone() }, Hold::Atom)
         }
         Formula::Neg(inner) => {

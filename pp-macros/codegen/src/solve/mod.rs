@@ -78,8 +78,9 @@ pub fn solve(model: &mut Model) -> Result<Solved, Vec<Refusal>> {
     let orientation = orientation::solve(&mut chain, &defaults);
     let vanishes = |graph: &mut Graph, node: Id| {
         let value = Interpreter::new(graph, std::collections::BTreeMap::new()).value(node);
-        let at_defaults = graph.ring.substitute(&value, &defaults);
-        graph.ring.is_zero(&value) || graph.ring.value(&at_defaults).map_or(at_defaults.is_zero(), |v| v.abs() < 1e-9)
+        let at_defaults = graph.ring().substitute(&value, &defaults);
+        graph.ring().is_zero(&value)
+            || graph.ring().value(&at_defaults).map_or(at_defaults.is_zero(), |v| v.abs() < 1e-9)
     };
     if vanishes(&mut chain.graph, position.determinant) {
         refusals.push(Refusal::DependentLinears);

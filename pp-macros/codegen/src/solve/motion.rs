@@ -50,8 +50,8 @@ pub struct Curve {
 pub(super) fn solve(model: &Model) -> Motion {
     let mut graph = Graph::new(model.ring.clone());
     let letter = |axis: &crate::model::Axis| axis.letter.to_ascii_lowercase();
-    let changes = model.axes.iter().map(|axis| graph.ring.symbol(format!("change_{}", letter(axis)))).collect();
-    let sizes = model.axes.iter().map(|axis| graph.ring.symbol(format!("size_{}", letter(axis)))).collect();
+    let changes = model.axes.iter().map(|axis| graph.symbol(format!("change_{}", letter(axis)))).collect();
+    let sizes = model.axes.iter().map(|axis| graph.symbol(format!("size_{}", letter(axis)))).collect();
     let mut moving = Moving { chain: Chain { model, graph }, changes, sizes };
     let (mut tip, mut tip_curve) = (moving.chain.origin(), moving.still());
     let (mut axis, mut axis_curve) = (moving.chain.tool_axis(), moving.still());

@@ -389,7 +389,7 @@ fn two(
     });
 
     let edge = {
-        let symbols = (graph.ring.symbol("edge_height"), graph.ring.symbol("edge_root"));
+        let symbols = (graph.symbol("edge_height"), graph.symbol("edge_root"));
         let (edge_height, edge_root) = (graph.input(symbols.0), graph.input(symbols.1));
         let signed_root = signed(graph, first_is_plus, edge_root);
         let lean = lean_of(graph, p, q, n_room, edge_height);
@@ -495,11 +495,11 @@ fn room(graph: &mut Graph, cross: V3, defaults: &BTreeMap<Symbol, Poly>) -> f64 
 /// The float value of a node at the defaults; `None` if it vanishes identically.
 fn at_defaults(graph: &mut Graph, node: Id, defaults: &BTreeMap<Symbol, Poly>) -> Option<f64> {
     let value = Interpreter::new(graph, BTreeMap::new()).value(node);
-    if graph.ring.is_zero(&value) {
+    if graph.ring().is_zero(&value) {
         return None;
     }
-    let value = graph.ring.substitute(&value, defaults);
-    Some(graph.ring.value(&value).unwrap_or_default())
+    let value = graph.ring().substitute(&value, defaults);
+    Some(graph.ring().value(&value).unwrap_or_default())
 }
 
 /// The sign `σ` that makes the written second angle's sine, or with `α1 = 0` its cosine, not negative.

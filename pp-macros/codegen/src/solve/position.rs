@@ -7,7 +7,7 @@
 
 use super::{Chain, Point};
 use crate::model::{AxisId, Kind, Model};
-use crate::symbolic::{Id, Node, V3};
+use crate::symbolic::{Id, Operations, V3};
 
 /// Nodes of the linear axes.
 #[derive(Debug, Clone)]
@@ -25,16 +25,12 @@ pub(super) fn solve(chain: &mut Chain<'_>) -> Position {
         .map(|cut| {
             let position = solve_at(chain, cut);
             let outputs: Vec<Id> = position.values.iter().map(|(_, node)| *node).collect();
-            let cost = chain.graph.reachable(&outputs).into_iter().filter(|id| costs(chain.graph.node(*id))).count();
+            let cost = Operations::of(&chain.graph, &outputs).total();
             (cost, cut, position)
         })
         .min_by_key(|(cost, cut, _)| (*cost, *cut))
         .map(|(_, _, position)| position)
         .expect("a chain has at least one place to cut")
-}
-
-fn costs(node: &Node) -> bool {
-    !matches!(node, Node::Constant(_) | Node::Input(_) | Node::Neg(_))
 }
 
 fn solve_at(chain: &mut Chain<'_>, cut: usize) -> Position {

@@ -41,8 +41,8 @@ pub enum Node {
 /// Arena of nodes, with the ring whose symbols they use.
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
-    /// Symbols and their relations.
-    pub ring: Ring,
+    /// Symbols and their relations. It only grows: a polynomial that was read keeps its meaning.
+    ring: Ring,
     nodes: Vec<Node>,
     index: BTreeMap<Node, Id>,
     names: BTreeMap<Id, String>,
@@ -55,7 +55,33 @@ impl Graph {
         Self { ring, ..Self::default() }
     }
 
-    /// The operation behind a handle.
+    /// Symbols of the nodes, and their relations.
+    #[must_use]
+    pub fn ring(&self) -> &Ring {
+        &self.ring
+    }
+
+    /// A new free symbol; see [`Ring::symbol`].
+    pub fn symbol(&mut self, name: impl Into<String>) -> Symbol {
+        self.ring.symbol(name)
+    }
+
+    /// Sine and cosine of a new angle; see [`Ring::sin_cos`].
+    pub fn sin_cos(&mut self, sine: impl Into<String>, cosine: impl Into<String>) -> (Symbol, Symbol) {
+        self.ring.sin_cos(sine, cosine)
+    }
+
+    /// A root, whose square is `radicand`; see [`Ring::root`].
+    pub fn root(&mut self, name: impl Into<String>, radicand: Poly) -> Symbol {
+        self.ring.root(name, radicand)
+    }
+
+    /// A reciprocal: times `divisor` it is 1; see [`Ring::reciprocal`].
+    pub fn reciprocal(&mut self, name: impl Into<String>, divisor: Poly) -> Symbol {
+        self.ring.reciprocal(name, divisor)
+    }
+
+    /// The operation of a handle.
     #[must_use]
     pub fn node(&self, id: Id) -> &Node {
         &self.nodes[id.0 as usize]
@@ -420,7 +446,7 @@ mod tests {
     #[test]
     fn signs_move_outwards_so_that_branches_share() {
         let mut graph = Graph::default();
-        let (x, y) = (graph.ring.symbol("x"), graph.ring.symbol("y"));
+        let (x, y) = (graph.symbol("x"), graph.symbol("y"));
         let (x, y) = (graph.input(x), graph.input(y));
         let product = graph.mul(x, y);
         let minus_x = graph.neg(x);
@@ -433,9 +459,9 @@ mod tests {
     #[test]
     fn rotation_about_z_leaves_z_alone() {
         let mut graph = Graph::default();
-        let (s, c) = graph.ring.sin_cos("s", "c");
+        let (s, c) = graph.sin_cos("s", "c");
         let v: V3 = ["x", "y", "z"].map(|name| {
-            let symbol = graph.ring.symbol(name);
+            let symbol = graph.symbol(name);
             graph.input(symbol)
         });
         let n = [0, 0, 1].map(|value| graph.integer(value));

@@ -13,8 +13,7 @@ use std::collections::BTreeMap;
 use decide::{Condition, Verdict, decide};
 use scope::{Scope, Value};
 
-use crate::explain::first_branch;
-use crate::formula::Formula;
+use crate::formula::{Formula, first_branch};
 use crate::model::{AxisId, Kind, Model};
 use crate::report::Errors;
 use crate::solve::{Orientation, SideCondition, Solved};
