@@ -10,7 +10,7 @@
 use std::collections::BTreeMap;
 
 use crate::model::{AxisId, Kind, Model};
-use crate::solve::{Answer, One, Orientation, Solved, Two};
+use crate::solve::{Branch, One, Orientation, Solved, Two};
 use crate::symbolic::{Graph, Id, Interpreter, Matrix, Node, P3, Poly, Ring, Symbol, V3};
 
 /// Proves a solved machine.
@@ -135,10 +135,10 @@ fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), St
         |values: &[Poly; 3], ring: &Ring| values.clone().map(|value| &Poly::one() - &ring.mul(&value, &value));
     let parts = |[p, q, along]: &[Poly; 3], ring: &Ring| {
         [
-            (two.room, p.clone()),
-            (two.capacity, ring.mul(p, q)),
-            (two.sine_squared, along.clone()),
-            (two.spread, ring.mul(p, along)),
+            (two.first.between_squared, p.clone()),
+            (two.second.capacity, ring.mul(p, q)),
+            (two.first.sine_squared, along.clone()),
+            (two.first.spread, ring.mul(p, along)),
         ]
     };
     let mut reader = Interpreter::new(graph, BTreeMap::new());
@@ -178,15 +178,15 @@ fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), St
 }
 
 fn lengths_hold(reader: &mut Interpreter<'_>, two: &Two) -> bool {
-    let (height, capacity) = (reader.value(two.height), reader.value(two.capacity));
+    let (height, capacity) = (reader.value(two.second.height), reader.value(two.second.capacity));
     let square = &capacity - &reader.ring().mul(&height, &height);
-    let radicand = reader.value(two.root_squared);
+    let radicand = reader.value(two.second.root_squared);
     if !reader.equal(&radicand, &square) {
         return false;
     }
-    reader.assume_square(two.root, square);
-    let spread = reader.value(two.spread);
-    two.length.is_none_or(|length| reader.claim(length, &spread))
+    reader.assume_square(two.second.root, square);
+    let spread = reader.value(two.first.spread);
+    two.first.length.is_none_or(|length| reader.claim(length, &spread))
 }
 
 /// A machine of which only this is known: its rotary axes and its tool axis are unit vectors.
@@ -282,30 +282,30 @@ fn unsigned(graph: &Graph, node: Id) -> (Id, bool) {
 
 fn prove_two(general: &General, solved: &mut Solved, two: &Two) -> Result<Vec<String>, String> {
     let mut claims = Vec::new();
-    for answer in &two.answers {
+    for answer in &two.branches {
         claims.push(prove_answer(general, solved, two, answer)?);
     }
     claims.push(prove_edge(general, solved, two)?);
     Ok(claims)
 }
 
-fn prove_answer(general: &General, solved: &mut Solved, two: &Two, answer: &Answer) -> Result<String, String> {
+fn prove_answer(general: &General, solved: &mut Solved, two: &Two, answer: &Branch) -> Result<String, String> {
     let model = &general.model;
     let letters = model.letters(two.rotaries);
     let mut reader = general.reader(&mut solved.graph, BTreeMap::new());
     // `prove_lengths` has shown these two.
-    let (capacity, height) = (reader.value(two.capacity), reader.value(two.height));
+    let (capacity, height) = (reader.value(two.second.capacity), reader.value(two.second.height));
     let square = &capacity - &reader.ring().mul(&height, &height);
-    reader.assume_square(two.root, square);
-    if let Some(length) = two.length {
-        let spread = reader.value(two.spread);
+    reader.assume_square(two.second.root, square);
+    if let Some(length) = two.first.length {
+        let spread = reader.value(two.first.spread);
         reader.assume(length, spread);
     }
     let words = turns(model, &mut reader, &two.rotaries, &answer.words);
     for axis in two.rotaries {
         on_circle(model, &reader, axis, &words)?;
     }
-    let branch = if answer.plus == two.first_is_plus { "first" } else { "second" };
+    let branch = if answer.plus == two.first_is_plus() { "first" } else { "second" };
     let claim = format!("{letters} turn the tool to (i, j, k), {branch} branch");
     // R1 R2 t = a, shown as R2 t = R1⁻¹ a, and likewise for what is held: far fewer products of sines.
     let after = two.rotaries[0] + 1;
@@ -320,9 +320,9 @@ fn prove_answer(general: &General, solved: &mut Solved, two: &Two, answer: &Answ
     // The branch: α1 s2 - α2 c2 = σ r, and a root is never negative.
     let (_, cosine) = model.axes[two.rotaries[1]].turn;
     let sine = reader.ring().substitute(&model.joint_sine(two.rotaries[1]), &words);
-    let [first, second] = two.alpha.map(|node| reader.value(node));
+    let [first, second] = two.second.alpha.map(|node| reader.value(node));
     let side = &reader.ring().mul(&first, &sine) - &reader.ring().mul(&second, &words[&cosine]);
-    let root = reader.value(two.root);
+    let root = reader.value(two.second.root);
     let root = if answer.plus { root } else { -&root };
     holds(&reader, &side, &root, &format!("{letters} stay on their branch"))?;
     Ok(claim)
@@ -333,7 +333,7 @@ fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<Strin
     let [first, second] = two.rotaries;
     let edge = &two.edge;
     let height = Poly::from(edge.height);
-    let capacity = general.reader(&mut solved.graph, BTreeMap::new()).value(two.capacity);
+    let capacity = general.reader(&mut solved.graph, BTreeMap::new()).value(two.second.capacity);
     let radicand = &capacity - &solved.graph.ring().mul(&height, &height);
     let root = Poly::from(solved.graph.root("edge", radicand));
     let mut reader = general.reader(&mut solved.graph, BTreeMap::from([(edge.root, root)]));

@@ -7,7 +7,7 @@ use super::body::{Body, lets};
 use super::kinematics::rotaries;
 use super::names::{Places, prelude};
 use crate::model::{AxisId, Kind, Model, Quantity};
-use crate::solve::{Angle, Answer, One, Orientation, Solved, Tilt, Two};
+use crate::solve::{AngleRelation, Branch, One, Orientation, Pole, Solved, Tilt, Two};
 use crate::symbolic::Id;
 
 /// Sine of a cone whose axis may come within the reach tolerance of it, with room to spare.
@@ -109,20 +109,22 @@ fn single(model: &Model, solved: &Solved, deviation: Id, one: Option<&One>) -> T
 /// Two rotary axes: two solutions, unless the edge is near.
 fn pair(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
     let graph = &solved.graph;
-    let words = |answer: &Answer| answer.words.map(|(sine, cosine)| [sine, cosine]).concat();
-    let outputs: Vec<Id> =
-        [two.root, two.sine_squared, two.capacity].into_iter().chain(two.answers.iter().flat_map(words)).collect();
+    let words = |answer: &Branch| answer.words.map(|(sine, cosine)| [sine, cosine]).concat();
+    let outputs: Vec<Id> = [two.second.root, two.first.sine_squared, two.second.capacity]
+        .into_iter()
+        .chain(two.branches.iter().flat_map(words))
+        .collect();
     let mut body = Body::new(graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
-    let guarded = [two.root, two.sine_squared, two.capacity];
+    let guarded = [two.second.root, two.first.sine_squared, two.second.capacity];
     let guard = lets(&body.statements(&guarded));
     let [root, sine_squared, capacity] = guarded.map(|node| body.tokens(node));
     let statements = lets(&body.statements(&outputs));
     let finite = finite(model);
-    let pole = (!two.orthogonal).then(|| {
+    let pole = (!(two.pole == Pole::Orthogonal)).then(|| {
         quote!(|| !(#sine_squared >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE))
     });
-    let capacity = graph.constant_of(two.capacity).is_none().then(|| {
+    let capacity = graph.constant_of(two.second.capacity).is_none().then(|| {
         let least = parallel();
         quote!(|| !(#capacity > #least))
     });
@@ -131,18 +133,18 @@ fn pair(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
     };
     let mut angles = TokenStream::new();
     let mut branches = Vec::new();
-    for (branch, answer) in two.answers.iter().enumerate() {
+    for (branch, answer) in two.branches.iter().enumerate() {
         let mut values = Vec::new();
         for rotary in 0..2 {
             let (name, first) = (angle_name(rotary, branch), angle_name(rotary, 0));
             let (sine, cosine) = answer.words[rotary];
             let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
             let value = match answer.angles[rotary] {
-                Angle::Own => quote!(math::angle(#sine, #cosine)),
-                Angle::Same => quote!(#first),
-                Angle::Negated => quote!(math::negated(#first)),
-                Angle::HalfTurn => quote!(math::half_turn(#first)),
-                Angle::Mirrored => quote!(math::mirrored(#first)),
+                AngleRelation::Own => quote!(math::angle(#sine, #cosine)),
+                AngleRelation::Same => quote!(#first),
+                AngleRelation::Negated => quote!(math::negated(#first)),
+                AngleRelation::HalfTurn => quote!(math::half_turn(#first)),
+                AngleRelation::Mirrored => quote!(math::mirrored(#first)),
             };
             angles.extend(quote!(let #name = #value;));
             values.push((two.rotaries[rotary], quote!(#name)));
@@ -172,7 +174,8 @@ fn pair(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
 pub(super) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, TokenStream)> {
     let Orientation::Two(two) = &solved.orientation else { return None };
     let edge = &two.edge;
-    let before = [two.capacity, two.root_squared, two.height, two.rim, two.sine_squared];
+    let before =
+        [two.second.capacity, two.second.root_squared, two.second.height, two.second.rim, two.first.sine_squared];
     let after = [
         edge.second.0,
         edge.second.1,
@@ -193,7 +196,7 @@ pub(super) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, Token
     let [second_sine, second_cosine, first_sine, first_cosine, first_squared, reached_squared, along, reached_along] =
         after.map(|node| body.tokens(node));
     let finite = finite(model);
-    let capacity = solved.graph.constant_of(two.capacity).is_none().then(|| {
+    let capacity = solved.graph.constant_of(two.second.capacity).is_none().then(|| {
         let least = parallel();
         quote!(!(#capacity > #least) ||)
     });
@@ -291,8 +294,8 @@ pub(super) fn reach(model: &Model, solved: &Solved) -> TokenStream {
             cone(model, solved, &one.tilt, one.rotary, guard)
         }
         Orientation::Two(two) => {
-            let capacity = solved.graph.constant_of(two.capacity).is_none();
-            let guard = capacity.then_some((two.capacity, two.rotaries[1], inputs.as_str()));
+            let capacity = solved.graph.constant_of(two.second.capacity).is_none();
+            let guard = capacity.then_some((two.second.capacity, two.rotaries[1], inputs.as_str()));
             cone(model, solved, &two.tilt, two.rotaries[0], guard)
         }
     };

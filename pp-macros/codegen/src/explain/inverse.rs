@@ -9,7 +9,7 @@ use super::chain::{at_the_table, coordinate, part, vector};
 use super::page::{Section, line};
 use crate::formula::{ClosedForm, Formula, Known, angle_of_one, common_number, is_readable};
 use crate::model::{AxisId, Model};
-use crate::solve::{Angle, Orientation, Solved, Tilt, Two};
+use crate::solve::{AngleRelation, Orientation, Pole, Solved, Tilt, Two};
 use crate::symbolic::{Graph, Id, Interpreter, Node, Operations, P3, Poly, Surd};
 
 /// Rotary axes of both branches, then the linear axes.
@@ -38,7 +38,7 @@ fn letter(model: &Model, axis: AxisId) -> Formula {
 fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {
     section.say("Rotary axes from the tool axis (i, j, k):");
     let Some(closed) = ClosedForm::of_two(model, solved, two) else {
-        let words = two.rotaries.into_iter().zip(two.answers[0].words).collect::<Vec<_>>();
+        let words = two.rotaries.into_iter().zip(two.branches[0].words).collect::<Vec<_>>();
         section.say("first branch, step by step:");
         in_steps(model, solved, &words, section);
         section.say("second branch: the same with -root for root");
@@ -173,9 +173,10 @@ pub(super) fn branches(model: &Model, solved: &Solved) -> Section {
     };
     let second = &model.axes[two.rotaries[1]];
     let name = Formula::name(second.letter.to_string());
-    let alpha = two.alpha.map(|node| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly)));
+    let alpha =
+        two.second.alpha.map(|node| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly)));
     let reversed = second.reversed;
-    let mut positive = two.first_is_plus;
+    let mut positive = two.first_is_plus();
     let turn = |function: &str| Formula::call(function, [name.clone()]);
     let quantity = match alpha {
         [Some(factor), Some(other)] if other.abs() < 1e-12 => {
@@ -203,7 +204,7 @@ fn general_side(model: &Model, solved: &Solved, two: &Two) -> Formula {
     let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
     let second = two.rotaries[1];
     let cosine = Poly::from(model.axes[second].turn.1);
-    let [first, other] = two.alpha.map(|node| reader.value(node));
+    let [first, other] = two.second.alpha.map(|node| reader.value(node));
     let side = &reader.ring().mul(&first, &model.joint_sine(second)) - &reader.ring().mul(&other, &cosine);
     let number = common_number(&side.coefficients().collect::<Vec<_>>()).inverse().unwrap_or_else(Surd::one);
     match Formula::of_poly(model, graph.ring(), &side.scaled(&number)) {
@@ -232,7 +233,7 @@ pub(super) fn singular_set(model: &Model, solved: &Solved) -> Section {
     };
     let letter = model.axes[two.rotaries[0]].letter;
     let direction = direction(model, solved, &two.tilt);
-    if two.has_pole {
+    if two.pole != Pole::Elsewhere {
         let at = match direction.as_ref().and_then(coordinate) {
             Some(("x", _)) => ", that is j = k = 0",
             Some(("y", _)) => ", that is i = k = 0",
@@ -350,12 +351,17 @@ pub(super) fn operations(solved: &Solved) -> Section {
         Orientation::One(one) => (Operations::of(graph, &[one.word.0, one.word.1, one.deviation]).and(position), 1),
         Orientation::Two(two) => {
             let nodes: Vec<Id> = two
-                .answers
+                .branches
                 .iter()
                 .flat_map(|answer| answer.words.iter().flat_map(|(sine, cosine)| [*sine, *cosine]))
-                .chain([two.root])
+                .chain([two.second.root])
                 .collect();
-            let own = two.answers.iter().flat_map(|answer| answer.angles).filter(|angle| *angle == Angle::Own).count();
+            let own = two
+                .branches
+                .iter()
+                .flat_map(|answer| answer.angles)
+                .filter(|angle| *angle == AngleRelation::Own)
+                .count();
             (Operations::of(graph, &nodes).and(position).and(position), own)
         }
     };

@@ -33,7 +33,7 @@ impl ClosedForm {
         // r² = D - w², however the code computes it.
         let square = {
             let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
-            let (capacity, height) = (reader.value(two.capacity), reader.value(two.height));
+            let (capacity, height) = (reader.value(two.second.capacity), reader.value(two.second.height));
             let square = reader.ring().mul(&height, &height);
             &capacity - &square
         };
@@ -41,14 +41,14 @@ impl ClosedForm {
         let mut angle = |word: (Id, Id), common: Id| {
             let word = without_factor(&graph, word, common);
             let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
-            let symbol = reader.assume_square(two.root, square.clone());
+            let symbol = reader.assume_square(two.second.root, square.clone());
             let arguments = arguments(&mut reader, word, Some(symbol))?;
             root.get_or_insert_with(|| Formula::of_poly(model, reader.ring(), &Poly::from(symbol)));
             Some(atan2(model, &graph, &arguments))
         };
-        let [first, second] = two
-            .answers
-            .map(|answer| Some([angle(answer.words[0], two.inverse)?, angle(answer.words[1], two.capacity)?]));
+        let [first, second] = two.branches.map(|answer| {
+            Some([angle(answer.words[0], two.first.inverse)?, angle(answer.words[1], two.second.capacity)?])
+        });
         let branches = [first?, second?];
         let radicand = Formula::of_poly(model, graph.ring(), &square);
         Some(Self { root: root?, value: Formula::call("sqrt", [radicand]), branches })

@@ -41,6 +41,7 @@ mod poly;
 mod ring;
 mod sign;
 mod surd;
+mod term;
 
 pub use angle::{angle_sum, turn_by};
 pub use graph::{Graph, Id, Node, V3};
@@ -51,3 +52,4 @@ pub use poly::{Poly, Symbol};
 pub use ring::Ring;
 pub use sign::{Sign, hidden_zeros_of, sign_of, zeros_of};
 pub use surd::{Surd, exact_sin_cos};
+pub use term::{GraphBuilder, Term, Vec3};

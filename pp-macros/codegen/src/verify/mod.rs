@@ -85,7 +85,7 @@ impl Derived {
         let rotary = first_branch(model, solved);
         let values = solved.position.values.clone();
         let two = match &solved.orientation {
-            Orientation::Two(two) => Some((two.alpha, two.rotaries[1], two.first_is_plus)),
+            Orientation::Two(two) => Some((two.second.alpha, two.rotaries[1], two.first_is_plus())),
             _ => None,
         };
         let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
