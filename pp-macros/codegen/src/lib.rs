@@ -73,22 +73,10 @@ pub fn compile(input: TokenStream) -> Result<Compiled, Refused> {
 
 fn compile_declaration(declaration: &Declaration, errors: &mut Errors) -> Result<Compiled, Refused> {
     let (mut model, spots) = check::check(declaration, errors)?;
-    let mut solved = match solve::solve(&mut model) {
-        Ok(solved) => solved,
-        Err(refusals) => {
-            check::report(&refusals, &model, &spots, errors);
-            errors.propagate()?;
-            unreachable!("a refusal has a message");
-        }
-    };
-    let proofs = match proof::prove(&model, &mut solved) {
-        Ok(proofs) => proofs,
-        Err(claim) => {
-            check::unproven(&claim, &spots, errors);
-            errors.propagate()?;
-            unreachable!("an unproven claim has a message");
-        }
-    };
+    let solved = solve::solve(&mut model);
+    let mut solved = solved.map_err(|refusals| check::refused(&refusals, &model, &spots, errors))?;
+    let proofs = proof::prove(&model, &mut solved);
+    let proofs = proofs.map_err(|claim| check::unproven(&claim, &spots, errors))?;
     let verified = verify::verify(&declaration.verify, &model, &mut solved, errors);
     errors.propagate()?;
     let explanation = explain::explain(&model, &solved, proofs, &verified);

@@ -6,7 +6,7 @@ use quote::quote;
 
 use super::Options;
 use super::body::Body;
-use super::names::{Places, prelude};
+use super::inputs::{Places, prelude};
 use crate::explain::Explanation;
 use crate::formula::{Formula, Known};
 use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
@@ -14,7 +14,7 @@ use crate::solve::{SideCondition, Solved};
 use crate::syntax::Declaration;
 
 /// The struct with its documentation and its defaults.
-pub(super) fn item(
+pub(crate) fn item(
     declaration: &Declaration,
     model: &Model,
     explanation: &Explanation,
@@ -65,12 +65,12 @@ pub(super) fn item(
 }
 
 /// `#[cfg(...)]` of the struct: what it takes away takes the rest with it.
-pub(super) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
+pub(crate) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
     declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")).collect()
 }
 
 /// The associated constants.
-pub(super) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
+pub(crate) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
     let name = &model.name;
     let axes = model.axes.iter().map(axis);
     let dimensions = model.dimensions.iter().map(|dimension| {
@@ -103,7 +103,7 @@ pub(super) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
 }
 
 /// Access to dimensions and set-up, and `validate`.
-pub(super) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
+pub(crate) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
     let fields: Vec<Ident> = model.dimensions.iter().map(|d| Ident::new(&d.name, Span::call_site())).collect();
     let names: Vec<&str> = model.dimensions.iter().map(|d| d.name.as_str()).collect();
     let places: Vec<usize> = (0..fields.len()).collect();

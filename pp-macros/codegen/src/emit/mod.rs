@@ -3,11 +3,11 @@
 //! Generated code names only `::core` and `::pp_runtime`, allocates nothing and contains no loop.
 
 mod body;
+mod inputs;
 mod inverse;
 mod kinematics;
 mod machine;
 mod motion;
-mod names;
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -4,13 +4,13 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{Body, lets};
-use super::names::{Places, prelude};
+use super::inputs::{Places, prelude};
 use crate::model::{Kind, Model};
 use crate::solve::{Curve, Motion};
 use crate::symbolic::{Id, Symbol, V3};
 
 /// `motion` and `rates`.
-pub(super) fn motion(model: &Model, motion: &Motion) -> TokenStream {
+pub(crate) fn motion(model: &Model, motion: &Motion) -> TokenStream {
     let (bound, rates) = (bound(model, motion), rates(model, motion));
     quote! {
         #bound

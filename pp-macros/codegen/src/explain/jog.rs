@@ -30,7 +30,7 @@ const FAINT: f64 = 0.2;
 const TURNED: f64 = 80.0;
 
 /// One line for every axis of the chain, held ones included.
-pub(super) fn sheet(model: &Model) -> Section {
+pub(crate) fn sheet(model: &Model) -> Section {
     let machine = Machine::of(model);
     let mut section = Section::default();
     section.say(

@@ -3,7 +3,10 @@
 mod chain;
 mod inverse;
 mod jog;
+mod limits;
+mod linear;
 mod page;
+mod steps;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -100,9 +103,9 @@ pub fn explain(model: &Model, solved: &Solved, proofs: Vec<String>, verified: &[
         forward: chain::forward(model),
         formulas: inverse::formulas(model, solved),
         branches: inverse::branches(model, solved),
-        singular_set: inverse::singular_set(model, solved),
-        reachable: inverse::reachable(model, solved),
-        degenerate: inverse::degenerate(model, solved),
+        singular_set: limits::singular_set(model, solved),
+        reachable: limits::reachable(model, solved),
+        degenerate: limits::degenerate(model, solved),
         proofs: proven(proofs, verified),
         operations: inverse::operations(solved),
         jog_sheet: jog::sheet(model),

@@ -15,7 +15,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::Formula;
-use super::names::Names;
+use super::names::SymbolNames;
 use crate::model::Model;
 use crate::symbolic::{Poly, Ring, Surd, Symbol};
 
@@ -30,16 +30,16 @@ type Terms = BTreeMap<Monomial, Surd>;
 /// A term of a sum, and its place there.
 type Part = (Vec<usize>, Formula);
 
-pub(super) fn of_poly(model: &Model, ring: &Ring, poly: &Poly) -> Formula {
+pub(crate) fn of_poly(model: &Model, ring: &Ring, poly: &Poly) -> Formula {
     let terms: Terms = poly.terms().map(|(powers, factor)| (powers.to_vec(), factor.clone())).collect();
-    let names = Names::new(model, ring);
+    let names = SymbolNames::new(model, ring);
     let circles = names.circles();
     let writer = Writer { names, circles };
     writer.formula(terms)
 }
 
 struct Writer<'a> {
-    names: Names<'a>,
+    names: SymbolNames<'a>,
     circles: Vec<Vec<Symbol>>,
 }
 

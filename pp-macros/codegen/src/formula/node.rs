@@ -3,22 +3,22 @@
 use std::collections::BTreeMap;
 
 use super::Formula;
-use super::names::Names;
+use super::names::SymbolNames;
 use crate::model::Model;
 use crate::symbolic::{Graph, Id, Node};
 
 /// Nodes that are written by a name of their own.
 pub type Known = BTreeMap<Id, Formula>;
 
-pub(super) fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Formula {
-    let names = Names::new(model, graph.ring());
+pub(crate) fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Formula {
+    let names = SymbolNames::new(model, graph.ring());
     Reader { model, graph, names, known }.read(node)
 }
 
 struct Reader<'a> {
     model: &'a Model,
     graph: &'a Graph,
-    names: Names<'a>,
+    names: SymbolNames<'a>,
     known: &'a Known,
 }
 

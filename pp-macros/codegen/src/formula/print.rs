@@ -47,15 +47,15 @@ impl Piece {
     }
 }
 
-pub(super) fn text(formula: &Formula) -> String {
+pub(crate) fn text(formula: &Formula) -> String {
     piece(formula, Style::Text).text
 }
 
-pub(super) fn source(formula: &Formula) -> String {
+pub(crate) fn source(formula: &Formula) -> String {
     piece(formula, Style::Source).text
 }
 
-pub(super) fn latex(formula: &Formula) -> String {
+pub(crate) fn latex(formula: &Formula) -> String {
     piece(formula, Style::Latex).text
 }
 

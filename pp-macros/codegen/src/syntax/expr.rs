@@ -54,7 +54,7 @@ const LARGEST_POWER: u32 = 64;
 
 impl Expr {
     /// Parses a sum.
-    pub(super) fn parse(input: ParseStream<'_>, source: &Source) -> syn::Result<Self> {
+    pub(crate) fn parse(input: ParseStream<'_>, source: &Source) -> syn::Result<Self> {
         sum(input, source, 0)
     }
 

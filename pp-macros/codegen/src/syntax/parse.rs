@@ -15,7 +15,7 @@ const FIELDS: [&str; 10] = ["chain", "d", "signs", "axes", "dims", "tool_axis", 
 
 /// Numbers the phrases in the order of reading.
 #[derive(Debug, Default)]
-pub(super) struct Source {
+pub(crate) struct Source {
     read: Cell<usize>,
 }
 
@@ -30,13 +30,13 @@ impl Source {
     }
 
     /// The next token, whatever it is.
-    pub(super) fn take(&self, input: ParseStream<'_>) -> syn::Result<(Phrase, TokenTree)> {
+    pub(crate) fn take(&self, input: ParseStream<'_>) -> syn::Result<(Phrase, TokenTree)> {
         let token: TokenTree = input.parse()?;
         Ok((self.phrase(token.span(), token.span()), token))
     }
 
     /// What stands in parentheses.
-    pub(super) fn parenthesized<'a>(&self, input: ParseStream<'a>) -> syn::Result<(Phrase, ParseBuffer<'a>)> {
+    pub(crate) fn parenthesized<'a>(&self, input: ParseStream<'a>) -> syn::Result<(Phrase, ParseBuffer<'a>)> {
         let content;
         let paren = syn::parenthesized!(content in input);
         Ok((self.phrase(paren.span.open(), paren.span.close()), content))

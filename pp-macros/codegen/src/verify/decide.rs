@@ -13,7 +13,7 @@
 use std::collections::BTreeMap;
 
 use super::scope::{Angle, Inverse, Scope, Value, zero_as_angle};
-use crate::check::quantity::Fault;
+use crate::check::Fault;
 use crate::formula::Formula;
 use crate::model::{Kind, Quantity, to_f64};
 use crate::symbolic::{Poly, Ring, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
@@ -27,7 +27,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// What became of an equation.
 #[derive(Debug)]
-pub(super) enum Verdict {
+pub(crate) enum Verdict {
     /// It holds where all of these are true; everywhere if there are none.
     Holds(Vec<Condition>),
     /// The angles agree up to half a turn, and nowhere without it.
@@ -40,7 +40,7 @@ pub(super) enum Verdict {
 
 /// Where an equation holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Condition {
+pub(crate) enum Condition {
     /// `λ > 0`
     Positive(Sign),
     /// What stands under a root, or decides which root is right.
@@ -50,7 +50,7 @@ pub(super) enum Condition {
 }
 
 /// Decides an equation.
-pub(super) fn decide(scope: &mut Scope<'_>, equation: &Equation) -> Result<Verdict, Fault> {
+pub(crate) fn decide(scope: &mut Scope<'_>, equation: &Equation) -> Result<Verdict, Fault> {
     scope.begin();
     let left = scope.value(&equation.left)?;
     let right = scope.value(&equation.right)?;
@@ -147,18 +147,9 @@ impl Decision<'_, '_, '_> {
         Ok(false)
     }
 
+    /// The verdict on an equation whose gap vanishes.
     fn conclude(&mut self, mut claims: Claims) -> Result<Verdict, Fault> {
-        for place in 0..self.eliminated.len() {
-            let Eliminated { root, a, b } = &self.eliminated[place];
-            claims.not_negative.push(-&self.times(a, b)?);
-            // b² E = a² says that E is not negative, unless b vanishes on a whole part, as `√(s²) - s` does.
-            if b.symbols().any(|symbol| self.scope.ring.is_root(symbol)) {
-                claims.not_negative.push(self.scope.ring.square_of(*root));
-            }
-        }
-        for root in self.scope.roots.clone() {
-            claims.not_negative.push(self.scope.ring.square_of(root));
-        }
+        claims.not_negative.extend(self.signs_of_roots()?);
         let angles = !claims.positive.is_empty();
         let positive = self.resolved(claims.positive)?;
         if positive.iter().any(|poly| self.scope.ring.is_zero(poly)) {
@@ -167,50 +158,74 @@ impl Decision<'_, '_, '_> {
         }
         let mut not_negative = self.resolved(claims.not_negative)?;
         not_negative.retain(|poly| !self.scope.ring.is_zero(poly));
-        if !self.has_witness(&positive, &not_negative) {
-            let opposite =
-                angles && self.has_witness(&positive.iter().map(|poly| -poly).collect::<Vec<_>>(), &not_negative);
-            return Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere });
+        if self.has_witness(&positive, &not_negative) {
+            return Ok(Verdict::Holds(self.conditions(&positive, &not_negative)?));
         }
-        let divisors: Vec<Poly> = self.scope.divisors.iter().map(|(divisor, _)| divisor.clone()).collect();
-        let divisors = divisors.iter().map(|divisor| self.norm(divisor)).collect::<Result<Vec<_>, Fault>>()?;
-        let circles = self.scope.circles();
-        let ring = &self.scope.ring;
+        let negative: Vec<Poly> = positive.iter().map(|poly| -poly).collect();
+        let opposite = angles && self.has_witness(&negative, &not_negative);
+        Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere })
+    }
+
+    /// What must not be negative for the roots to exist, and for those that were eliminated to be the right ones.
+    fn signs_of_roots(&self) -> Result<Vec<Poly>, Fault> {
+        let mut not_negative = Vec::new();
+        for Eliminated { root, a, b } in &self.eliminated {
+            not_negative.push(-&self.times(a, b)?);
+            // b² E = a² makes E not negative, unless b vanishes on a whole part, as `√(s²) - s` does.
+            if b.symbols().any(|symbol| self.scope.ring.is_root(symbol)) {
+                not_negative.push(self.scope.ring.square_of(*root));
+            }
+        }
+        not_negative.extend(self.scope.roots.iter().map(|root| self.scope.ring.square_of(*root)));
+        Ok(not_negative)
+    }
+
+    /// Claims and divisors as conditions, each once; those that always hold are left out.
+    fn conditions(&self, positive: &[Poly], not_negative: &[Poly]) -> Result<Vec<Condition>, Fault> {
+        let divisors = self.scope.divisors.iter().map(|(divisor, _)| self.norm(divisor));
+        let divisors = divisors.collect::<Result<Vec<_>, Fault>>()?;
+        let (circles, ring) = (self.scope.circles(), &self.scope.ring);
         let mut conditions: Vec<Condition> = Vec::new();
-        for poly in &positive {
+        let mut add = |condition: Condition| {
+            if !conditions.contains(&condition) {
+                conditions.push(condition);
+            }
+        };
+        let mut strict = Vec::new();
+        for poly in positive {
             let sign = sign_of(ring, poly, &circles);
             if !sign.factors.is_empty() {
-                conditions.push(Condition::Positive(sign));
+                strict.push(sign.clone());
+                add(Condition::Positive(sign));
             }
-            // `resolved` has multiplied by these.
-            let factors = self.eliminated.iter().flat_map(|eliminated| zeros_of(ring, &eliminated.b, &circles));
-            let factors: Vec<Poly> = factors.collect();
-            let mut zeros = hidden_zeros_of(ring, poly, &circles);
-            zeros.retain(|zero| !factors.contains(zero));
+            let zeros = self.zeros_of_claim(poly, &circles)?;
             if !zeros.is_empty() {
-                let zeros = zeros.iter().map(|zero| self.norm(zero)).collect::<Result<Vec<_>, Fault>>()?;
-                conditions.push(Condition::NotZero(zeros));
+                add(Condition::NotZero(zeros));
             }
         }
-        for poly in &not_negative {
+        for poly in not_negative {
             let sign = sign_of(ring, poly, &circles);
-            if !sign.factors.is_empty() && !conditions.contains(&Condition::Positive(sign.clone())) {
-                conditions.push(Condition::NotNegative(sign));
+            if !sign.factors.is_empty() && !strict.contains(&sign) {
+                add(Condition::NotNegative(sign));
             }
         }
         for divisor in &divisors {
             let zeros = zeros_of(ring, divisor, &circles);
             if !zeros.is_empty() {
-                conditions.push(Condition::NotZero(zeros));
+                add(Condition::NotZero(zeros));
             }
         }
-        let mut distinct: Vec<Condition> = Vec::new();
-        for condition in conditions {
-            if !distinct.contains(&condition) {
-                distinct.push(condition);
-            }
-        }
-        Ok(Verdict::Holds(distinct))
+        Ok(conditions)
+    }
+
+    /// Zeros of a strict claim that its sign does not show, without the factors that `resolved` has multiplied by.
+    fn zeros_of_claim(&self, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Result<Vec<Poly>, Fault> {
+        let ring = &self.scope.ring;
+        let factors: Vec<Poly> =
+            self.eliminated.iter().flat_map(|eliminated| zeros_of(ring, &eliminated.b, circles)).collect();
+        let mut zeros = hidden_zeros_of(ring, poly, circles);
+        zeros.retain(|zero| !factors.contains(zero));
+        zeros.iter().map(|zero| self.norm(zero)).collect()
     }
 
     /// Polynomials of the same signs without the eliminated roots: with `r = -a/b`, `u + v r` has the sign of
@@ -358,7 +373,7 @@ fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
 
 impl Condition {
     /// As text in the names of the declaration: `sin B > 0`.
-    pub(super) fn text(&self, scope: &Scope<'_>) -> String {
+    pub(crate) fn text(&self, scope: &Scope<'_>) -> String {
         let product = |factors: &[Poly], negative: bool| {
             let factors: Vec<Formula> = factors.iter().map(|factor| scope.formula(factor)).collect();
             let product = if factors.len() == 1 { factors[0].text() } else { Formula::Product(factors).text() };

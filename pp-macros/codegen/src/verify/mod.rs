@@ -84,19 +84,16 @@ impl Derived {
     fn new(model: &Model, solved: &mut Solved) -> Self {
         let rotary = first_branch(model, solved);
         let values = solved.position.values.clone();
-        let two = match &solved.orientation {
-            Orientation::Two(two) => Some((two.second.alpha, two.rotaries[1], two.first_is_plus())),
-            _ => None,
-        };
-        let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+        let Solved { graph, orientation, .. } = solved;
+        let mut reader = Interpreter::new(graph, BTreeMap::new());
         let linear = values.into_iter().map(|(axis, node)| (axis, reader.value(node))).collect();
-        // α1 s2 - α2 c2 has the sign of σ.
-        let side = two.map(|(alpha, second, first_is_plus)| {
-            let [sine_factor, cosine_factor] = alpha.map(|node| reader.value(node));
-            let (ring, cosine) = (reader.ring(), Poly::from(model.axes[second].turn.1));
-            let side = &ring.mul(&sine_factor, &model.joint_sine(second)) - &ring.mul(&cosine_factor, &cosine);
-            if first_is_plus { side } else { -&side }
-        });
+        let side = match orientation {
+            Orientation::Two(two) => {
+                let side = two.side(model, &mut reader);
+                Some(if two.first_is_plus() { side } else { -&side })
+            }
+            Orientation::Fixed { .. } | Orientation::One(_) => None,
+        };
         Self { ring: reader.ring().clone(), linear, rotary, side }
     }
 

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use num_traits::ToPrimitive;
 
-use crate::check::quantity::{self, Fault, Names};
+use crate::check::{self, DimensionNames, Fault};
 use crate::formula::Formula;
 use crate::model::{AxisId, Kind, Model, Quantity};
 use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, turn_by};
@@ -29,7 +29,7 @@ const MOST_DIVISIONS: u32 = 8;
 
 /// The value of an expression.
 #[derive(Debug, Clone)]
-pub(super) enum Value {
+pub(crate) enum Value {
     /// A number or a length.
     Number(Poly),
     /// An angle, as the direction (cosine, sine) times a positive factor.
@@ -38,16 +38,16 @@ pub(super) enum Value {
 
 /// A direction in the plane.
 #[derive(Debug, Clone)]
-pub(super) struct Angle {
-    pub(super) cosine: Poly,
-    pub(super) sine: Poly,
+pub(crate) struct Angle {
+    pub(crate) cosine: Poly,
+    pub(crate) sine: Poly,
     /// Set for `asin` and `acos`, whose other part is a root.
-    pub(super) inverse: Option<Inverse>,
+    pub(crate) inverse: Option<Inverse>,
 }
 
 /// An angle known by one part; the other has a known sign.
 #[derive(Debug, Clone)]
-pub(super) enum Inverse {
+pub(crate) enum Inverse {
     /// `asin(p)`: the cosine is not negative.
     Sine(Poly),
     /// `acos(p)`, and with true its negative: the sine is not negative, or not positive.
@@ -56,25 +56,25 @@ pub(super) enum Inverse {
 
 /// Names of one block, and the algebra of one equation in it.
 #[derive(Debug, Clone)]
-pub(super) struct Scope<'a> {
-    pub(super) model: &'a Model,
-    pub(super) ring: Ring,
+pub(crate) struct Scope<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) ring: Ring,
     /// Values of set-up symbols, dimensions and held axes in this block.
-    pub(super) assumed: BTreeMap<Symbol, Poly>,
+    pub(crate) assumed: BTreeMap<Symbol, Poly>,
     locals: Vec<(String, Value)>,
     /// What x y z and i j k stand for.
     tip: P3,
     axis: P3,
     /// Divisors and roots of the equation at hand.
-    pub(super) divisors: Vec<(Poly, Symbol)>,
-    pub(super) roots: Vec<Symbol>,
+    pub(crate) divisors: Vec<(Poly, Symbol)>,
+    pub(crate) roots: Vec<Symbol>,
     /// Products of monomials so far.
-    pub(super) work: Cell<usize>,
+    pub(crate) work: Cell<usize>,
 }
 
 impl<'a> Scope<'a> {
     /// The names of a block, x y z and i j k made by the axes. `product` is `T(q)`.
-    pub(super) fn new(model: &'a Model, ring: Ring, product: &Matrix, block: &Verify) -> Result<Self, Vec<Fault>> {
+    pub(crate) fn new(model: &'a Model, ring: Ring, product: &Matrix, block: &Verify) -> Result<Self, Vec<Fault>> {
         let mut scope = Self {
             model,
             ring,
@@ -108,12 +108,12 @@ impl<'a> Scope<'a> {
     }
 
     /// The same names with x y z standing for themselves.
-    pub(super) fn with_free_tip(&self) -> Self {
+    pub(crate) fn with_free_tip(&self) -> Self {
         Self { tip: self.model.frame.tip.map(Poly::from), ..self.clone() }
     }
 
     /// Set-up symbols that a block does not mention: they are zero in it.
-    pub(super) fn unmentioned(&self, block: &Verify) -> Vec<(&'static str, Symbol)> {
+    pub(crate) fn unmentioned(&self, block: &Verify) -> Vec<(&'static str, Symbol)> {
         let [x, y, z] = self.model.frame.part;
         let known = [("gauge", self.model.frame.gauge), ("part_x", x), ("part_y", y), ("part_z", z)];
         let mentioned = |name: &str| {
@@ -124,14 +124,14 @@ impl<'a> Scope<'a> {
     }
 
     /// Forgets divisors and roots of the equation before.
-    pub(super) fn begin(&mut self) {
+    pub(crate) fn begin(&mut self) {
         self.divisors.clear();
         self.roots.clear();
         self.work.set(0);
     }
 
     /// Pairs (sine, cosine) of all unknown angles.
-    pub(super) fn circles(&self) -> Vec<(Symbol, Symbol)> {
+    pub(crate) fn circles(&self) -> Vec<(Symbol, Symbol)> {
         let axes = self.model.axes.iter().filter(|axis| axis.kind == Kind::Rotary).map(|axis| axis.turn);
         let dimensions = self.model.dimensions.iter().filter_map(|dimension| match dimension.quantity {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),
@@ -141,13 +141,13 @@ impl<'a> Scope<'a> {
     }
 
     /// The axis of the chain with this letter.
-    pub(super) fn axis_named(&self, name: &str) -> Option<AxisId> {
+    pub(crate) fn axis_named(&self, name: &str) -> Option<AxisId> {
         self.model.axes.iter().position(|axis| axis.letter.to_string() == name)
     }
 
     fn assume(&mut self, assumption: &Assign<Expr>) -> Result<(), Fault> {
         let Assign { key, value } = assumption;
-        let names = Names { dimensions: &self.model.dimensions, unreadable: &[] };
+        let names = DimensionNames { dimensions: &self.model.dimensions, unreadable: &[] };
         let set_up = ["gauge", "part_x", "part_y", "part_z"].iter().position(|name| key.name == *name);
         let held = self.axis_named(&key.name).filter(|axis| self.model.axes[*axis].held.is_some());
         let dimension = self.model.dimensions.iter().find(|dimension| dimension.name == key.name);
@@ -166,11 +166,11 @@ impl<'a> Scope<'a> {
         };
         match quantity {
             Some(Quantity::Length(symbol)) => {
-                let length = quantity::length(value, &names, &self.ring)?;
+                let length = check::length(value, &names, &self.ring)?;
                 self.assumed.insert(symbol, length);
             }
             Some(Quantity::Angle(sine, cosine)) => {
-                let turn = quantity::angle(value, &names, &mut self.ring)?;
+                let turn = check::angle(value, &names, &mut self.ring)?;
                 self.assumed.insert(sine, turn.0);
                 self.assumed.insert(cosine, turn.1);
             }
@@ -182,11 +182,11 @@ impl<'a> Scope<'a> {
                 ));
             }
             None if is_angle(value, self.model) => {
-                let (sine, cosine) = quantity::angle(value, &names, &mut self.ring)?;
+                let (sine, cosine) = check::angle(value, &names, &mut self.ring)?;
                 self.locals.push((key.name.clone(), Value::Angle(Angle { cosine, sine, inverse: None })));
             }
             None => {
-                let length = quantity::length(value, &names, &self.ring)?;
+                let length = check::length(value, &names, &self.ring)?;
                 self.locals.push((key.name.clone(), Value::Number(length)));
             }
         }
@@ -251,7 +251,7 @@ impl<'a> Scope<'a> {
     }
 
     /// The value of an expression.
-    pub(super) fn value(&mut self, expr: &Expr) -> Result<Value, Fault> {
+    pub(crate) fn value(&mut self, expr: &Expr) -> Result<Value, Fault> {
         match &expr.kind {
             ExprKind::Number(degrees, Some(Unit::Degree)) => {
                 let (sine, cosine) = turn_by(degrees, &mut self.ring);
@@ -391,7 +391,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Rule `angle-sum`.
-    pub(super) fn sum(&self, a: &Angle, b: &Angle, expr: &Expr) -> Result<Angle, Fault> {
+    pub(crate) fn sum(&self, a: &Angle, b: &Angle, expr: &Expr) -> Result<Angle, Fault> {
         let cosine = &self.times(&a.cosine, &b.cosine, expr)? - &self.times(&a.sine, &b.sine, expr)?;
         let sine = &self.times(&a.sine, &b.cosine, expr)? + &self.times(&a.cosine, &b.sine, expr)?;
         Ok(Angle { cosine, sine, inverse: None })
@@ -418,7 +418,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Product, unless it is too large to be anybody's formula.
-    pub(super) fn times(&self, a: &Poly, b: &Poly, expr: &Expr) -> Result<Poly, Fault> {
+    pub(crate) fn times(&self, a: &Poly, b: &Poly, expr: &Expr) -> Result<Poly, Fault> {
         let work = a.monomials() * b.monomials();
         self.work.set(self.work.get() + work);
         if work > MOST_MONOMIALS || self.work.get() > MOST_WORK {
@@ -430,7 +430,7 @@ impl<'a> Scope<'a> {
     }
 
     /// Refuses a polynomial that would grow beyond reason when it is multiplied by its divisors.
-    pub(super) fn affordable(&self, poly: &Poly, expr: &Expr) -> Result<(), Fault> {
+    pub(crate) fn affordable(&self, poly: &Poly, expr: &Expr) -> Result<(), Fault> {
         let mut size = poly.monomials();
         for (divisor, symbol) in &self.divisors {
             let degree = poly.degree(*symbol);
@@ -444,7 +444,7 @@ impl<'a> Scope<'a> {
     }
 
     /// A polynomial as a person writes it; of one that nobody would read, only its size.
-    pub(super) fn formula(&self, poly: &Poly) -> Formula {
+    pub(crate) fn formula(&self, poly: &Poly) -> Formula {
         match poly.monomials() {
             terms if terms > MOST_TERMS => Formula::Sum(vec![Formula::name(format!("a sum of {terms} terms"))]),
             _ => Formula::of_poly(self.model, &self.ring, poly),
@@ -513,7 +513,7 @@ impl Angle {
         Self { cosine: Poly::one(), sine: Poly::zero(), inverse: None }
     }
 
-    pub(super) fn negated(self) -> Self {
+    pub(crate) fn negated(self) -> Self {
         let inverse = self.inverse.map(|inverse| match inverse {
             Inverse::Sine(part) => Inverse::Sine(-&part),
             Inverse::Cosine(part, negative) => Inverse::Cosine(part, !negative),
@@ -528,7 +528,7 @@ fn too_large(expr: &Expr) -> Fault {
 
 /// Names with a meaning of their own.
 fn is_taken(name: &str) -> bool {
-    crate::check::is_reserved(name)
+    check::is_reserved(name)
 }
 
 /// Whether an assumption gives an angle: it names one, or has the unit.
@@ -546,7 +546,7 @@ fn is_angle(expr: &Expr, model: &Model) -> bool {
 }
 
 /// A number that stands for an angle must be zero.
-pub(super) fn zero_as_angle(value: &Value) -> Option<Angle> {
+pub(crate) fn zero_as_angle(value: &Value) -> Option<Angle> {
     match value {
         Value::Angle(angle) => Some(angle.clone()),
         Value::Number(number) if number.is_zero() => Some(Angle::zero()),

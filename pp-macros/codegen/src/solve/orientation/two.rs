@@ -48,9 +48,9 @@ use std::collections::BTreeMap;
 
 use super::relation::{AngleRelation, relation};
 use super::{Tilt, in_workpiece, nodes, squared_at};
-use crate::model::AxisId;
+use crate::model::{AxisId, Model};
 use crate::solve::{Derivation, PARALLEL, Refusal};
-use crate::symbolic::{GraphBuilder, Id, Poly, Symbol, Term, Vec3};
+use crate::symbolic::{GraphBuilder, Id, Interpreter, Poly, Symbol, Term, Vec3};
 
 /// Two solved rotary axes.
 #[derive(Debug, Clone)]
@@ -76,6 +76,15 @@ impl Two {
     #[must_use]
     pub fn first_is_plus(&self) -> bool {
         self.branches[0].plus
+    }
+
+    /// `α1 sin - α2 cos` of the second joint: it has the sign `σ`, and is the root on the branch with plus.
+    #[must_use]
+    pub fn side(&self, model: &Model, reader: &mut Interpreter<'_>) -> Poly {
+        let second = self.rotaries[1];
+        let [sine_factor, cosine_factor] = self.second.alpha.map(|node| reader.value(node));
+        let (ring, cosine) = (reader.ring(), Poly::from(model.axes[second].turn.1));
+        &ring.mul(&sine_factor, &model.joint_sine(second)) - &ring.mul(&cosine_factor, &cosine)
     }
 }
 
