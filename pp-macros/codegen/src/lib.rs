@@ -1,4 +1,4 @@
-//! The engine behind `machine!`: a declaration becomes exact algebra, a closed-form inverse, a proof, and Rust.
+//! The engine of `machine!`: a declaration becomes exact algebra, a closed-form inverse, a proof, and Rust.
 //!
 //! An ordinary library, so that it can be tested, fuzzed and read; the proc-macro crate is a doorway to [`expand`].
 //! Same input, same tokens: no I/O, no counters, no clock, no environment, no hash order.
@@ -40,13 +40,13 @@ pub fn expand_with(input: TokenStream, options: Options) -> TokenStream {
 /// Everything known about a machine that compiles.
 #[derive(Debug)]
 pub struct Compiled {
-    /// Without syntax.
+    /// The machine, without syntax.
     pub model: Model,
     /// Its formulas, proven.
     pub solved: Solved,
     /// Equations of sources, proven.
     pub verified: Vec<Verified>,
-    /// For people.
+    /// The explanation for people.
     pub explanation: Explanation,
 }
 

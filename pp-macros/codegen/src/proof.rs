@@ -2,7 +2,7 @@
 //!
 //! The forward side is the product of the elementary matrices; the inverse side is read from the emitted nodes. A `√`
 //! node becomes a generator whose square is its radicand, `1/x` one whose product with `x` is 1; with `sin² + cos² = 1`
-//! and `i² + j² + k² = 1` that is all there is, and everything is decided by remainders.
+//! and `i² + j² + k² = 1` that is all there is, and everything is proven by remainders.
 //!
 //! A root that is claimed to equal a sum of squares is replaced by it: both are not negative and their squares are
 //! compared exactly.
@@ -155,7 +155,7 @@ fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), St
     let mut abstracted: [Poly; 3] = std::array::from_fn(|index| {
         graph.constant_of(cosines[index]).cloned().unwrap_or_else(|| symbols[index].clone())
     });
-    // Where the pole is reached one of the two says all.
+    // Where the pole is reached one of the two determines the other.
     if let Some(minus) = same {
         abstracted[1] = if minus { -&abstracted[0] } else { abstracted[0].clone() };
     }
@@ -428,7 +428,7 @@ mod tests {
         let Orientation::Two(two) = solved.orientation.clone() else { unreachable!("two rotaries") };
         let mut general = general.expect("products");
         assert!(prove_two(&general, &mut solved, &two).is_ok());
-        // Nor does one vector stand for another.
+        // Nor may one vector take the place of another.
         general.known[0].1 = -&general.known[0].1;
         assert!(prove_two(&general, &mut solved, &two).is_err());
     }

@@ -70,7 +70,7 @@ impl Errors {
         if self.list.is_empty() { Ok(()) } else { Err(self.refused()) }
     }
 
-    /// Stops: all mistakes so far, in source order.
+    /// Stops with all mistakes found until now, in source order.
     pub fn refused(&mut self) -> Refused {
         let mut list = std::mem::take(&mut self.list);
         list.sort_by_key(|(order, _)| *order);

@@ -533,7 +533,7 @@ mod cancel {
         assert!(graph.constant_of(quotient).is_none());
         let square = graph.square(a);
         assert_ne!(graph.sqrt(square), a);
-        // Normal forms decide equality; the code keeps the formula as it was written.
+        // Normal forms prove equality; the code keeps the formula as it was written.
         let sum = graph.add(a, b);
         let squared_sum = graph.square(sum);
         let twice = graph.mul(a, b);

@@ -15,7 +15,7 @@ use axis::{axis, coordinate, unit_direction};
 use chain::check_chain;
 pub(crate) use quantity::{DimensionNames, Fault, angle, length};
 
-/// Where the chain's letters stand, for refusals of the solver.
+/// Places of the chain's letters in the source, for refusals of the solver.
 #[derive(Debug)]
 pub struct Spots {
     chain: Phrase,
@@ -203,7 +203,7 @@ fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) 
 /// Traits that are generated cannot be derived again.
 fn check_derives(declaration: &Declaration, errors: &mut Errors) {
     for attribute in declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("derive")) {
-        // What cannot be read here is for rustc to say.
+        // What cannot be read here is reported by rustc.
         let _ = attribute.parse_nested_meta(|meta| {
             if let Some(last) = meta.path.segments.last()
                 && ["Clone", "Debug", "Default"].iter().any(|name| last.ident == name)

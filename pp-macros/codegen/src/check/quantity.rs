@@ -137,7 +137,7 @@ pub(crate) fn length(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Re
     Err(Fault::new(expr.phrase, "this product is an area, not a length", "multiply a length by a plain number"))
 }
 
-/// A polynomial and its power of millimetres; a bare number may stand for a length.
+/// A polynomial and its power of millimetres; a bare number may be a length.
 fn measured(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Result<(Poly, u32), Fault> {
     let angle = || Fault::new(expr.phrase, "an angle where a length is needed", "components of `d` are lengths in mm");
     match &expr.kind {

@@ -233,7 +233,7 @@ fn default(quantity: Quantity, value: &BigRational) -> f64 {
     }
 }
 
-/// A literal is never negative: the sign stands in front.
+/// A literal is never negative: the sign comes before it.
 fn float(value: f64) -> Literal {
     Literal::f64_unsuffixed(value.abs())
 }

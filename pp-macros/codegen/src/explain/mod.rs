@@ -1,4 +1,4 @@
-//! What is known about a machine, for people: its `EXPLANATION`, its documentation, words in its messages.
+//! A machine explained to people: its `EXPLANATION` and its documentation.
 
 mod chain;
 mod inverse;
@@ -36,11 +36,11 @@ pub struct Explanation {
     pub reachable: Section,
     /// Where the linear axes degenerate.
     pub degenerate: Section,
-    /// What was proven.
+    /// Claims that were proven.
     pub proofs: Section,
     /// Operations of the inverse kinematics.
     pub operations: Section,
-    /// What must visibly move which way.
+    /// The motion that must be seen for a positive word of each axis.
     pub jog_sheet: Section,
 }
 

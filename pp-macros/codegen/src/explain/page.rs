@@ -41,7 +41,7 @@ impl Line {
         self
     }
 
-    /// Another line behind this one.
+    /// Another line after this one.
     pub(crate) fn append(mut self, other: &Self) -> Self {
         self.text += &other.text;
         self.latex += &other.latex;
@@ -156,7 +156,7 @@ fn padded(text: &str, width: usize, right: bool) -> String {
     if right { blanks + text } else { text.to_string() + &blanks }
 }
 
-/// Lines of at most [`WIDTH`] columns. Words break at blanks, formulas before a sign or behind a comma of the outermost
+/// Lines of at most [`WIDTH`] columns. Words break at blanks, formulas before a sign or after a comma of the outermost
 /// brackets.
 fn wrapped(text: &str, indent: usize, formula: bool) -> Vec<String> {
     let mut lines = Vec::new();

@@ -44,7 +44,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// A formula that stands for itself: its sign is drawn out only if every term has it.
+    /// A formula that is no part of another: its sign is drawn out only if every term has it.
     fn formula(&self, terms: Terms) -> Formula {
         let terms = self.shortest(terms);
         let (number, powers, rest) = self.content(&terms);
@@ -188,7 +188,7 @@ impl Writer<'_> {
         parts
     }
 
-    /// `inside · powers · also`, the sign of the leading term in front.
+    /// `inside · powers · also`, the sign of the leading term first.
     fn drawn(&self, inside: Terms, powers: &Monomial, also: Option<Formula>) -> Formula {
         let inside = self.shortest(inside);
         let (mut number, common, mut inside) = self.content(&inside);
@@ -243,8 +243,8 @@ impl Writer<'_> {
         best
     }
 
-    /// Where a term stands in a sum: by its names. A number stands behind lengths, and in front of sines and cosines;
-    /// beside `i j k` it is `1 - k`, but `2 k - 1`.
+    /// Place of a term in a sum, by its names. A number comes after lengths, and before sines and cosines;
+    /// next to `i j k` it is `1 - k`, but `2 k - 1`.
     fn key(&self, monomial: &Monomial, among: &Terms) -> Vec<usize> {
         let mut key: Vec<usize> = monomial.iter().map(|(symbol, _)| self.names.place(*symbol)).collect();
         key.sort_unstable();
@@ -397,7 +397,7 @@ fn joined(mut parts: Vec<Part>) -> Formula {
     if terms.len() == 1 { terms.remove(0) } else { Formula::Sum(terms) }
 }
 
-/// `number · factors`, the sign in front; half a bracket is the bracket over 2.
+/// `number · factors`, the sign first; half a bracket is the bracket over 2.
 fn assemble(number: &Surd, mut factors: Vec<Formula>) -> Formula {
     let negative = is_negative(number);
     let number = if negative { -number } else { number.clone() };

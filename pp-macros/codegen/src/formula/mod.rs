@@ -1,7 +1,6 @@
 //! Expressions as a person writes them: in the names of the declaration, factored, as text, as source and as LaTeX.
 //!
-//! A formula is for reading. What decides is a [`Poly`], what computes is a
-//! [`Graph`]; both can be turned into a formula.
+//! A formula is for reading. What proves is a [`Poly`], what computes is a [`Graph`]; both can be turned into a formula.
 
 mod closed_form;
 mod factor;

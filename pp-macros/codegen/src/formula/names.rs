@@ -1,4 +1,4 @@
-//! What the symbols of a ring are called in the declaration.
+//! Names of symbols, as the declaration has them.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ pub(crate) struct SymbolNames<'a> {
     known: BTreeMap<Symbol, (usize, Formula)>,
 }
 
-/// Places of linear words: behind the pose.
+/// Places of linear words: after the pose.
 const WORDS: usize = 20;
 
 /// Places from here on are sines and cosines.

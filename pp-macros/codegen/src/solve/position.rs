@@ -1,6 +1,6 @@
 //! Linear axes from the tip and the sines and cosines of all rotary axes.
 //!
-//! The chain is cut at one place: joints before the cut are undone on the wanted tip, joints behind it are applied to
+//! The chain is cut at one place: joints before the cut are undone on the wanted tip, joints after it are applied to
 //! the tool point, and what is left between the two is `Σ q_i w_i` with the directions `w_i` of the linear axes as seen
 //! at the cut. Axes in the group that is cut have constant directions. Every cut gives the same answer; the one with
 //! the fewest operations is kept.

@@ -21,7 +21,7 @@ pub struct Interpreter<'a> {
 }
 
 impl<'a> Interpreter<'a> {
-    /// With the given polynomials for some inputs; the others stand for themselves.
+    /// With the given polynomials for some inputs; the others are taken as they are.
     pub fn new(graph: &'a mut Graph, inputs: BTreeMap<Symbol, Poly>) -> Self {
         Self { graph, inputs, values: BTreeMap::new(), reciprocals: Vec::new(), void: false }
     }
@@ -80,7 +80,7 @@ impl<'a> Interpreter<'a> {
         self.values[&id].clone()
     }
 
-    /// Whether two polynomials are equal wherever no divisor is zero.
+    /// True only if two polynomials are proven to be equal wherever no divisor is zero.
     #[must_use]
     pub fn equal(&self, a: &Poly, b: &Poly) -> bool {
         !self.void && self.graph.ring().is_zero(&(a - b))

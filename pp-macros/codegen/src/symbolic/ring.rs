@@ -1,7 +1,8 @@
 //! Symbols with their relations, and arithmetic modulo these.
 //!
 //! Squares rewrite (rules `circle`, `unit-vector`, `root`), each to a polynomial of lower degree in the leading symbol;
-//! the leading symbols are distinct, hence coprime: remainder 0 decides equality, never sampling. Reciprocals are
+//! the leading symbols are distinct, hence coprime: normal forms are unique. Remainder 0 proves that a polynomial vanishes,
+//! and nothing is sampled; what another remainder means is said in [`symbolic`](super). Reciprocals are
 //! multiplied out first (rule `clear`).
 
 use std::collections::BTreeMap;
@@ -223,7 +224,7 @@ impl Ring {
         sum
     }
 
-    /// Whether a polynomial vanishes wherever the relations hold and no divisor is zero.
+    /// True only if a polynomial vanishes wherever the relations hold and no divisor is zero: proven, or false.
     ///
     /// Rule `clear`: with `v·d = 1`, `Σ p_m v^m = 0` exactly if `Σ p_m d^(n-m) = 0`. Later reciprocals may have earlier
     /// ones in their divisors, so they are cleared last to first.

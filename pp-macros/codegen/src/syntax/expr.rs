@@ -11,7 +11,7 @@ use super::parse::Source;
 use crate::model::to_f64;
 use crate::report::Phrase;
 
-/// An expression and where it stands.
+/// An expression and its place in the source.
 #[derive(Debug, Clone)]
 pub struct Expr {
     /// From its first token to its last.
@@ -20,7 +20,7 @@ pub struct Expr {
     pub kind: ExprKind,
 }
 
-/// Unit written behind a number.
+/// Unit written after a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     /// Degrees.
@@ -49,7 +49,7 @@ pub enum ExprKind {
 /// Deepest nesting of an expression; deeper ones come from no hand.
 const DEEPEST: usize = 64;
 
-/// Largest exponent behind `^` or `e`.
+/// Largest exponent after `^` or `e`.
 const LARGEST_POWER: u32 = 64;
 
 impl Expr {
@@ -261,7 +261,7 @@ fn atom(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Ex
     }
 }
 
-/// A literal with its unit, glued on (`45deg`) or behind it (`45 deg`).
+/// A literal with its unit, glued on (`45deg`) or after it (`45 deg`).
 fn number(input: ParseStream<'_>, source: &Source, mut phrase: Phrase, literal: &Literal) -> syn::Result<Expr> {
     let text = literal.to_string().replace('_', "");
     let wrong = |help: &str| {

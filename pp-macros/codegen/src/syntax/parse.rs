@@ -1,4 +1,4 @@
-//! Token streams to declarations. A field that cannot be read is reported and skipped; reading goes on behind it.
+//! Token streams to declarations. A field that cannot be read is reported and skipped; reading goes on after it.
 
 use std::cell::Cell;
 
@@ -35,7 +35,7 @@ impl Source {
         Ok((self.phrase(token.span(), token.span()), token))
     }
 
-    /// What stands in parentheses.
+    /// The text in parentheses.
     pub(crate) fn parenthesized<'a>(&self, input: ParseStream<'a>) -> syn::Result<(Phrase, ParseBuffer<'a>)> {
         let content;
         let paren = syn::parenthesized!(content in input);
@@ -178,7 +178,7 @@ fn separator(input: ParseStream<'_>, wanted: char, help: &str) -> syn::Result<()
     if found { Ok(()) } else { Err(input.error(format!("expected `{wanted}`\n\nhelp: {help}"))) }
 }
 
-/// To behind the next semicolon, or to the next thing that looks like a field.
+/// To the end of the next semicolon, or to the next thing that looks like a field.
 fn skip_field(input: ParseStream<'_>) -> syn::Result<()> {
     while !input.is_empty() {
         if input.parse::<Option<Token![;]>>()?.is_some() {

@@ -1,11 +1,13 @@
 //! Whether an equation holds, and where.
 //!
 //! Both sides are polynomials in axis values, sines and cosines, in roots `r` with `r² = E` and reciprocals.
-//! - Numbers are equal if their difference has remainder zero.
+//! - Numbers are equal if their difference has remainder zero. Once all roots are eliminated, sines and cosines of unknown
+//!   angles are left, and any other remainder is a refutation. Fixed angles without exact values count as unknown here:
+//!   what holds only between 11 deg and 33 deg is refused.
 //! - Angles `L`, `R` with directions `(cL, sL)`, `(cR, sR)` are equal where `sin(L-R) = sL cR - cL sR` is zero and
 //!   `λ = cL cR + sL sR` is positive; for `asin(p)` and `acos(p)` on one side, where `p` is the sine or cosine of the other
 //!   and the other part has the sign that the function gives it.
-//! - `a + b r = 0` with `r >= 0` says the same as `a² - b² E = 0` and `-a b >= 0`. No root is ever extracted: the ring is no
+//! - `a + b r = 0` with `r >= 0` is equivalent to `a² - b² E = 0` and `-a b >= 0`. No root is ever extracted: the ring is no
 //!   domain of unique factors.
 //!
 //! "Somewhere" needs a witness: a rational point of the circles at which every condition holds.
@@ -43,7 +45,7 @@ pub(crate) enum Verdict {
 pub(crate) enum Condition {
     /// `λ > 0`
     Positive(Sign),
-    /// What stands under a root, or decides which root is right.
+    /// A radicand, or the sign that the right one of two roots has.
     NotNegative(Sign),
     /// A divisor, as factors.
     NotZero(Vec<Poly>),
@@ -112,7 +114,7 @@ impl Decision<'_, '_, '_> {
                 Inverse::Cosine(part, false) => (part - &other.cosine, other.sine.clone()),
                 Inverse::Cosine(part, true) => (part - &other.cosine, -&other.sine),
             };
-            // The root in its other part exists: what stands under it is the square of what it equals.
+            // The root in its other part exists: its radicand is the square of what it equals.
             let own = |root: &Symbol| !gap.symbols().chain(sign.symbols()).any(|symbol| symbol == *root);
             let spent = if matches!(inverse, Inverse::Sine(_)) { &inverted.cosine } else { &inverted.sine };
             let spent: Vec<Symbol> = spent.symbols().filter(own).collect();
@@ -130,7 +132,7 @@ impl Decision<'_, '_, '_> {
         if self.scope.ring.is_zero(&poly) {
             return Ok(true);
         }
-        // A root may stand under a later one.
+        // A root may be in the radicand of a later one.
         self.scope.roots.sort();
         for root in self.scope.roots.clone().into_iter().rev() {
             let (a, b) = (poly.coefficient(root, 0), poly.coefficient(root, 1));
@@ -253,7 +255,7 @@ impl Decision<'_, '_, '_> {
         let eliminated = self.eliminated.iter().map(|eliminated| eliminated.root);
         let mut roots: Vec<Symbol> = self.scope.roots.iter().copied().chain(eliminated).collect();
         roots.sort();
-        // A root may stand under a later one.
+        // A root may be in the radicand of a later one.
         for root in roots.into_iter().rev() {
             let (u, v) = (norm.coefficient(root, 0), norm.coefficient(root, 1));
             if !v.is_zero() {

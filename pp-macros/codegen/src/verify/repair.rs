@@ -20,7 +20,7 @@ pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
     found
 }
 
-/// Changes of every place where a name stands: a source that counts it the other way round, or an angle from another
+/// Changes of every occurrence of a name: a source that counts it the other way round, or an angle from another
 /// direction.
 fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
     let mut names = Vec::new();
@@ -165,7 +165,7 @@ fn inside(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Ex
     }
 }
 
-/// `-e`, in front of the first factor.
+/// `-e`, with the sign at the first factor.
 fn negated(expr: &Expr) -> Expr {
     let kind = match &expr.kind {
         ExprKind::Binary(left, operator @ ('*' | '/'), right) => {
@@ -177,7 +177,7 @@ fn negated(expr: &Expr) -> Expr {
     Expr { phrase: expr.phrase, kind }
 }
 
-/// Names that stand in each other's place by mistake.
+/// Names that are mistaken for each other.
 fn alternatives(name: &str, model: &Model) -> Vec<String> {
     let groups: [&[&str]; 2] = [&["x", "y", "z"], &["i", "j", "k"]];
     let mut others: Vec<String> = groups

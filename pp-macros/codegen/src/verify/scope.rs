@@ -1,4 +1,4 @@
-//! What the names of an equation stand for, and the value of an expression.
+//! The meaning of names in an equation, and the value of an expression.
 
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -15,7 +15,7 @@ use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
 /// Products of more monomials than this are not multiplied out: no paper prints one.
 const MOST_MONOMIALS: usize = 200_000;
 
-/// Sums of more terms are not shown: nobody reads them, and factoring them takes long.
+/// Sums of more terms are not shown: no one would read them, and factoring them takes long.
 const MOST_TERMS: usize = 100;
 
 /// Products of monomials that one equation may take: a second or two.
@@ -62,13 +62,13 @@ pub(crate) struct Scope<'a> {
     /// Values of set-up symbols, dimensions and held axes in this block.
     pub(crate) assumed: BTreeMap<Symbol, Poly>,
     locals: Vec<(String, Value)>,
-    /// What x y z and i j k stand for.
+    /// Values of x y z and i j k.
     tip: P3,
     axis: P3,
     /// Divisors and roots of the equation at hand.
     pub(crate) divisors: Vec<(Poly, Symbol)>,
     pub(crate) roots: Vec<Symbol>,
-    /// Products of monomials so far.
+    /// Products of monomials that the equation has taken.
     pub(crate) work: Cell<usize>,
 }
 
@@ -107,7 +107,7 @@ impl<'a> Scope<'a> {
         Ok(scope)
     }
 
-    /// The same names with x y z standing for themselves.
+    /// The same names with x y z as unknowns.
     pub(crate) fn with_free_tip(&self) -> Self {
         Self { tip: self.model.frame.tip.map(Poly::from), ..self.clone() }
     }
@@ -443,7 +443,7 @@ impl<'a> Scope<'a> {
         if size > MOST_CLEARED { Err(too_large(expr)) } else { Ok(()) }
     }
 
-    /// A polynomial as a person writes it; of one that nobody would read, only its size.
+    /// A polynomial as a person writes it; of one that is too long to read, only its size.
     pub(crate) fn formula(&self, poly: &Poly) -> Formula {
         match poly.monomials() {
             terms if terms > MOST_TERMS => Formula::Sum(vec![Formula::name(format!("a sum of {terms} terms"))]),
@@ -545,7 +545,7 @@ fn is_angle(expr: &Expr, model: &Model) -> bool {
     }
 }
 
-/// A number that stands for an angle must be zero.
+/// The value as an angle: a number must be zero to be one.
 pub(crate) fn zero_as_angle(value: &Value) -> Option<Angle> {
     match value {
         Value::Angle(angle) => Some(angle.clone()),
