@@ -4,8 +4,8 @@ use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::Signed;
 
+use super::names::{LETTERS, kind_of};
 use super::quantity::{self, DimensionNames, Fault};
-use super::{LETTERS, kind_of};
 use crate::model::{Axis, Kind, Side};
 use crate::report::Errors;
 use crate::symbolic::{P3, Poly, Ring, Surd};

@@ -1,6 +1,6 @@
 //! Rules of the chain: one machine frame, known letters, three linear and at most two rotary axes to solve for.
 
-use super::kind_of;
+use super::names::kind_of;
 use crate::model::Kind;
 use crate::report::Errors;
 use crate::syntax::{Chain, Declaration, Spot};

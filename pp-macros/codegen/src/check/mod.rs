@@ -2,6 +2,7 @@
 
 mod axis;
 mod chain;
+mod names;
 mod quantity;
 
 use syn::ext::IdentExt;
@@ -13,6 +14,8 @@ use crate::symbolic::Ring;
 use crate::syntax::{Assign, Declaration, Offsets, Spot, Unit};
 use axis::{axis, coordinate, unit_direction};
 use chain::check_chain;
+pub(crate) use names::is_reserved;
+use names::kind_of;
 pub(crate) use quantity::{DimensionNames, Fault, angle, length};
 
 /// Places of the chain's letters in the source, for refusals of the solver.
@@ -21,40 +24,6 @@ pub struct Spots {
     chain: Phrase,
     axes: Vec<Spot>,
 }
-
-/// Names that a dimension cannot have.
-const RESERVED: &[&str] = &[
-    "x",
-    "y",
-    "z",
-    "i",
-    "j",
-    "k",
-    "gauge",
-    "part_x",
-    "part_y",
-    "part_z",
-    "part_origin",
-    "gauge_length",
-    "sin",
-    "cos",
-    "asin",
-    "acos",
-    "atan2",
-    "sqrt",
-    "Rx",
-    "Ry",
-    "Rz",
-    "deg",
-    "mm",
-    "free",
-    "where",
-    // Reserved since edition 2024.
-    "gen",
-];
-
-/// Axis letters.
-const LETTERS: [&str; 9] = ["X", "Y", "Z", "U", "V", "W", "A", "B", "C"];
 
 /// Checks a declaration.
 ///
@@ -144,11 +113,6 @@ fn frame(ring: &mut Ring) -> Frame {
         part: ["part_x", "part_y", "part_z"].map(|name| ring.symbol(name)),
         gauge: ring.symbol("gauge"),
     }
-}
-
-fn kind_of(letter: &str) -> Option<Kind> {
-    let place = LETTERS.iter().position(|known| *known == letter)?;
-    Some(if place < 6 { Kind::Linear } else { Kind::Rotary })
 }
 
 /// Keys of the fields that speak of axes: known, and named once.
@@ -248,11 +212,6 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
         dimensions.push(Dimension { name: name.clone(), default, quantity });
     }
     dimensions
-}
-
-/// Whether a name means something else in the language.
-pub(crate) fn is_reserved(name: &str) -> bool {
-    LETTERS.contains(&name) || name.starts_with("r#") || RESERVED.contains(&name)
 }
 
 /// What a length is called inside generated functions: its own name, unless that is a variable there. The ring keeps

@@ -4,10 +4,10 @@ use num_rational::BigRational;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::Options;
 use super::body::Body;
 use super::inputs::{Places, prelude};
-use crate::explain::Explanation;
+use super::options::Options;
+use crate::explain::{Explanation, Section};
 use crate::formula::{Formula, Known};
 use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
 use crate::solve::{SideCondition, Solved};
@@ -92,7 +92,7 @@ pub(crate) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
         Some(value) => in_radians(axis.kind, value),
         None => quote!(0.0),
     });
-    let explanation = explanation.tokens();
+    let explanation = tokens(explanation);
     quote! {
         const NAME: &'static str = #name;
         const AXES: &'static [::pp_runtime::kinematics::Axis] = &[#(#axes),*];
@@ -100,6 +100,18 @@ pub(crate) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
         const HELD: Self::Axes = [#(#held),*];
         const EXPLANATION: &'static ::pp_runtime::kinematics::Explanation = &#explanation;
     }
+}
+
+/// An expression of type `pp_runtime::kinematics::Explanation`.
+fn tokens(explanation: &Explanation) -> TokenStream {
+    let fields = explanation.sections().into_iter().map(|(name, section)| {
+        let name = quote::format_ident!("{name}");
+        let Section { text, latex } = section;
+        quote! {
+            #name: ::pp_runtime::kinematics::Section { text: &[#(#text),*], latex: &[#(#latex),*] }
+        }
+    });
+    quote!(::pp_runtime::kinematics::Explanation { #(#fields),* })
 }
 
 /// Access to dimensions and set-up, and `validate`.

@@ -8,6 +8,7 @@ mod inverse;
 mod kinematics;
 mod machine;
 mod motion;
+mod options;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -16,13 +17,7 @@ use crate::explain::Explanation;
 use crate::model::Model;
 use crate::solve::Solved;
 use crate::syntax::Declaration;
-
-/// Choices of the caller.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Options {
-    /// Derive `serde::Serialize` and `serde::Deserialize`.
-    pub serde: bool,
-}
+pub use options::Options;
 
 /// The struct, its private position function, and its `Machine` implementation.
 pub(crate) fn emit(

@@ -8,9 +8,6 @@ mod linear;
 mod page;
 mod steps;
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
 use crate::model::Model;
 use crate::solve::Solved;
 use crate::verify::{Proven, Verified};
@@ -45,18 +42,6 @@ pub struct Explanation {
 }
 
 impl Explanation {
-    /// As an expression of type `pp_runtime::kinematics::Explanation`.
-    pub(crate) fn tokens(&self) -> TokenStream {
-        let fields = self.sections().into_iter().map(|(name, section)| {
-            let name = quote::format_ident!("{name}");
-            let Section { text, latex } = section;
-            quote! {
-                #name: ::pp_runtime::kinematics::Section { text: &[#(#text),*], latex: &[#(#latex),*] }
-            }
-        });
-        quote!(::pp_runtime::kinematics::Explanation { #(#fields),* })
-    }
-
     /// As lines of rustdoc.
     pub(crate) fn doc(&self) -> Vec<String> {
         let mut doc = vec![
@@ -77,7 +62,8 @@ impl Explanation {
         doc
     }
 
-    fn sections(&self) -> [(&'static str, &Section); 11] {
+    /// All sections with the names of their fields.
+    pub(crate) fn sections(&self) -> [(&'static str, &Section); 11] {
         [
             ("chain", &self.chain),
             ("matrices", &self.matrices),

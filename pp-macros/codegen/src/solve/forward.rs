@@ -1,6 +1,6 @@
 //! Pose from axis values: the joints applied to the tool point, last joint first.
 
-use super::{Derivation, Point};
+use super::derivation::{Derivation, Point};
 use crate::model::Kind;
 use crate::symbolic::V3;
 

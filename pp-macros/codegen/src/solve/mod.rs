@@ -3,34 +3,24 @@
 //! Input is the span-free [`Model`]; refusals name axes by their place in the chain. Limits, turns and the choice
 //! between branches live in the runtime.
 
+mod derivation;
 mod forward;
 mod motion;
 mod orientation;
 mod position;
+mod refusal;
 
+use derivation::Derivation;
 pub use forward::Forward;
 pub use motion::{Curve, Motion};
 pub use orientation::{AngleRelation, Branch, Edge, FirstAngle, One, Orientation, Pole, SecondAngle, Tilt, Two};
 pub use position::Position;
+pub use refusal::{PARALLEL, Refusal};
 
 use std::collections::BTreeMap;
 
-use crate::model::{AxisId, Kind, Model};
-use crate::symbolic::{Graph, GraphBuilder, Id, P3, Poly, Symbol, Term, V3, Vec3};
-
-/// Square of the sine below which two directions count as parallel.
-pub const PARALLEL: f64 = 1e-18;
-
-/// Why a chain has no kinematics.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Refusal {
-    /// The determinant of the linear axes vanishes for every pose (at the declared dimensions and held values).
-    DependentLinears,
-    /// The solved rotary nearest the tool is parallel to the tool axis.
-    CannotTilt(AxisId),
-    /// Both solved rotaries turn about the same direction.
-    SameDirection(AxisId, AxisId),
-}
+use crate::model::Model;
+use crate::symbolic::{Graph, GraphBuilder, Id, Poly, Symbol, Term, V3};
 
 /// Everything the emitter prints, in one graph.
 #[derive(Debug)]
@@ -122,90 +112,4 @@ fn conditions(orientation: &Orientation, position: &Position) -> Vec<SideConditi
         )),
     }
     conditions
-}
-
-/// A model, and the graph that its formulas are written into.
-struct Derivation<'a> {
-    model: &'a Model,
-    graph: GraphBuilder,
-}
-
-/// A point given from the centre of a rotary axis, or from the origin.
-#[derive(Debug, Clone, Copy)]
-struct Point<'g> {
-    from: Option<AxisId>,
-    offset: Vec3<'g>,
-}
-
-impl Derivation<'_> {
-    fn direction(&self, axis: AxisId) -> Vec3<'_> {
-        self.graph.declared(&self.model.axes[axis].direction)
-    }
-
-    fn tool_axis(&self) -> Vec3<'_> {
-        self.graph.declared(&self.model.tool_axis)
-    }
-
-    fn joint_centre(&self, axis: AxisId) -> Vec3<'_> {
-        match self.model.axes[axis].kind {
-            Kind::Linear => self.graph.zero_vector(),
-            Kind::Rotary => self.graph.declared(&self.model.centre(axis)),
-        }
-    }
-
-    fn origin(&self) -> Point<'_> {
-        Point { from: None, offset: self.graph.zero_vector() }
-    }
-
-    /// Rotates a vector by a rotary joint whose word is an input.
-    fn rotated<'g>(&'g self, axis: AxisId, v: Vec3<'g>) -> Vec3<'g> {
-        self.rotated_by(axis, v, self.model.axes[axis].reversed)
-    }
-
-    /// Rotates a vector against a rotary joint.
-    fn rotated_back<'g>(&'g self, axis: AxisId, v: Vec3<'g>) -> Vec3<'g> {
-        self.rotated_by(axis, v, !self.model.axes[axis].reversed)
-    }
-
-    fn rotated_by<'g>(&'g self, axis: AxisId, v: Vec3<'g>, back: bool) -> Vec3<'g> {
-        let (sine, cosine) = self.model.axes[axis].turn;
-        let (sine, cosine) = (self.graph.input(sine), self.graph.input(cosine));
-        let sine = sine.signed(!back);
-        v.rotated(self.direction(axis), sine, cosine)
-    }
-
-    /// Signed direction of an axis: what a millimetre, or a radian, of the word does.
-    fn step(&self, axis: AxisId) -> Vec3<'_> {
-        let direction = self.direction(axis);
-        if self.model.axes[axis].reversed { -direction } else { direction }
-    }
-
-    fn displacement(&self, axis: AxisId) -> Vec3<'_> {
-        self.graph.input(self.model.axes[axis].word) * self.step(axis)
-    }
-
-    /// Names the components of a point after the axis it is seen from.
-    fn name(&self, what: &str, axis: AxisId, offset: Vec3<'_>) {
-        let letter = self.model.axes[axis].letter.to_ascii_lowercase();
-        for (term, component) in offset.components().into_iter().zip(["x", "y", "z"]) {
-            term.named(format!("{what}_{letter}_{component}"));
-        }
-    }
-
-    /// The same point, given from another centre. Centres on one side differ by their `d` alone, whatever the set-up.
-    fn seen_from<'g>(&'g self, point: Point<'g>, from: Option<AxisId>) -> Point<'g> {
-        if point.from == from {
-            return point;
-        }
-        let side = |axis: Option<AxisId>| axis.map(|axis| self.model.axes[axis].side);
-        let centre = |axis: Option<AxisId>, whole: bool| match axis {
-            None => std::array::from_fn(|_| Poly::zero()),
-            Some(axis) if whole => self.model.centre(axis),
-            Some(axis) => self.model.axes[axis].point.clone(),
-        };
-        let whole = side(point.from) != side(from);
-        let (old, new) = (centre(point.from, whole), centre(from, whole));
-        let shift: P3 = std::array::from_fn(|index| &old[index] - &new[index]);
-        Point { from, offset: point.offset + self.graph.declared(&shift) }
-    }
 }

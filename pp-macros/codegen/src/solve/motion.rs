@@ -13,7 +13,7 @@
 //! the middle of the block bounds them: `A <= |y''| + M/2`, `V <= |y'| + A/2`, `ρ <= |n × (y - c)| + V/2`. The runtime,
 //! `pp_runtime::kinematics::MotionBound`, makes the deviation of the block from these.
 
-use super::{Derivation, Point};
+use super::derivation::{Derivation, Point};
 use crate::model::{Axis, AxisId, Kind, Model};
 use crate::symbolic::{Graph, GraphBuilder, Id, Node, Symbol, Term, V3, Vec3};
 

@@ -5,7 +5,7 @@
 //! at the cut. Axes in the group that is cut have constant directions. Every cut gives the same answer; the one with
 //! the fewest operations is kept.
 
-use super::{Derivation, Point};
+use super::derivation::{Derivation, Point};
 use crate::model::{AxisId, Kind};
 use crate::symbolic::{Id, Operations, Term, Vec3};
 

@@ -273,6 +273,14 @@ impl<'g> Vec3<'g> {
         self.dot(self).sqrt()
     }
 
+    /// Squared length at the defaults of dimensions and held axes; 0 if it vanishes identically.
+    ///
+    /// Components are evaluated before they are squared: noise of 1e-16 becomes 1e-32.
+    #[must_use]
+    pub fn squared_at(self, defaults: &BTreeMap<Symbol, Poly>) -> f64 {
+        self.0.map(|component| component.at(defaults).map_or(0.0, |value| value * value)).iter().sum()
+    }
+
     /// `Rot(n, t) · v` with the sine and cosine of `t`; entries as in [`rotation`](super::rotation), so that rotating
     /// about a coordinate axis leaves that coordinate untouched.
     #[must_use]
@@ -292,6 +300,11 @@ impl<'g> Vec3<'g> {
             sum
         })
     }
+}
+
+/// The nodes of a pair, sine and cosine.
+pub(crate) fn nodes((sine, cosine): (Term<'_>, Term<'_>)) -> (Id, Id) {
+    (sine.id(), cosine.id())
 }
 
 impl Add for Vec3<'_> {

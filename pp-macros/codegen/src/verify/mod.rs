@@ -4,14 +4,18 @@
 //! (`decide`). A false equation is answered with the formula that does follow, with the difference, and with the one
 //! small change that would make it true, if there is one (`repair`).
 
+mod algebra;
 mod decide;
+mod evaluate;
 mod repair;
 mod scope;
+mod value;
 
 use std::collections::BTreeMap;
 
 use decide::{Condition, Verdict, decide};
-use scope::{Scope, Value};
+use scope::Scope;
+use value::Value;
 
 use crate::formula::{Formula, first_branch};
 use crate::model::{AxisId, Kind, Model};
@@ -100,11 +104,11 @@ impl Derived {
     /// The signs that tell the branches apart, at the assumptions of a block.
     fn branches(&self, scope: &Scope<'_>) -> Vec<(Sign, &'static str)> {
         let Some(side) = &self.side else { return Vec::new() };
-        let side = scope.ring.substitute(side, &scope.assumed);
-        if scope.ring.is_zero(&side) {
+        let side = scope.assumed(side);
+        if scope.ring().is_zero(&side) {
             return Vec::new();
         }
-        let sign = |side: &Poly| sign_of(&scope.ring, side, &scope.circles());
+        let sign = |side: &Poly| sign_of(scope.ring(), side, &scope.circles());
         vec![(sign(&side), "the first branch"), (sign(&-&side), "the second branch")]
     }
 
@@ -113,7 +117,7 @@ impl Derived {
         let ExprKind::Name(name) = &left.kind else { return None };
         let axis = scope.axis_named(name)?;
         let (_, value) = self.linear.iter().find(|(known, _)| *known == axis)?;
-        let value = scope.ring.substitute(value, &scope.assumed);
+        let value = scope.assumed(value);
         (!self.ring.has_reciprocal(&value)).then_some(value)
     }
 
@@ -121,13 +125,13 @@ impl Derived {
     fn formula(&self, scope: &Scope<'_>, left: &Expr) -> Option<String> {
         let ExprKind::Name(name) = &left.kind else { return None };
         if let Some(value) = self.linear(scope, left) {
-            return Some(scope.formula(&value).source());
+            return Some(scope.algebra().formula(&value).source());
         }
         if let Some(axis) = scope.axis_named(name) {
             return self.rotary.iter().find(|(known, _)| *known == axis).map(|(_, formula)| formula.source());
         }
         match scope.clone().value(left) {
-            Ok(Value::Number(value)) => Some(scope.formula(&value).source()),
+            Ok(Value::Number(value)) => Some(scope.algebra().formula(&value).source()),
             _ => None,
         }
     }
@@ -169,7 +173,7 @@ fn verify_block(
 }
 
 fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], branches: &[(Sign, &str)]) -> Proven {
-    let dimensions = scope.model.dimension_symbols();
+    let dimensions = scope.model().dimension_symbols();
     let holds = conditions
         .iter()
         .map(|condition| {
@@ -229,13 +233,13 @@ fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &D
 /// The first single change of the right side that makes an equation true.
 fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
     let mut work = 0;
-    for change in repair::changes(&equation.right, scope.model) {
+    for change in repair::changes(&equation.right, scope.model()) {
         let mut scope = scope.clone();
         let changed = Equation { right: change.expr, ..equation.clone() };
         if let Ok(Verdict::Holds(_)) = decide(&mut scope, &changed) {
             return Some(change.words);
         }
-        work += scope.work.get();
+        work += scope.algebra().work();
         if work > MOST_REPAIR_WORK {
             break;
         }
@@ -247,15 +251,15 @@ fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
 fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Derived) -> (String, Option<String>) {
     if let Some(value) = derived.linear(scope, &equation.left) {
         let mut free = scope.with_free_tip();
-        let mut linears = scope.model.axes.iter().filter(|axis| axis.kind == Kind::Linear);
+        let mut linears = scope.model().axes.iter().filter(|axis| axis.kind == Kind::Linear);
         let speaks_of_words = linears.any(|axis| equation.right.mentions(&axis.letter.to_string()));
         if !speaks_of_words && let Ok(Value::Number(written)) = free.value(&equation.right) {
-            let gap = free.formula(&(&value - &written));
+            let gap = free.algebra().formula(&(&value - &written));
             return (format!("difference: {}", gap.source()), missing_term(&gap));
         }
     }
     // Where it is zero counts, not by what it is divided.
-    let gap = scope.formula(&scope.ring.clear_even(gap));
+    let gap = scope.algebra().formula(&scope.ring().clear_even(gap));
     if is_number(scope, &equation.left) {
         (format!("difference: {}", gap.source()), missing_term(&gap))
     } else {

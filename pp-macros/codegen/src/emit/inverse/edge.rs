@@ -3,8 +3,8 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::guard::{finite, inverse_places, parallel};
 use super::solution::SolutionTokens;
-use super::{finite, inverse_places, parallel};
 use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::Model;

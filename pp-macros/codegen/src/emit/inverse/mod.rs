@@ -1,17 +1,17 @@
 //! The inverse kinematics: a straight path for ordinary poses, a cold one for pole and rim, and `reach`.
 
 mod edge;
+mod guard;
 mod pair;
 mod reach;
 mod single;
 mod solution;
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::inputs::Places;
 use crate::model::Model;
-use crate::solve::{Orientation, PARALLEL, Solved};
+use crate::solve::{Orientation, Solved};
 pub(crate) use edge::edge;
 pub(crate) use reach::reach;
 
@@ -34,19 +34,4 @@ pub(crate) fn inverse(model: &Model, solved: &Solved) -> TokenStream {
             #body
         }
     }
-}
-
-/// The bound below which directions count as parallel, as a literal.
-fn parallel() -> Literal {
-    Literal::f64_unsuffixed(PARALLEL)
-}
-
-fn inverse_places() -> Places<'static> {
-    Places { tip: Some("tip"), axis: Some("axis"), words: Some("held"), turns: None }
-}
-
-/// Whether the pose, and what is held, are numbers; NaN and infinity stay NaN or infinite in a sum.
-fn finite(model: &Model) -> TokenStream {
-    let held = model.axes.iter().enumerate().filter(|(_, axis)| axis.held.is_some()).map(|(place, _)| place);
-    quote!((tip.x + tip.y + tip.z + axis.x + axis.y + axis.z #(+ held[#held])*).is_finite())
 }

@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{inverse_places, parallel};
+use super::guard::{inverse_places, parallel};
 use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::{AxisId, Model, Quantity};

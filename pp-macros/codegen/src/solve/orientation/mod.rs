@@ -4,18 +4,25 @@
 //! the last one rotate the tool, those between the two rotate the second direction. The mathematics is in [`one`] and
 //! [`two`].
 
+mod geometry;
 mod one;
+mod pair;
 mod relation;
+mod tilt;
 mod two;
 
 use std::collections::BTreeMap;
 
-use super::{Derivation, Refusal};
+use super::derivation::Derivation;
+use super::refusal::Refusal;
 use crate::model::{AxisId, Kind};
-use crate::symbolic::{Id, Poly, Symbol, Term, V3, Vec3};
+use crate::symbolic::{Id, Poly, Symbol};
+use geometry::Directions;
+pub use geometry::Pole;
 pub use one::One;
+pub use pair::{Branch, Edge, FirstAngle, SecondAngle, Two};
 pub use relation::AngleRelation;
-pub use two::{Branch, Edge, FirstAngle, Pole, SecondAngle, Two};
+pub use tilt::Tilt;
 
 /// How the tool axis is reached.
 #[derive(Debug, Clone)]
@@ -29,19 +36,6 @@ pub enum Orientation {
     One(One),
     /// Two solved rotary axes.
     Two(Box<Two>),
-}
-
-/// Angles to the first rotary as (sine, cosine) pairs, for diagnostics.
-#[derive(Debug, Clone, Copy)]
-pub struct Tilt {
-    /// Angle between the first rotary and the wanted axis.
-    pub wanted: (Id, Id),
-    /// Angle between the first and the second rotary; 0 with one rotary.
-    pub between: (Id, Id),
-    /// Angle between the last rotary and the tool axis.
-    pub tool: (Id, Id),
-    /// Direction of the first rotary in the workpiece frame, at the held values before it.
-    pub direction: V3,
 }
 
 pub(crate) fn solve(
@@ -60,7 +54,8 @@ pub(crate) fn solve(
     match solved[..] {
         [] => Ok(Orientation::Fixed { deviation: (axis - tool).norm().named("deviation").id() }),
         [rotary] => Ok(Orientation::One(one::solve(derivation, rotary, axis, tool, defaults)?)),
-        [first, second] => {
+        // The check lets no third pass.
+        [first, second, ..] => {
             let mut m = derivation.direction(second);
             let mut t = tool;
             for id in (first + 1..second).filter(held).rev() {
@@ -68,28 +63,8 @@ pub(crate) fn solve(
                 t = derivation.rotated(id, t);
             }
             let n = derivation.direction(first);
-            let directions = two::Directions { n, m, t, a: axis };
+            let directions = Directions { n, m, t, a: axis };
             Ok(Orientation::Two(Box::new(two::solve(derivation, [first, second], directions, defaults)?)))
         }
-        _ => unreachable!("the check lets at most two solved rotary axes pass"),
     }
-}
-
-/// Direction of a rotary with the held rotaries before it rotated.
-fn in_workpiece<'g>(derivation: &'g Derivation<'_>, rotary: AxisId) -> Vec3<'g> {
-    let before = (0..rotary).rev().filter(|id| derivation.model.axes[*id].kind == Kind::Rotary);
-    before.fold(derivation.direction(rotary), |direction, id| derivation.rotated(id, direction))
-}
-
-/// Squared length of a cross product at the defaults of dimensions and held axes; 0 if it vanishes identically.
-///
-/// Components are evaluated before they are squared: noise of 1e-16 becomes 1e-32, far below
-/// [`PARALLEL`](super::PARALLEL).
-fn squared_at(defaults: &BTreeMap<Symbol, Poly>, cross: Vec3<'_>) -> f64 {
-    cross.components().map(|component| component.at(defaults).map_or(0.0, |value| value * value)).iter().sum()
-}
-
-/// The nodes of a pair, sine and cosine.
-fn nodes((sine, cosine): (Term<'_>, Term<'_>)) -> (Id, Id) {
-    (sine.id(), cosine.id())
 }

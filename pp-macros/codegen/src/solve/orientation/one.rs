@@ -6,10 +6,11 @@
 
 use std::collections::BTreeMap;
 
-use super::{Tilt, in_workpiece, nodes, squared_at};
+use super::tilt::{Tilt, in_workpiece};
 use crate::model::AxisId;
-use crate::solve::{Derivation, PARALLEL, Refusal};
-use crate::symbolic::{Id, Poly, Symbol, Vec3};
+use crate::solve::derivation::Derivation;
+use crate::solve::refusal::{PARALLEL, Refusal};
+use crate::symbolic::{Id, Poly, Symbol, Vec3, nodes};
 
 /// One solved rotary axis.
 #[derive(Debug, Clone)]
@@ -40,7 +41,7 @@ pub(crate) fn solve<'g>(
     let graph = &derivation.graph;
     let n = derivation.direction(rotary);
     let across = n.cross(tool);
-    if squared_at(defaults, across) <= PARALLEL {
+    if across.squared_at(defaults) <= PARALLEL {
         return Err(vec![Refusal::CannotTilt(rotary)]);
     }
     let across_squared = across.dot(across).settled();

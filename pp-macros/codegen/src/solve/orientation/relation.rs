@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::solve::Derivation;
+use crate::solve::derivation::Derivation;
 use crate::symbolic::{Id, Interpreter, Symbol};
 
 /// How an angle is obtained.
