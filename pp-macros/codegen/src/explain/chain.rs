@@ -151,6 +151,11 @@ fn entries(model: &Model, matrix: &Matrix) -> Vec<Vec<Formula>> {
     matrix.0.iter().map(|row| row.iter().map(formula).collect()).collect()
 }
 
+/// An axis by its letter.
+pub(crate) fn letter(model: &Model, axis: AxisId) -> Formula {
+    Formula::name(model.axes[axis].letter.to_string())
+}
+
 /// Tool axis and tip.
 pub(crate) fn forward(model: &Model) -> Section {
     let mut section = Section::default();

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 
+use super::chain::letter;
 use super::linear::linear;
 use super::page::{Section, line};
 use super::steps::steps;
@@ -30,11 +31,6 @@ pub(crate) fn formulas(model: &Model, solved: &Solved) -> Section {
     section.gap();
     linear(model, solved, &mut section);
     section
-}
-
-/// An axis by its letter.
-pub(crate) fn letter(model: &Model, axis: AxisId) -> Formula {
-    Formula::name(model.axes[axis].letter.to_string())
 }
 
 fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {

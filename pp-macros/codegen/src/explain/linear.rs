@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::chain::{at_the_table, part};
-use super::inverse::letter;
+use super::chain::{at_the_table, letter, part};
 use super::page::{Section, line};
 use super::steps::steps;
 use crate::formula::{Formula, is_readable};

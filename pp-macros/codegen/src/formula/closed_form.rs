@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Formula;
+use super::expression::Formula;
 use super::factor::common_number;
 use crate::model::{AxisId, Model};
 use crate::solve::{One, Orientation, Solved, Two};

@@ -14,7 +14,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::Formula;
+use super::expression::Formula;
 use super::names::SymbolNames;
 use crate::model::Model;
 use crate::symbolic::{Poly, Ring, Surd, Symbol};

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use super::Formula;
+use super::expression::Formula;
 use crate::model::{Model, Quantity};
 use crate::symbolic::{Poly, Ring, Symbol};
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::Formula;
+use super::expression::Formula;
 use super::names::SymbolNames;
 use crate::model::Model;
 use crate::symbolic::{Graph, Id, Node};

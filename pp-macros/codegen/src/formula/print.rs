@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::Formula;
+use super::expression::Formula;
 use crate::symbolic::Surd;
 
 /// Rational numbers with more binary digits than this, above or below, are rounded where people read them.

@@ -19,7 +19,7 @@
 //! | `height` | `w` | `n·a - p q` | height of the wanted axis over the mean |
 //! | `root` | `r` | `√(D - w²)` | zero at the rim, where both branches meet |
 //! | `g`, `e` | `g, e` | `(m×n)·a`, `(m - p n)·a` | the wanted axis in the plane perpendicular to `n` |
-//! | `spread` | | `g² + e² = (1-p²)\|n×a\|²` | its distance from `n` there, squared |
+//! | `spread` | | `g² + e² = (1-p²)\|n×a\|²` | the squared length of `(g, e)` |
 //! | `sine_squared` | | `\|n×a\|²` | zero at the pole, where the first angle is free |
 //! | `lean` | `A` | `(m - p n)·b = q (1-p²) - p w` | what `e` is for the rotated tool; `g` is `σ r` there |
 //! | `near`, `far` | | see below | factors of the root squared |
