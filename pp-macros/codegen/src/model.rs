@@ -90,11 +90,11 @@ pub struct Dimension {
     pub name: String,
     /// Default in mm or degrees.
     pub default: BigRational,
-    /// How it enters the formulas.
+    /// Its symbols in the formulas.
     pub quantity: Quantity,
 }
 
-/// How a dimension enters the formulas.
+/// The symbols by which a dimension enters the formulas.
 #[derive(Debug, Clone, Copy)]
 pub enum Quantity {
     /// As itself.

@@ -214,7 +214,7 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
     dimensions
 }
 
-/// What a length is called inside generated functions: its own name, unless that is a variable there. The ring keeps
+/// Name of a length inside generated functions: its own, unless that is a variable there. The ring keeps
 /// all other names apart.
 fn local_name(name: &str) -> String {
     if LOCALS.contains(&name) { format!("dim_{name}") } else { name.to_string() }

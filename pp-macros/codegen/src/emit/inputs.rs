@@ -1,4 +1,4 @@
-//! Where a generated function takes its inputs from.
+//! Inputs of a generated function, as `let` statements.
 
 use std::collections::BTreeSet;
 

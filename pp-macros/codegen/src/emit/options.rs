@@ -1,6 +1,6 @@
 //! Choices of the caller.
 
-/// What else is generated.
+/// Parts that are generated on demand.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Options {
     /// Derive `serde::Serialize` and `serde::Deserialize`.

@@ -122,7 +122,7 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// What is seen when the axis turns by `degrees`, right-handed about its direction.
+    /// The motion that is seen when the axis turns by `degrees`, right-handed about its direction.
     fn turning(&self, id: AxisId, degrees: f64) -> String {
         let about = self.directions[id];
         let table = self.model.axes[id].side == Side::Workpiece;
@@ -169,7 +169,7 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// What a marker does.
+/// The motion of a marker, in words.
 fn shown(((name, before), after, angle): &(&(String, V), V, f64)) -> String {
     let tool = name.starts_with("the tool");
     if *angle >= TURNED {

@@ -1,4 +1,4 @@
-//! Where the inverse kinematics ends: free rotaries, unreachable tool axes, degenerate linear axes.
+//! Limits of the inverse kinematics: free rotaries, unreachable tool axes, degenerate linear axes.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::solve::{Orientation, Pole, Solved, Tilt};
 use crate::symbolic::{Id, Interpreter, P3};
 
-/// Where a rotary is free.
+/// Tool axes at which a rotary is free.
 pub(crate) fn singular_set(model: &Model, solved: &Solved) -> Section {
     let mut section = Section::default();
     let two = match &solved.orientation {
@@ -117,7 +117,7 @@ fn inequality(coordinate: &str, turned: bool, smallest: f64, largest: f64) -> St
     }
 }
 
-/// Where the linear axes degenerate.
+/// Rotary angles at which the linear axes degenerate.
 pub(crate) fn degenerate(model: &Model, solved: &Solved) -> Section {
     let mut section = Section::default();
     let letters = model.letters(model.solved_linears());

@@ -27,11 +27,11 @@ pub struct Explanation {
     pub formulas: Section,
     /// Branches in their order.
     pub branches: Section,
-    /// Where a rotary is free.
+    /// Tool axes at which a rotary is free.
     pub singular_set: Section,
     /// Reachable tool axes.
     pub reachable: Section,
-    /// Where the linear axes degenerate.
+    /// Rotary angles at which the linear axes degenerate.
     pub degenerate: Section,
     /// Claims that were proven.
     pub proofs: Section,

@@ -203,7 +203,7 @@ impl Writer<'_> {
         self.product(number, &all.into_iter().collect(), inside, also)
     }
 
-    /// What can be drawn out of a part of the sum, best first.
+    /// Factors that can be drawn out of a part of the sum, best first.
     fn options(&self, terms: &Terms) -> Vec<Step> {
         let mut counts: BTreeMap<Symbol, usize> = BTreeMap::new();
         for (symbol, _) in terms.keys().flatten().filter(|(symbol, _)| self.names.is_factor(*symbol)) {

@@ -21,7 +21,7 @@ enum Style {
     Latex,
 }
 
-/// How tightly a piece holds together.
+/// Binding strength of a piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Hold {
     Sum,

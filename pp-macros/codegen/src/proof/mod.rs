@@ -56,7 +56,7 @@ pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> 
     Ok(claims)
 }
 
-/// What `joint` answers is the declaration, and the joint with `-q` undoes the joint.
+/// The joints are those of the declaration, and the joint with `-q` undoes the joint.
 fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
     let (directions, centres, tool_axis) = (solved.directions.clone(), solved.centres.clone(), solved.tool_axis);
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());

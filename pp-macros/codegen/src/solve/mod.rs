@@ -41,7 +41,7 @@ pub struct Solved {
     pub centres: Vec<V3>,
     /// Tool axis with all axes at zero.
     pub tool_axis: V3,
-    /// What must not be zero.
+    /// Divisors that must not be zero.
     pub conditions: Vec<SideCondition>,
 }
 
@@ -52,7 +52,7 @@ pub struct SideCondition {
     pub divisor: Id,
     /// Absolute values up to this count as zero.
     pub zero: f64,
-    /// What it means if it is zero.
+    /// Its meaning if it is zero.
     pub meaning: String,
 }
 

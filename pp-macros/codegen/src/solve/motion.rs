@@ -1,4 +1,4 @@
-//! How tip and tool axis move when the axes move linearly: two derivatives, and a bound of the third.
+//! Motion of tip and tool axis when the axes move linearly: two derivatives, and a bound of the third.
 //!
 //! From the tool to the workpiece. A linear axis adds to the first derivative; a rotary axis about `n` through `c` with
 //! the rate `δ` makes of `y` the point `z = c + R (y - c)` with

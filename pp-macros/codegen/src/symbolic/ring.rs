@@ -12,7 +12,7 @@ use num_rational::BigRational;
 use super::poly::{Monomial, Poly, Symbol};
 use super::surd::Surd;
 
-/// What the ring knows about a symbol.
+/// Facts about a symbol.
 #[derive(Debug, Clone)]
 struct Known {
     name: String,
@@ -109,13 +109,13 @@ impl Ring {
         (0..self.known.len()).map(symbol_at)
     }
 
-    /// What a symbol's square is rewritten to.
+    /// The polynomial that a symbol's square is rewritten to.
     #[must_use]
     pub fn square(&self, symbol: Symbol) -> Option<&Poly> {
         self.known[symbol.0 as usize].square.as_ref()
     }
 
-    /// What a reciprocal is the reciprocal of.
+    /// The divisor of a reciprocal.
     #[must_use]
     pub fn divisor(&self, symbol: Symbol) -> Option<&Poly> {
         self.known[symbol.0 as usize].divisor.as_ref()

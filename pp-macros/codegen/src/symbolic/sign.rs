@@ -24,7 +24,7 @@ const MOST_BOUNDS: usize = 12;
 pub struct Sign {
     /// One factor of -1.
     pub negative: bool,
-    /// What can change its sign, or is not known not to; empty if nothing does.
+    /// Factors that can change their sign, or are not known not to; empty if the sign is constant.
     pub factors: Vec<Poly>,
 }
 
@@ -42,7 +42,7 @@ pub fn sign_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Sign {
     Sign { negative, factors }
 }
 
-/// What makes a polynomial zero where its [`Sign`] does not: factors of even powers, and those that are never negative.
+/// Zeros of a polynomial that its [`Sign`] does not show: factors of even powers, and those that are never negative.
 ///
 /// Left out is what vanishes only where a factor of the sign does: `1 ± cos T` next to `sin T`, `1 ± sin T` next to `cos T`.
 #[must_use]
@@ -67,7 +67,7 @@ pub fn hidden_zeros_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -
     zeros
 }
 
-/// What makes a polynomial zero: it is where one of these is, and nowhere else.
+/// Zeros of a polynomial: it is zero where one of these is, and nowhere else.
 #[must_use]
 pub fn zeros_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Vec<Poly> {
     let Factors { list, rest, .. } = factorise(ring, poly, circles);
@@ -219,7 +219,7 @@ fn divide_by_univariate(poly: &Poly, x: Symbol, divisor: &[i64]) -> Option<Poly>
     left.iter().all(Poly::is_zero).then_some(quotient)
 }
 
-/// What the rule `vertices` finds.
+/// The finding of rule `vertices`.
 struct Bounds {
     /// Never positive; otherwise never negative.
     negative: bool,

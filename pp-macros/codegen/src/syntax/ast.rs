@@ -38,7 +38,7 @@ pub struct Declaration {
 /// Equations to be proven.
 #[derive(Debug, Clone)]
 pub struct Verify {
-    /// Where they are printed.
+    /// The publication that prints them.
     pub source: String,
     /// `where alpha = -45 deg;`
     pub assumptions: Vec<Assign<Expr>>,
@@ -116,7 +116,7 @@ pub struct Direction {
     pub turns: Vec<(usize, Expr)>,
     /// True for `-Z`.
     pub negated: bool,
-    /// What is turned.
+    /// The vector that is turned.
     pub base: Base,
 }
 

@@ -12,7 +12,7 @@ use crate::report::Phrase;
 pub struct Expr {
     /// From its first token to its last.
     pub phrase: Phrase,
-    /// What it is.
+    /// Its form and its parts.
     pub kind: ExprKind,
 }
 

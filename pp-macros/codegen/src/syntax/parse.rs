@@ -222,7 +222,7 @@ fn assigns<T>(
     Ok(list)
 }
 
-/// What is wrong so far, and the names whose entries could not be read: nothing more is said about these.
+/// Mistakes found, and the names whose entries could not be read: nothing more is reported about these.
 struct Faults<'a> {
     errors: &'a mut Errors,
     unreadable: &'a mut Vec<String>,

@@ -1,4 +1,4 @@
-//! Whether an equation holds, and where.
+//! The verdict on an equation: it holds, and under which conditions, or it does not.
 //!
 //! Both sides are polynomials in axis values, sines and cosines, in roots `r` with `r² = E` and reciprocals.
 //! - Numbers are equal if their difference has remainder zero. Once all roots are eliminated, sines and cosines of unknown
@@ -28,7 +28,7 @@ const POINTS: usize = 4_000;
 /// Share of the sum of all terms that is taken for rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What became of an equation.
+/// The answer to an equation.
 #[derive(Debug)]
 pub(crate) enum Verdict {
     /// It holds where all of these are true; everywhere if there are none.
@@ -41,7 +41,7 @@ pub(crate) enum Verdict {
     False(Poly),
 }
 
-/// Where an equation holds.
+/// A condition under which an equation holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Condition {
     /// `λ > 0`
@@ -69,7 +69,7 @@ struct Eliminated {
 
 struct Decision<'s, 'a, 'e> {
     scope: &'s mut Scope<'a>,
-    /// Where messages point to.
+    /// The expression that messages point to.
     expr: &'e Expr,
     eliminated: Vec<Eliminated>,
 }
@@ -102,7 +102,7 @@ impl Decision<'_, '_, '_> {
         self.conclude(claims)
     }
 
-    /// What has to vanish for two angles to be equal, and what has to be positive.
+    /// The polynomial that has to vanish for two angles to be equal, and the signs that they need.
     fn angles(&mut self, left: &Angle, right: &Angle) -> Result<(Poly, Claims), Fault> {
         for (inverted, other) in [(right, left), (left, right)] {
             let Some(inverse) = &inverted.inverse else { continue };
@@ -167,7 +167,7 @@ impl Decision<'_, '_, '_> {
         Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere })
     }
 
-    /// What must not be negative for the roots to exist, and for those that were eliminated to be the right ones.
+    /// Polynomials that must not be negative: radicands, and the signs by which eliminated roots are the right ones.
     fn signs_of_roots(&self) -> Result<Vec<Poly>, Fault> {
         let mut not_negative = Vec::new();
         for Eliminated { root, a, b } in &self.eliminated {

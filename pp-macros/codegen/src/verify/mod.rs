@@ -30,7 +30,7 @@ const MOST_REPAIR_WORK: usize = 50_000;
 /// A block whose equations hold.
 #[derive(Debug, Clone)]
 pub struct Verified {
-    /// Where they are printed.
+    /// The publication that prints them.
     pub source: String,
     /// `gauge = 0, part = 0`, or what the block states.
     pub assumptions: Vec<String>,
@@ -45,9 +45,9 @@ pub struct Proven {
     pub left: Formula,
     /// As written.
     pub right: Formula,
-    /// Where it holds, as text; everywhere if empty.
+    /// Conditions under which it holds, as text; it holds everywhere if there are none.
     pub holds: Vec<String>,
-    /// What must not be zero and contains nothing but dimensions.
+    /// Divisors that contain nothing but dimensions.
     divisors: Vec<Poly>,
 }
 
@@ -72,7 +72,7 @@ pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mu
     verified
 }
 
-/// What the solver found, as polynomials.
+/// Findings of the solver, as polynomials.
 struct Derived {
     /// With all symbols of the following.
     ring: Ring,
@@ -247,7 +247,7 @@ fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
     None
 }
 
-/// What should be zero, as text; and a term that is missing on the right, if that is all.
+/// The polynomial that should be zero, as text; and a term that is missing on the right, if that is all.
 fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Derived) -> (String, Option<String>) {
     if let Some(value) = derived.linear(scope, &equation.left) {
         let mut free = scope.with_free_tip();

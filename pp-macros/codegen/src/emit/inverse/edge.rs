@@ -97,7 +97,7 @@ fn onto_the_rim(body: &Body<'_>, two: &Two) -> TokenStream {
     }
 }
 
-/// How far that is from the wanted axis; no solution beyond the tolerance.
+/// Distance of that from the wanted axis; no solution beyond the tolerance.
 fn deviation(body: &Body<'_>, two: &Two) -> TokenStream {
     let [along, reached_along, sine_squared, reached_squared] =
         [two.edge.along.0, two.edge.along.1, two.first.sine_squared, two.edge.reached_squared]

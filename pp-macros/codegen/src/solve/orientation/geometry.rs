@@ -1,4 +1,4 @@
-//! The quantities that both angles are made of; the words are those of the table in [`two`](super::two).
+//! Quantities that both angles are made of; the words are those of the table in [`two`](super::two).
 
 use std::collections::BTreeMap;
 
@@ -43,7 +43,7 @@ pub(crate) struct Directions<'g> {
     pub(crate) a: Vec3<'g>,
 }
 
-/// What does not depend on the wanted axis.
+/// Quantities that do not depend on the wanted axis.
 pub(crate) struct Invariants<'g> {
     pub(crate) p: Term<'g>,
     pub(crate) q: Term<'g>,
@@ -84,7 +84,7 @@ impl<'g> Invariants<'g> {
     }
 }
 
-/// Where the wanted axis is: its height, and its coordinates in the plane perpendicular to the first rotary.
+/// Place of the wanted axis: its height, and its coordinates in the plane perpendicular to the first rotary.
 pub(crate) struct Coordinates<'g> {
     pub(crate) along: Term<'g>,
     pub(crate) mean: Term<'g>,
@@ -157,7 +157,7 @@ impl<'g> Radicand<'g> {
     }
 }
 
-/// What the sine and cosine of the first angle are multiplied by.
+/// The factor of sine and cosine of the first angle.
 pub(crate) struct FirstScale<'g> {
     pub(crate) length: Option<Term<'g>>,
     pub(crate) inverse: Term<'g>,

@@ -23,7 +23,7 @@ pub struct One {
     pub deviation: Id,
     /// The root whose exact value on the cone is `length_claim`.
     pub length: Id,
-    /// What sine and cosine of the word have in common, `1 / length`.
+    /// Common factor of sine and cosine of the word, `1 / length`.
     pub inverse: Id,
     /// `|n×t|²`, the exact value of `length` on the cone.
     pub length_claim: Id,

@@ -11,9 +11,9 @@ use crate::symbolic::{Id, Interpreter, Poly, Symbol};
 pub struct Two {
     /// First and second from the workpiece.
     pub rotaries: [AxisId; 2],
-    /// What both branches have in common in the second angle.
+    /// Common parts of the second angle on both branches.
     pub second: SecondAngle,
-    /// What both branches have in common in the first angle.
+    /// Common parts of the first angle on both branches.
     pub first: FirstAngle,
     /// The branches in their order.
     pub branches: [Branch; 2],
@@ -81,7 +81,7 @@ pub struct Branch {
     pub plus: bool,
     /// Sine and cosine of the words, first and second rotary.
     pub words: [(Id, Id); 2],
-    /// How the angles follow.
+    /// Relations of the angles to those of the first branch.
     pub angles: [AngleRelation; 2],
 }
 

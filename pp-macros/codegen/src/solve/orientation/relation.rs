@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::solve::derivation::Derivation;
 use crate::symbolic::{Id, Interpreter, Symbol};
 
-/// How an angle is obtained.
+/// Relation of an angle to that of the first branch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AngleRelation {
     /// From its own sine and cosine.
@@ -20,7 +20,7 @@ pub enum AngleRelation {
     Mirrored,
 }
 
-/// How the angle with the second pair (sine, cosine) follows from that with the first.
+/// Relation of the angle with the second pair (sine, cosine) to that with the first.
 pub(crate) fn relation(derivation: &Derivation<'_>, first: (Id, Id), second: (Id, Id)) -> AngleRelation {
     let sample = derivation.model.sample();
     match (same(derivation, &sample, first.0, second.0), same(derivation, &sample, first.1, second.1)) {
