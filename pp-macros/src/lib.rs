@@ -1,4 +1,4 @@
-//! The `machine!` macro; the engine behind it is the ordinary library `pp_codegen`.
+//! The `machine!` macro; its engine is the ordinary library `pp_codegen`.
 
 use proc_macro::TokenStream;
 
@@ -44,12 +44,12 @@ use proc_macro::TokenStream;
 /// | `speeds = { B: 3600, X: 30000 };` | largest axis speeds, deg/min and mm/min | unlimited |
 /// | `verify "source" { i = sin(B) * cos(C); }` | equations to be proven, see below; any number of blocks | none |
 ///
-/// Zero position: with all axes at zero the tool tip stands on the workpiece origin, so with all rotary axes at zero the
+/// Zero position: with all axes at zero the tool tip is at the workpiece origin, so with all rotary axes at zero the
 /// linear axes are the CL coordinates, up to signs and directions.
 ///
 /// # Equations to be proven
 ///
-/// A paper, a control's manual or your own notes say what the formulas of the machine are. Write them down as they are
+/// A paper, a control's manual or your own notes give the formulas of the machine. Write them down as they are
 /// printed; the machine compiles only if they follow from its chain.
 ///
 /// ```
@@ -77,7 +77,8 @@ use proc_macro::TokenStream;
 ///   block.
 ///
 /// Every equation is decided exactly: both sides become polynomials in axis values, sines and cosines, and their
-/// difference must vanish. Angles are compared modulo a full turn. A formula that holds on one branch only is accepted
+/// difference must vanish. Angles are compared modulo a full turn. Fixed angles are exact where they are multiples of
+/// 15 deg; others are taken as unrelated, except by quarter turns and sums as written. A formula that holds on one branch only is accepted
 /// with its condition ("holds where sin B >= 0"), which the type's documentation shows; a divisor made of dimensions is
 /// tested by `validate`. A false equation is an error at that equation, with the formula that does follow:
 ///

@@ -1,4 +1,4 @@
-//! The engine behind `machine!`: a declaration becomes exact algebra, a closed-form inverse, a proof, and Rust.
+//! The engine of `machine!`: a declaration becomes exact algebra, a closed-form inverse, a proof, and Rust.
 //!
 //! An ordinary library, so that it can be tested, fuzzed and read; the proc-macro crate is a doorway to [`expand`].
 //! Same input, same tokens: no I/O, no counters, no clock, no environment, no hash order.
@@ -40,13 +40,13 @@ pub fn expand_with(input: TokenStream, options: Options) -> TokenStream {
 /// Everything known about a machine that compiles.
 #[derive(Debug)]
 pub struct Compiled {
-    /// Without syntax.
+    /// The machine, without syntax.
     pub model: Model,
     /// Its formulas, proven.
     pub solved: Solved,
     /// Equations of sources, proven.
     pub verified: Vec<Verified>,
-    /// For people.
+    /// The explanation for people.
     pub explanation: Explanation,
 }
 
@@ -73,22 +73,10 @@ pub fn compile(input: TokenStream) -> Result<Compiled, Refused> {
 
 fn compile_declaration(declaration: &Declaration, errors: &mut Errors) -> Result<Compiled, Refused> {
     let (mut model, spots) = check::check(declaration, errors)?;
-    let mut solved = match solve::solve(&mut model) {
-        Ok(solved) => solved,
-        Err(refusals) => {
-            check::report(&refusals, &model, &spots, errors);
-            errors.propagate()?;
-            unreachable!("a refusal has a message");
-        }
-    };
-    let proofs = match proof::prove(&model, &mut solved) {
-        Ok(proofs) => proofs,
-        Err(claim) => {
-            check::unproven(&claim, &spots, errors);
-            errors.propagate()?;
-            unreachable!("an unproven claim has a message");
-        }
-    };
+    let solved = solve::solve(&mut model);
+    let mut solved = solved.map_err(|refusals| check::refused(&refusals, &model, &spots, errors))?;
+    let proofs = proof::prove(&model, &mut solved);
+    let proofs = proofs.map_err(|claim| check::unproven(&claim, &spots, errors))?;
     let verified = verify::verify(&declaration.verify, &model, &mut solved, errors);
     errors.propagate()?;
     let explanation = explain::explain(&model, &solved, proofs, &verified);

@@ -11,6 +11,33 @@ use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, rotation, translatio
 /// Place of an axis in the chain, from the workpiece.
 pub type AxisId = usize;
 
+/// Variables of the generated functions: no quantity of a model may have one of these names there.
+pub(crate) const LOCALS: &[&str] = &[
+    "axes",
+    "axis",
+    "change",
+    "deviation",
+    "edge_height",
+    "edge_root",
+    "from",
+    "held",
+    "index",
+    "inside",
+    "math",
+    "middle",
+    "point",
+    "pose",
+    "reach",
+    "singular",
+    "solved",
+    "tip",
+    "to",
+    "turns",
+    "value",
+    "first",
+    "second",
+];
+
 /// Linear or rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
@@ -63,11 +90,11 @@ pub struct Dimension {
     pub name: String,
     /// Default in mm or degrees.
     pub default: BigRational,
-    /// How it enters the formulas.
+    /// Its symbols in the formulas.
     pub quantity: Quantity,
 }
 
-/// How a dimension enters the formulas.
+/// The symbols by which a dimension enters the formulas.
 #[derive(Debug, Clone, Copy)]
 pub enum Quantity {
     /// As itself.

@@ -67,12 +67,14 @@ impl Errors {
     /// # Errors
     /// All mistakes so far, in source order.
     pub fn propagate(&mut self) -> Result<(), Refused> {
-        if self.list.is_empty() {
-            return Ok(());
-        }
+        if self.list.is_empty() { Ok(()) } else { Err(self.refused()) }
+    }
+
+    /// Stops with all mistakes found until now, in source order.
+    pub fn refused(&mut self) -> Refused {
         let mut list = std::mem::take(&mut self.list);
         list.sort_by_key(|(order, _)| *order);
-        Err(Refused(list.into_iter().map(|(_, error)| error).collect()))
+        Refused(list.into_iter().map(|(_, error)| error).collect())
     }
 }
 

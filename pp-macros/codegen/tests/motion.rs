@@ -71,7 +71,7 @@ fn equal(motion: &mut Motion, nodes: [Id; 3], expected: &P3) -> bool {
 
 /// Tip and tool axis with their first and second derivatives: nodes, and what they must be.
 fn derivatives(model: &Model, motion: &Motion) -> Vec<(&'static str, [Id; 3], P3)> {
-    let ring = &motion.graph.ring;
+    let ring = motion.graph.ring();
     let product = model.product();
     let slope = |vector: &P3| -> P3 { std::array::from_fn(|row| derivative(&vector[row], model, motion, ring)) };
     let (tip, axis) = (product.origin(), product.turn(&model.tool_axis, ring));

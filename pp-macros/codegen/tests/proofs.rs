@@ -6,7 +6,7 @@ use pp_codegen::check::check;
 use pp_codegen::model::Model;
 use pp_codegen::proof::prove;
 use pp_codegen::report::Errors;
-use pp_codegen::solve::{Angle, Orientation, Solved, solve};
+use pp_codegen::solve::{AngleRelation, Orientation, Solved, solve};
 use pp_codegen::symbolic::{Id, Interpreter};
 use pp_codegen::syntax::parse;
 
@@ -87,7 +87,7 @@ fn sine_and_cosine_swapped_are_not_proven() {
             Orientation::Fixed { .. } => continue,
             Orientation::One(one) => one.word = (one.word.1, one.word.0),
             Orientation::Two(two) => {
-                let word = &mut two.answers[0].words[1];
+                let word = &mut two.branches[0].words[1];
                 *word = (word.1, word.0);
             }
         }
@@ -113,14 +113,17 @@ fn the_first_branch_is_the_one_that_the_papers_print() {
 #[test]
 fn second_branch_of_an_orthogonal_machine_needs_no_atan2_of_its_own() {
     let angles = |text: &str| match solved(text).1.orientation {
-        Orientation::Two(two) => two.answers[1].angles,
+        Orientation::Two(two) => two.branches[1].angles,
         _ => unreachable!("two rotaries"),
     };
-    assert_eq!(angles("chain: C B | X Y Z;"), [Angle::HalfTurn, Angle::Negated]);
-    assert_eq!(angles("chain: X | Y Z B A;"), [Angle::HalfTurn, Angle::Mirrored]);
-    assert_eq!(angles("chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y };"), [Angle::Own, Angle::Negated]);
+    assert_eq!(angles("chain: C B | X Y Z;"), [AngleRelation::HalfTurn, AngleRelation::Negated]);
+    assert_eq!(angles("chain: X | Y Z B A;"), [AngleRelation::HalfTurn, AngleRelation::Mirrored]);
+    assert_eq!(
+        angles("chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y };"),
+        [AngleRelation::Own, AngleRelation::Negated]
+    );
     let leaning = "chain: C B | X Y Z; axes = { C: Rx(33 deg) * Z, B: Rx(33 deg) * Y }; tool_axis = Rx(33 deg) * Z;";
-    assert_eq!(angles(leaning), [Angle::HalfTurn, Angle::Negated]);
+    assert_eq!(angles(leaning), [AngleRelation::HalfTurn, AngleRelation::Negated]);
 }
 
 fn outputs(solved: &mut Solved) -> Vec<&mut Id> {
@@ -131,8 +134,8 @@ fn outputs(solved: &mut Solved) -> Vec<&mut Id> {
         Orientation::Fixed { .. } => {}
         Orientation::One(one) => list.extend([&mut one.word.0, &mut one.word.1]),
         Orientation::Two(two) => {
-            for answer in &mut two.answers {
-                for (sine, cosine) in &mut answer.words {
+            for branch in &mut two.branches {
+                for (sine, cosine) in &mut branch.words {
                     list.extend([sine, cosine]);
                 }
             }

@@ -46,7 +46,7 @@ fn root(number: i64) -> Surd {
 /// Inputs named after the letters.
 fn inputs<const N: usize>(graph: &mut Graph, names: [&str; N]) -> [(Symbol, Id); N] {
     names.map(|name| {
-        let symbol = graph.ring.symbol(name);
+        let symbol = graph.symbol(name);
         (symbol, graph.input(symbol))
     })
 }
@@ -239,7 +239,7 @@ mod claimed_root {
             let sum = &Poly::from(a) + &Poly::from(b);
             prop_assert!(reader.claim(root, &sum));
             let found = reader.value(root);
-            assert_close(value(&graph.ring, &found, &[(a, x), (b, y)]), expected);
+            assert_close(value(graph.ring(), &found, &[(a, x), (b, y)]), expected);
         }
     }
 
@@ -533,7 +533,7 @@ mod cancel {
         assert!(graph.constant_of(quotient).is_none());
         let square = graph.square(a);
         assert_ne!(graph.sqrt(square), a);
-        // Normal forms decide equality; the code keeps the formula as it was written.
+        // Normal forms prove equality; the code keeps the formula as it was written.
         let sum = graph.add(a, b);
         let squared_sum = graph.square(sum);
         let twice = graph.mul(a, b);

@@ -32,13 +32,13 @@ impl Fault {
 }
 
 /// Dimensions that expressions may name.
-pub(crate) struct Names<'a> {
+pub(crate) struct DimensionNames<'a> {
     pub(crate) dimensions: &'a [Dimension],
     /// Entries that could not be read; nothing more is said about them.
     pub(crate) unreadable: &'a [String],
 }
 
-impl Names<'_> {
+impl DimensionNames<'_> {
     fn find(&self, name: &str, phrase: Phrase) -> Result<Quantity, Fault> {
         if let Some(known) = self.dimensions.iter().find(|known| known.name == name) {
             return Ok(known.quantity);
@@ -126,7 +126,7 @@ fn constant(expr: &Expr) -> Result<(Surd, Option<Unit>), Fault> {
 }
 
 /// A length in mm: numbers, lengths of `dims`, `+ - *` of them.
-pub(crate) fn length(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<Poly, Fault> {
+pub(crate) fn length(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Result<Poly, Fault> {
     let (value, power) = measured(expr, names, ring)?;
     if !value.coefficients().all(|factor| factor.to_f64().is_finite()) {
         return Err(too_large(expr));
@@ -137,8 +137,8 @@ pub(crate) fn length(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<Poly
     Err(Fault::new(expr.phrase, "this product is an area, not a length", "multiply a length by a plain number"))
 }
 
-/// A polynomial and its power of millimetres; a bare number may stand for a length.
-fn measured(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<(Poly, u32), Fault> {
+/// A polynomial and its power of millimetres; a bare number may be a length.
+fn measured(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Result<(Poly, u32), Fault> {
     let angle = || Fault::new(expr.phrase, "an angle where a length is needed", "components of `d` are lengths in mm");
     match &expr.kind {
         ExprKind::Number(_, Some(Unit::Degree)) => Err(angle()),
@@ -168,7 +168,7 @@ fn measured(expr: &Expr, names: &Names<'_>, ring: &Ring) -> Result<(Poly, u32), 
 }
 
 /// Sine and cosine of an angle: degrees, angles of `dims`, sums and whole multiples of them.
-pub(crate) fn angle(expr: &Expr, names: &Names<'_>, ring: &mut Ring) -> Result<(Poly, Poly), Fault> {
+pub(crate) fn angle(expr: &Expr, names: &DimensionNames<'_>, ring: &mut Ring) -> Result<(Poly, Poly), Fault> {
     match &expr.kind {
         ExprKind::Number(degrees, Some(Unit::Degree)) => Ok(turn_by(degrees, ring)),
         ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => Ok(turn_by(value, ring)),

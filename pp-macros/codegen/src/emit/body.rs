@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::TokenStream;
 
+use crate::model::LOCALS;
 use crate::symbolic::{Graph, Id, Node, Symbol};
 
 /// Statements of one generated function, in the order of evaluation.
@@ -31,8 +32,8 @@ impl<'a> Body<'a> {
         }
         let mut body = Self { graph, uses, written: BTreeMap::new(), taken: BTreeSet::new() };
         let inputs = body.inputs(outputs);
-        body.taken.extend(inputs.into_iter().map(|symbol| graph.ring.name(symbol).to_string()));
-        body.taken.extend(super::LOCALS.iter().map(ToString::to_string));
+        body.taken.extend(inputs.into_iter().map(|symbol| graph.ring().name(symbol).to_string()));
+        body.taken.extend(LOCALS.iter().map(ToString::to_string));
         body
     }
 
@@ -99,8 +100,8 @@ impl<'a> Body<'a> {
 
     fn compound(&self, id: Id) -> (String, u8) {
         match *self.graph.node(id) {
-            Node::Constant(ref value) => number(self.graph.ring.value(value).expect("constants have values")),
-            Node::Input(symbol) => (self.graph.ring.name(symbol).to_string(), 3),
+            Node::Constant(ref value) => number(self.graph.ring().value(value).expect("constants have values")),
+            Node::Input(symbol) => (self.graph.ring().name(symbol).to_string(), 3),
             Node::Neg(a) => (format!("-{}", self.within(a, 2)), 2),
             Node::Add(a, b) => (format!("{} + {}", self.within(a, 0), self.within(b, 1)), 0),
             Node::Sub(a, b) => (format!("{} - {}", self.within(a, 0), self.within(b, 1)), 0),
@@ -129,40 +130,4 @@ fn number(value: f64) -> (String, u8) {
 
 fn parse(text: &str) -> TokenStream {
     text.parse().expect("statements are Rust")
-}
-
-/// Operations of a set of outputs.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Count {
-    pub(crate) additions: usize,
-    pub(crate) products: usize,
-    pub(crate) divisions: usize,
-    pub(crate) roots: usize,
-}
-
-impl Count {
-    /// Counts every node once.
-    pub(crate) fn of(graph: &Graph, outputs: &[Id]) -> Self {
-        let mut count = Self::default();
-        for id in graph.reachable(outputs) {
-            match graph.node(id) {
-                Node::Add(..) | Node::Sub(..) => count.additions += 1,
-                Node::Mul(..) => count.products += 1,
-                Node::Div(..) => count.divisions += 1,
-                Node::Sqrt(_) => count.roots += 1,
-                Node::Constant(_) | Node::Input(_) | Node::Neg(_) => {}
-            }
-        }
-        count
-    }
-
-    /// The sum of two counts.
-    pub(crate) fn and(self, other: Self) -> Self {
-        Self {
-            additions: self.additions + other.additions,
-            products: self.products + other.products,
-            divisions: self.divisions + other.divisions,
-            roots: self.roots + other.roots,
-        }
-    }
 }

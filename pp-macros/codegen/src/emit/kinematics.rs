@@ -4,13 +4,13 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Body, lets};
-use super::names::{Places, prelude};
+use super::inputs::{Places, prelude};
 use crate::model::{AxisId, Kind, Model};
 use crate::solve::Solved;
 use crate::symbolic::{Id, V3};
 
 /// `forward_kinematics`.
-pub(super) fn forward(model: &Model, solved: &Solved) -> TokenStream {
+pub(crate) fn forward(model: &Model, solved: &Solved) -> TokenStream {
     let outputs: Vec<Id> = solved.forward.tip.into_iter().chain(solved.forward.axis).collect();
     let mut body = Body::new(&solved.graph, &outputs);
     let prelude = prelude(model, &body.inputs(&outputs), Places { words: Some("axes"), ..Places::default() });
@@ -32,7 +32,7 @@ pub(super) fn forward(model: &Model, solved: &Solved) -> TokenStream {
 
 /// The private position function of sines and cosines, and its signature: values of the three solved linear axes, in
 /// chain order.
-pub(super) fn position(model: &Model, solved: &Solved) -> (TokenStream, TokenStream) {
+pub(crate) fn position(model: &Model, solved: &Solved) -> (TokenStream, TokenStream) {
     let values: Vec<Id> = solved.position.values.iter().map(|(_, node)| *node).collect();
     let determinant = solved.position.determinant;
     let varies = solved.graph.constant_of(determinant).is_none();
@@ -76,7 +76,7 @@ pub(super) fn position(model: &Model, solved: &Solved) -> (TokenStream, TokenStr
 }
 
 /// `linear_axes`.
-pub(super) fn linear_axes(model: &Model, solved: &Solved) -> TokenStream {
+pub(crate) fn linear_axes(model: &Model, solved: &Solved) -> TokenStream {
     let rotaries = rotaries(model);
     let linears = solved.position.values.iter().map(|(axis, _)| *axis);
     let places = 0_usize..3;
@@ -102,7 +102,7 @@ pub(super) fn linear_axes(model: &Model, solved: &Solved) -> TokenStream {
 }
 
 /// `joint` and `tool_axis`.
-pub(super) fn joints(model: &Model, solved: &Solved) -> TokenStream {
+pub(crate) fn joints(model: &Model, solved: &Solved) -> TokenStream {
     let name = &model.name;
     let arms = model.axes.iter().enumerate().map(|(place, axis)| {
         let nodes: Vec<Id> = solved.directions[place].into_iter().chain(solved.centres[place]).collect();
@@ -147,7 +147,7 @@ pub(super) fn joints(model: &Model, solved: &Solved) -> TokenStream {
 }
 
 /// Places of all rotary axes, held ones included.
-pub(super) fn rotaries(model: &Model) -> impl Iterator<Item = AxisId> + Clone + '_ {
+pub(crate) fn rotaries(model: &Model) -> impl Iterator<Item = AxisId> + Clone + '_ {
     model.axes.iter().enumerate().filter(|(_, axis)| axis.kind == Kind::Rotary).map(|(place, _)| place)
 }
 

@@ -4,16 +4,17 @@ use num_rational::BigRational;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
-use super::Options;
 use super::body::Body;
-use super::names::{Places, prelude};
-use crate::explain::Explanation;
+use super::inputs::{Places, prelude};
+use super::options::Options;
+use crate::explain::{Explanation, Section};
+use crate::formula::{Formula, Known};
 use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
 use crate::solve::{SideCondition, Solved};
 use crate::syntax::Declaration;
 
 /// The struct with its documentation and its defaults.
-pub(super) fn item(
+pub(crate) fn item(
     declaration: &Declaration,
     model: &Model,
     explanation: &Explanation,
@@ -64,12 +65,12 @@ pub(super) fn item(
 }
 
 /// `#[cfg(...)]` of the struct: what it takes away takes the rest with it.
-pub(super) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
+pub(crate) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
     declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")).collect()
 }
 
 /// The associated constants.
-pub(super) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
+pub(crate) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
     let name = &model.name;
     let axes = model.axes.iter().map(axis);
     let dimensions = model.dimensions.iter().map(|dimension| {
@@ -91,7 +92,7 @@ pub(super) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
         Some(value) => in_radians(axis.kind, value),
         None => quote!(0.0),
     });
-    let explanation = explanation.tokens();
+    let explanation = tokens(explanation);
     quote! {
         const NAME: &'static str = #name;
         const AXES: &'static [::pp_runtime::kinematics::Axis] = &[#(#axes),*];
@@ -101,8 +102,20 @@ pub(super) fn data(model: &Model, explanation: &Explanation) -> TokenStream {
     }
 }
 
+/// An expression of type `pp_runtime::kinematics::Explanation`.
+fn tokens(explanation: &Explanation) -> TokenStream {
+    let fields = explanation.sections().into_iter().map(|(name, section)| {
+        let name = quote::format_ident!("{name}");
+        let Section { text, latex } = section;
+        quote! {
+            #name: ::pp_runtime::kinematics::Section { text: &[#(#text),*], latex: &[#(#latex),*] }
+        }
+    });
+    quote!(::pp_runtime::kinematics::Explanation { #(#fields),* })
+}
+
 /// Access to dimensions and set-up, and `validate`.
-pub(super) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
+pub(crate) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
     let fields: Vec<Ident> = model.dimensions.iter().map(|d| Ident::new(&d.name, Span::call_site())).collect();
     let names: Vec<&str> = model.dimensions.iter().map(|d| d.name.as_str()).collect();
     let places: Vec<usize> = (0..fields.len()).collect();
@@ -162,7 +175,7 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
         let statements = body.statements(&[node]);
         let (lets, value) = (super::body::lets(&statements), body.tokens(node));
         let prelude = prelude(model, &inputs, Places::default());
-        let written = crate::explain::in_words(model, &solved.graph, node);
+        let written = Formula::of_node(model, &solved.graph, node, &Known::new()).source();
         let least = float(*zero);
         tests.extend(quote! {
             {
@@ -232,7 +245,7 @@ fn default(quantity: Quantity, value: &BigRational) -> f64 {
     }
 }
 
-/// A literal is never negative: the sign stands in front.
+/// A literal is never negative: the sign comes before it.
 fn float(value: f64) -> Literal {
     Literal::f64_unsuffixed(value.abs())
 }

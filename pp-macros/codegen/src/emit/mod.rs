@@ -3,11 +3,12 @@
 //! Generated code names only `::core` and `::pp_runtime`, allocates nothing and contains no loop.
 
 mod body;
+mod inputs;
 mod inverse;
 mod kinematics;
 mod machine;
 mod motion;
-mod names;
+mod options;
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -16,42 +17,7 @@ use crate::explain::Explanation;
 use crate::model::Model;
 use crate::solve::Solved;
 use crate::syntax::Declaration;
-
-pub(crate) use body::Count;
-
-/// Variables of the generated functions; nothing else may have these names there.
-pub(crate) const LOCALS: &[&str] = &[
-    "axes",
-    "axis",
-    "change",
-    "deviation",
-    "edge_height",
-    "edge_root",
-    "from",
-    "held",
-    "index",
-    "inside",
-    "math",
-    "middle",
-    "point",
-    "pose",
-    "reach",
-    "singular",
-    "solved",
-    "tip",
-    "to",
-    "turns",
-    "value",
-    "first",
-    "second",
-];
-
-/// Choices of the caller.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Options {
-    /// Derive `serde::Serialize` and `serde::Deserialize`.
-    pub serde: bool,
-}
+pub use options::Options;
 
 /// The struct, its private position function, and its `Machine` implementation.
 pub(crate) fn emit(

@@ -4,13 +4,13 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{Body, lets};
-use super::names::{Places, prelude};
+use super::inputs::{Places, prelude};
 use crate::model::{Kind, Model};
 use crate::solve::{Curve, Motion};
 use crate::symbolic::{Id, Symbol, V3};
 
 /// `motion` and `rates`.
-pub(super) fn motion(model: &Model, motion: &Motion) -> TokenStream {
+pub(crate) fn motion(model: &Model, motion: &Motion) -> TokenStream {
     let (bound, rates) = (bound(model, motion), rates(model, motion));
     quote! {
         #bound
@@ -74,7 +74,7 @@ fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
     let mut known = 0.0;
     let mut terms = TokenStream::new();
     for &component in centres {
-        match motion.graph.constant_of(component).and_then(|value| motion.graph.ring.value(value)) {
+        match motion.graph.constant_of(component).and_then(|value| motion.graph.ring().value(value)) {
             Some(value) => known += 4.0 * value.abs(),
             None => {
                 let component = body.tokens(component);
@@ -90,7 +90,7 @@ fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
 fn inputs(model: &Model, motion: &Motion, body: &Body<'_>, outputs: &[Id], words: &str) -> TokenStream {
     let used = body.inputs(outputs);
     let mut lets = prelude(model, &used, Places { words: Some(words), ..Places::default() });
-    let name = |symbol: Symbol| Ident::new(motion.graph.ring.name(symbol), Span::call_site());
+    let name = |symbol: Symbol| Ident::new(motion.graph.ring().name(symbol), Span::call_site());
     let array = format_ident!("change");
     for (place, (&change, &size)) in motion.changes.iter().zip(&motion.sizes).enumerate() {
         if used.contains(&change) {

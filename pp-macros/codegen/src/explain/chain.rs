@@ -8,7 +8,7 @@ use crate::model::{Axis, AxisId, Kind, Model, Side};
 use crate::symbolic::{Matrix, P3, Poly, Surd, Symbol, rotation};
 
 /// Axes with their directions, centre lines and signs.
-pub(super) fn chain(model: &Model) -> Section {
+pub(crate) fn chain(model: &Model) -> Section {
     let side =
         |wanted: Side| model.letters(model.axes.iter().enumerate().filter(|(_, a)| a.side == wanted).map(|(id, _)| id));
     let mut section = Section::default();
@@ -69,12 +69,12 @@ fn row(model: &Model, axis: &Axis) -> Vec<Line> {
 }
 
 /// Components as formulas.
-pub(super) fn vector(model: &Model, vector: &P3) -> [Formula; 3] {
+pub(crate) fn vector(model: &Model, vector: &P3) -> [Formula; 3] {
     vector.each_ref().map(|part| Formula::of_poly(model, &model.ring, part))
 }
 
 /// Elementary matrices and the product of all.
-pub(super) fn matrices(model: &Model) -> Section {
+pub(crate) fn matrices(model: &Model) -> Section {
     let mut section = Section::default();
     let names: Vec<Formula> = model.axes.iter().map(|axis| Formula::name(format!("T_{}", axis.letter))).collect();
     for (id, axis) in model.axes.iter().enumerate() {
@@ -131,7 +131,7 @@ fn turn(model: &Model, id: AxisId, name: &Formula, section: &mut Section) {
 }
 
 /// `x`, `y` or `z`, and whether it is turned round.
-pub(super) fn coordinate(direction: &P3) -> Option<(&'static str, bool)> {
+pub(crate) fn coordinate(direction: &P3) -> Option<(&'static str, bool)> {
     let numbers = direction.each_ref().map(Poly::as_number);
     for (index, name) in ["x", "y", "z"].into_iter().enumerate() {
         let others = (0..3).filter(|other| *other != index).all(|other| direction[other].is_zero());
@@ -151,8 +151,13 @@ fn entries(model: &Model, matrix: &Matrix) -> Vec<Vec<Formula>> {
     matrix.0.iter().map(|row| row.iter().map(formula).collect()).collect()
 }
 
+/// An axis by its letter.
+pub(crate) fn letter(model: &Model, axis: AxisId) -> Formula {
+    Formula::name(model.axes[axis].letter.to_string())
+}
+
 /// Tool axis and tip.
-pub(super) fn forward(model: &Model) -> Section {
+pub(crate) fn forward(model: &Model) -> Section {
     let mut section = Section::default();
     let product = model.product();
     let axis = product.turn(&model.tool_axis, &model.ring);
@@ -173,17 +178,17 @@ pub(super) fn forward(model: &Model) -> Section {
     section
 }
 
-pub(super) fn named(names: [&str; 3], formulas: [Formula; 3]) -> Vec<(Formula, Formula)> {
+pub(crate) fn named(names: [&str; 3], formulas: [Formula; 3]) -> Vec<(Formula, Formula)> {
     names.into_iter().map(Formula::name).zip(formulas).collect()
 }
 
 /// The part origin's symbols.
-pub(super) fn part(model: &Model) -> [Formula; 3] {
+pub(crate) fn part(model: &Model) -> [Formula; 3] {
     model.frame.part.map(|symbol| Formula::of_poly(model, &model.ring, &Poly::from(symbol)))
 }
 
 /// The polynomial with the part origin at zero.
-pub(super) fn at_the_table(model: &Model, poly: &Poly) -> Poly {
+pub(crate) fn at_the_table(model: &Model, poly: &Poly) -> Poly {
     let none: BTreeMap<Symbol, Poly> = model.frame.part.into_iter().map(|symbol| (symbol, Poly::zero())).collect();
     model.ring.substitute(poly, &none)
 }

@@ -1,4 +1,4 @@
-//! The jog sheet: what must visibly move which way for a positive word.
+//! The jog sheet: the motion that must be seen for a positive word of each axis.
 //!
 //! A proof cannot catch a sign that was declared wrongly: the formulas follow from it. So each axis is moved alone at
 //! the machine and compared with a sentence. The sentences are computed from the chain: a positive word with sign `+`
@@ -26,11 +26,11 @@ const ALONG: f64 = 0.998_6;
 /// Components below this share of a direction are left out of its words.
 const FAINT: f64 = 0.2;
 
-/// From here on a marker faces another way; below it leans. Degrees.
+/// From this angle on a marker faces another direction; below it leans. Degrees.
 const TURNED: f64 = 80.0;
 
 /// One line for every axis of the chain, held ones included.
-pub(super) fn sheet(model: &Model) -> Section {
+pub(crate) fn sheet(model: &Model) -> Section {
     let machine = Machine::of(model);
     let mut section = Section::default();
     section.say(
@@ -72,7 +72,7 @@ impl<'a> Machine<'a> {
         let declared: Vec<V> = model.axes.iter().map(|axis| vector(&axis.direction)).collect();
         let mut machine = Self { model, directions: declared.clone(), tool: vector(&model.tool_axis) };
         for (id, axis) in model.axes.iter().enumerate() {
-            // As the bed sees it: what stands between the axis and the bed has turned it, against the word in the table.
+            // As seen from the bed: axes between this one and the bed have rotated it, against their words in the table.
             let between: Vec<AxisId> = match axis.side {
                 Side::Workpiece => {
                     (id + 1..model.axes.len()).filter(|other| model.axes[*other].side == Side::Workpiece).collect()
@@ -122,7 +122,7 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// What is seen when the axis turns by `degrees`, right-handed about its direction.
+    /// The motion that is seen when the axis turns by `degrees`, right-handed about its direction.
     fn turning(&self, id: AxisId, degrees: f64) -> String {
         let about = self.directions[id];
         let table = self.model.axes[id].side == Side::Workpiece;
@@ -169,14 +169,14 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// What a marker does.
+/// The motion of a marker, in words.
 fn shown(((name, before), after, angle): &(&(String, V), V, f64)) -> String {
     let tool = name.starts_with("the tool");
     if *angle >= TURNED {
         let verb = if tool { "points" } else { "faces" };
         return format!("{name} now {verb} {}", heading(*after)).replace("faces towards you", "faces you");
     }
-    // The way it went, square to where it was.
+    // Direction of its motion, perpendicular to where it was.
     let along = dot(*before, *after);
     let across: V = std::array::from_fn(|index| after[index] - along * before[index]);
     let length = dot(across, across).sqrt();
@@ -219,7 +219,7 @@ fn distance(axis: &Axis) -> f64 {
     DISTANCES.into_iter().find(|distance| *distance <= room).unwrap_or(DISTANCES[4])
 }
 
-/// Words for both ways along X, Y and Z.
+/// Words for both directions along X, Y and Z.
 type Words = [[&'static str; 2]; 3];
 
 const HEADING: Words = [["right", "left"], ["away from you", "towards you"], ["up", "down"]];

@@ -1,19 +1,16 @@
-//! What is known about a machine, for people: its `EXPLANATION`, its documentation, words in its messages.
+//! A machine explained to people: its `EXPLANATION` and its documentation.
 
 mod chain;
 mod inverse;
 mod jog;
+mod limits;
+mod linear;
 mod page;
+mod steps;
 
-use proc_macro2::TokenStream;
-use quote::quote;
-
-use crate::formula::{Formula, Known};
 use crate::model::Model;
 use crate::solve::Solved;
-use crate::symbolic::{Graph, Id};
 use crate::verify::{Proven, Verified};
-pub(crate) use inverse::first_branch;
 pub use page::Section;
 use page::line;
 
@@ -30,33 +27,21 @@ pub struct Explanation {
     pub formulas: Section,
     /// Branches in their order.
     pub branches: Section,
-    /// Where a rotary is free.
+    /// Tool axes at which a rotary is free.
     pub singular_set: Section,
     /// Reachable tool axes.
     pub reachable: Section,
-    /// Where the linear axes degenerate.
+    /// Rotary angles at which the linear axes degenerate.
     pub degenerate: Section,
-    /// What was proven.
+    /// Claims that were proven.
     pub proofs: Section,
     /// Operations of the inverse kinematics.
     pub operations: Section,
-    /// What must visibly move which way.
+    /// The motion that must be seen for a positive word of each axis.
     pub jog_sheet: Section,
 }
 
 impl Explanation {
-    /// As an expression of type `pp_runtime::kinematics::Explanation`.
-    pub(crate) fn tokens(&self) -> TokenStream {
-        let fields = self.sections().into_iter().map(|(name, section)| {
-            let name = quote::format_ident!("{name}");
-            let Section { text, latex } = section;
-            quote! {
-                #name: ::pp_runtime::kinematics::Section { text: &[#(#text),*], latex: &[#(#latex),*] }
-            }
-        });
-        quote!(::pp_runtime::kinematics::Explanation { #(#fields),* })
-    }
-
     /// As lines of rustdoc.
     pub(crate) fn doc(&self) -> Vec<String> {
         let mut doc = vec![
@@ -77,7 +62,8 @@ impl Explanation {
         doc
     }
 
-    fn sections(&self) -> [(&'static str, &Section); 11] {
+    /// All sections with the names of their fields.
+    pub(crate) fn sections(&self) -> [(&'static str, &Section); 11] {
         [
             ("chain", &self.chain),
             ("matrices", &self.matrices),
@@ -103,18 +89,13 @@ pub fn explain(model: &Model, solved: &Solved, proofs: Vec<String>, verified: &[
         forward: chain::forward(model),
         formulas: inverse::formulas(model, solved),
         branches: inverse::branches(model, solved),
-        singular_set: inverse::singular_set(model, solved),
-        reachable: inverse::reachable(model, solved),
-        degenerate: inverse::degenerate(model, solved),
+        singular_set: limits::singular_set(model, solved),
+        reachable: limits::reachable(model, solved),
+        degenerate: limits::degenerate(model, solved),
         proofs: proven(proofs, verified),
         operations: inverse::operations(solved),
         jog_sheet: jog::sheet(model),
     }
-}
-
-/// A node in the names of the declaration, in the language of the macro.
-pub(crate) fn in_words(model: &Model, graph: &Graph, node: Id) -> String {
-    Formula::of_node(model, graph, node, &Known::new()).source()
 }
 
 fn proven(claims: Vec<String>, verified: &[Verified]) -> Section {

@@ -3,7 +3,7 @@
 use crate::formula::Formula;
 
 /// Longest line of text.
-pub(super) const WIDTH: usize = 96;
+pub(crate) const WIDTH: usize = 96;
 
 /// One section, twice.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -16,47 +16,47 @@ pub struct Section {
 
 /// Words and formulas in a row.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Line {
+pub(crate) struct Line {
     text: String,
     latex: String,
 }
 
 /// Starts a line.
-pub(super) fn line(words: &str) -> Line {
+pub(crate) fn line(words: &str) -> Line {
     Line::default().say(words)
 }
 
 impl Line {
     /// Words.
-    pub(super) fn say(mut self, words: &str) -> Self {
+    pub(crate) fn say(mut self, words: &str) -> Self {
         self.text += words;
         self.latex += &escaped(words);
         self
     }
 
     /// A formula.
-    pub(super) fn math(mut self, formula: &Formula) -> Self {
+    pub(crate) fn math(mut self, formula: &Formula) -> Self {
         self.text += &formula.text();
         self.latex += &format!("${}$", formula.latex());
         self
     }
 
-    /// Another line behind this one.
-    pub(super) fn append(mut self, other: &Self) -> Self {
+    /// Another line after this one.
+    pub(crate) fn append(mut self, other: &Self) -> Self {
         self.text += &other.text;
         self.latex += &other.latex;
         self
     }
 
     /// Spelled out for each.
-    pub(super) fn both(mut self, text: &str, latex: &str) -> Self {
+    pub(crate) fn both(mut self, text: &str, latex: &str) -> Self {
         self.text += text;
         self.latex += latex;
         self
     }
 
     /// A vector.
-    pub(super) fn vector(self, parts: &[Formula]) -> Self {
+    pub(crate) fn vector(self, parts: &[Formula]) -> Self {
         let [text, latex] = [Formula::text, Formula::latex].map(|spelled| {
             let parts: Vec<String> = parts.iter().map(spelled).collect();
             format!("({})", parts.join(", "))
@@ -67,25 +67,25 @@ impl Line {
 
 impl Section {
     /// A line of words; long ones go on below, indented.
-    pub(super) fn line(&mut self, line: Line) {
+    pub(crate) fn line(&mut self, line: Line) {
         self.text.extend(wrapped(&line.text, 4, false));
         self.latex.push(line.latex);
     }
 
     /// Words alone.
-    pub(super) fn say(&mut self, words: &str) {
+    pub(crate) fn say(&mut self, words: &str) {
         self.line(line(words));
     }
 
     /// An empty line of text.
-    pub(super) fn gap(&mut self) {
+    pub(crate) fn gap(&mut self) {
         if self.text.last().is_some_and(|last| !last.is_empty()) {
             self.text.push(String::new());
         }
     }
 
     /// Columns, aligned; blank columns are left out.
-    pub(super) fn table(&mut self, rows: &[Vec<Line>]) {
+    pub(crate) fn table(&mut self, rows: &[Vec<Line>]) {
         let columns = rows.iter().map(Vec::len).max().unwrap_or_default();
         let width = |column: usize| rows.iter().filter_map(|row| row.get(column)).map(|cell| length(&cell.text)).max();
         let used: Vec<usize> = (0..columns).filter(|column| width(*column).unwrap_or_default() > 0).collect();
@@ -106,7 +106,7 @@ impl Section {
     }
 
     /// Formulas, their equals signs aligned.
-    pub(super) fn equations(&mut self, equations: &[(Formula, Formula)]) {
+    pub(crate) fn equations(&mut self, equations: &[(Formula, Formula)]) {
         let width = equations.iter().map(|(left, _)| length(&left.text())).max().unwrap_or_default();
         for (left, right) in equations {
             let text = format!("{} = {}", padded(&left.text(), width, false), right.text());
@@ -116,7 +116,7 @@ impl Section {
     }
 
     /// `name = matrix`, in one piece if it fits, else an equation for each entry.
-    pub(super) fn matrix(&mut self, name: &Formula, rows: &[Vec<Formula>], entry: &str) {
+    pub(crate) fn matrix(&mut self, name: &Formula, rows: &[Vec<Formula>], entry: &str) {
         let texts: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(Formula::text).collect()).collect();
         let columns = texts.first().map_or(0, Vec::len);
         let widths: Vec<usize> =
@@ -156,7 +156,7 @@ fn padded(text: &str, width: usize, right: bool) -> String {
     if right { blanks + text } else { text.to_string() + &blanks }
 }
 
-/// Lines of at most [`WIDTH`] columns. Words break at blanks, formulas before a sign or behind a comma of the outermost
+/// Lines of at most [`WIDTH`] columns. Words break at blanks, formulas before a sign or after a comma of the outermost
 /// brackets.
 fn wrapped(text: &str, indent: usize, formula: bool) -> Vec<String> {
     let mut lines = Vec::new();
@@ -198,7 +198,7 @@ fn place_to_break(text: &[char], indent: usize, formula: bool) -> Option<usize> 
 }
 
 /// Words for LaTeX.
-pub(super) fn escaped(words: &str) -> String {
+pub(crate) fn escaped(words: &str) -> String {
     let mut text = String::new();
     let mut before = ' ';
     for character in words.replace("<=", "≤").replace(">=", "≥").replace("!=", "≠").chars() {

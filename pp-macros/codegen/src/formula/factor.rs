@@ -14,8 +14,8 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
-use super::Formula;
-use super::names::Names;
+use super::expression::Formula;
+use super::names::SymbolNames;
 use crate::model::Model;
 use crate::symbolic::{Poly, Ring, Surd, Symbol};
 
@@ -30,21 +30,21 @@ type Terms = BTreeMap<Monomial, Surd>;
 /// A term of a sum, and its place there.
 type Part = (Vec<usize>, Formula);
 
-pub(super) fn of_poly(model: &Model, ring: &Ring, poly: &Poly) -> Formula {
+pub(crate) fn of_poly(model: &Model, ring: &Ring, poly: &Poly) -> Formula {
     let terms: Terms = poly.terms().map(|(powers, factor)| (powers.to_vec(), factor.clone())).collect();
-    let names = Names::new(model, ring);
+    let names = SymbolNames::new(model, ring);
     let circles = names.circles();
     let writer = Writer { names, circles };
     writer.formula(terms)
 }
 
 struct Writer<'a> {
-    names: Names<'a>,
+    names: SymbolNames<'a>,
     circles: Vec<Vec<Symbol>>,
 }
 
 impl Writer<'_> {
-    /// A formula that stands for itself: its sign is drawn out only if every term has it.
+    /// A formula that is no part of another: its sign is drawn out only if every term has it.
     fn formula(&self, terms: Terms) -> Formula {
         let terms = self.shortest(terms);
         let (number, powers, rest) = self.content(&terms);
@@ -188,7 +188,7 @@ impl Writer<'_> {
         parts
     }
 
-    /// `inside · powers · also`, the sign of the leading term in front.
+    /// `inside · powers · also`, the sign of the leading term first.
     fn drawn(&self, inside: Terms, powers: &Monomial, also: Option<Formula>) -> Formula {
         let inside = self.shortest(inside);
         let (mut number, common, mut inside) = self.content(&inside);
@@ -203,7 +203,7 @@ impl Writer<'_> {
         self.product(number, &all.into_iter().collect(), inside, also)
     }
 
-    /// What can be drawn out of a part of the sum, best first.
+    /// Factors that can be drawn out of a part of the sum, best first.
     fn options(&self, terms: &Terms) -> Vec<Step> {
         let mut counts: BTreeMap<Symbol, usize> = BTreeMap::new();
         for (symbol, _) in terms.keys().flatten().filter(|(symbol, _)| self.names.is_factor(*symbol)) {
@@ -243,8 +243,8 @@ impl Writer<'_> {
         best
     }
 
-    /// Where a term stands in a sum: by its names. A number stands behind lengths, and in front of sines and cosines;
-    /// beside `i j k` it is `1 - k`, but `2 k - 1`.
+    /// Place of a term in a sum, by its names. A number comes after lengths, and before sines and cosines;
+    /// next to `i j k` it is `1 - k`, but `2 k - 1`.
     fn key(&self, monomial: &Monomial, among: &Terms) -> Vec<usize> {
         let mut key: Vec<usize> = monomial.iter().map(|(symbol, _)| self.names.place(*symbol)).collect();
         key.sort_unstable();
@@ -329,7 +329,7 @@ fn unit() -> Terms {
 
 fn is_plain(formula: &Formula) -> bool {
     match formula {
-        Formula::Name(_) => true,
+        Formula::Name(_) | Formula::Root(_) => true,
         Formula::Neg(inner) => is_plain(inner),
         _ => false,
     }
@@ -397,14 +397,14 @@ fn joined(mut parts: Vec<Part>) -> Formula {
     if terms.len() == 1 { terms.remove(0) } else { Formula::Sum(terms) }
 }
 
-/// `number · factors`, the sign in front; half a bracket is the bracket over 2.
+/// `number · factors`, the sign first; half a bracket is the bracket over 2.
 fn assemble(number: &Surd, mut factors: Vec<Formula>) -> Formula {
     let negative = is_negative(number);
     let number = if negative { -number } else { number.clone() };
     let divisor = number.as_rational().filter(|q| q.numer().is_one() && !q.denom().is_one());
     let formula = match (factors.len(), divisor) {
         (0, _) => Formula::Number(number),
-        (1, Some(divisor)) if matches!(factors[0], Formula::Sum(_) | Formula::Name(_)) => {
+        (1, Some(divisor)) if matches!(factors[0], Formula::Sum(_) | Formula::Name(_) | Formula::Root(_)) => {
             let below = BigRational::from(divisor.denom().clone());
             Formula::Quotient(Box::new(factors.remove(0)), Box::new(Formula::Number(Surd::from(below))))
         }

@@ -1,42 +1,20 @@
 //! Expressions as a person writes them: in the names of the declaration, factored, as text, as source and as LaTeX.
 //!
-//! A formula is for reading. What decides is a [`Poly`], what computes is a
-//! [`Graph`]; both can be turned into a formula.
+//! A formula is for reading. What proves is a [`Poly`], what computes is a [`Graph`]; both can be turned into a formula.
 
+mod closed_form;
+mod expression;
 mod factor;
 mod names;
 mod node;
 mod print;
 
-use num_rational::BigRational;
-
-use crate::model::{Model, to_f64};
-use crate::symbolic::{Graph, Id, Poly, Ring, Surd};
+use crate::model::Model;
+use crate::symbolic::{Graph, Id, Poly, Ring};
+pub(crate) use closed_form::{ClosedForm, angle_of_one, first_branch, is_readable};
+pub use expression::Formula;
 pub(crate) use factor::common_number;
 pub use node::Known;
-
-/// An expression as a person writes it.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Formula {
-    /// An exact number.
-    Number(Surd),
-    /// A quantity by its name: `x`, `B`, `gauge`, `alpha`.
-    Name(String),
-    /// `-a`
-    Neg(Box<Formula>),
-    /// `a + b - c`: the difference is a `Neg` among the terms.
-    Sum(Vec<Formula>),
-    /// `a b c`
-    Product(Vec<Formula>),
-    /// `a / b`
-    Quotient(Box<Formula>, Box<Formula>),
-    /// `a^n`
-    Power(Box<Formula>, u32),
-    /// `sin`, `cos`, `sqrt`, `atan2`, `asin`, `acos` of its arguments.
-    Call(String, Vec<Formula>),
-    /// A fixed angle.
-    Degrees(BigRational),
-}
 
 impl Formula {
     /// A polynomial, factored: common factors first, then Horner's scheme by the most frequent sine or cosine.
@@ -51,34 +29,6 @@ impl Formula {
     #[must_use]
     pub fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Self {
         node::of_node(model, graph, node, known)
-    }
-
-    /// A whole number.
-    #[must_use]
-    pub fn integer(value: i64) -> Self {
-        Self::Number(Surd::from(value))
-    }
-
-    /// A quantity by its name.
-    #[must_use]
-    pub fn name(name: impl Into<String>) -> Self {
-        Self::Name(name.into())
-    }
-
-    /// A function of one argument or more.
-    #[must_use]
-    pub fn call(function: &str, arguments: impl IntoIterator<Item = Self>) -> Self {
-        Self::Call(function.into(), arguments.into_iter().collect())
-    }
-
-    /// `-self`, without a second minus.
-    #[must_use]
-    pub fn negated(self) -> Self {
-        match self {
-            Self::Neg(inner) => *inner,
-            Self::Number(number) => Self::Number(-&number),
-            other => Self::Neg(Box::new(other)),
-        }
     }
 
     /// For people: `(x cos C + y sin C) cos B - (z - d) sin B`.
@@ -97,41 +47,5 @@ impl Formula {
     #[must_use]
     pub fn latex(&self) -> String {
         print::latex(self)
-    }
-
-    /// Float value, names taken from `of`; angles in radians. `None` where a name is unknown.
-    pub fn value(&self, of: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
-        let all = |parts: &[Self]| parts.iter().map(|part| part.value(of)).collect::<Option<Vec<f64>>>();
-        Some(match self {
-            Self::Number(number) => number.to_f64(),
-            Self::Name(name) => of(name)?,
-            Self::Neg(inner) => -inner.value(of)?,
-            Self::Sum(terms) => all(terms)?.iter().sum(),
-            Self::Product(factors) => all(factors)?.iter().product(),
-            Self::Quotient(above, below) => above.value(of)? / below.value(of)?,
-            Self::Power(base, power) => base.value(of)?.powi((*power).cast_signed()),
-            Self::Degrees(degrees) => to_f64(degrees).to_radians(),
-            Self::Call(function, arguments) => match (function.as_str(), &all(arguments)?[..]) {
-                ("sin", [a]) => a.sin(),
-                ("cos", [a]) => a.cos(),
-                ("sqrt", [a]) => a.sqrt(),
-                ("asin", [a]) => a.asin(),
-                ("acos", [a]) => a.acos(),
-                ("atan2", [a, b]) => a.atan2(*b),
-                _ => return None,
-            },
-        })
-    }
-
-    /// Names, numbers and functions in it: how much there is to read.
-    #[must_use]
-    pub fn size(&self) -> usize {
-        match self {
-            Self::Number(_) | Self::Name(_) | Self::Degrees(_) => 1,
-            Self::Neg(inner) | Self::Power(inner, _) => inner.size(),
-            Self::Sum(parts) | Self::Product(parts) => parts.iter().map(Self::size).sum(),
-            Self::Quotient(above, below) => above.size() + below.size(),
-            Self::Call(_, arguments) => arguments.iter().map(Self::size).sum(),
-        }
     }
 }

@@ -1,28 +1,28 @@
-//! What the symbols of a ring are called in the declaration.
+//! Names of symbols, as the declaration has them.
 
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use super::Formula;
+use super::expression::Formula;
 use crate::model::{Model, Quantity};
 use crate::symbolic::{Poly, Ring, Symbol};
 
 /// Names of symbols, and the order in which a person writes them.
-pub(super) struct Names<'a> {
+pub(crate) struct SymbolNames<'a> {
     model: &'a Model,
     ring: &'a Ring,
     known: BTreeMap<Symbol, (usize, Formula)>,
 }
 
-/// Places of linear words: behind the pose.
+/// Places of linear words: after the pose.
 const WORDS: usize = 20;
 
 /// Places from here on are sines and cosines.
 const TURNS: usize = 1000;
 
-impl<'a> Names<'a> {
-    pub(super) fn new(model: &'a Model, ring: &'a Ring) -> Self {
+impl<'a> SymbolNames<'a> {
+    pub(crate) fn new(model: &'a Model, ring: &'a Ring) -> Self {
         let mut known = BTreeMap::new();
         let mut enter = |symbol: Symbol, place: usize, formula: Formula| {
             known.insert(symbol, (place, formula));
@@ -60,7 +60,7 @@ impl<'a> Names<'a> {
     }
 
     /// The symbol as it is written.
-    pub(super) fn formula(&self, symbol: Symbol) -> Formula {
+    pub(crate) fn formula(&self, symbol: Symbol) -> Formula {
         if let Some((_, formula)) = self.known.get(&symbol) {
             return formula.clone();
         }
@@ -76,22 +76,22 @@ impl<'a> Names<'a> {
             let below = Formula::of_poly(self.model, self.ring, divisor);
             return Formula::Quotient(Box::new(Formula::integer(1)), Box::new(below));
         }
-        Formula::name(name)
+        if self.ring.is_root(symbol) { Formula::Root(name.into()) } else { Formula::name(name) }
     }
 
     /// Place of a symbol among others.
-    pub(super) fn place(&self, symbol: Symbol) -> usize {
+    pub(crate) fn place(&self, symbol: Symbol) -> usize {
         let fixed = || if fixed_angle(self.ring.name(symbol)).is_some() { TURNS + 3000 } else { 80 };
         self.known.get(&symbol).map_or_else(fixed, |(place, _)| *place)
     }
 
     /// True for sines and cosines.
-    pub(super) fn is_turn(&self, symbol: Symbol) -> bool {
+    pub(crate) fn is_turn(&self, symbol: Symbol) -> bool {
         self.place(symbol) >= TURNS
     }
 
     /// True for what may be drawn out of a part of a sum: lengths may not.
-    pub(super) fn is_factor(&self, symbol: Symbol) -> bool {
+    pub(crate) fn is_factor(&self, symbol: Symbol) -> bool {
         let frame = &self.model.frame;
         let length = match self.known.get(&symbol) {
             Some(_) => !frame.axis.contains(&symbol),
@@ -101,7 +101,7 @@ impl<'a> Names<'a> {
     }
 
     /// Groups of symbols whose squares sum up to 1: sine and cosine, and `i j k`.
-    pub(super) fn circles(&self) -> Vec<Vec<Symbol>> {
+    pub(crate) fn circles(&self) -> Vec<Vec<Symbol>> {
         let turns = self.model.axes.iter().map(|axis| axis.turn);
         let angles = self.model.dimensions.iter().filter_map(|dimension| match dimension.quantity {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),

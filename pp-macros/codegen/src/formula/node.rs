@@ -2,23 +2,23 @@
 
 use std::collections::BTreeMap;
 
-use super::Formula;
-use super::names::Names;
+use super::expression::Formula;
+use super::names::SymbolNames;
 use crate::model::Model;
 use crate::symbolic::{Graph, Id, Node};
 
 /// Nodes that are written by a name of their own.
 pub type Known = BTreeMap<Id, Formula>;
 
-pub(super) fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Formula {
-    let names = Names::new(model, &graph.ring);
+pub(crate) fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Formula {
+    let names = SymbolNames::new(model, graph.ring());
     Reader { model, graph, names, known }.read(node)
 }
 
 struct Reader<'a> {
     model: &'a Model,
     graph: &'a Graph,
-    names: Names<'a>,
+    names: SymbolNames<'a>,
     known: &'a Known,
 }
 
@@ -28,7 +28,7 @@ impl Reader<'_> {
             return formula.clone();
         }
         match *self.graph.node(id) {
-            Node::Constant(ref poly) => Formula::of_poly(self.model, &self.graph.ring, poly),
+            Node::Constant(ref poly) => Formula::of_poly(self.model, self.graph.ring(), poly),
             Node::Input(symbol) => self.names.formula(symbol),
             Node::Neg(a) => self.read(a).negated(),
             Node::Add(a, b) => sum(self.read(a), self.read(b)),
@@ -65,7 +65,7 @@ fn product(a: Formula, b: Formula) -> Formula {
     // Numbers, names, brackets, functions: a function without brackets would swallow what follows.
     all.sort_by_key(|factor| match factor {
         Formula::Number(_) => 0,
-        Formula::Name(_) => 1,
+        Formula::Name(_) | Formula::Root(_) => 1,
         Formula::Call(function, _) if function != "sqrt" => 3,
         _ => 2,
     });

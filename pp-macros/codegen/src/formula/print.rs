@@ -5,7 +5,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed};
 
-use super::Formula;
+use super::expression::Formula;
 use crate::symbolic::Surd;
 
 /// Rational numbers with more binary digits than this, above or below, are rounded where people read them.
@@ -21,7 +21,7 @@ enum Style {
     Latex,
 }
 
-/// How tightly a piece holds together.
+/// Binding strength of a piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Hold {
     Sum,
@@ -47,22 +47,22 @@ impl Piece {
     }
 }
 
-pub(super) fn text(formula: &Formula) -> String {
+pub(crate) fn text(formula: &Formula) -> String {
     piece(formula, Style::Text).text
 }
 
-pub(super) fn source(formula: &Formula) -> String {
+pub(crate) fn source(formula: &Formula) -> String {
     piece(formula, Style::Source).text
 }
 
-pub(super) fn latex(formula: &Formula) -> String {
+pub(crate) fn latex(formula: &Formula) -> String {
     piece(formula, Style::Latex).text
 }
 
 fn piece(formula: &Formula, style: Style) -> Piece {
     match formula {
         Formula::Number(number) => surd(number, style),
-        Formula::Name(name) => {
+        Formula::Name(name) | Formula::Root(name) => {
             Piece::new(if style == Style::Latex { latex_name(name) } else { name.clone() }, Hold::Atom)
         }
         Formula::Neg(inner) => {

@@ -1,7 +1,7 @@
 //! Pose from axis values: the joints applied to the tool point, last joint first.
 
-use super::Chain;
-use crate::model::{Kind, Model};
+use super::derivation::{Derivation, Point};
+use crate::model::Kind;
 use crate::symbolic::V3;
 
 /// Nodes of the forward map.
@@ -13,22 +13,21 @@ pub struct Forward {
     pub axis: V3,
 }
 
-pub(super) fn solve(chain: &mut Chain<'_>) -> Forward {
-    let model: &Model = chain.model;
-    let mut tip = chain.origin();
-    let mut axis = chain.tool_axis();
-    for id in (0..model.axes.len()).rev() {
-        match model.axes[id].kind {
+pub(crate) fn solve(derivation: &Derivation<'_>) -> Forward {
+    let mut tip = derivation.origin();
+    let mut axis = derivation.tool_axis();
+    for (id, joint) in derivation.model.axes.iter().enumerate().rev() {
+        match joint.kind {
             Kind::Linear => {
-                let by = chain.displacement(id);
-                tip.offset = chain.graph.add_vectors(tip.offset, by);
+                let displacement = derivation.displacement(id);
+                tip.offset = tip.offset + displacement;
             }
             Kind::Rotary => {
-                tip = chain.seen_from(tip, Some(id));
-                tip.offset = chain.turn(id, tip.offset);
-                axis = chain.turn(id, axis);
+                let Point { from, offset } = derivation.seen_from(tip, Some(id));
+                tip = Point { from, offset: derivation.rotated(id, offset) };
+                axis = derivation.rotated(id, axis);
             }
         }
     }
-    Forward { tip: chain.seen_from(tip, None).offset, axis }
+    Forward { tip: derivation.seen_from(tip, None).offset.ids(), axis: axis.ids() }
 }

@@ -1,4 +1,4 @@
-//! How tip and tool axis move when the axes move linearly: two derivatives, and a bound of the third.
+//! Motion of tip and tool axis when the axes move linearly: two derivatives, and a bound of the third.
 //!
 //! From the tool to the workpiece. A linear axis adds to the first derivative; a rotary axis about `n` through `c` with
 //! the rate `δ` makes of `y` the point `z = c + R (y - c)` with
@@ -13,9 +13,9 @@
 //! the middle of the block bounds them: `A <= |y''| + M/2`, `V <= |y'| + A/2`, `ρ <= |n × (y - c)| + V/2`. The runtime,
 //! `pp_runtime::kinematics::MotionBound`, makes the deviation of the block from these.
 
-use super::{Chain, Point};
-use crate::model::{AxisId, Kind, Model};
-use crate::symbolic::{Graph, Id, Node, Symbol, V3};
+use super::derivation::{Derivation, Point};
+use crate::model::{Axis, AxisId, Kind, Model};
+use crate::symbolic::{Graph, GraphBuilder, Id, Node, Symbol, Term, V3, Vec3};
 
 /// Nodes of the moving tool, in a graph of their own.
 #[derive(Debug)]
@@ -47,116 +47,127 @@ pub struct Curve {
     pub third: Id,
 }
 
-pub(super) fn solve(model: &Model) -> Motion {
-    let mut graph = Graph::new(model.ring.clone());
-    let letter = |axis: &crate::model::Axis| axis.letter.to_ascii_lowercase();
-    let changes = model.axes.iter().map(|axis| graph.ring.symbol(format!("change_{}", letter(axis)))).collect();
-    let sizes = model.axes.iter().map(|axis| graph.ring.symbol(format!("size_{}", letter(axis)))).collect();
-    let mut moving = Moving { chain: Chain { model, graph }, changes, sizes };
-    let (mut tip, mut tip_curve) = (moving.chain.origin(), moving.still());
-    let (mut axis, mut axis_curve) = (moving.chain.tool_axis(), moving.still());
-    for id in (0..model.axes.len()).rev() {
-        match model.axes[id].kind {
+pub(crate) fn solve(model: &Model) -> Motion {
+    let graph = GraphBuilder::new(model.ring.clone());
+    let symbols = |what: &str| -> Vec<Symbol> {
+        let name = |axis: &Axis| format!("{what}_{}", axis.letter.to_ascii_lowercase());
+        model.axes.iter().map(|axis| graph.symbol(name(axis))).collect()
+    };
+    let (changes, sizes) = (symbols("change"), symbols("size"));
+    let derivation = Derivation { model, graph };
+    let moving = Moving { derivation: &derivation, changes: &changes, sizes: &sizes };
+    let (mut tip, mut tip_curve) = (derivation.origin(), moving.still());
+    let (mut axis, mut axis_curve) = (derivation.tool_axis(), moving.still());
+    for (id, joint) in model.axes.iter().enumerate().rev() {
+        match joint.kind {
             Kind::Linear => {
-                let by = moving.chain.displacement(id);
-                tip.offset = moving.chain.graph.add_vectors(tip.offset, by);
-                tip_curve.rate = moving.slide(id, tip_curve.rate);
+                let displacement = derivation.displacement(id);
+                tip.offset = tip.offset + displacement;
+                tip_curve.rate = moving.slid(id, tip_curve.rate);
             }
             Kind::Rotary => {
-                tip = moving.chain.seen_from(tip, Some(id));
-                tip_curve = moving.turn("tip", id, tip.offset, tip_curve);
-                tip = Point { offset: moving.chain.turn(id, tip.offset), ..tip };
-                axis_curve = moving.turn("axis", id, axis, axis_curve);
-                axis = moving.chain.turn(id, axis);
+                tip = derivation.seen_from(tip, Some(id));
+                tip_curve = moving.rotated("tip", id, tip.offset, tip_curve);
+                tip = Point { offset: derivation.rotated(id, tip.offset), ..tip };
+                axis_curve = moving.rotated("axis", id, axis, axis_curve);
+                axis = derivation.rotated(id, axis);
             }
         }
     }
     let rotary = |id: &AxisId| model.axes[*id].kind == Kind::Rotary;
-    let centres = (0..model.axes.len()).filter(rotary).map(|id| moving.chain.joint_centre(id)).collect();
-    let Moving { chain, changes, sizes } = moving;
-    Motion { graph: chain.graph, changes, sizes, tip: tip_curve, axis, axis_curve, centres }
+    let centres = (0..model.axes.len()).filter(rotary).map(|id| derivation.joint_centre(id).ids()).collect();
+    let (tip, axis, axis_curve) = (tip_curve.nodes(), axis.ids(), axis_curve.nodes());
+    Motion { graph: derivation.graph.finish(), changes, sizes, tip, axis, axis_curve, centres }
 }
 
 /// A chain whose axes move.
 struct Moving<'a> {
-    chain: Chain<'a>,
-    changes: Vec<Symbol>,
-    sizes: Vec<Symbol>,
+    derivation: &'a Derivation<'a>,
+    changes: &'a [Symbol],
+    sizes: &'a [Symbol],
 }
 
-impl Moving<'_> {
-    fn still(&mut self) -> Curve {
-        let zero = self.chain.graph.integer(0);
-        Curve { rate: [zero; 3], bend: [zero; 3], third: zero }
+/// A [`Curve`] under construction: `y'`, `y''` and `M`.
+#[derive(Clone, Copy)]
+struct Derivatives<'g> {
+    rate: Vec3<'g>,
+    bend: Vec3<'g>,
+    third: Term<'g>,
+}
+
+impl Derivatives<'_> {
+    fn nodes(self) -> Curve {
+        Curve { rate: self.rate.ids(), bend: self.bend.ids(), third: self.third.id() }
+    }
+}
+
+impl<'g> Moving<'g> {
+    fn still(&self) -> Derivatives<'g> {
+        let zero = self.derivation.graph.zero_vector();
+        Derivatives { rate: zero, bend: zero, third: self.derivation.graph.integer(0) }
     }
 
     /// The first derivative with what a linear axis adds to it.
-    fn slide(&mut self, axis: AxisId, rate: V3) -> V3 {
-        let change = self.chain.graph.input(self.changes[axis]);
-        let step = self.chain.step(axis);
-        let by = self.chain.graph.scale_vector(change, step);
-        self.chain.graph.add_vectors(rate, by)
+    fn slid(&self, axis: AxisId, rate: Vec3<'g>) -> Vec3<'g> {
+        let change = self.change(axis);
+        rate + change * self.derivation.step(axis)
     }
 
     /// The curve of a point, seen through a rotary axis from whose centre it is `lever` away.
-    fn turn(&mut self, what: &str, axis: AxisId, lever: V3, curve: Curve) -> Curve {
-        let Curve { rate, bend, .. } = curve;
-        let direction = self.chain.step(axis);
-        let change = self.chain.graph.input(self.changes[axis]);
-        let swing = self.chain.graph.cross(direction, lever);
-        self.chain.name(&format!("{what}_swing"), axis, swing);
+    fn rotated(&self, what: &str, axis: AxisId, lever: Vec3<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
+        let Derivatives { rate, bend, .. } = curve;
+        let direction = self.derivation.step(axis);
+        let change = self.change(axis);
+        let swing = direction.cross(lever);
+        self.derivation.name(&format!("{what}_swing"), axis, swing);
         let third = self.third(axis, swing, curve);
-        let graph = &mut self.chain.graph;
-        let by_turn = graph.scale_vector(change, swing);
-        let twice = graph.add_vectors(rate, rate);
-        let both = graph.add_vectors(twice, by_turn);
-        let across = graph.cross(direction, both);
-        let by_bend = graph.scale_vector(change, across);
-        let (new_rate, new_bend) = (graph.add_vectors(rate, by_turn), graph.add_vectors(bend, by_bend));
-        Curve { rate: self.chain.turn(axis, new_rate), bend: self.chain.turn(axis, new_bend), third }
+        let by_rotation = change * swing;
+        let by_bend = change * direction.cross(rate + rate + by_rotation);
+        let (rate, bend) = (rate + by_rotation, bend + by_bend);
+        Derivatives { rate: self.derivation.rotated(axis, rate), bend: self.derivation.rotated(axis, bend), third }
     }
 
-    /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`
-    fn third(&mut self, axis: AxisId, swing: V3, Curve { rate, bend, third }: Curve) -> Id {
+    /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`, from inside outwards.
+    fn third(&self, axis: AxisId, swing: Vec3<'g>, curve: Derivatives<'g>) -> Term<'g> {
+        let Derivatives { rate, bend, third } = curve;
         let (bend, rate, swing) = (self.norm(bend), self.norm(rate), self.norm(swing));
-        let size = self.chain.graph.input(self.sizes[axis]);
-        let graph = &mut self.chain.graph;
-        let two = graph.integer(2);
-        let largest_bend = add_half(graph, bend, third, two);
-        let largest_rate = add_half(graph, rate, largest_bend, two);
-        let largest_swing = add_half(graph, swing, largest_rate, two);
-        let three = graph.integer(3);
-        let mut sum = graph.mul(size, largest_swing);
-        for (largest, factor) in [(largest_rate, three), (largest_bend, three)] {
-            let term = graph.mul(factor, largest);
-            let inner = graph.add(term, sum);
-            sum = graph.mul(size, inner);
-        }
-        graph.add(third, sum)
+        let size = self.size(axis);
+        let largest_bend = bend + third / 2;
+        let largest_rate = rate + largest_bend / 2;
+        let largest_swing = swing + largest_rate / 2;
+        let sum = size * largest_swing;
+        let sum = size * (3 * largest_rate + sum);
+        let sum = size * (3 * largest_bend + sum);
+        third + sum
     }
 
     /// Length of a vector; of a single axis' motion its magnitude.
-    fn norm(&mut self, v: V3) -> Id {
-        let graph = &mut self.chain.graph;
-        let parts: Vec<Id> = v.into_iter().filter(|id| !graph.is_zero(*id)).collect();
-        if let [only] = parts[..] {
-            let inside = match *graph.node(only) {
-                Node::Neg(inner) => inner,
-                _ => only,
-            };
-            if let Node::Input(symbol) = *graph.node(inside)
-                && let Some(axis) = self.changes.iter().position(|change| *change == symbol)
-            {
-                return graph.input(self.sizes[axis]);
-            }
+    fn norm(&self, v: Vec3<'g>) -> Term<'g> {
+        match self.derivation.graph.with(|graph| self.single_axis(graph, v.ids())) {
+            Some(axis) => self.size(axis),
+            None => v.norm(),
         }
-        let square = graph.dot(v, v);
-        graph.sqrt(square)
     }
-}
 
-/// `a + b / two`
-fn add_half(graph: &mut Graph, a: Id, b: Id, two: Id) -> Id {
-    let half = graph.div(b, two);
-    graph.add(a, half)
+    /// The axis whose change, or its negative, is the only component that is not zero.
+    fn single_axis(&self, graph: &Graph, v: V3) -> Option<AxisId> {
+        let mut parts = v.into_iter().filter(|id| !graph.is_zero(*id));
+        let (Some(only), None) = (parts.next(), parts.next()) else { return None };
+        let unsigned = match *graph.node(only) {
+            Node::Neg(inner) => inner,
+            _ => only,
+        };
+        match *graph.node(unsigned) {
+            Node::Input(symbol) => self.changes.iter().position(|change| *change == symbol),
+            _ => None,
+        }
+    }
+
+    fn change(&self, axis: AxisId) -> Term<'g> {
+        self.derivation.graph.input(self.changes[axis])
+    }
+
+    fn size(&self, axis: AxisId) -> Term<'g> {
+        self.derivation.graph.input(self.sizes[axis])
+    }
 }

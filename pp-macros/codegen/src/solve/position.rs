@@ -1,13 +1,13 @@
 //! Linear axes from the tip and the sines and cosines of all rotary axes.
 //!
-//! The chain is cut at one place: joints before the cut are undone on the wanted tip, joints behind it are applied to
+//! The chain is cut at one place: joints before the cut are undone on the wanted tip, joints after it are applied to
 //! the tool point, and what is left between the two is `Σ q_i w_i` with the directions `w_i` of the linear axes as seen
 //! at the cut. Axes in the group that is cut have constant directions. Every cut gives the same answer; the one with
 //! the fewest operations is kept.
 
-use super::{Chain, Point};
-use crate::model::{AxisId, Kind, Model};
-use crate::symbolic::{Id, Node, V3};
+use super::derivation::{Derivation, Point};
+use crate::model::{AxisId, Kind};
+use crate::symbolic::{Id, Operations, Term, Vec3};
 
 /// Nodes of the linear axes.
 #[derive(Debug, Clone)]
@@ -20,12 +20,12 @@ pub struct Position {
     pub cut: usize,
 }
 
-pub(super) fn solve(chain: &mut Chain<'_>) -> Position {
-    (0..=chain.model.axes.len())
+pub(crate) fn solve(derivation: &Derivation<'_>) -> Position {
+    (0..=derivation.model.axes.len())
         .map(|cut| {
-            let position = solve_at(chain, cut);
+            let position = solve_at(derivation, cut);
             let outputs: Vec<Id> = position.values.iter().map(|(_, node)| *node).collect();
-            let cost = chain.graph.reachable(&outputs).into_iter().filter(|id| costs(chain.graph.node(*id))).count();
+            let cost = derivation.graph.with(|graph| Operations::of(graph, &outputs).total());
             (cost, cut, position)
         })
         .min_by_key(|(cost, cut, _)| (*cost, *cut))
@@ -33,103 +33,103 @@ pub(super) fn solve(chain: &mut Chain<'_>) -> Position {
         .expect("a chain has at least one place to cut")
 }
 
-fn costs(node: &Node) -> bool {
-    !matches!(node, Node::Constant(_) | Node::Input(_) | Node::Neg(_))
+/// A solved linear axis, and its direction as seen at the cut.
+type Column<'g> = (AxisId, Vec3<'g>);
+
+fn solve_at(derivation: &Derivation<'_>, cut: usize) -> Position {
+    let (wanted, before) = wanted_at(derivation, cut);
+    let (tool, after) = tool_at(derivation, cut);
+    let tool = derivation.seen_from(tool, wanted.from);
+    let gap = wanted.offset - tool.offset;
+    let columns = [before, after].concat();
+    let [a, b, c] = columns[..] else { unreachable!("the check lets exactly three solved linear axes pass") };
+    let (values, determinant) = solve_three([a.1, b.1, c.1], gap);
+    let values = [a.0, b.0, c.0].into_iter().zip(values.map(Term::id)).collect();
+    Position { values, determinant: determinant.id(), cut }
 }
 
-fn solve_at(chain: &mut Chain<'_>, cut: usize) -> Position {
-    let model: &Model = chain.model;
-    let tip = model.frame.tip.map(|symbol| chain.graph.input(symbol));
-    let mut wanted = Point { from: None, offset: tip };
-    let mut columns: Vec<(AxisId, V3)> = Vec::new();
-    for id in 0..cut {
-        let axis = &model.axes[id];
+/// The wanted tip with the joints before the cut undone, and the linear axes among these.
+fn wanted_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Column<'g>>) {
+    let model = derivation.model;
+    let mut wanted = Point { from: None, offset: derivation.graph.inputs(model.frame.tip) };
+    let mut columns: Vec<Column<'g>> = Vec::new();
+    for (id, axis) in model.axes.iter().enumerate().take(cut) {
         match axis.kind {
-            Kind::Linear if axis.held.is_some() => {
-                let by = chain.displacement(id);
-                wanted.offset = chain.graph.sub_vectors(wanted.offset, by);
-            }
-            Kind::Linear => columns.push((id, chain.step(id))),
+            Kind::Linear if axis.held.is_some() => wanted.offset = wanted.offset - derivation.displacement(id),
+            Kind::Linear => columns.push((id, derivation.step(id))),
             Kind::Rotary => {
-                wanted = chain.seen_from(wanted, Some(id));
-                chain.name("tip_from", id, wanted.offset);
-                wanted.offset = chain.turn_back(id, wanted.offset);
-                chain.name("tip_on", id, wanted.offset);
+                wanted = derivation.seen_from(wanted, Some(id));
+                derivation.name("tip_from", id, wanted.offset);
+                wanted.offset = derivation.rotated_back(id, wanted.offset);
+                derivation.name("tip_on", id, wanted.offset);
                 for (_, column) in &mut columns {
-                    *column = chain.turn_back(id, *column);
+                    *column = derivation.rotated_back(id, *column);
                 }
             }
         }
     }
-    let before = columns.len();
-    let mut tool = chain.origin();
-    for id in (cut..model.axes.len()).rev() {
-        let axis = &model.axes[id];
+    (wanted, columns)
+}
+
+/// The tool point with the joints after the cut applied, and the linear axes among these.
+fn tool_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Column<'g>>) {
+    let mut tool = derivation.origin();
+    let mut columns: Vec<Column<'g>> = Vec::new();
+    for (id, axis) in derivation.model.axes.iter().enumerate().skip(cut).rev() {
         match axis.kind {
-            Kind::Linear if axis.held.is_some() => {
-                let by = chain.displacement(id);
-                tool.offset = chain.graph.add_vectors(tool.offset, by);
-            }
-            Kind::Linear => columns.insert(before, (id, chain.step(id))),
+            Kind::Linear if axis.held.is_some() => tool.offset = tool.offset + derivation.displacement(id),
+            Kind::Linear => columns.insert(0, (id, derivation.step(id))),
             Kind::Rotary => {
-                tool = chain.seen_from(tool, Some(id));
-                tool.offset = chain.turn(id, tool.offset);
-                chain.name("tool_on", id, tool.offset);
-                for (_, column) in &mut columns[before..] {
-                    *column = chain.turn(id, *column);
+                tool = derivation.seen_from(tool, Some(id));
+                tool.offset = derivation.rotated(id, tool.offset);
+                derivation.name("tool_on", id, tool.offset);
+                for (_, column) in &mut columns {
+                    *column = derivation.rotated(id, *column);
                 }
             }
         }
     }
-    let tool = chain.seen_from(tool, wanted.from);
-    let gap = chain.graph.sub_vectors(wanted.offset, tool.offset);
-    let [a, b, c] = columns[..] else { unreachable!("the check lets exactly three solved linear axes pass") };
-    let (values, determinant) = solve_three(chain, [a.1, b.1, c.1], gap);
-    Position { values: [a.0, b.0, c.0].into_iter().zip(values).collect(), determinant, cut }
+    (tool, columns)
 }
 
 /// `q` with `Σ q_i w_i = gap`, and the determinant of the `w_i`.
-fn solve_three(chain: &mut Chain<'_>, w: [V3; 3], gap: V3) -> (V3, Id) {
-    let graph = &mut chain.graph;
-    let varies: Vec<usize> =
-        (0..3).filter(|index| w[*index].iter().any(|id| graph.constant_of(*id).is_none())).collect();
-    let zero = graph.integer(0);
-    if varies.len() > 1 {
-        // Cramer: q_a = gap · (w_b × w_c) / det, and cyclic.
-        let faces: [V3; 3] = std::array::from_fn(|index| graph.cross(w[(index + 1) % 3], w[(index + 2) % 3]));
-        let determinant = graph.dot(w[0], faces[0]);
-        graph.name(determinant, "determinant");
-        let one = graph.integer(1);
-        if graph.is_zero(determinant) {
-            return ([zero; 3], determinant);
-        }
-        let inverse = graph.div(one, determinant);
-        let values = faces.map(|face| {
-            let volume = graph.dot(gap, face);
-            graph.mul(volume, inverse)
-        });
-        return (values, determinant);
+fn solve_three<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
+    let is_fixed = |w: Vec3<'_>| w.components().into_iter().all(Term::is_constant);
+    let varying: Vec<usize> = (0..3).filter(|index| !is_fixed(w[*index])).collect();
+    if varying.len() > 1 {
+        return by_volumes(w, gap);
     }
-    // Two fixed directions a, b: first along c, seen square to both, then within their plane by the dual vectors.
-    let c = varies.first().copied().unwrap_or(2);
+    by_planes(w, varying.first().copied().unwrap_or(2), gap)
+}
+
+/// Cramer's rule: `q_a = gap · (w_b × w_c) / det`, and cyclic.
+fn by_volumes<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
+    let faces: [Vec3<'g>; 3] = std::array::from_fn(|index| w[(index + 1) % 3].cross(w[(index + 2) % 3]));
+    let determinant = w[0].dot(faces[0]).named("determinant");
+    if determinant.is_zero() {
+        return ([determinant; 3], determinant);
+    }
+    let inverse = 1 / determinant;
+    (faces.map(|face| gap.dot(face) * inverse), determinant)
+}
+
+/// All but `w_c` are fixed: first `q_c`, seen perpendicular to the two others, then these within their plane by the dual
+/// vectors.
+fn by_planes<'g>(w: [Vec3<'g>; 3], c: usize, gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
     let (a, b) = ((c + 1) % 3, (c + 2) % 3);
-    let normal = graph.cross(w[a], w[b]);
-    let determinant = graph.dot(normal, w[c]);
-    let area = graph.dot(normal, normal);
-    if graph.is_zero(determinant) || graph.is_zero(area) {
-        return ([zero; 3], zero);
+    let normal = w[a].cross(w[b]);
+    let determinant = normal.dot(w[c]);
+    let area = normal.dot(normal);
+    if determinant.is_zero() || area.is_zero() {
+        return ([determinant; 3], determinant);
     }
-    graph.name(determinant, "determinant");
-    let height = graph.dot(normal, gap);
-    let along_c = graph.div(height, determinant);
-    let by = graph.scale_vector(along_c, w[c]);
-    let rest = graph.sub_vectors(gap, by);
-    let across_b = graph.cross(w[b], normal);
-    let across_a = graph.cross(normal, w[a]);
+    let determinant = determinant.named("determinant");
+    let along_c = normal.dot(gap) / determinant;
+    let rest = gap - along_c * w[c];
+    let (across_b, across_a) = (w[b].cross(normal), normal.cross(w[a]));
     let mut values = [along_c; 3];
     for (index, across) in [(a, across_b), (b, across_a)] {
-        let dual = across.map(|component| graph.div(component, area));
-        values[index] = graph.dot(dual, rest);
+        values[index] = (across / area).dot(rest);
     }
     (values, determinant)
 }

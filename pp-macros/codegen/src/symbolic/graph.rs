@@ -41,8 +41,8 @@ pub enum Node {
 /// Arena of nodes, with the ring whose symbols they use.
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
-    /// Symbols and their relations.
-    pub ring: Ring,
+    /// Symbols and their relations. It only grows: a polynomial that was read keeps its meaning.
+    ring: Ring,
     nodes: Vec<Node>,
     index: BTreeMap<Node, Id>,
     names: BTreeMap<Id, String>,
@@ -55,7 +55,33 @@ impl Graph {
         Self { ring, ..Self::default() }
     }
 
-    /// The operation behind a handle.
+    /// Symbols of the nodes, and their relations.
+    #[must_use]
+    pub fn ring(&self) -> &Ring {
+        &self.ring
+    }
+
+    /// A new free symbol; see [`Ring::symbol`].
+    pub fn symbol(&mut self, name: impl Into<String>) -> Symbol {
+        self.ring.symbol(name)
+    }
+
+    /// Sine and cosine of a new angle; see [`Ring::sin_cos`].
+    pub fn sin_cos(&mut self, sine: impl Into<String>, cosine: impl Into<String>) -> (Symbol, Symbol) {
+        self.ring.sin_cos(sine, cosine)
+    }
+
+    /// A root, whose square is `radicand`; see [`Ring::root`].
+    pub fn root(&mut self, name: impl Into<String>, radicand: Poly) -> Symbol {
+        self.ring.root(name, radicand)
+    }
+
+    /// A reciprocal: times `divisor` it is 1; see [`Ring::reciprocal`].
+    pub fn reciprocal(&mut self, name: impl Into<String>, divisor: Poly) -> Symbol {
+        self.ring.reciprocal(name, divisor)
+    }
+
+    /// The operation of a handle.
     #[must_use]
     pub fn node(&self, id: Id) -> &Node {
         &self.nodes[id.0 as usize]
@@ -281,60 +307,6 @@ impl Graph {
         self.mul(a, a)
     }
 
-    /// `a · b` of vectors.
-    pub fn dot(&mut self, a: V3, b: V3) -> Id {
-        let products: V3 = std::array::from_fn(|index| self.mul(a[index], b[index]));
-        let sum = self.add(products[0], products[1]);
-        self.add(sum, products[2])
-    }
-
-    /// `a × b`
-    pub fn cross(&mut self, a: V3, b: V3) -> V3 {
-        std::array::from_fn(|index| {
-            let (next, last) = ((index + 1) % 3, (index + 2) % 3);
-            let plus = self.mul(a[next], b[last]);
-            let minus = self.mul(a[last], b[next]);
-            self.sub(plus, minus)
-        })
-    }
-
-    /// `a + b` of vectors.
-    pub fn add_vectors(&mut self, a: V3, b: V3) -> V3 {
-        std::array::from_fn(|index| self.add(a[index], b[index]))
-    }
-
-    /// `a - b` of vectors.
-    pub fn sub_vectors(&mut self, a: V3, b: V3) -> V3 {
-        std::array::from_fn(|index| self.sub(a[index], b[index]))
-    }
-
-    /// A vector times a number.
-    pub fn scale_vector(&mut self, factor: Id, v: V3) -> V3 {
-        v.map(|component| self.mul(factor, component))
-    }
-
-    /// `Rot(n, t) · v` with the sine and cosine of `t`; entries as in [`rotation`](super::rotation), so that turning
-    /// about a coordinate axis leaves that coordinate untouched.
-    pub fn rotate(&mut self, n: V3, sine: Id, cosine: Id, v: V3) -> V3 {
-        std::array::from_fn(|row| {
-            let mut sum = self.integer(0);
-            for (column, component) in v.into_iter().enumerate() {
-                let along = self.mul(n[row], n[column]);
-                let unit = self.integer(i64::from(row == column));
-                let across = self.sub(unit, along);
-                let turning = self.mul(across, cosine);
-                let mut entry = self.add(along, turning);
-                if row != column {
-                    let term = self.mul(n[3 - row - column], sine);
-                    entry = if (row + 1) % 3 == column { self.sub(entry, term) } else { self.add(entry, term) };
-                }
-                let product = self.mul(entry, component);
-                sum = self.add(sum, product);
-            }
-            sum
-        })
-    }
-
     /// Float value of a node for given inputs; NaN where an input is missing.
     pub fn evaluate(&self, id: Id, of: &dyn Fn(Symbol) -> Option<f64>) -> f64 {
         let mut values: BTreeMap<Id, f64> = BTreeMap::new();
@@ -420,7 +392,7 @@ mod tests {
     #[test]
     fn signs_move_outwards_so_that_branches_share() {
         let mut graph = Graph::default();
-        let (x, y) = (graph.ring.symbol("x"), graph.ring.symbol("y"));
+        let (x, y) = (graph.symbol("x"), graph.symbol("y"));
         let (x, y) = (graph.input(x), graph.input(y));
         let product = graph.mul(x, y);
         let minus_x = graph.neg(x);
@@ -428,21 +400,5 @@ mod tests {
         assert_eq!(mirrored, graph.neg(product));
         let sum = graph.add(product, mirrored);
         assert!(graph.is_zero(sum));
-    }
-
-    #[test]
-    fn rotation_about_z_leaves_z_alone() {
-        let mut graph = Graph::default();
-        let (s, c) = graph.ring.sin_cos("s", "c");
-        let v: V3 = ["x", "y", "z"].map(|name| {
-            let symbol = graph.ring.symbol(name);
-            graph.input(symbol)
-        });
-        let n = [0, 0, 1].map(|value| graph.integer(value));
-        let (s, c) = (graph.input(s), graph.input(c));
-        let turned = graph.rotate(n, s, c, v);
-        assert_eq!(turned[2], v[2]);
-        let back = graph.neg(s);
-        assert_ne!(graph.rotate(n, back, c, v)[0], turned[0]);
     }
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::graph::{Graph, Id, Node};
 use super::poly::{Poly, Symbol};
+use super::ring::Ring;
 
 /// Interprets nodes of one graph under an assignment of polynomials to inputs.
 ///
@@ -20,7 +21,7 @@ pub struct Interpreter<'a> {
 }
 
 impl<'a> Interpreter<'a> {
-    /// With the given polynomials for some inputs; the others stand for themselves.
+    /// With the given polynomials for some inputs; the others are taken as they are.
     pub fn new(graph: &'a mut Graph, inputs: BTreeMap<Symbol, Poly>) -> Self {
         Self { graph, inputs, values: BTreeMap::new(), reciprocals: Vec::new(), void: false }
     }
@@ -29,7 +30,7 @@ impl<'a> Interpreter<'a> {
     #[must_use]
     pub fn claim(&mut self, root: Id, value: &Poly) -> bool {
         let Node::Sqrt(radicand) = *self.graph.node(root) else { return false };
-        let square = self.graph.ring.mul(value, value);
+        let square = self.graph.ring().mul(value, value);
         let radicand = self.value(radicand);
         let holds = self.equal(&square, &radicand);
         if holds {
@@ -44,9 +45,10 @@ impl<'a> Interpreter<'a> {
     }
 
     /// Takes a generator with the square `square` for a `√` node; the caller answers for the square.
-    pub fn assume_square(&mut self, root: Id, square: Poly) {
-        let symbol = self.graph.ring.root("r", square);
+    pub fn assume_square(&mut self, root: Id, square: Poly) -> Symbol {
+        let symbol = self.graph.root("r", square);
         self.values.insert(root, Poly::from(symbol));
+        symbol
     }
 
     /// The node as a polynomial in normal form.
@@ -62,15 +64,15 @@ impl<'a> Interpreter<'a> {
                 Node::Neg(a) => -&self.values[&a],
                 Node::Add(a, b) => &self.values[&a] + &self.values[&b],
                 Node::Sub(a, b) => &self.values[&a] - &self.values[&b],
-                Node::Mul(a, b) => self.graph.ring.mul(&self.values[&a], &self.values[&b]),
+                Node::Mul(a, b) => self.graph.ring().mul(&self.values[&a], &self.values[&b]),
                 Node::Div(a, b) => {
                     let divisor = self.values[&b].clone();
                     let reciprocal = self.reciprocal(divisor);
-                    self.graph.ring.mul(&self.values[&a], &reciprocal)
+                    self.graph.ring().mul(&self.values[&a], &reciprocal)
                 }
                 Node::Sqrt(a) => {
                     let radicand = self.values[&a].clone();
-                    Poly::from(self.graph.ring.root("r", radicand))
+                    Poly::from(self.graph.root("r", radicand))
                 }
             };
             self.values.insert(id, value);
@@ -78,16 +80,22 @@ impl<'a> Interpreter<'a> {
         self.values[&id].clone()
     }
 
-    /// Whether two polynomials are equal wherever no divisor is zero.
+    /// True only if two polynomials are proven to be equal wherever no divisor is zero.
     #[must_use]
     pub fn equal(&self, a: &Poly, b: &Poly) -> bool {
-        !self.void && self.graph.ring.is_zero(&(a - b))
+        !self.void && self.graph.ring().is_zero(&(a - b))
+    }
+
+    /// The graph that is read.
+    #[must_use]
+    pub fn graph(&self) -> &Graph {
+        self.graph
     }
 
     /// The ring of the graph.
     #[must_use]
-    pub fn ring(&self) -> &super::Ring {
-        &self.graph.ring
+    pub fn ring(&self) -> &Ring {
+        self.graph.ring()
     }
 
     fn reciprocal(&mut self, divisor: Poly) -> Poly {
@@ -97,8 +105,8 @@ impl<'a> Interpreter<'a> {
         if let Some((_, known)) = self.reciprocals.iter().find(|(d, _)| *d == divisor) {
             return known.clone();
         }
-        self.void |= self.graph.ring.is_zero(&divisor);
-        let symbol = Poly::from(self.graph.ring.reciprocal("v", divisor.clone()));
+        self.void |= self.graph.ring().is_zero(&divisor);
+        let symbol = Poly::from(self.graph.reciprocal("v", divisor.clone()));
         self.reciprocals.push((divisor, symbol.clone()));
         symbol
     }
@@ -111,7 +119,7 @@ mod tests {
     #[test]
     fn nothing_is_proven_by_dividing_by_zero() {
         let mut graph = Graph::default();
-        let (s, c) = graph.ring.sin_cos("s", "c");
+        let (s, c) = graph.sin_cos("s", "c");
         let (one, s, c) = (graph.integer(1), graph.input(s), graph.input(c));
         let squares = [graph.square(s), graph.square(c)];
         let sum = graph.add(squares[0], squares[1]);
@@ -125,7 +133,7 @@ mod tests {
     #[test]
     fn a_claimed_root_must_square_to_its_radicand() {
         let mut graph = Graph::default();
-        let (x, y) = (graph.ring.symbol("x"), graph.ring.symbol("y"));
+        let (x, y) = (graph.symbol("x"), graph.symbol("y"));
         let (a, b) = (graph.input(x), graph.input(y));
         let sum = graph.add(a, b);
         let square = graph.square(sum);

@@ -1,9 +1,13 @@
 //! Exact algebra: numbers, polynomials, matrices, and the expression graph that becomes code.
 //!
-//! Two representations. [`Poly`] in the normal form of a [`Ring`] *decides*: two expressions are equal exactly if their
-//! difference has remainder zero. [`Graph`] *computes*: its nodes are printed as Rust one to one, and
-//! [`Interpreter`] reads the very same nodes back into polynomials, so what is proven is what runs. Nothing is ever
-//! printed from a normal form: `k² → 1 - i² - j²` would lose half the digits near the pole.
+//! Two representations. [`Poly`] in the normal form of a [`Ring`] *proves*: if the difference of two expressions has
+//! remainder zero, they are equal wherever the relations hold and no divisor is zero. Any other remainder refutes nothing
+//! by itself: with `r² = x²` that of `r - x` is not zero, though a root is `x` for every positive `x`. Without roots and
+//! without fixed angles the converse holds, too: circles and unit vectors make a ring without divisors of zero.
+//!
+//! [`Graph`] *computes*: its nodes are printed as Rust one to one, and [`Interpreter`] reads the very same nodes back into
+//! polynomials, so what is proven is what runs. [`Term`] writes them as formulas. Nothing is ever printed from a normal
+//! form: `k² → 1 - i² - j²` would lose half the digits near the pole.
 //!
 //! Knows nothing of machines.
 //!
@@ -36,16 +40,21 @@ mod angle;
 mod graph;
 mod interpret;
 mod matrix;
+mod operations;
 mod poly;
 mod ring;
 mod sign;
 mod surd;
+mod term;
 
 pub use angle::{angle_sum, turn_by};
 pub use graph::{Graph, Id, Node, V3};
 pub use interpret::Interpreter;
 pub use matrix::{Matrix, P3, rotation, translation};
+pub(crate) use operations::Operations;
 pub use poly::{Poly, Symbol};
 pub use ring::Ring;
 pub use sign::{Sign, hidden_zeros_of, sign_of, zeros_of};
 pub use surd::{Surd, exact_sin_cos};
+pub(crate) use term::nodes;
+pub use term::{GraphBuilder, Term, Vec3};

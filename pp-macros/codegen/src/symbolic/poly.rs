@@ -7,15 +7,15 @@ use super::surd::Surd;
 
 /// A variable; what it means is known to whoever made it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Symbol(pub(super) u32);
+pub struct Symbol(pub(crate) u32);
 
 /// Product of powers, sorted by symbol; the empty product is 1.
-pub(super) type Monomial = Vec<(Symbol, u32)>;
+pub(crate) type Monomial = Vec<(Symbol, u32)>;
 
 /// Sum of monomials with non-zero coefficients. Products need the relations of a [`Ring`](super::Ring).
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Poly {
-    pub(super) terms: BTreeMap<Monomial, Surd>,
+    pub(crate) terms: BTreeMap<Monomial, Surd>,
 }
 
 impl Poly {
@@ -103,7 +103,7 @@ impl Poly {
         Self { terms: self.terms.iter().map(|(monomial, c)| (monomial.clone(), c * factor)).collect() }
     }
 
-    pub(super) fn add_term(&mut self, monomial: Monomial, factor: Surd) {
+    pub(crate) fn add_term(&mut self, monomial: Monomial, factor: Surd) {
         use std::collections::btree_map::Entry;
         match self.terms.entry(monomial) {
             Entry::Vacant(entry) => {

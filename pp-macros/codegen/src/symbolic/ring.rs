@@ -1,7 +1,8 @@
 //! Symbols with their relations, and arithmetic modulo these.
 //!
 //! Squares rewrite (rules `circle`, `unit-vector`, `root`), each to a polynomial of lower degree in the leading symbol;
-//! the leading symbols are distinct, hence coprime: remainder 0 decides equality, never sampling. Reciprocals are
+//! the leading symbols are distinct, hence coprime: normal forms are unique. Remainder 0 proves that a polynomial vanishes,
+//! and nothing is sampled; what another remainder means is said in [`symbolic`](super). Reciprocals are
 //! multiplied out first (rule `clear`).
 
 use std::collections::BTreeMap;
@@ -11,7 +12,7 @@ use num_rational::BigRational;
 use super::poly::{Monomial, Poly, Symbol};
 use super::surd::Surd;
 
-/// What the ring knows about a symbol.
+/// Facts about a symbol.
 #[derive(Debug, Clone)]
 struct Known {
     name: String,
@@ -108,13 +109,13 @@ impl Ring {
         (0..self.known.len()).map(symbol_at)
     }
 
-    /// What a symbol's square is rewritten to.
+    /// The polynomial that a symbol's square is rewritten to.
     #[must_use]
     pub fn square(&self, symbol: Symbol) -> Option<&Poly> {
         self.known[symbol.0 as usize].square.as_ref()
     }
 
-    /// What a reciprocal is the reciprocal of.
+    /// The divisor of a reciprocal.
     #[must_use]
     pub fn divisor(&self, symbol: Symbol) -> Option<&Poly> {
         self.known[symbol.0 as usize].divisor.as_ref()
@@ -223,7 +224,7 @@ impl Ring {
         sum
     }
 
-    /// Whether a polynomial vanishes wherever the relations hold and no divisor is zero.
+    /// True only if a polynomial vanishes wherever the relations hold and no divisor is zero: proven, or false.
     ///
     /// Rule `clear`: with `v·d = 1`, `Σ p_m v^m = 0` exactly if `Σ p_m d^(n-m) = 0`. Later reciprocals may have earlier
     /// ones in their divisors, so they are cleared last to first.

@@ -1,6 +1,6 @@
 //! The sign of a polynomial, as a product of factors that a person can check.
 //!
-//! Only what is *shown* depends on this module: which formula is right is decided by remainders, and on which part it is
+//! Only what is *shown* depends on this module: which formula is right is proven by remainders, and on which part it is
 //! right is the polynomial given here. Five rules, none changes the sign:
 //! - `clear-even`: a reciprocal is cleared by an even power of its divisor;
 //! - `content`: positive numbers and even powers are left out;
@@ -24,7 +24,7 @@ const MOST_BOUNDS: usize = 12;
 pub struct Sign {
     /// One factor of -1.
     pub negative: bool,
-    /// What can change its sign, or is not known not to; empty if nothing does.
+    /// Factors that can change their sign, or are not known not to; empty if the sign is constant.
     pub factors: Vec<Poly>,
 }
 
@@ -42,9 +42,9 @@ pub fn sign_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Sign {
     Sign { negative, factors }
 }
 
-/// What makes a polynomial zero where its [`Sign`] does not: factors of even powers, and those that are never negative.
+/// Zeros of a polynomial that its [`Sign`] does not show: factors of even powers, and those that are never negative.
 ///
-/// Left out is what vanishes only where a factor of the sign does: `1 ± cos T` beside `sin T`, `1 ± sin T` beside `cos T`.
+/// Left out is what vanishes only where a factor of the sign does: `1 ± cos T` next to `sin T`, `1 ± sin T` next to `cos T`.
 #[must_use]
 pub fn hidden_zeros_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Vec<Poly> {
     let Factors { list, rest, .. } = factorise(ring, poly, circles);
@@ -67,7 +67,7 @@ pub fn hidden_zeros_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -
     zeros
 }
 
-/// What makes a polynomial zero: it is where one of these is, and nowhere else.
+/// Zeros of a polynomial: it is zero where one of these is, and nowhere else.
 #[must_use]
 pub fn zeros_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Vec<Poly> {
     let Factors { list, rest, .. } = factorise(ring, poly, circles);
@@ -111,7 +111,7 @@ fn factorise(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Factors 
     factors
 }
 
-/// Rule `content`: a number and single symbols in front of all monomials.
+/// Rule `content`: a number and single symbols common to all monomials.
 fn without_content(ring: &Ring, poly: &Poly, factors: &mut Factors) -> Poly {
     let Some((first, _)) = poly.terms.first_key_value() else { return poly.clone() };
     let mut common: BTreeMap<Symbol, u32> = first.iter().copied().collect();
@@ -176,7 +176,7 @@ impl Divisor {
         &sum + &Poly::from(self.cosine).scaled(&cosine)
     }
 
-    /// Rule `factor`: with the conjugate in front the divisor is a polynomial in the sine alone, and elements of the
+    /// Rule `factor`: times the conjugate the divisor is a polynomial in the sine alone, and elements of the
     /// ring are polynomials in the sine over the basis 1, cosine: division with remainder decides.
     fn divide(&self, ring: &Ring, poly: &Poly) -> Option<Poly> {
         let [number, sine, cosine] = self.parts;
@@ -219,7 +219,7 @@ fn divide_by_univariate(poly: &Poly, x: Symbol, divisor: &[i64]) -> Option<Poly>
     left.iter().all(Poly::is_zero).then_some(quotient)
 }
 
-/// What the rule `vertices` finds.
+/// The finding of rule `vertices`.
 struct Bounds {
     /// Never positive; otherwise never negative.
     negative: bool,
@@ -342,7 +342,7 @@ mod tests {
     fn zeros_without_a_sign_are_not_lost() {
         let Circle { ring, pair, s, c } = circle();
         let [one, two] = [1, 2].map(Poly::from);
-        // s² (2 + c): zero with s, where the sign says nothing; 2 + c is never zero.
+        // s² (2 + c): zero with s, where the sign is zero anyway; 2 + c is never zero.
         let square = ring.mul(&ring.mul(&s, &s), &(&two + &c));
         assert_eq!(sign_of(&ring, &square, &[pair]).factors, []);
         assert_eq!(hidden_zeros_of(&ring, &square, &[pair]), std::slice::from_ref(&s));

@@ -38,7 +38,7 @@ pub struct Declaration {
 /// Equations to be proven.
 #[derive(Debug, Clone)]
 pub struct Verify {
-    /// Where they are printed.
+    /// The publication that prints them.
     pub source: String,
     /// `where alpha = -45 deg;`
     pub assumptions: Vec<Assign<Expr>>,
@@ -51,13 +51,13 @@ pub struct Verify {
 pub struct Equation {
     /// Both sides.
     pub phrase: Phrase,
-    /// In front of `=`.
+    /// Before `=`.
     pub left: Expr,
-    /// Behind it.
+    /// After it.
     pub right: Expr,
 }
 
-/// A name and where it stands.
+/// A name and its place in the source.
 #[derive(Debug, Clone)]
 pub struct Spot {
     /// As written.
@@ -71,18 +71,18 @@ pub struct Spot {
 pub struct Assign<T> {
     /// An axis letter or a dimension.
     pub key: Spot,
-    /// What stands behind the colon.
+    /// The text after the colon.
     pub value: T,
 }
 
 /// The axes of the chain and the machine frame among them.
 #[derive(Debug, Clone)]
 pub struct Chain {
-    /// All that stands behind `chain:`.
+    /// All letters and bars after `chain:`.
     pub phrase: Phrase,
     /// Letters in order.
     pub axes: Vec<Axis>,
-    /// For each `|`, the number of letters in front of it.
+    /// For each `|`, the number of letters before it.
     pub bars: Vec<(usize, Phrase)>,
 }
 
@@ -116,7 +116,7 @@ pub struct Direction {
     pub turns: Vec<(usize, Expr)>,
     /// True for `-Z`.
     pub negated: bool,
-    /// What is turned.
+    /// The vector that is turned.
     pub base: Base,
 }
 

@@ -1,26 +1,22 @@
-//! Arithmetic of the declaration: `^` binds tighter than unary minus, which binds tighter than `* /`, then `+ -`.
+//! Expressions of the declaration, and how they are written.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
-use proc_macro2::{Literal, TokenTree};
-use syn::parse::ParseStream;
-use syn::{Token, token};
 
-use super::parse::Source;
 use crate::model::to_f64;
 use crate::report::Phrase;
 
-/// An expression and where it stands.
+/// An expression and its place in the source.
 #[derive(Debug, Clone)]
 pub struct Expr {
     /// From its first token to its last.
     pub phrase: Phrase,
-    /// What it is.
+    /// Its form and its parts.
     pub kind: ExprKind,
 }
 
-/// Unit written behind a number.
+/// Unit written after a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     /// Degrees.
@@ -46,18 +42,7 @@ pub enum ExprKind {
     Call(String, Vec<Expr>),
 }
 
-/// Deepest nesting of an expression; deeper ones come from no hand.
-const DEEPEST: usize = 64;
-
-/// Largest exponent behind `^` or `e`.
-const LARGEST_POWER: u32 = 64;
-
 impl Expr {
-    /// Parses a sum.
-    pub(super) fn parse(input: ParseStream<'_>, source: &Source) -> syn::Result<Self> {
-        sum(input, source, 0)
-    }
-
     /// Whether a name occurs.
     pub(crate) fn mentions(&self, wanted: &str) -> bool {
         match &self.kind {
@@ -88,7 +73,7 @@ impl Expr {
     }
 
     /// Largest product of nested exponents.
-    fn power(&self) -> u32 {
+    pub(crate) fn power(&self) -> u32 {
         match &self.kind {
             ExprKind::Number(..) | ExprKind::Name(_) => 1,
             ExprKind::Neg(inner) => inner.power(),
@@ -162,148 +147,8 @@ fn number_text(value: &BigRational) -> String {
     if decimal(&text).as_ref() == Some(value) { text } else { value.to_string() }
 }
 
-fn sum(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Expr> {
-    if depth > DEEPEST {
-        return Err(input.error(format!("nested too deeply\n\nhelp: at most {DEEPEST} parentheses may be open")));
-    }
-    let mut left = product(input, source, depth)?;
-    while input.peek(Token![+]) || input.peek(Token![-]) {
-        let operator = if input.parse::<Option<Token![+]>>()?.is_some() {
-            '+'
-        } else {
-            input.parse::<Token![-]>()?;
-            '-'
-        };
-        left = binary(left, operator, product(input, source, depth)?);
-    }
-    Ok(left)
-}
-
-fn product(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Expr> {
-    let mut left = signed(input, source, depth)?;
-    while input.peek(Token![*]) || input.peek(Token![/]) {
-        let operator = if input.parse::<Option<Token![*]>>()?.is_some() {
-            '*'
-        } else {
-            input.parse::<Token![/]>()?;
-            '/'
-        };
-        left = binary(left, operator, signed(input, source, depth)?);
-    }
-    Ok(left)
-}
-
-fn signed(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Expr> {
-    let mut minus = Vec::new();
-    while input.peek(Token![-]) {
-        minus.push(source.take(input)?.0);
-    }
-    let mut value = power(input, source, depth)?;
-    while let Some(phrase) = minus.pop() {
-        value = Expr { phrase: phrase.to(value.phrase), kind: ExprKind::Neg(Box::new(value)) };
-    }
-    Ok(value)
-}
-
-fn power(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Expr> {
-    let base = atom(input, source, depth)?;
-    if !input.peek(Token![^]) {
-        return Ok(base);
-    }
-    input.parse::<Token![^]>()?;
-    let exponent = atom(input, source, depth)?;
-    let whole = match &exponent.kind {
-        ExprKind::Number(value, None) if value.is_integer() => u32::try_from(value.to_integer()).ok(),
-        _ => None,
-    };
-    let Some(whole) = whole.filter(|n| n.saturating_mul(base.power()) <= LARGEST_POWER) else {
-        let text = format!("an exponent is a whole number up to {LARGEST_POWER}\n\nhelp: write `a ^ 2`");
-        return Err(syn::Error::new_spanned(exponent.phrase, text));
-    };
-    Ok(Expr { phrase: base.phrase.to(exponent.phrase), kind: ExprKind::Power(Box::new(base), whole) })
-}
-
-fn atom(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Expr> {
-    if input.peek(token::Paren) {
-        let (phrase, content) = source.parenthesized(input)?;
-        let inner = sum(&content, source, depth + 1)?;
-        if !content.is_empty() {
-            return Err(content.error("expected `)`\n\nhelp: close the parenthesis"));
-        }
-        return Ok(Expr { phrase, kind: inner.kind });
-    }
-    if input.peek(Token![.]) {
-        return Err(input.error("a number needs a digit before the point\n\nhelp: write 0.5 instead of .5"));
-    }
-    let ahead = input.fork();
-    match ahead.parse::<TokenTree>() {
-        Ok(TokenTree::Literal(literal)) => {
-            let (phrase, _) = source.take(input)?;
-            number(input, source, phrase, &literal)
-        }
-        Ok(TokenTree::Ident(ident)) => {
-            let (phrase, _) = source.take(input)?;
-            let name = ident.to_string();
-            if !input.peek(token::Paren) {
-                return Ok(Expr { phrase, kind: ExprKind::Name(name) });
-            }
-            let (end, content) = source.parenthesized(input)?;
-            let mut arguments = Vec::new();
-            while !content.is_empty() {
-                arguments.push(sum(&content, source, depth + 1)?);
-                if !content.is_empty() {
-                    content.parse::<Token![,]>()?;
-                }
-            }
-            Ok(Expr { phrase: phrase.to(end), kind: ExprKind::Call(name, arguments) })
-        }
-        _ => Err(input.error("expected a number or a dimension\n\nhelp: for example `150.0`, `45 deg` or `d + 10`")),
-    }
-}
-
-/// A literal with its unit, glued on (`45deg`) or behind it (`45 deg`).
-fn number(input: ParseStream<'_>, source: &Source, mut phrase: Phrase, literal: &Literal) -> syn::Result<Expr> {
-    let text = literal.to_string().replace('_', "");
-    let wrong = |help: &str| {
-        let text = format!("`{literal}` is not a number here\n\nhelp: {help}");
-        Err(syn::Error::new_spanned(phrase, text))
-    };
-    if ["0x", "0X", "0b", "0o"].iter().any(|prefix| text.starts_with(prefix)) {
-        return wrong("write numbers in decimal digits");
-    }
-    if text.len() > 400 {
-        return wrong("write at most 400 digits");
-    }
-    let digits = text.find(|c: char| c.is_ascii_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
-    let (digits, suffix) = text.split_at(digits);
-    let Some(value) = decimal(digits) else {
-        return wrong("write a decimal number such as 150.0, with `deg` or `mm` behind it if it needs a unit");
-    };
-    if !to_f64(&value).is_finite() {
-        return wrong("it is larger than any number of the machine");
-    }
-    let mut unit = match suffix {
-        "" => None,
-        "deg" => Some(Unit::Degree),
-        "mm" => Some(Unit::Millimetre),
-        other => return wrong(&format!("the unit `{other}` is not known: use `deg` or `mm`")),
-    };
-    if unit.is_none() {
-        let ahead = input.fork();
-        unit = match ahead.parse::<syn::Ident>() {
-            Ok(word) if word == "deg" => Some(Unit::Degree),
-            Ok(word) if word == "mm" => Some(Unit::Millimetre),
-            _ => None,
-        };
-        if unit.is_some() {
-            phrase = phrase.to(source.take(input)?.0);
-        }
-    }
-    Ok(Expr { phrase, kind: ExprKind::Number(value, unit) })
-}
-
 /// `12`, `12.5`, `1.5e-3`, exactly.
-fn decimal(text: &str) -> Option<BigRational> {
+pub(crate) fn decimal(text: &str) -> Option<BigRational> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),
         None => (text, 0),
@@ -322,9 +167,4 @@ fn decimal(text: &str) -> Option<BigRational> {
     let power = BigRational::from(BigInt::from(10).pow(scale.unsigned_abs()));
     let power = if scale < 0 { BigRational::one() / power } else { power };
     Some(BigRational::from(digits) * power)
-}
-
-fn binary(left: Expr, operator: char, right: Expr) -> Expr {
-    let phrase = left.phrase.to(right.phrase);
-    Expr { phrase, kind: ExprKind::Binary(Box::new(left), operator, Box::new(right)) }
 }

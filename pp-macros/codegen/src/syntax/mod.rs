@@ -1,8 +1,10 @@
 //! Tokens to [`Declaration`]: the only place that knows how `machine!` is written, and where.
 
+mod arithmetic;
 mod ast;
 mod expr;
 mod parse;
+mod source;
 
 pub use ast::{Assign, Axis, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, Spot, Vector, Verify};
 pub use expr::{Expr, ExprKind, Unit};

@@ -1,57 +1,16 @@
-//! Token streams to declarations. A field that cannot be read is reported and skipped; reading goes on behind it.
+//! Token streams to declarations. A field that cannot be read is reported and skipped; reading goes on after it.
 
-use std::cell::Cell;
-
-use proc_macro2::{Span, TokenStream, TokenTree};
-use syn::parse::{ParseBuffer, ParseStream, Parser};
+use proc_macro2::{TokenStream, TokenTree};
+use syn::parse::{ParseStream, Parser};
 use syn::{Token, token};
 
+use super::arithmetic::expression;
 use super::ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, Spot, Vector, Verify};
-use super::expr::Expr;
+use super::source::Source;
 use crate::report::{Errors, Phrase, Refused};
 
 /// Fields of the language, in the order of the documentation.
 const FIELDS: [&str; 10] = ["chain", "d", "signs", "axes", "dims", "tool_axis", "hold", "limits", "speeds", "verify"];
-
-/// Numbers the phrases in the order of reading.
-#[derive(Debug, Default)]
-pub(super) struct Source {
-    read: Cell<usize>,
-}
-
-impl Source {
-    fn next(&self) -> usize {
-        self.read.set(self.read.get() + 1);
-        self.read.get()
-    }
-
-    fn phrase(&self, first: Span, last: Span) -> Phrase {
-        Phrase::new(first, last, self.next())
-    }
-
-    /// The next token, whatever it is.
-    pub(super) fn take(&self, input: ParseStream<'_>) -> syn::Result<(Phrase, TokenTree)> {
-        let token: TokenTree = input.parse()?;
-        Ok((self.phrase(token.span(), token.span()), token))
-    }
-
-    /// What stands in parentheses.
-    pub(super) fn parenthesized<'a>(&self, input: ParseStream<'a>) -> syn::Result<(Phrase, ParseBuffer<'a>)> {
-        let content;
-        let paren = syn::parenthesized!(content in input);
-        Ok((self.phrase(paren.span.open(), paren.span.close()), content))
-    }
-
-    fn spot(&self, input: ParseStream<'_>, what: &str) -> syn::Result<Spot> {
-        match input.fork().parse::<TokenTree>() {
-            Ok(TokenTree::Ident(_)) => {
-                let (phrase, token) = self.take(input)?;
-                Ok(Spot { name: token.to_string(), phrase })
-            }
-            _ => Err(input.error(format!("expected {what}"))),
-        }
-    }
-}
 
 /// Reads a declaration.
 ///
@@ -70,7 +29,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Result<Declaration, Re
         (Some(Ok(declaration)), Err(_)) if !errors.is_empty() => Ok(declaration),
         (Some(Err(error)), _) | (_, Err(error)) => {
             errors.push_syntax(0, error);
-            Err(errors.propagate().expect_err("just pushed"))
+            Err(errors.refused())
         }
         (None, Ok(())) => unreachable!("the parser has run"),
     }
@@ -154,11 +113,11 @@ fn field(
                 "d" => declaration.offsets = Some(offsets(input, source, faults)?),
                 "signs" => declaration.signs.extend(assigns(input, source, faults, sign)?),
                 "axes" => declaration.directions.extend(assigns(input, source, faults, direction)?),
-                "dims" => declaration.dimensions.extend(assigns(input, source, faults, Expr::parse)?),
+                "dims" => declaration.dimensions.extend(assigns(input, source, faults, expression)?),
                 "tool_axis" => declaration.tool_axis = Some(direction(input, source)?),
-                "hold" => declaration.hold.extend(assigns(input, source, faults, Expr::parse)?),
+                "hold" => declaration.hold.extend(assigns(input, source, faults, expression)?),
                 "limits" => declaration.limits.extend(assigns(input, source, faults, limits)?),
-                _ => declaration.speeds.extend(assigns(input, source, faults, Expr::parse)?),
+                _ => declaration.speeds.extend(assigns(input, source, faults, expression)?),
             }
         }
     }
@@ -178,7 +137,7 @@ fn separator(input: ParseStream<'_>, wanted: char, help: &str) -> syn::Result<()
     if found { Ok(()) } else { Err(input.error(format!("expected `{wanted}`\n\nhelp: {help}"))) }
 }
 
-/// To behind the next semicolon, or to the next thing that looks like a field.
+/// To the end of the next semicolon, or to the next thing that looks like a field.
 fn skip_field(input: ParseStream<'_>) -> syn::Result<()> {
     while !input.is_empty() {
         if input.parse::<Option<Token![;]>>()?.is_some() {
@@ -263,7 +222,7 @@ fn assigns<T>(
     Ok(list)
 }
 
-/// What is wrong so far, and the names whose entries could not be read: nothing more is said about these.
+/// Mistakes found, and the names whose entries could not be read: nothing more is reported about these.
 struct Faults<'a> {
     errors: &'a mut Errors,
     unreadable: &'a mut Vec<String>,
@@ -286,7 +245,7 @@ fn vector(input: ParseStream<'_>, source: &Source) -> syn::Result<Vector> {
     let (phrase, content) = source.parenthesized(input)?;
     let mut parts = Vec::new();
     while !content.is_empty() {
-        parts.push(Expr::parse(&content, source)?);
+        parts.push(expression(&content, source)?);
         if !content.is_empty() {
             if !content.peek(Token![,]) {
                 return Err(content.error("expected `,`\n\nhelp: separate the components with commas"));
@@ -336,7 +295,7 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
             return Err(input.error(format!("expected `(`\n\nhelp: write `{}(45 deg) * Y`", word.name)));
         }
         let (_, content) = source.parenthesized(input)?;
-        turns.push((turn, Expr::parse(&content, source)?));
+        turns.push((turn, expression(&content, source)?));
         if !content.is_empty() {
             return Err(content.error("expected `)`\n\nhelp: a turn has one angle"));
         }
@@ -353,7 +312,7 @@ fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
         source.take(input)?;
         return Ok(Limits::Free);
     }
-    let lower = Expr::parse(input, source)?;
+    let lower = expression(input, source)?;
     if !input.peek(Token![..]) {
         return Err(input.error("expected `..`\n\nhelp: write the travel as `-5..110`, or `free`"));
     }
@@ -361,7 +320,7 @@ fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
         return Err(input.error("expected `..`\n\nhelp: the travel is inclusive as it is: `-5..110`"));
     }
     input.parse::<Token![..]>()?;
-    Ok(Limits::Range(Box::new((lower, Expr::parse(input, source)?))))
+    Ok(Limits::Range(Box::new((lower, expression(input, source)?))))
 }
 
 /// `"source" { equations }`. A statement that cannot be read is reported and left out; the others stay.
@@ -394,11 +353,11 @@ fn statement(content: ParseStream<'_>, source: &Source, block: &mut Verify) -> s
         content.parse::<Token![where]>()?;
         let key = source.spot(content, "a name\n\nhelp: write `where alpha = -45 deg;`")?;
         separator(content, '=', "write `where alpha = -45 deg;`")?;
-        block.assumptions.push(Assign { key, value: Expr::parse(content, source)? });
+        block.assumptions.push(Assign { key, value: expression(content, source)? });
     } else {
-        let left = Expr::parse(content, source)?;
+        let left = expression(content, source)?;
         separator(content, '=', "an equation has two sides: `X = x * cos(C) + y * sin(C);`")?;
-        let right = Expr::parse(content, source)?;
+        let right = expression(content, source)?;
         block.equations.push(Equation { phrase: left.phrase.to(right.phrase), left, right });
     }
     if !content.peek(Token![;]) {

@@ -1,19 +1,22 @@
-//! Whether an equation holds, and where.
+//! The verdict on an equation: it holds, and under which conditions, or it does not.
 //!
 //! Both sides are polynomials in axis values, sines and cosines, in roots `r` with `r² = E` and reciprocals.
-//! - Numbers are equal if their difference has remainder zero.
+//! - Numbers are equal if their difference has remainder zero. Once all roots are eliminated, sines and cosines of unknown
+//!   angles are left, and any other remainder is a refutation. Fixed angles without exact values count as unknown here:
+//!   what holds only between 11 deg and 33 deg is refused.
 //! - Angles `L`, `R` with directions `(cL, sL)`, `(cR, sR)` are equal where `sin(L-R) = sL cR - cL sR` is zero and
 //!   `λ = cL cR + sL sR` is positive; for `asin(p)` and `acos(p)` on one side, where `p` is the sine or cosine of the other
 //!   and the other part has the sign that the function gives it.
-//! - `a + b r = 0` with `r >= 0` says the same as `a² - b² E = 0` and `-a b >= 0`. No root is ever extracted: the ring is no
+//! - `a + b r = 0` with `r >= 0` is equivalent to `a² - b² E = 0` and `-a b >= 0`. No root is ever extracted: the ring is no
 //!   domain of unique factors.
 //!
 //! "Somewhere" needs a witness: a rational point of the circles at which every condition holds.
 
 use std::collections::BTreeMap;
 
-use super::scope::{Angle, Inverse, Scope, Value, zero_as_angle};
-use crate::check::quantity::Fault;
+use super::scope::Scope;
+use super::value::{Angle, Inverse, Value, zero_as_angle};
+use crate::check::Fault;
 use crate::formula::Formula;
 use crate::model::{Kind, Quantity, to_f64};
 use crate::symbolic::{Poly, Ring, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
@@ -25,9 +28,9 @@ const POINTS: usize = 4_000;
 /// Share of the sum of all terms that is taken for rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What became of an equation.
+/// The answer to an equation.
 #[derive(Debug)]
-pub(super) enum Verdict {
+pub(crate) enum Verdict {
     /// It holds where all of these are true; everywhere if there are none.
     Holds(Vec<Condition>),
     /// The angles agree up to half a turn, and nowhere without it.
@@ -38,20 +41,20 @@ pub(super) enum Verdict {
     False(Poly),
 }
 
-/// Where an equation holds.
+/// A condition under which an equation holds.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Condition {
+pub(crate) enum Condition {
     /// `λ > 0`
     Positive(Sign),
-    /// What stands under a root, or decides which root is right.
+    /// A radicand, or the sign that the right one of two roots has.
     NotNegative(Sign),
     /// A divisor, as factors.
     NotZero(Vec<Poly>),
 }
 
 /// Decides an equation.
-pub(super) fn decide(scope: &mut Scope<'_>, equation: &Equation) -> Result<Verdict, Fault> {
-    scope.begin();
+pub(crate) fn decide(scope: &mut Scope<'_>, equation: &Equation) -> Result<Verdict, Fault> {
+    scope.algebra_mut().begin();
     let left = scope.value(&equation.left)?;
     let right = scope.value(&equation.right)?;
     Decision { scope, expr: &equation.right, eliminated: Vec::new() }.equal(left, right, equation)
@@ -66,7 +69,7 @@ struct Eliminated {
 
 struct Decision<'s, 'a, 'e> {
     scope: &'s mut Scope<'a>,
-    /// Where messages point to.
+    /// The expression that messages point to.
     expr: &'e Expr,
     eliminated: Vec<Eliminated>,
 }
@@ -99,12 +102,12 @@ impl Decision<'_, '_, '_> {
         self.conclude(claims)
     }
 
-    /// What has to vanish for two angles to be equal, and what has to be positive.
+    /// The polynomial that has to vanish for two angles to be equal, and the signs that they need.
     fn angles(&mut self, left: &Angle, right: &Angle) -> Result<(Poly, Claims), Fault> {
         for (inverted, other) in [(right, left), (left, right)] {
             let Some(inverse) = &inverted.inverse else { continue };
-            let squares = [&other.cosine, &other.sine].map(|part| self.scope.ring.mul(part, part));
-            if other.inverse.is_some() || !self.scope.ring.is_zero(&(&(&squares[0] + &squares[1]) - &Poly::one())) {
+            let squares = [&other.cosine, &other.sine].map(|part| self.scope.ring().mul(part, part));
+            if other.inverse.is_some() || !self.scope.ring().is_zero(&(&(&squares[0] + &squares[1]) - &Poly::one())) {
                 continue;
             }
             let (gap, sign) = match inverse {
@@ -112,105 +115,119 @@ impl Decision<'_, '_, '_> {
                 Inverse::Cosine(part, false) => (part - &other.cosine, other.sine.clone()),
                 Inverse::Cosine(part, true) => (part - &other.cosine, -&other.sine),
             };
-            // The root in its other part exists: what stands under it is the square of what it equals.
+            // The root in its other part exists: its radicand is the square of what it equals.
             let own = |root: &Symbol| !gap.symbols().chain(sign.symbols()).any(|symbol| symbol == *root);
             let spent = if matches!(inverse, Inverse::Sine(_)) { &inverted.cosine } else { &inverted.sine };
             let spent: Vec<Symbol> = spent.symbols().filter(own).collect();
-            self.scope.roots.retain(|root| !spent.contains(root));
+            self.scope.algebra_mut().drop_roots(&spent);
             return Ok((gap, Claims { not_negative: vec![sign], ..Claims::default() }));
         }
-        let between = self.scope.sum(left, &right.clone().negated(), self.expr)?;
+        let between = self.scope.algebra().sum(left, &right.clone().negated(), self.expr)?;
         Ok((between.sine, Claims { positive: vec![between.cosine], ..Claims::default() }))
     }
 
     /// Whether a polynomial is zero on a part that `eliminated` describes.
     fn vanishes(&mut self, poly: Poly) -> Result<bool, Fault> {
-        self.scope.affordable(&poly, self.expr)?;
-        let poly = self.scope.ring.clear_even(&poly);
-        if self.scope.ring.is_zero(&poly) {
+        self.scope.algebra().affordable(&poly, self.expr)?;
+        let poly = self.scope.ring().clear_even(&poly);
+        if self.scope.ring().is_zero(&poly) {
             return Ok(true);
         }
-        // A root may stand under a later one.
-        self.scope.roots.sort();
-        for root in self.scope.roots.clone().into_iter().rev() {
+        for root in self.scope.algebra().roots().into_iter().rev() {
             let (a, b) = (poly.coefficient(root, 0), poly.coefficient(root, 1));
-            if self.scope.ring.is_zero(&b) {
+            if self.scope.ring().is_zero(&b) {
                 continue;
             }
-            let radicand = self.scope.ring.square_of(root);
+            let radicand = self.scope.ring().square_of(root);
             let squares = [self.times(&a, &a)?, self.times(&b, &b)?];
             let product = self.times(&squares[1], &radicand)?;
-            self.scope.roots.retain(|known| *known != root);
+            self.scope.algebra_mut().drop_roots(&[root]);
             self.eliminated.push(Eliminated { root, a, b });
             return self.vanishes(&squares[0] - &product);
         }
         Ok(false)
     }
 
+    /// The verdict on an equation whose gap vanishes.
     fn conclude(&mut self, mut claims: Claims) -> Result<Verdict, Fault> {
-        for place in 0..self.eliminated.len() {
-            let Eliminated { root, a, b } = &self.eliminated[place];
-            claims.not_negative.push(-&self.times(a, b)?);
-            // b² E = a² says that E is not negative, unless b vanishes on a whole part, as `√(s²) - s` does.
-            if b.symbols().any(|symbol| self.scope.ring.is_root(symbol)) {
-                claims.not_negative.push(self.scope.ring.square_of(*root));
-            }
-        }
-        for root in self.scope.roots.clone() {
-            claims.not_negative.push(self.scope.ring.square_of(root));
-        }
+        claims.not_negative.extend(self.signs_of_roots()?);
         let angles = !claims.positive.is_empty();
         let positive = self.resolved(claims.positive)?;
-        if positive.iter().any(|poly| self.scope.ring.is_zero(poly)) {
+        if positive.iter().any(|poly| self.scope.ring().is_zero(poly)) {
             // Both arguments of an atan2 are zero.
             return Ok(Verdict::Nowhere);
         }
         let mut not_negative = self.resolved(claims.not_negative)?;
-        not_negative.retain(|poly| !self.scope.ring.is_zero(poly));
-        if !self.has_witness(&positive, &not_negative) {
-            let opposite =
-                angles && self.has_witness(&positive.iter().map(|poly| -poly).collect::<Vec<_>>(), &not_negative);
-            return Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere });
+        not_negative.retain(|poly| !self.scope.ring().is_zero(poly));
+        if self.has_witness(&positive, &not_negative) {
+            return Ok(Verdict::Holds(self.conditions(&positive, &not_negative)?));
         }
-        let divisors: Vec<Poly> = self.scope.divisors.iter().map(|(divisor, _)| divisor.clone()).collect();
-        let divisors = divisors.iter().map(|divisor| self.norm(divisor)).collect::<Result<Vec<_>, Fault>>()?;
-        let circles = self.scope.circles();
-        let ring = &self.scope.ring;
+        let negative: Vec<Poly> = positive.iter().map(|poly| -poly).collect();
+        let opposite = angles && self.has_witness(&negative, &not_negative);
+        Ok(if opposite { Verdict::Opposite } else { Verdict::Nowhere })
+    }
+
+    /// Polynomials that must not be negative: radicands, and the signs by which eliminated roots are the right ones.
+    fn signs_of_roots(&self) -> Result<Vec<Poly>, Fault> {
+        let mut not_negative = Vec::new();
+        for Eliminated { root, a, b } in &self.eliminated {
+            not_negative.push(-&self.times(a, b)?);
+            // b² E = a² makes E not negative, unless b vanishes on a whole part, as `√(s²) - s` does.
+            if b.symbols().any(|symbol| self.scope.ring().is_root(symbol)) {
+                not_negative.push(self.scope.ring().square_of(*root));
+            }
+        }
+        let roots = self.scope.algebra().roots();
+        not_negative.extend(roots.into_iter().map(|root| self.scope.ring().square_of(root)));
+        Ok(not_negative)
+    }
+
+    /// Claims and divisors as conditions, each once; those that always hold are left out.
+    fn conditions(&self, positive: &[Poly], not_negative: &[Poly]) -> Result<Vec<Condition>, Fault> {
+        let divisors = self.scope.algebra().divisors().iter().map(|(divisor, _)| self.norm(divisor));
+        let divisors = divisors.collect::<Result<Vec<_>, Fault>>()?;
+        let (circles, ring) = (self.scope.circles(), self.scope.ring());
         let mut conditions: Vec<Condition> = Vec::new();
-        for poly in &positive {
+        let mut add = |condition: Condition| {
+            if !conditions.contains(&condition) {
+                conditions.push(condition);
+            }
+        };
+        let mut strict = Vec::new();
+        for poly in positive {
             let sign = sign_of(ring, poly, &circles);
             if !sign.factors.is_empty() {
-                conditions.push(Condition::Positive(sign));
+                strict.push(sign.clone());
+                add(Condition::Positive(sign));
             }
-            // `resolved` has multiplied by these.
-            let factors = self.eliminated.iter().flat_map(|eliminated| zeros_of(ring, &eliminated.b, &circles));
-            let factors: Vec<Poly> = factors.collect();
-            let mut zeros = hidden_zeros_of(ring, poly, &circles);
-            zeros.retain(|zero| !factors.contains(zero));
+            let zeros = self.zeros_of_claim(poly, &circles)?;
             if !zeros.is_empty() {
-                let zeros = zeros.iter().map(|zero| self.norm(zero)).collect::<Result<Vec<_>, Fault>>()?;
-                conditions.push(Condition::NotZero(zeros));
+                add(Condition::NotZero(zeros));
             }
         }
-        for poly in &not_negative {
+        for poly in not_negative {
             let sign = sign_of(ring, poly, &circles);
-            if !sign.factors.is_empty() && !conditions.contains(&Condition::Positive(sign.clone())) {
-                conditions.push(Condition::NotNegative(sign));
+            if !sign.factors.is_empty() && !strict.contains(&sign) {
+                add(Condition::NotNegative(sign));
             }
         }
         for divisor in &divisors {
             let zeros = zeros_of(ring, divisor, &circles);
             if !zeros.is_empty() {
-                conditions.push(Condition::NotZero(zeros));
+                add(Condition::NotZero(zeros));
             }
         }
-        let mut distinct: Vec<Condition> = Vec::new();
-        for condition in conditions {
-            if !distinct.contains(&condition) {
-                distinct.push(condition);
-            }
-        }
-        Ok(Verdict::Holds(distinct))
+        Ok(conditions)
+    }
+
+    /// Zeros of a strict claim that its sign does not show, without the factors that `resolved` has multiplied by.
+    fn zeros_of_claim(&self, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Result<Vec<Poly>, Fault> {
+        let ring = self.scope.ring();
+        let factors: Vec<Poly> =
+            self.eliminated.iter().flat_map(|eliminated| zeros_of(ring, &eliminated.b, circles)).collect();
+        let mut zeros = hidden_zeros_of(ring, poly, circles);
+        zeros.retain(|zero| !factors.contains(zero));
+        zeros.iter().map(|zero| self.norm(zero)).collect()
     }
 
     /// Polynomials of the same signs without the eliminated roots: with `r = -a/b`, `u + v r` has the sign of
@@ -218,7 +235,7 @@ impl Decision<'_, '_, '_> {
     fn resolved(&self, polys: Vec<Poly>) -> Result<Vec<Poly>, Fault> {
         let mut resolved = Vec::new();
         for poly in polys {
-            let mut poly = self.scope.ring.clear_even(&poly);
+            let mut poly = self.scope.ring().clear_even(&poly);
             for Eliminated { root, a, b } in &self.eliminated {
                 let (u, v) = (poly.coefficient(*root, 0), poly.coefficient(*root, 1));
                 if v.is_zero() {
@@ -234,24 +251,24 @@ impl Decision<'_, '_, '_> {
 
     /// A polynomial without roots that is zero wherever this one is: `u + v r` is a factor of `u² - v² E`.
     fn norm(&self, poly: &Poly) -> Result<Poly, Fault> {
-        let mut norm = self.scope.ring.clear_even(poly);
+        let mut norm = self.scope.ring().clear_even(poly);
         let eliminated = self.eliminated.iter().map(|eliminated| eliminated.root);
-        let mut roots: Vec<Symbol> = self.scope.roots.iter().copied().chain(eliminated).collect();
+        let mut roots: Vec<Symbol> = self.scope.algebra().roots().into_iter().chain(eliminated).collect();
         roots.sort();
-        // A root may stand under a later one.
+        // A root may be in the radicand of a later one.
         for root in roots.into_iter().rev() {
             let (u, v) = (norm.coefficient(root, 0), norm.coefficient(root, 1));
             if !v.is_zero() {
-                let radicand = self.scope.ring.square_of(root);
+                let radicand = self.scope.ring().square_of(root);
                 let squares = [self.times(&u, &u)?, self.times(&v, &v)?];
-                norm = self.scope.ring.clear_even(&(&squares[0] - &self.times(&squares[1], &radicand)?));
+                norm = self.scope.ring().clear_even(&(&squares[0] - &self.times(&squares[1], &radicand)?));
             }
         }
         Ok(norm)
     }
 
     fn times(&self, a: &Poly, b: &Poly) -> Result<Poly, Fault> {
-        self.scope.times(a, b, self.expr)
+        self.scope.algebra().times(a, b, self.expr)
     }
 
     /// Looks for a rational point at which all claims hold: by more than rounding where they are strict.
@@ -260,9 +277,9 @@ impl Decision<'_, '_, '_> {
         let fixed = defaults(scope);
         let symbols: Vec<Symbol> = {
             let mut symbols: Vec<Symbol> =
-                scope.model.axes.iter().flat_map(|axis| [axis.word, axis.turn.0, axis.turn.1]).collect();
-            symbols.extend(scope.model.frame.part);
-            symbols.push(scope.model.frame.gauge);
+                scope.model().axes.iter().flat_map(|axis| [axis.word, axis.turn.0, axis.turn.1]).collect();
+            symbols.extend(scope.model().frame.part);
+            symbols.push(scope.model().frame.gauge);
             symbols
         };
         let sines: BTreeMap<Symbol, Symbol> = scope.circles().into_iter().collect();
@@ -298,11 +315,11 @@ impl Decision<'_, '_, '_> {
 
     /// Adds the values of reciprocals and roots; false where one does not exist.
     fn follow(&self, point: &mut BTreeMap<Symbol, f64>) -> bool {
-        let ring = &self.scope.ring;
+        let ring = self.scope.ring();
         let mut symbols: Vec<(Symbol, Option<&Poly>)> =
-            self.scope.divisors.iter().map(|(divisor, symbol)| (*symbol, Some(divisor))).collect();
-        let eliminated = self.eliminated.iter().map(|eliminated| &eliminated.root);
-        symbols.extend(self.scope.roots.iter().chain(eliminated).map(|root| (*root, None)));
+            self.scope.algebra().divisors().iter().map(|(divisor, symbol)| (*symbol, Some(divisor))).collect();
+        let eliminated = self.eliminated.iter().map(|eliminated| eliminated.root);
+        symbols.extend(self.scope.algebra().roots().into_iter().chain(eliminated).map(|root| (root, None)));
         // One may contain an earlier one.
         symbols.sort();
         for (symbol, divisor) in symbols {
@@ -323,7 +340,7 @@ impl Decision<'_, '_, '_> {
     }
 
     fn is_positive(&self, poly: &Poly, point: &BTreeMap<Symbol, f64>, strictly: bool) -> bool {
-        let Some((value, rounding)) = value_at(&self.scope.ring, poly, point) else { return false };
+        let Some((value, rounding)) = value_at(self.scope.ring(), poly, point) else { return false };
         if strictly { value > rounding } else { value >= -rounding }
     }
 }
@@ -337,7 +354,7 @@ fn value_at(ring: &Ring, poly: &Poly, point: &BTreeMap<Symbol, f64>) -> Option<(
 /// Dimensions at their defaults, and what the block assumes.
 fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
     let mut values = BTreeMap::new();
-    for dimension in &scope.model.dimensions {
+    for dimension in &scope.model().dimensions {
         let default = to_f64(&dimension.default);
         match dimension.quantity {
             Quantity::Length(symbol) => drop(values.insert(symbol, default)),
@@ -348,7 +365,7 @@ fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
             }
         }
     }
-    for axis in scope.model.axes.iter().filter(|axis| axis.kind == Kind::Linear) {
+    for axis in scope.model().axes.iter().filter(|axis| axis.kind == Kind::Linear) {
         if let Some(held) = &axis.held {
             values.insert(axis.word, to_f64(held));
         }
@@ -358,9 +375,9 @@ fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
 
 impl Condition {
     /// As text in the names of the declaration: `sin B > 0`.
-    pub(super) fn text(&self, scope: &Scope<'_>) -> String {
+    pub(crate) fn text(&self, scope: &Scope<'_>) -> String {
         let product = |factors: &[Poly], negative: bool| {
-            let factors: Vec<Formula> = factors.iter().map(|factor| scope.formula(factor)).collect();
+            let factors: Vec<Formula> = factors.iter().map(|factor| scope.algebra().formula(factor)).collect();
             let product = if factors.len() == 1 { factors[0].text() } else { Formula::Product(factors).text() };
             (product, negative)
         };

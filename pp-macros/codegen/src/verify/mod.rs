@@ -4,17 +4,20 @@
 //! (`decide`). A false equation is answered with the formula that does follow, with the difference, and with the one
 //! small change that would make it true, if there is one (`repair`).
 
+mod algebra;
 mod decide;
+mod evaluate;
 mod repair;
 mod scope;
+mod value;
 
 use std::collections::BTreeMap;
 
 use decide::{Condition, Verdict, decide};
-use scope::{Scope, Value};
+use scope::Scope;
+use value::Value;
 
-use crate::explain::first_branch;
-use crate::formula::Formula;
+use crate::formula::{Formula, first_branch};
 use crate::model::{AxisId, Kind, Model};
 use crate::report::Errors;
 use crate::solve::{Orientation, SideCondition, Solved};
@@ -27,7 +30,7 @@ const MOST_REPAIR_WORK: usize = 50_000;
 /// A block whose equations hold.
 #[derive(Debug, Clone)]
 pub struct Verified {
-    /// Where they are printed.
+    /// The publication that prints them.
     pub source: String,
     /// `gauge = 0, part = 0`, or what the block states.
     pub assumptions: Vec<String>,
@@ -42,9 +45,9 @@ pub struct Proven {
     pub left: Formula,
     /// As written.
     pub right: Formula,
-    /// Where it holds, as text; everywhere if empty.
+    /// Conditions under which it holds, as text; it holds everywhere if there are none.
     pub holds: Vec<String>,
-    /// What must not be zero and contains nothing but dimensions.
+    /// Divisors that contain nothing but dimensions.
     divisors: Vec<Poly>,
 }
 
@@ -69,7 +72,7 @@ pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mu
     verified
 }
 
-/// What the solver found, as polynomials.
+/// Findings of the solver, as polynomials.
 struct Derived {
     /// With all symbols of the following.
     ring: Ring,
@@ -85,30 +88,27 @@ impl Derived {
     fn new(model: &Model, solved: &mut Solved) -> Self {
         let rotary = first_branch(model, solved);
         let values = solved.position.values.clone();
-        let two = match &solved.orientation {
-            Orientation::Two(two) => Some((two.alpha, two.rotaries[1], two.first_is_plus)),
-            _ => None,
-        };
-        let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+        let Solved { graph, orientation, .. } = solved;
+        let mut reader = Interpreter::new(graph, BTreeMap::new());
         let linear = values.into_iter().map(|(axis, node)| (axis, reader.value(node))).collect();
-        // α1 s2 - α2 c2 has the sign of σ.
-        let side = two.map(|(alpha, second, first_is_plus)| {
-            let [sine_factor, cosine_factor] = alpha.map(|node| reader.value(node));
-            let (ring, cosine) = (reader.ring(), Poly::from(model.axes[second].turn.1));
-            let side = &ring.mul(&sine_factor, &model.joint_sine(second)) - &ring.mul(&cosine_factor, &cosine);
-            if first_is_plus { side } else { -&side }
-        });
+        let side = match orientation {
+            Orientation::Two(two) => {
+                let side = two.side(model, &mut reader);
+                Some(if two.first_is_plus() { side } else { -&side })
+            }
+            Orientation::Fixed { .. } | Orientation::One(_) => None,
+        };
         Self { ring: reader.ring().clone(), linear, rotary, side }
     }
 
     /// The signs that tell the branches apart, at the assumptions of a block.
     fn branches(&self, scope: &Scope<'_>) -> Vec<(Sign, &'static str)> {
         let Some(side) = &self.side else { return Vec::new() };
-        let side = scope.ring.substitute(side, &scope.assumed);
-        if scope.ring.is_zero(&side) {
+        let side = scope.assumed(side);
+        if scope.ring().is_zero(&side) {
             return Vec::new();
         }
-        let sign = |side: &Poly| sign_of(&scope.ring, side, &scope.circles());
+        let sign = |side: &Poly| sign_of(scope.ring(), side, &scope.circles());
         vec![(sign(&side), "the first branch"), (sign(&-&side), "the second branch")]
     }
 
@@ -117,7 +117,7 @@ impl Derived {
         let ExprKind::Name(name) = &left.kind else { return None };
         let axis = scope.axis_named(name)?;
         let (_, value) = self.linear.iter().find(|(known, _)| *known == axis)?;
-        let value = scope.ring.substitute(value, &scope.assumed);
+        let value = scope.assumed(value);
         (!self.ring.has_reciprocal(&value)).then_some(value)
     }
 
@@ -125,13 +125,13 @@ impl Derived {
     fn formula(&self, scope: &Scope<'_>, left: &Expr) -> Option<String> {
         let ExprKind::Name(name) = &left.kind else { return None };
         if let Some(value) = self.linear(scope, left) {
-            return Some(scope.formula(&value).source());
+            return Some(scope.algebra().formula(&value).source());
         }
         if let Some(axis) = scope.axis_named(name) {
             return self.rotary.iter().find(|(known, _)| *known == axis).map(|(_, formula)| formula.source());
         }
         match scope.clone().value(left) {
-            Ok(Value::Number(value)) => Some(scope.formula(&value).source()),
+            Ok(Value::Number(value)) => Some(scope.algebra().formula(&value).source()),
             _ => None,
         }
     }
@@ -173,7 +173,7 @@ fn verify_block(
 }
 
 fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], branches: &[(Sign, &str)]) -> Proven {
-    let dimensions = scope.model.dimension_symbols();
+    let dimensions = scope.model().dimension_symbols();
     let holds = conditions
         .iter()
         .map(|condition| {
@@ -233,13 +233,13 @@ fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &D
 /// The first single change of the right side that makes an equation true.
 fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
     let mut work = 0;
-    for change in repair::changes(&equation.right, scope.model) {
+    for change in repair::changes(&equation.right, scope.model()) {
         let mut scope = scope.clone();
         let changed = Equation { right: change.expr, ..equation.clone() };
         if let Ok(Verdict::Holds(_)) = decide(&mut scope, &changed) {
             return Some(change.words);
         }
-        work += scope.work.get();
+        work += scope.algebra().work();
         if work > MOST_REPAIR_WORK {
             break;
         }
@@ -247,19 +247,19 @@ fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
     None
 }
 
-/// What should be zero, as text; and a term that is missing on the right, if that is all.
+/// The polynomial that should be zero, as text; and a term that is missing on the right, if that is all.
 fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Derived) -> (String, Option<String>) {
     if let Some(value) = derived.linear(scope, &equation.left) {
         let mut free = scope.with_free_tip();
-        let mut linears = scope.model.axes.iter().filter(|axis| axis.kind == Kind::Linear);
+        let mut linears = scope.model().axes.iter().filter(|axis| axis.kind == Kind::Linear);
         let speaks_of_words = linears.any(|axis| equation.right.mentions(&axis.letter.to_string()));
         if !speaks_of_words && let Ok(Value::Number(written)) = free.value(&equation.right) {
-            let gap = free.formula(&(&value - &written));
+            let gap = free.algebra().formula(&(&value - &written));
             return (format!("difference: {}", gap.source()), missing_term(&gap));
         }
     }
     // Where it is zero counts, not by what it is divided.
-    let gap = scope.formula(&scope.ring.clear_even(gap));
+    let gap = scope.algebra().formula(&scope.ring().clear_even(gap));
     if is_number(scope, &equation.left) {
         (format!("difference: {}", gap.source()), missing_term(&gap))
     } else {

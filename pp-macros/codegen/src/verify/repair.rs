@@ -4,15 +4,15 @@ use crate::model::{Kind, Model};
 use crate::syntax::{Expr, ExprKind};
 
 /// An expression with one change, and the change in words.
-pub(super) struct Change {
-    pub(super) expr: Expr,
-    pub(super) words: String,
+pub(crate) struct Change {
+    pub(crate) expr: Expr,
+    pub(crate) words: String,
     /// Order of trying: likelier slips first.
     rank: u8,
 }
 
 /// All changes of an expression that are tried, the likeliest first.
-pub(super) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
+pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
     let mut found = Vec::new();
     at(expr, true, model, &mut found, &|inner| inner);
     throughout(expr, model, &mut found);
@@ -20,7 +20,7 @@ pub(super) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
     found
 }
 
-/// Changes of every place where a name stands: a source that counts it the other way round, or an angle from another
+/// Changes of every occurrence of a name: a source that counts it the other way round, or an angle from another
 /// direction.
 fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
     let mut names = Vec::new();
@@ -76,10 +76,23 @@ fn collect(expr: &Expr, names: &mut Vec<String>) {
     }
 }
 
-/// Collects the changes inside `expr`; `whole` puts it back into the equation.
+/// Collects the changes at and inside `expr`; `whole` puts it back into the equation.
 fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
+    here(expr, model, found, whole);
+    let is_sum = matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _) | ExprKind::Neg(_));
+    if may_be_negated && !is_sum {
+        let negated = negated(expr);
+        // Papers print the sign inside an inverse function.
+        let rank = if matches!(&expr.kind, ExprKind::Call(name, _) if is_inverse(name)) { 3 } else { 2 };
+        found.push(Change { words: format!("write `{negated}` in place of `{expr}`"), expr: whole(negated), rank });
+    }
+    inside(expr, model, found, whole);
+}
+
+/// Changes of the expression itself.
+fn here(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
     let mut change = |rank: u8, new: Expr| {
-        // A sum that stands in the place of a factor keeps its parentheses.
+        // A sum in the place of a factor keeps its parentheses.
         let sum = |expr: &Expr| matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _));
         let text = if sum(&new) && !sum(expr) { format!("({new})") } else { new.to_string() };
         let words = format!("write `{text}` in place of `{expr}`");
@@ -117,13 +130,11 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
         }
         ExprKind::Number(..) | ExprKind::Binary(..) | ExprKind::Power(..) => {}
     }
-    let is_sum = matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _) | ExprKind::Neg(_));
-    if may_be_negated && !is_sum {
-        let negated = negated(expr);
-        // Papers print the sign inside an inverse function.
-        let rank = if matches!(&expr.kind, ExprKind::Call(name, _) if is_inverse(name)) { 3 } else { 2 };
-        found.push(Change { words: format!("write `{negated}` in place of `{expr}`"), expr: whole(negated), rank });
-    }
+}
+
+/// Changes of its parts.
+fn inside(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
+    let with = |kind: ExprKind| Expr { phrase: expr.phrase, kind };
     match &expr.kind {
         ExprKind::Number(..) | ExprKind::Name(_) => {}
         ExprKind::Neg(inner) => {
@@ -154,7 +165,7 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
     }
 }
 
-/// `-e`, in front of the first factor.
+/// `-e`, with the sign at the first factor.
 fn negated(expr: &Expr) -> Expr {
     let kind = match &expr.kind {
         ExprKind::Binary(left, operator @ ('*' | '/'), right) => {
@@ -166,7 +177,7 @@ fn negated(expr: &Expr) -> Expr {
     Expr { phrase: expr.phrase, kind }
 }
 
-/// Names that stand in each other's place by mistake.
+/// Names that are mistaken for each other.
 fn alternatives(name: &str, model: &Model) -> Vec<String> {
     let groups: [&[&str]; 2] = [&["x", "y", "z"], &["i", "j", "k"]];
     let mut others: Vec<String> = groups

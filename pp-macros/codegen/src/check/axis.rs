@@ -1,0 +1,196 @@
+//! One axis of the chain: its direction, exactly, its centre line, its travel and speed.
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::Signed;
+
+use super::names::{LETTERS, kind_of};
+use super::quantity::{self, DimensionNames, Fault};
+use crate::model::{Axis, Kind, Side};
+use crate::report::Errors;
+use crate::symbolic::{P3, Poly, Ring, Surd};
+use crate::syntax::{Assign, Base, Declaration, Direction, Limits, Offsets, Spot, Unit, Vector};
+
+/// One axis of the chain with everything that the declaration gives it; `None` if its letter is not one.
+pub(crate) fn axis(
+    spot: &Spot,
+    side: Side,
+    declaration: &Declaration,
+    names: &DimensionNames<'_>,
+    ring: &mut Ring,
+    errors: &mut Errors,
+) -> Option<Axis> {
+    let letter = spot.name.as_str();
+    let kind = kind_of(letter)?;
+    let direction = match find(&declaration.directions, letter) {
+        Some(entry) => unit_direction(&entry.value, names, ring, errors),
+        None => coordinate(LETTERS.iter().position(|known| *known == letter)? % 3),
+    };
+    let point = match (&declaration.offsets, kind) {
+        (Some(Offsets::Common(vector)), Kind::Rotary) => Some(vector),
+        (Some(Offsets::Each(entries)), _) => find(entries, letter).map(|entry| &entry.value),
+        _ => None,
+    };
+    let point = point.map_or_else(zeros, |vector| lengths(vector, names, ring, errors));
+    let held = find(&declaration.hold, letter).and_then(|entry| axis_value(&entry.value, kind, errors));
+    let limits = limits(declaration, letter, kind, errors);
+    let speed = speed(declaration, letter, kind, errors);
+    let lower = letter.to_lowercase();
+    Some(Axis {
+        letter: letter.chars().next()?,
+        kind,
+        side,
+        reversed: find(&declaration.signs, letter).is_some_and(|entry| entry.value),
+        direction,
+        point,
+        held,
+        limits,
+        speed,
+        word: ring.symbol(format!("word_{lower}")),
+        turn: ring.sin_cos(format!("sin_{lower}"), format!("cos_{lower}")),
+    })
+}
+
+/// Both ends of the travel; `None` is endless.
+fn limits(
+    declaration: &Declaration,
+    letter: &str,
+    kind: Kind,
+    errors: &mut Errors,
+) -> Option<(BigRational, BigRational)> {
+    match find(&declaration.limits, letter).map(|entry| &entry.value) {
+        Some(Limits::Range(ends)) => {
+            let (lower, upper) = &**ends;
+            let phrase = lower.phrase.to(upper.phrase);
+            let ends = (axis_value(lower, kind, errors), axis_value(upper, kind, errors));
+            if let (Some(lower), Some(upper)) = &ends
+                && lower > upper
+            {
+                errors.push(
+                    phrase,
+                    format!("the travel of `{letter}` is empty"),
+                    "write the smaller value first: `-5..110`",
+                );
+            }
+            ends.0.zip(ends.1)
+        }
+        _ => None,
+    }
+}
+
+fn speed(declaration: &Declaration, letter: &str, kind: Kind, errors: &mut Errors) -> Option<BigRational> {
+    find(&declaration.speeds, letter).and_then(|entry| {
+        let value = axis_value(&entry.value, kind, errors)?;
+        if !value.is_positive() {
+            errors.push(
+                entry.value.phrase,
+                format!("the speed of `{letter}` is not above zero"),
+                "give deg/min for rotary and mm/min for linear axes",
+            );
+        }
+        Some(value)
+    })
+}
+
+fn find<'a, T>(entries: &'a [Assign<T>], letter: &str) -> Option<&'a Assign<T>> {
+    entries.iter().find(|entry| entry.key.name == letter)
+}
+
+/// A constant in the unit of an axis: degrees for rotary, mm for linear.
+fn axis_value(value: &crate::syntax::Expr, kind: Kind, errors: &mut Errors) -> Option<BigRational> {
+    match quantity::number(value) {
+        Ok((number, unit)) => {
+            let wrong = match (kind, unit) {
+                (Kind::Linear, Some(Unit::Degree)) => Some("an angle for a linear axis"),
+                (Kind::Rotary, Some(Unit::Millimetre)) => Some("a length for a rotary axis"),
+                _ => None,
+            };
+            if let Some(wrong) = wrong {
+                errors.push(value.phrase, wrong, "rotary axes count in degrees, linear axes in mm");
+            }
+            Some(number)
+        }
+        Err(fault) => {
+            fault.report(errors);
+            None
+        }
+    }
+}
+
+fn zeros() -> P3 {
+    std::array::from_fn(|_| Poly::zero())
+}
+
+/// The direction of a coordinate: 0, 1, 2 for X, Y, Z.
+pub(crate) fn coordinate(index: usize) -> P3 {
+    std::array::from_fn(|row| if row == index { Poly::one() } else { Poly::zero() })
+}
+
+fn lengths(vector: &Vector, names: &DimensionNames<'_>, ring: &Ring, errors: &mut Errors) -> P3 {
+    std::array::from_fn(|index| {
+        quantity::length(&vector.parts[index], names, ring).unwrap_or_else(|fault| {
+            fault.report(errors);
+            Poly::zero()
+        })
+    })
+}
+
+/// The unit vector of a direction, exactly.
+pub(crate) fn unit_direction(
+    direction: &Direction,
+    names: &DimensionNames<'_>,
+    ring: &mut Ring,
+    errors: &mut Errors,
+) -> P3 {
+    let result = (|| -> Result<P3, Fault> {
+        let mut unit = match &direction.base {
+            Base::Coordinate(index) => coordinate(*index),
+            Base::Vector(vector) => normalised(vector, ring)?,
+        };
+        if direction.negated {
+            unit = unit.map(|part| -&part);
+        }
+        // The product is a matrix product: the factor next to the vector acts first.
+        for (axis, angle) in direction.turns.iter().rev() {
+            let (sine, cosine) = quantity::angle(angle, names, ring)?;
+            unit = crate::symbolic::rotation(&coordinate(*axis), &sine, &cosine, ring).turn(&unit, ring);
+        }
+        Ok(unit)
+    })();
+    result.unwrap_or_else(|fault| {
+        fault.report(errors);
+        coordinate(2)
+    })
+}
+
+fn normalised(vector: &Vector, ring: &mut Ring) -> Result<P3, Fault> {
+    let mut parts: Vec<Surd> = Vec::new();
+    for part in &vector.parts {
+        parts.push(quantity::ratio(part)?);
+    }
+    // Without the common factor (0.7071067811865476, 0, 0.7071067811865476) is (1, 0, 1).
+    let rationals: Option<Vec<BigRational>> = parts.iter().map(Surd::as_rational).collect();
+    if let Some(rationals) = rationals {
+        let largest = rationals.iter().map(BigRational::abs).max().unwrap_or_else(|| BigInt::from(0).into());
+        if largest.is_positive() {
+            parts = rationals.iter().map(|part| Surd::from(part / &largest)).collect();
+        }
+    }
+    let squared = parts.iter().fold(Surd::zero(), |sum, part| &sum + &(part * part));
+    if squared.is_zero() {
+        return Err(Fault::new(
+            vector.phrase,
+            "the vector (0, 0, 0) has no direction",
+            "give one component that is not zero",
+        ));
+    }
+    let inverse = match squared.sqrt().and_then(|length| length.inverse()) {
+        Some(inverse) => Poly::from(inverse),
+        None => {
+            let length = Poly::from(ring.root("length", Poly::from(squared.clone())));
+            let square_inverse = squared.inverse().unwrap_or_else(Surd::one);
+            length.scaled(&square_inverse)
+        }
+    };
+    Ok(std::array::from_fn(|index| inverse.scaled(&parts[index])))
+}

@@ -1,0 +1,93 @@
+//! Rules of the chain: one machine frame, known letters, three linear and at most two rotary axes to solve for.
+
+use super::names::kind_of;
+use crate::model::Kind;
+use crate::report::Errors;
+use crate::syntax::{Chain, Declaration, Spot};
+
+/// Reports every rule of the chain that is broken.
+pub(crate) fn check_chain(chain: &Chain, declaration: &Declaration, errors: &mut Errors) {
+    check_bars(chain, errors);
+    check_axes(chain, errors);
+    check_linears(chain, &solved(chain, declaration, Kind::Linear), errors);
+    check_rotaries(&solved(chain, declaration, Kind::Rotary), errors);
+}
+
+fn check_bars(chain: &Chain, errors: &mut Errors) {
+    match &chain.bars[..] {
+        [_] => {}
+        [] => errors.push(
+            chain.phrase,
+            "missing `|` in the kinematic chain",
+            "list the workpiece-side axes, then `|`, then the tool-side axes: `chain: C B | X Y Z;`",
+        ),
+        [_, rest @ ..] => errors.push(
+            rest[0].1,
+            "double `|` in the kinematic chain",
+            "there is one machine frame: write `|` once, between workpiece side and tool side",
+        ),
+    }
+}
+
+fn check_axes(chain: &Chain, errors: &mut Errors) {
+    let mut seen: Vec<&str> = Vec::new();
+    for axis in &chain.axes {
+        let name = axis.name.as_str();
+        if kind_of(name).is_none() {
+            errors.push(
+                axis.phrase,
+                format!("`{name}` is not an axis letter"),
+                "linear axes are X Y Z U V W, rotary axes A B C",
+            );
+        } else if seen.contains(&name) {
+            errors.push(
+                axis.phrase,
+                format!("`{name}` stands twice in the chain"),
+                "every axis has a letter of its own",
+            );
+        }
+        seen.push(name);
+    }
+}
+
+/// Axes of a kind that are not held; a letter that is repeated counts once.
+fn solved<'a>(chain: &'a Chain, declaration: &Declaration, kind: Kind) -> Vec<&'a Spot> {
+    let held = |name: &str| declaration.hold.iter().any(|entry| entry.key.name == name);
+    let mut solved: Vec<&Spot> = Vec::new();
+    for axis in &chain.axes {
+        let repeated = solved.iter().any(|known| known.name == axis.name);
+        if kind_of(&axis.name) == Some(kind) && !held(&axis.name) && !repeated {
+            solved.push(axis);
+        }
+    }
+    solved
+}
+
+fn check_linears(chain: &Chain, linears: &[&Spot], errors: &mut Errors) {
+    if linears.len() < 3 {
+        let found: Vec<&str> = linears.iter().map(|axis| axis.name.as_str()).collect();
+        let found = if found.is_empty() { "none".into() } else { found.join(" ") };
+        errors.push(
+            chain.phrase,
+            format!("a machine needs three solved linear axes, found {found}"),
+            "add the missing letters to the chain, or take them out of `hold`",
+        );
+    }
+    for axis in linears.iter().skip(3) {
+        errors.push(
+            axis.phrase,
+            format!("`{}` is a fourth linear axis: three are solved for", axis.name),
+            format!("put {} in `hold`: `hold = {{ {}: 0 }};`", axis.name, axis.name),
+        );
+    }
+}
+
+fn check_rotaries(rotaries: &[&Spot], errors: &mut Errors) {
+    for axis in rotaries.iter().skip(2) {
+        errors.push(
+            axis.phrase,
+            format!("`{}` is a third rotary axis: two tilt the tool", axis.name),
+            format!("put {} in `hold`: `hold = {{ {}: 0 }};`", axis.name, axis.name),
+        );
+    }
+}

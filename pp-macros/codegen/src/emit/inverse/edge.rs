@@ -1,0 +1,138 @@
+//! The cold path of a machine with two rotary axes: pole, rim, just beyond the rim, and what is no pose at all.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::guard::{finite, inverse_places, parallel};
+use super::solution::SolutionTokens;
+use crate::emit::body::{Body, lets};
+use crate::emit::inputs::prelude;
+use crate::model::Model;
+use crate::solve::{Edge, Orientation, Solved, Two};
+use crate::symbolic::Id;
+
+/// The function and its signature; `None` if fewer than two rotary axes are solved for.
+pub(crate) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, TokenStream)> {
+    let Orientation::Two(two) = &solved.orientation else { return None };
+    let count = model.axes.len();
+    let signature = quote! {
+        /// One solution where both branches meet, at the pole, at the rim and within the tolerance outside it.
+        fn inverse_at_the_edge(
+            &self,
+            pose: &::pp_runtime::kinematics::Pose,
+            held: &[f64; #count],
+        ) -> ::pp_runtime::kinematics::Solutions<[f64; #count]>
+    };
+    let statements = statements(model, solved, two);
+    let function = quote! {
+        #[cold]
+        #[inline(never)]
+        #signature {
+            let (tip, axis) = (&pose.tip, &pose.axis);
+            #statements
+        }
+    };
+    Some((function, quote!(#signature;)))
+}
+
+fn statements(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
+    let Edge { second, first, first_squared, reached_squared, along, .. } = two.edge;
+    let wanted =
+        [two.second.capacity, two.second.root_squared, two.second.height, two.second.rim, two.first.sine_squared];
+    let reached = [second.0, second.1, first.0, first.1, first_squared, reached_squared, along.0, along.1];
+    let outputs: Vec<Id> = wanted.into_iter().chain(reached).collect();
+    let mut body = Body::new(&solved.graph, &outputs);
+    let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let begin = lets(&body.statements(&wanted));
+    let rest = lets(&body.statements(&outputs));
+    let is_a_pose = is_a_pose(model, solved, &body, two);
+    let onto_the_rim = onto_the_rim(&body, two);
+    let deviation = deviation(&body, two);
+    let first_angle = first_angle(&body, two);
+    let (sine, cosine) = (body.tokens(second.0), body.tokens(second.1));
+    let [first, second] = two.rotaries;
+    let solution = SolutionTokens {
+        turns: &[(first, quote!(first)), (second, quote!(second))],
+        angles: &[(first, quote!(value)), (second, quote!(math::angle(second.0, second.1)))],
+        branch: quote!(First),
+        singular: quote!(singular),
+        deviation: quote!(deviation),
+    };
+    let solution = solution.tokens(model, solved);
+    quote! {
+        #prelude
+        #begin
+        #is_a_pose
+        #onto_the_rim
+        #rest
+        #deviation
+        #first_angle
+        let second = (#sine, #cosine);
+        ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
+    }
+}
+
+/// No solution for what is not a number, or where the rotary axes cannot tilt the tool.
+fn is_a_pose(model: &Model, solved: &Solved, body: &Body<'_>, two: &Two) -> TokenStream {
+    let capacity = solved.graph.constant_of(two.second.capacity).is_none().then(|| {
+        let (capacity, least) = (body.tokens(two.second.capacity), parallel());
+        quote!(!(#capacity > #least) ||)
+    });
+    let finite = finite(model);
+    quote! {
+        if #capacity !#finite {
+            return ::pp_runtime::kinematics::Solutions::none();
+        }
+    }
+}
+
+/// Height and root of the nearest axis that can be reached.
+fn onto_the_rim(body: &Body<'_>, two: &Two) -> TokenStream {
+    let [root_squared, height, rim] =
+        [two.second.root_squared, two.second.height, two.second.rim].map(|node| body.tokens(node));
+    quote! {
+        let inside = #root_squared > 0.0;
+        let edge_root = if inside { math::sqrt(#root_squared) } else { 0.0 };
+        let edge_height = if inside { #height } else if #height < 0.0 { -#rim } else { #rim };
+    }
+}
+
+/// Distance of that from the wanted axis; no solution beyond the tolerance.
+fn deviation(body: &Body<'_>, two: &Two) -> TokenStream {
+    let [along, reached_along, sine_squared, reached_squared] =
+        [two.edge.along.0, two.edge.along.1, two.first.sine_squared, two.edge.reached_squared]
+            .map(|node| body.tokens(node));
+    quote! {
+        let deviation = if inside {
+            0.0
+        } else {
+            math::hypot(#along - (#reached_along), math::sqrt(#sine_squared) - math::sqrt(#reached_squared))
+        };
+        if !(deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) {
+            return ::pp_runtime::kinematics::Solutions::none();
+        }
+    }
+}
+
+/// `first` and `value`, the (sine, cosine) and the angle of the first rotary; at the pole those that are held.
+fn first_angle(body: &Body<'_>, two: &Two) -> TokenStream {
+    let rotary = two.rotaries[0];
+    let [sine_squared, first_squared, sine, cosine] =
+        [two.first.sine_squared, two.edge.first_squared, two.edge.first.0, two.edge.first.1]
+            .map(|node| body.tokens(node));
+    quote! {
+        let singular = !(#sine_squared
+            >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE)
+            || !(#first_squared > 0.0);
+        if singular && !held[#rotary].is_finite() {
+            return ::pp_runtime::kinematics::Solutions::none();
+        }
+        let (first, value) = if singular {
+            (math::sin_cos(held[#rotary]), held[#rotary])
+        } else {
+            let value = math::sqrt(#first_squared);
+            let first = (#sine / value, #cosine / value);
+            (first, math::angle(first.0, first.1))
+        };
+    }
+}

@@ -1,0 +1,24 @@
+//! Inputs of the inverse, and what keeps it from poses that it cannot answer.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::emit::inputs::Places;
+use crate::model::Model;
+use crate::solve::PARALLEL;
+
+/// The bound below which directions count as parallel, as a literal.
+pub(crate) fn parallel() -> Literal {
+    Literal::f64_unsuffixed(PARALLEL)
+}
+
+/// Variables of the inverse that hold its inputs.
+pub(crate) fn inverse_places() -> Places<'static> {
+    Places { tip: Some("tip"), axis: Some("axis"), words: Some("held"), turns: None }
+}
+
+/// Whether the pose, and what is held, are numbers; NaN and infinity stay NaN or infinite in a sum.
+pub(crate) fn finite(model: &Model) -> TokenStream {
+    let held = model.axes.iter().enumerate().filter(|(_, axis)| axis.held.is_some()).map(|(place, _)| place);
+    quote!((tip.x + tip.y + tip.z + axis.x + axis.y + axis.z #(+ held[#held])*).is_finite())
+}

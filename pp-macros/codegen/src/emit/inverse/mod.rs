@@ -1,0 +1,37 @@
+//! The inverse kinematics: a straight path for ordinary poses, a cold one for pole and rim, and `reach`.
+
+mod edge;
+mod guard;
+mod pair;
+mod reach;
+mod single;
+mod solution;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::model::Model;
+use crate::solve::{Orientation, Solved};
+pub(crate) use edge::edge;
+pub(crate) use reach::reach;
+
+/// `inverse_kinematics`.
+pub(crate) fn inverse(model: &Model, solved: &Solved) -> TokenStream {
+    let body = match &solved.orientation {
+        Orientation::Fixed { deviation } => single::fixed(model, solved, *deviation),
+        Orientation::One(one) => single::one(model, solved, one),
+        Orientation::Two(two) => pair::pair(model, solved, two),
+    };
+    quote! {
+        #[inline]
+        fn inverse_kinematics(
+            &self,
+            pose: &::pp_runtime::kinematics::Pose,
+            held: &Self::Axes,
+        ) -> ::pp_runtime::kinematics::Solutions<Self::Axes> {
+            let (tip, axis) = (&pose.tip, &pose.axis);
+            let _ = held;
+            #body
+        }
+    }
+}

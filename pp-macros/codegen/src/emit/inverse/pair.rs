@@ -1,0 +1,99 @@
+//! Two solved rotary axes: two solutions, unless the edge is near.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::guard::{finite, inverse_places, parallel};
+use super::solution::SolutionTokens;
+use crate::emit::body::{Body, lets};
+use crate::emit::inputs::prelude;
+use crate::model::{AxisId, Model};
+use crate::solve::{AngleRelation, Branch, Pole, Solved, Two};
+use crate::symbolic::Id;
+
+/// Both branches, or the cold path.
+pub(crate) fn pair(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
+    let guarded = [two.second.root, two.first.sine_squared, two.second.capacity];
+    let words = |branch: &Branch| branch.words.map(|(sine, cosine)| [sine, cosine]).concat();
+    let outputs: Vec<Id> = guarded.into_iter().chain(two.branches.iter().flat_map(words)).collect();
+    let mut body = Body::new(&solved.graph, &outputs);
+    let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let guard = lets(&body.statements(&guarded));
+    let near_the_edge = near_the_edge(solved, &body, two);
+    let finite = finite(model);
+    let statements = lets(&body.statements(&outputs));
+    let angles: TokenStream = (0..2).map(|branch| angles(model, &body, two, branch)).collect();
+    let solutions = (0..2).map(|branch| solution(model, solved, &body, two, branch));
+    quote! {
+        #prelude
+        #guard
+        if #near_the_edge || !#finite {
+            return self.inverse_at_the_edge(pose, held);
+        }
+        #statements
+        #angles
+        ::pp_runtime::kinematics::Solutions::from_branches([#(#solutions),*])
+    }
+}
+
+/// Whether both branches meet, the first rotary is free, or the rotary axes cannot tilt the tool.
+fn near_the_edge(solved: &Solved, body: &Body<'_>, two: &Two) -> TokenStream {
+    let [root, sine_squared, capacity] =
+        [two.second.root, two.first.sine_squared, two.second.capacity].map(|node| body.tokens(node));
+    // In the orthogonal form the root is zero at the pole, too.
+    let pole = (two.pole != Pole::Orthogonal).then(|| {
+        quote!(|| !(#sine_squared >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE))
+    });
+    let capacity = solved.graph.constant_of(two.second.capacity).is_none().then(|| {
+        let least = parallel();
+        quote!(|| !(#capacity > #least))
+    });
+    quote!(!(#root >= ::pp_runtime::kinematics::SINGULAR_SINE) #pole #capacity)
+}
+
+/// `let` statements for the angles of a branch.
+fn angles(model: &Model, body: &Body<'_>, two: &Two, branch: usize) -> TokenStream {
+    let Branch { words, angles, .. } = two.branches[branch];
+    let statements = (0..2).map(|rotary| {
+        let (name, first) = (angle_name(model, two, rotary, branch), angle_name(model, two, rotary, 0));
+        let value = match angles[rotary] {
+            AngleRelation::Own => {
+                let (sine, cosine) = (body.tokens(words[rotary].0), body.tokens(words[rotary].1));
+                quote!(math::angle(#sine, #cosine))
+            }
+            AngleRelation::Same => quote!(#first),
+            AngleRelation::Negated => quote!(math::negated(#first)),
+            AngleRelation::HalfTurn => quote!(math::half_turn(#first)),
+            AngleRelation::Mirrored => quote!(math::mirrored(#first)),
+        };
+        quote!(let #name = #value;)
+    });
+    statements.collect()
+}
+
+fn solution(model: &Model, solved: &Solved, body: &Body<'_>, two: &Two, branch: usize) -> TokenStream {
+    let turns = two.branches[branch].words.map(|(sine, cosine)| {
+        let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
+        quote!((#sine, #cosine))
+    });
+    let angles = [0, 1].map(|rotary| {
+        let name = angle_name(model, two, rotary, branch);
+        quote!(#name)
+    });
+    let of_rotaries =
+        |tokens: [TokenStream; 2]| -> Vec<(AxisId, TokenStream)> { two.rotaries.into_iter().zip(tokens).collect() };
+    let name = if branch == 0 { quote!(First) } else { quote!(Second) };
+    let solution = SolutionTokens {
+        turns: &of_rotaries(turns),
+        angles: &of_rotaries(angles),
+        branch: name,
+        singular: quote!(false),
+        deviation: quote!(0.0),
+    };
+    solution.tokens(model, solved)
+}
+
+/// `angle_c_1`
+fn angle_name(model: &Model, two: &Two, rotary: usize, branch: usize) -> Ident {
+    format_ident!("angle_{}_{}", model.axes[two.rotaries[rotary]].letter.to_ascii_lowercase(), branch + 1)
+}

@@ -1,0 +1,128 @@
+//! `reach`: why a tool axis cannot be reached.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::guard::{inverse_places, parallel};
+use crate::emit::body::{Body, lets};
+use crate::emit::inputs::prelude;
+use crate::model::{AxisId, Model, Quantity};
+use crate::solve::{Orientation, Solved, Tilt};
+use crate::symbolic::Id;
+
+/// `reach`.
+pub(crate) fn reach(model: &Model, solved: &Solved) -> TokenStream {
+    let machine = &model.name;
+    let linears = model.letters(model.solved_linears());
+    let inputs = inputs(model);
+    let why = match &solved.orientation {
+        Orientation::Fixed { deviation } => {
+            let outputs: Vec<Id> = [*deviation].into_iter().collect();
+            let mut body = Body::new(&solved.graph, &outputs);
+            let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+            let statements = lets(&body.statements(&outputs));
+            let deviation = body.tokens(*deviation);
+            quote! {
+                #prelude
+                #statements
+                if !(#deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) {
+                    let tool = self.forward_kinematics(held).axis;
+                    return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::Fixed {
+                        machine: #machine,
+                        wanted: [axis.x, axis.y, axis.z],
+                        tool_axis: [tool.x, tool.y, tool.z],
+                    });
+                }
+            }
+        }
+        Orientation::One(one) => {
+            let varies = solved.graph.constant_of(one.length_claim).is_none();
+            let guard = varies.then_some((one.length_claim, one.rotary, inputs.as_str()));
+            cone(model, solved, &one.tilt, one.rotary, guard)
+        }
+        Orientation::Two(two) => {
+            let capacity = solved.graph.constant_of(two.second.capacity).is_none();
+            let guard = capacity.then_some((two.second.capacity, two.rotaries[1], inputs.as_str()));
+            cone(model, solved, &two.tilt, two.rotaries[0], guard)
+        }
+    };
+    quote! {
+        fn reach(
+            &self,
+            axis: &::pp_runtime::nalgebra::UnitVector3<f64>,
+            held: &Self::Axes,
+        ) -> ::core::result::Result<(), ::pp_runtime::kinematics::Unreachable> {
+            let pose = ::pp_runtime::kinematics::Pose { tip: ::pp_runtime::nalgebra::Point3::origin(), axis: *axis };
+            if !self.inverse_kinematics(&pose, held).is_empty() {
+                return ::core::result::Result::Ok(());
+            }
+            if !(axis.x + axis.y + axis.z).is_finite() {
+                return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::NotFinite);
+            }
+            #why
+            ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::LinearAxes {
+                machine: #machine,
+                axes: #linears,
+            })
+        }
+    }
+}
+
+/// Held axes and angles of `dims`: what can make a rotary unable to tilt the tool.
+fn inputs(model: &Model) -> String {
+    let held = model.axes.iter().filter(|axis| axis.held.is_some()).map(|axis| axis.letter.to_string());
+    let angles = model.dimensions.iter().filter(|dimension| matches!(dimension.quantity, Quantity::Angle(..)));
+    held.chain(angles.map(|dimension| dimension.name.clone())).collect::<Vec<_>>().join(", ")
+}
+
+fn cone(
+    model: &Model,
+    solved: &Solved,
+    tilt: &Tilt,
+    rotary: AxisId,
+    capacity: Option<(Id, AxisId, &str)>,
+) -> TokenStream {
+    let machine = &model.name;
+    let letter = model.axes[rotary].letter;
+    let mut outputs = vec![];
+    for (sine, cosine) in [tilt.wanted, tilt.between, tilt.tool] {
+        outputs.extend([sine, cosine]);
+    }
+    outputs.extend(tilt.direction);
+    outputs.extend(capacity.map(|(node, ..)| node));
+    let mut body = Body::new(&solved.graph, &outputs);
+    let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let statements = lets(&body.statements(&outputs));
+    let [wanted, between, tool] = [tilt.wanted, tilt.between, tilt.tool].map(|(sine, cosine)| {
+        let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
+        quote!(math::atan2(#sine, #cosine))
+    });
+    let direction = tilt.direction.map(|node| body.tokens(node));
+    let capacity = capacity.map(|(node, axis, held)| {
+        let (node, letter) = (body.tokens(node), model.axes[axis].letter);
+        let least = parallel();
+        quote! {
+            if !(#node > #least) {
+                return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::Held {
+                    machine: #machine,
+                    rotary: #letter,
+                    held: #held,
+                });
+            }
+        }
+    });
+    quote! {
+        #prelude
+        #statements
+        #capacity
+        if let ::core::option::Option::Some(value) = ::pp_runtime::kinematics::Cone::new(#wanted, #between, #tool).outside() {
+            return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::Cone {
+                machine: #machine,
+                rotary: #letter,
+                direction: [#(#direction),*],
+                wanted: [axis.x, axis.y, axis.z],
+                cone: value,
+            });
+        }
+    }
+}

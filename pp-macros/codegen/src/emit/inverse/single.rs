@@ -1,0 +1,109 @@
+//! At most one solved rotary axis: one solution or none.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::guard::{finite, inverse_places, parallel};
+use super::solution::SolutionTokens;
+use crate::emit::body::{Body, lets};
+use crate::emit::inputs::prelude;
+use crate::model::Model;
+use crate::solve::{One, Solved};
+use crate::symbolic::Id;
+
+/// Sine of a cone whose axis may come within the reach tolerance of it, with room to spare.
+const SLIM: f64 = 1e-5;
+
+/// No solved rotary axis.
+pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id) -> TokenStream {
+    let mut body = Body::new(&solved.graph, &[deviation]);
+    let prelude = prelude(model, &body.inputs(&[deviation]), inverse_places());
+    let guard = within_reach(model, &mut body, deviation);
+    let (branch, singular, deviation) = (quote!(First), quote!(false), body.tokens(deviation));
+    let solution = SolutionTokens { turns: &[], angles: &[], branch, singular, deviation }.tokens(model, solved);
+    quote! {
+        #prelude
+        #guard
+        ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
+    }
+}
+
+/// One solved rotary axis.
+pub(crate) fn one(model: &Model, solved: &Solved, one: &One) -> TokenStream {
+    let outputs = [one.deviation, one.word.0, one.word.1, one.length, one.length_claim];
+    let mut body = Body::new(&solved.graph, &outputs);
+    let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let can_tilt = can_tilt(solved, &mut body, one);
+    let guard = within_reach(model, &mut body, one.deviation);
+    let statements = lets(&body.statements(&outputs));
+    let (angle, singular) = angle(solved, &body, one);
+    let solution = SolutionTokens {
+        turns: &[(one.rotary, quote!(first))],
+        angles: &[(one.rotary, quote!(value))],
+        branch: quote!(First),
+        singular,
+        deviation: body.tokens(one.deviation),
+    };
+    let solution = solution.tokens(model, solved);
+    quote! {
+        #prelude
+        #can_tilt
+        #guard
+        #statements
+        #angle
+        ::pp_runtime::kinematics::Solutions::from_branches([#solution, ::core::option::Option::None])
+    }
+}
+
+/// No solution where dimensions or held axes lay the rotary parallel to the tool.
+fn can_tilt(solved: &Solved, body: &mut Body<'_>, one: &One) -> Option<TokenStream> {
+    if solved.graph.constant_of(one.length_claim).is_some() {
+        return None;
+    }
+    let statements = lets(&body.statements(&[one.length_claim]));
+    let squared = body.tokens(one.length_claim);
+    let least = parallel();
+    Some(quote! {
+        #statements
+        if !(#squared > #least) {
+            return ::pp_runtime::kinematics::Solutions::none();
+        }
+    })
+}
+
+/// No solution where the wanted axis is off the reachable ones, or is not a number.
+fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStream {
+    let statements = lets(&body.statements(&[deviation]));
+    let deviation = body.tokens(deviation);
+    let finite = finite(model);
+    quote! {
+        #statements
+        if !(#deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) || !#finite {
+            return ::pp_runtime::kinematics::Solutions::none();
+        }
+    }
+}
+
+/// `first` and `value`, the (sine, cosine) and the angle; and whether it is singular.
+fn angle(solved: &Solved, body: &Body<'_>, one: &One) -> (TokenStream, TokenStream) {
+    let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
+    // A cone so slim that its axis is within tolerance of it: there the rotary is free.
+    let claim = solved.graph.constant_of(one.length_claim).and_then(|poly| solved.graph.ring().value(poly));
+    if claim.is_some_and(|squared| squared >= SLIM * SLIM) {
+        let angle = quote!(let (first, value) = ((#sine, #cosine), math::angle(#sine, #cosine)););
+        return (angle, quote!(false));
+    }
+    let (rotary, length) = (one.rotary, body.tokens(one.length));
+    let angle = quote! {
+        let singular = !(#length >= ::pp_runtime::kinematics::SINGULAR_SINE);
+        if singular && !held[#rotary].is_finite() {
+            return ::pp_runtime::kinematics::Solutions::none();
+        }
+        let (first, value) = if singular {
+            (math::sin_cos(held[#rotary]), held[#rotary])
+        } else {
+            ((#sine, #cosine), math::angle(#sine, #cosine))
+        };
+    };
+    (angle, quote!(singular))
+}

@@ -1,0 +1,138 @@
+//! Limits of the inverse kinematics: free rotaries, unreachable tool axes, degenerate linear axes.
+
+use std::collections::BTreeMap;
+
+use super::chain::{coordinate, vector};
+use super::page::{Section, line};
+use crate::formula::Formula;
+use crate::model::Model;
+use crate::solve::{Orientation, Pole, Solved, Tilt};
+use crate::symbolic::{Id, Interpreter, P3};
+
+/// Tool axes at which a rotary is free.
+pub(crate) fn singular_set(model: &Model, solved: &Solved) -> Section {
+    let mut section = Section::default();
+    let two = match &solved.orientation {
+        Orientation::Fixed { .. } => {
+            section.say("never: there is no rotary axis to solve for");
+            return section;
+        }
+        Orientation::One(_) => {
+            section.say("never");
+            return section;
+        }
+        Orientation::Two(two) => two,
+    };
+    let letter = model.axes[two.rotaries[0]].letter;
+    let direction = direction(model, solved, &two.tilt);
+    if two.pole != Pole::Elsewhere {
+        let at = match direction.as_ref().and_then(coordinate) {
+            Some(("x", _)) => ", that is j = k = 0",
+            Some(("y", _)) => ", that is i = k = 0",
+            Some(("z", _)) => ", that is i = j = 0",
+            _ => "",
+        };
+        let mut words = line(&format!("{letter} is free where the tool axis is parallel to it{at}"));
+        if let (true, Some(direction)) = (at.is_empty(), &direction) {
+            words = words.say(", along ").vector(&vector(model, direction));
+        }
+        section.line(words);
+        section.say(&format!("There (sine of the angle between them below 1e-15) {letter} keeps the value it had."));
+    } else {
+        section
+            .say(&format!("{letter} is free only where held values or dimensions let the tool stand parallel to it."));
+    }
+    section
+}
+
+/// The direction of the first rotary in the workpiece, if no held value changes it.
+fn direction(model: &Model, solved: &Solved, tilt: &Tilt) -> Option<P3> {
+    let parts = tilt.direction.map(|node| solved.graph.constant_of(node).cloned());
+    let [x, y, z] = parts;
+    let direction = [x?, y?, z?];
+    // What the solver has found to be constant can be written in the model's ring.
+    direction.iter().all(|part| model.ring.value(part).is_some() || part.is_zero()).then_some(direction)
+}
+
+/// Angles between tool axis and first rotary.
+pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
+    let mut section = Section::default();
+    let value = |node: Id| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly));
+    let (rotary, tilt) = match &solved.orientation {
+        Orientation::Fixed { .. } => {
+            section.say("one tool axis");
+            return section;
+        }
+        Orientation::One(one) => (one.rotary, &one.tilt),
+        Orientation::Two(two) => (two.rotaries[0], &two.tilt),
+    };
+    let letter = model.axes[rotary].letter;
+    let (Some(between), Some(tool)) = (value(tilt.between.1), value(tilt.tool.1)) else {
+        section.say(&format!("an angle to the axis of {letter} that depends on dimensions or held axes"));
+        return section;
+    };
+    let (between, tool) = (between.acos().to_degrees(), tool.acos().to_degrees());
+    let (smallest, largest) = ((between - tool).abs(), 180.0 - (180.0 - between - tool).abs());
+    let [smallest, largest] = [smallest, largest].map(|degrees| (degrees * 1e6).round() / 1e6);
+    if smallest <= 0.0 && largest >= 180.0 {
+        section.say("every tool axis, within the limits of the axes");
+        return section;
+    }
+    let range = if largest - smallest <= 0.0 {
+        format!("{smallest} degrees")
+    } else {
+        format!("{smallest} to {largest} degrees")
+    };
+    let mut words = line(&format!("{range} between the tool axis and the axis of {letter}"));
+    if let Some((name, turned)) = direction(model, solved, tilt).as_ref().and_then(coordinate) {
+        let text = inequality(name, turned, smallest, largest);
+        let latex = text.replace("<=", "\\leq").replace(">=", "\\geq");
+        words = words.say(", that is ").both(&text, &format!("${latex}$"));
+    }
+    section.line(words);
+    section
+}
+
+/// A range of angles to a coordinate direction, or to its opposite, as an inequality of `i`, `j` or `k`.
+fn inequality(coordinate: &str, turned: bool, smallest: f64, largest: f64) -> String {
+    let component = match coordinate {
+        "x" => "i",
+        "y" => "j",
+        _ => "k",
+    };
+    let cosine = |degrees: f64| {
+        let value = (degrees.to_radians().cos() * 1e9).round() / 1e9 + 0.0;
+        if turned { 0.0 - value } else { value }
+    };
+    let (most, least) = (cosine(smallest), cosine(largest));
+    let (least, most) = if turned { (most, least) } else { (least, most) };
+    if most - least <= 0.0 {
+        format!("{component} = {least}")
+    } else if least <= -1.0 {
+        format!("{component} <= {most}")
+    } else if most >= 1.0 {
+        format!("{component} >= {least}")
+    } else {
+        format!("{least} <= {component} <= {most}")
+    }
+}
+
+/// Rotary angles at which the linear axes degenerate.
+pub(crate) fn degenerate(model: &Model, solved: &Solved) -> Section {
+    let mut section = Section::default();
+    let letters = model.letters(model.solved_linears());
+    let mut graph = solved.graph.clone();
+    let node = solved.position.determinant;
+    let value = Interpreter::new(&mut graph, BTreeMap::new()).value(node);
+    let formula = Formula::of_poly(model, graph.ring(), &value);
+    if graph.ring().value(&value).is_some() {
+        section.line(line(&format!("nowhere: the determinant of {letters} is ")).math(&formula));
+    } else {
+        section.line(
+            line(&format!("{letters} degenerate where "))
+                .both(&format!("|{}|", formula.text()), &format!("$|{}|$", formula.latex()))
+                .say(" < 1e-9"),
+        );
+    }
+    section
+}

@@ -1,0 +1,105 @@
+//! Linear axes from the tip and the rotary axes.
+
+use std::collections::BTreeMap;
+
+use super::chain::{at_the_table, letter, part};
+use super::page::{Section, line};
+use super::steps::steps;
+use crate::formula::{Formula, is_readable};
+use crate::model::{AxisId, Model};
+use crate::solve::{Position, Solved};
+use crate::symbolic::{Graph, Id, Interpreter, Node, Poly};
+
+/// Equations of the linear axes, by a common determinant where it varies.
+pub(crate) fn linear(model: &Model, solved: &Solved, section: &mut Section) {
+    section.say("Linear axes from the tip (x, y, z), for any values of the rotary axes:");
+    let mut graph = solved.graph.clone();
+    let Linears { axes, determinant } = Linears::read(model, solved, &mut graph);
+    if !axes.iter().map(|axis| &axis.value).chain([&determinant]).all(|poly| is_readable(&graph, poly)) {
+        in_steps(model, solved, section);
+        return;
+    }
+    let below = Formula::name("det");
+    if axes.iter().any(|axis| axis.divided) {
+        let formula = Formula::of_poly(model, graph.ring(), &determinant);
+        section.equations(&[(below.clone(), formula)]);
+    }
+    let equation = |axis: &LinearAxis, value: &Poly| {
+        let formula = Formula::of_poly(model, graph.ring(), value);
+        let divided = |above: Formula| Formula::Quotient(Box::new(above), Box::new(below.clone()));
+        (letter(model, axis.axis), if axis.divided { divided(formula) } else { formula })
+    };
+    let short: Vec<_> = axes.iter().map(|axis| equation(axis, &at_the_table(model, &axis.value))).collect();
+    let whole: Vec<_> = axes.iter().map(|axis| equation(axis, &axis.value)).collect();
+    if short == whole {
+        section.equations(&whole);
+        return;
+    }
+    section.say("with the part origin at the table's reference point:");
+    section.equations(&short);
+    section.line(line("with the part origin at ").vector(&part(model)).say(":"));
+    section.equations(&whole);
+}
+
+/// A linear axis as a polynomial, over the determinant if `divided`.
+struct LinearAxis {
+    axis: AxisId,
+    divided: bool,
+    value: Poly,
+}
+
+/// All solved linear axes; those that are divided come first, and the others may contain their words.
+struct Linears {
+    axes: Vec<LinearAxis>,
+    determinant: Poly,
+}
+
+impl Linears {
+    fn read(model: &Model, solved: &Solved, graph: &mut Graph) -> Self {
+        let Position { values, determinant, .. } = &solved.position;
+        let mut reader = Interpreter::new(graph, BTreeMap::new());
+        let mut axes: Vec<LinearAxis> = Vec::new();
+        for &(axis, node) in values {
+            let (minus, inner) = match *solved.graph.node(node) {
+                Node::Neg(inner) => (true, inner),
+                _ => (false, node),
+            };
+            if let Some(above) = over_the_determinant(solved, inner) {
+                let value = reader.value(above);
+                axes.push(LinearAxis { axis, divided: true, value: if minus { -&value } else { value } });
+                let word = Poly::from(model.axes[axis].word);
+                reader.assume(inner, if minus { -&word } else { word.clone() });
+                reader.assume(node, word);
+            }
+        }
+        for &(axis, node) in values {
+            if !axes.iter().any(|known| known.axis == axis) {
+                axes.push(LinearAxis { axis, divided: false, value: reader.value(node) });
+            }
+        }
+        Self { axes, determinant: reader.value(*determinant) }
+    }
+}
+
+/// `a` of `a / det` or `a (1 / det)`, where the determinant varies.
+fn over_the_determinant(solved: &Solved, node: Id) -> Option<Id> {
+    let (graph, determinant) = (&solved.graph, solved.position.determinant);
+    if graph.constant_of(determinant).is_some() {
+        return None;
+    }
+    match *graph.node(node) {
+        Node::Div(above, below) if below == determinant => Some(above),
+        Node::Mul(a, b) => [(a, b), (b, a)].into_iter().find_map(|(value, inverse)| {
+            matches!(*graph.node(inverse), Node::Div(_, below) if below == determinant).then_some(value)
+        }),
+        _ => None,
+    }
+}
+
+fn in_steps(model: &Model, solved: &Solved, section: &mut Section) {
+    let values: Vec<Id> = solved.position.values.iter().map(|(_, node)| *node).collect();
+    let known = steps(model, &solved.graph, &values, section);
+    let formula = |node: Id| Formula::of_node(model, &solved.graph, node, &known);
+    let equations = solved.position.values.iter().map(|(axis, node)| (letter(model, *axis), formula(*node)));
+    section.equations(&equations.collect::<Vec<_>>());
+}

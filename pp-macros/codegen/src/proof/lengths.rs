@@ -1,0 +1,75 @@
+//! The root and the lengths that the formulas of two rotary axes are normalised by.
+
+use std::collections::BTreeMap;
+
+use super::claim::holds;
+use crate::model::Model;
+use crate::solve::{Solved, Two};
+use crate::symbolic::{Interpreter, Poly, Ring};
+
+/// `r² = D - w²`, and the own length of the first angle's direction is `g² + e²`.
+///
+/// Both follow from `p = n·m`, `q = m·t` and `n·a` alone, whatever these are made of: with symbols for the three the
+/// identities are small. What the symbols leave out is shown before: `|m×n|² = 1-p²`, `D = (1-p²)(1-q²)`,
+/// `|n×a|² = 1-(n·a)²`, `g² + e² = (1-p²)|n×a|²`. Roots are replaced by what has the same square and is not negative.
+pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), String> {
+    let letters = model.letters(two.rotaries);
+    let graph = &mut solved.graph;
+    let cosines = [two.tilt.between.1, two.tilt.tool.1, two.edge.along.0];
+    let sine_squares =
+        |values: &[Poly; 3], ring: &Ring| values.clone().map(|value| &Poly::one() - &ring.mul(&value, &value));
+    let parts = |[p, q, along]: &[Poly; 3], ring: &Ring| {
+        [
+            (two.first.between_squared, p.clone()),
+            (two.second.capacity, ring.mul(p, q)),
+            (two.first.sine_squared, along.clone()),
+            (two.first.spread, ring.mul(p, along)),
+        ]
+    };
+    let mut reader = Interpreter::new(graph, BTreeMap::new());
+    let values = cosines.map(|node| reader.value(node));
+    let squares = sine_squares(&values, reader.ring());
+    for (node, expected) in parts(&squares, reader.ring()) {
+        let value = reader.value(node);
+        holds(&reader, &value, &expected, &format!("the directions of {letters} are unit vectors"))?;
+    }
+    let [p, q, _] = &values;
+    let same =
+        [(q, p, false), (q, &-p, true)].into_iter().find(|(a, b, _)| reader.equal(a, b)).map(|(.., minus)| minus);
+    let symbols = ["p", "q", "along"].map(|name| Poly::from(graph.symbol(name)));
+    let mut abstracted: [Poly; 3] = std::array::from_fn(|index| {
+        graph.constant_of(cosines[index]).cloned().unwrap_or_else(|| symbols[index].clone())
+    });
+    // Where the pole is reached one of the two determines the other.
+    if let Some(minus) = same {
+        abstracted[1] = if minus { -&abstracted[0] } else { abstracted[0].clone() };
+    }
+    let squares = sine_squares(&abstracted, graph.ring());
+    let mut reader = Interpreter::new(graph, BTreeMap::new());
+    for (node, value) in cosines.into_iter().zip(abstracted) {
+        reader.assume(node, value);
+    }
+    for (node, value) in parts(&squares, &reader.ring().clone()) {
+        reader.assume(node, value);
+    }
+    if lengths_hold(&mut reader, two) {
+        return Ok(());
+    }
+    // Folding may have taken a symbol's node apart: then the same with everything written out.
+    if lengths_hold(&mut Interpreter::new(&mut solved.graph, BTreeMap::new()), two) {
+        return Ok(());
+    }
+    Err(format!("the root of {letters} is √(D - w²), and their direction has the length g² + e²"))
+}
+
+fn lengths_hold(reader: &mut Interpreter<'_>, two: &Two) -> bool {
+    let (height, capacity) = (reader.value(two.second.height), reader.value(two.second.capacity));
+    let square = &capacity - &reader.ring().mul(&height, &height);
+    let radicand = reader.value(two.second.root_squared);
+    if !reader.equal(&radicand, &square) {
+        return false;
+    }
+    reader.assume_square(two.second.root, square);
+    let spread = reader.value(two.first.spread);
+    two.first.length.is_none_or(|length| reader.claim(length, &spread))
+}

@@ -1,0 +1,137 @@
+//! forward∘inverse = identity, for every branch, over the very graph that is printed.
+//!
+//! The forward side is the product of the elementary matrices; the inverse side is read from the emitted nodes. A `√`
+//! node becomes a generator whose square is its radicand, `1/x` one whose product with `x` is 1; with `sin² + cos² = 1`
+//! and `i² + j² + k² = 1` that is all there is, and everything is proven by remainders.
+//!
+//! A root that is claimed to equal a sum of squares is replaced by it: both are not negative and their squares are
+//! compared exactly.
+
+mod claim;
+mod lengths;
+mod two;
+mod unit_vectors;
+
+use std::collections::BTreeMap;
+
+use claim::holds;
+use lengths::prove_lengths;
+use two::prove_two;
+use unit_vectors::General;
+
+use crate::model::{Kind, Model};
+use crate::solve::{One, Orientation, Solved};
+use crate::symbolic::{Interpreter, Matrix, P3, Poly, Symbol};
+
+/// Proves a solved machine.
+///
+/// Returns the claims in words.
+///
+/// # Errors
+/// The claim that does not hold. That is a fault of the solver, never of the declaration.
+pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> {
+    let product = model.product();
+    joints(model, solved)?;
+    let mut claims = vec![forward(model, solved, &product)?, position(model, solved)?];
+    let orientation = solved.orientation.clone();
+    match &orientation {
+        Orientation::Fixed { deviation } => {
+            let tool = product.turn(&model.tool_axis, &model.ring);
+            let mut reader = Interpreter::new(&mut solved.graph, assign(model.frame.axis, tool));
+            if !reader.claim(*deviation, &Poly::zero()) {
+                return Err("the fixed tool axis is reached without deviation".into());
+            }
+            claims.push("the only reachable tool axis is the product's".into());
+        }
+        Orientation::One(one) => claims.push(prove_one(model, solved, &product, one)?),
+        Orientation::Two(two) => {
+            prove_lengths(model, solved, two)?;
+            let general = General::of(model, solved).and_then(|general| prove_two(&general, solved, two).ok());
+            claims.extend(match general {
+                Some(claims) => claims,
+                None => prove_two(&General::written_out(model), solved, two)?,
+            });
+        }
+    }
+    Ok(claims)
+}
+
+/// The joints are those of the declaration, and the joint with `-q` undoes the joint.
+fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
+    let (directions, centres, tool_axis) = (solved.directions.clone(), solved.centres.clone(), solved.tool_axis);
+    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    for (id, axis) in model.axes.iter().enumerate() {
+        let letter = axis.letter;
+        if model.product_of([model.joint(id), model.joint_inverse(id)]) != Matrix::identity() {
+            return Err(format!("the joint of {letter} is undone by its joint with -q"));
+        }
+        let claim = format!("the joint of {letter} is as declared");
+        let centre = if axis.kind == Kind::Rotary { model.centre(id) } else { axis.point.clone() };
+        let expected = axis.direction.iter().chain(&centre);
+        for (node, expected) in directions[id].into_iter().chain(centres[id]).zip(expected) {
+            let value = reader.value(node);
+            holds(&reader, &value, expected, &claim)?;
+        }
+    }
+    for (node, expected) in tool_axis.into_iter().zip(&model.tool_axis) {
+        let value = reader.value(node);
+        holds(&reader, &value, expected, "the tool axis is as declared")?;
+    }
+    Ok(())
+}
+
+fn forward(model: &Model, solved: &mut Solved, product: &Matrix) -> Result<String, String> {
+    let nodes = solved.forward;
+    let axis = product.turn(&model.tool_axis, &model.ring);
+    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    let expected = product.origin().into_iter().chain(axis);
+    for (node, expected) in nodes.tip.into_iter().chain(nodes.axis).zip(expected) {
+        let value = reader.value(node);
+        holds(&reader, &value, &expected, "forward kinematics = product of the elementary matrices")?;
+    }
+    Ok("forward kinematics = product of the elementary matrices".into())
+}
+
+/// `T(q)·0 = tip`, shown as `J_c ... J_n·0 = J_(c-1)⁻¹ ... J_1⁻¹·tip` at the cut `c`: the same equation with far fewer
+/// products of sines.
+fn position(model: &Model, solved: &mut Solved) -> Result<String, String> {
+    let values = solved.position.values.clone();
+    let cut = solved.position.cut;
+    let claim = "the linear axes bring the tip to (x, y, z)";
+    let undone = model.product_of((0..cut).rev().map(|axis| model.joint_inverse(axis)));
+    let tool = model.product_of((cut..model.axes.len()).map(|axis| model.joint(axis)));
+    let wanted = {
+        let tip = model.frame.tip.map(Poly::from);
+        let turned = undone.turn(&tip, &model.ring);
+        let origin = undone.origin();
+        turned.into_iter().zip(origin).map(|(a, b)| &a + &b).collect::<Vec<_>>()
+    };
+    let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
+    let words = values.iter().map(|(axis, node)| (model.axes[*axis].word, reader.value(*node))).collect();
+    for (reached, wanted) in tool.origin().iter().zip(&wanted) {
+        let gap = reader.ring().substitute(&(reached - wanted), &words);
+        holds(&reader, &gap, &Poly::zero(), claim)?;
+    }
+    Ok(format!("{claim} for every value of the rotary axes where the determinant is not zero"))
+}
+
+fn prove_one(model: &Model, solved: &mut Solved, product: &Matrix, one: &One) -> Result<String, String> {
+    let letter = model.axes[one.rotary].letter;
+    let axis = product.turn(&model.tool_axis, &model.ring);
+    let mut reader = Interpreter::new(&mut solved.graph, assign(model.frame.axis, axis));
+    let length = reader.value(one.length_claim);
+    if !reader.claim(one.length, &length) || !reader.claim(one.deviation, &Poly::zero()) {
+        return Err(format!("every tool axis made by {letter} is found to be reachable"));
+    }
+    let (sine, cosine) = model.axes[one.rotary].turn;
+    let claim = format!("{letter} is found again from the tool axis it makes");
+    for (node, symbol) in [(one.word.0, sine), (one.word.1, cosine)] {
+        let value = reader.value(node);
+        holds(&reader, &value, &Poly::from(symbol), &claim)?;
+    }
+    Ok(claim)
+}
+
+fn assign(symbols: [Symbol; 3], values: P3) -> BTreeMap<Symbol, Poly> {
+    symbols.into_iter().zip(values).collect()
+}

@@ -1,0 +1,58 @@
+//! Angles of the second branch that follow from the first without an `atan2`.
+
+use std::collections::BTreeMap;
+
+use crate::solve::derivation::Derivation;
+use crate::symbolic::{Id, Interpreter, Symbol};
+
+/// Relation of an angle to that of the first branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AngleRelation {
+    /// From its own sine and cosine.
+    Own,
+    /// Equal to that of the first branch.
+    Same,
+    /// Opposite sine, same cosine as in the first branch.
+    Negated,
+    /// Half a revolution from the first branch.
+    HalfTurn,
+    /// Same sine, opposite cosine.
+    Mirrored,
+}
+
+/// Relation of the angle with the second pair (sine, cosine) to that with the first.
+pub(crate) fn relation(derivation: &Derivation<'_>, first: (Id, Id), second: (Id, Id)) -> AngleRelation {
+    let sample = derivation.model.sample();
+    match (same(derivation, &sample, first.0, second.0), same(derivation, &sample, first.1, second.1)) {
+        (Some(true), Some(true)) => AngleRelation::Same,
+        (Some(false), Some(true)) => AngleRelation::Negated,
+        (Some(false), Some(false)) => AngleRelation::HalfTurn,
+        (Some(true), Some(false)) => AngleRelation::Mirrored,
+        (None, _) | (_, None) => AngleRelation::Own,
+    }
+}
+
+/// True if the nodes are proven to be equal, false if opposite.
+///
+/// One numeric point refutes most relations at once; what it does not refute must be proven exactly.
+fn same(derivation: &Derivation<'_>, sample: &BTreeMap<Symbol, f64>, first: Id, second: Id) -> Option<bool> {
+    derivation.graph.with(|graph| {
+        let of = |symbol: Symbol| sample.get(&symbol).copied();
+        let [a, b] = [first, second].map(|node| graph.evaluate(node, &of));
+        let differs = |a: f64, b: f64| (a - b).abs() > 1e-6;
+        let mut reader = Interpreter::new(graph, BTreeMap::new());
+        if !differs(a, b) {
+            let (a, b) = (reader.value(first), reader.value(second));
+            if reader.equal(&a, &b) {
+                return Some(true);
+            }
+        }
+        if !differs(a, -b) {
+            let (a, b) = (reader.value(first), reader.value(second));
+            if reader.equal(&a, &-&b) {
+                return Some(false);
+            }
+        }
+        None
+    })
+}

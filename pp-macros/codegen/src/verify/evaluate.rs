@@ -1,0 +1,137 @@
+//! The value of an expression.
+
+use super::scope::Scope;
+use super::value::{Angle, Inverse, Value};
+use crate::check::Fault;
+use crate::symbolic::{Poly, Surd, turn_by};
+use crate::syntax::{Expr, ExprKind, Unit};
+
+impl Scope<'_> {
+    /// The value of an expression.
+    pub(crate) fn value(&mut self, expr: &Expr) -> Result<Value, Fault> {
+        match &expr.kind {
+            ExprKind::Number(degrees, Some(Unit::Degree)) => {
+                let (sine, cosine) = turn_by(degrees, self.algebra_mut().ring_mut());
+                Ok(Value::Angle(Angle { cosine, sine, inverse: None }))
+            }
+            ExprKind::Number(value, _) => Ok(Value::Number(Poly::from(Surd::from(value.clone())))),
+            ExprKind::Name(name) => self.name(name, expr),
+            ExprKind::Neg(inner) => Ok(match self.value(inner)? {
+                Value::Number(value) => Value::Number(-&value),
+                Value::Angle(angle) => Value::Angle(angle.negated()),
+            }),
+            ExprKind::Binary(left, operator, right) => self.binary(expr, left, *operator, right),
+            ExprKind::Power(base, exponent) => {
+                let base = self.number(base)?;
+                let mut power = Poly::one();
+                for _ in 0..*exponent {
+                    power = self.algebra().times(&power, &base, expr)?;
+                }
+                Ok(Value::Number(power))
+            }
+            ExprKind::Call(name, arguments) => self.call(expr, name, arguments),
+        }
+    }
+
+    fn binary(&mut self, expr: &Expr, left: &Expr, operator: char, right: &Expr) -> Result<Value, Fault> {
+        let (a, b) = (self.value(left)?, self.value(right)?);
+        match (a, operator, b) {
+            (Value::Number(a), '+', Value::Number(b)) => Ok(Value::Number(&a + &b)),
+            (Value::Number(a), '-', Value::Number(b)) => Ok(Value::Number(&a - &b)),
+            (Value::Number(a), '*', Value::Number(b)) => Ok(Value::Number(self.algebra().times(&a, &b, expr)?)),
+            (Value::Number(a), _, Value::Number(b)) => {
+                let inverse = self.algebra_mut().reciprocal(b, right)?;
+                Ok(Value::Number(self.algebra().times(&a, &inverse, expr)?))
+            }
+            (Value::Angle(a), '+', Value::Angle(b)) => Ok(Value::Angle(self.algebra().sum(&a, &b, expr)?)),
+            (Value::Angle(a), '-', Value::Angle(b)) => Ok(Value::Angle(self.algebra().sum(&a, &b.negated(), expr)?)),
+            (Value::Angle(angle), '+' | '-', Value::Number(zero)) if zero.is_zero() => Ok(Value::Angle(angle)),
+            (Value::Number(zero), '+', Value::Angle(angle)) if zero.is_zero() => Ok(Value::Angle(angle)),
+            (Value::Number(zero), '-', Value::Angle(angle)) if zero.is_zero() => Ok(Value::Angle(angle.negated())),
+            (Value::Angle(angle), '*', Value::Number(factor)) | (Value::Number(factor), '*', Value::Angle(angle)) => {
+                Ok(Value::Angle(self.algebra().multiple(&angle, &factor, expr)?))
+            }
+            (_, '+' | '-', _) => Err(Fault::new(
+                expr.phrase,
+                "an angle and a number do not add up",
+                "give the number its unit, `90 deg`, or take sin or cos of the angle",
+            )),
+            _ => Err(Fault::new(
+                expr.phrase,
+                "an angle is added, subtracted, or multiplied by a whole number",
+                "take sin or cos of it: `x * cos(C)`",
+            )),
+        }
+    }
+
+    fn call(&mut self, expr: &Expr, name: &str, arguments: &[Expr]) -> Result<Value, Fault> {
+        match (name, arguments) {
+            ("sin" | "cos", [argument]) => {
+                let angle = self.angle(argument)?;
+                let part = match (name, &angle.inverse) {
+                    ("sin", Some(Inverse::Sine(part))) | ("cos", Some(Inverse::Cosine(part, _))) => part.clone(),
+                    ("sin", _) => self.algebra_mut().unit_part(&angle, &angle.sine, argument)?,
+                    _ => self.algebra_mut().unit_part(&angle, &angle.cosine, argument)?,
+                };
+                Ok(Value::Number(part))
+            }
+            ("sqrt", [argument]) => {
+                let radicand = self.number(argument)?;
+                Ok(Value::Number(self.algebra_mut().root(radicand, argument)?))
+            }
+            ("atan2", [sine, cosine]) => {
+                let (sine, cosine) = (self.number(sine)?, self.number(cosine)?);
+                Ok(Value::Angle(Angle { cosine, sine, inverse: None }))
+            }
+            ("asin" | "acos", [argument]) => {
+                let part = self.number(argument)?;
+                let square = self.algebra().times(&part, &part, expr)?;
+                let other = self.algebra_mut().root(&Poly::one() - &square, expr)?;
+                Ok(Value::Angle(if name == "asin" {
+                    Angle { cosine: other, sine: part.clone(), inverse: Some(Inverse::Sine(part)) }
+                } else {
+                    Angle { cosine: part.clone(), sine: other, inverse: Some(Inverse::Cosine(part, false)) }
+                }))
+            }
+            ("sin" | "cos" | "sqrt" | "asin" | "acos", _) => Err(Fault::new(
+                expr.phrase,
+                format!("`{name}` takes one argument, found {}", arguments.len()),
+                format!("write `{name}(...)` of one expression"),
+            )),
+            ("atan2", _) => Err(Fault::new(
+                expr.phrase,
+                format!("`atan2` takes two arguments, found {}", arguments.len()),
+                "write `atan2(sine, cosine)`",
+            )),
+            _ => Err(Fault::new(
+                expr.phrase,
+                format!("`{name}` is not a function of `verify`"),
+                "known are sin, cos, asin, acos, atan2 and sqrt",
+            )),
+        }
+    }
+
+    /// A number, or a message that this is an angle.
+    fn number(&mut self, expr: &Expr) -> Result<Poly, Fault> {
+        match self.value(expr)? {
+            Value::Number(value) => Ok(value),
+            Value::Angle(_) => Err(Fault::new(
+                expr.phrase,
+                format!("`{expr}` is an angle where a number is needed"),
+                format!("take its sine or cosine: `sin({expr})`"),
+            )),
+        }
+    }
+
+    fn angle(&mut self, expr: &Expr) -> Result<Angle, Fault> {
+        match self.value(expr)? {
+            Value::Angle(angle) => Ok(angle),
+            Value::Number(zero) if zero.is_zero() => Ok(Angle::zero()),
+            Value::Number(_) => Err(Fault::new(
+                expr.phrase,
+                format!("`{expr}` is not an angle"),
+                "an angle is a rotary axis, an angle of `dims`, `45 deg`, or atan2, asin, acos of numbers",
+            )),
+        }
+    }
+}
