@@ -3,6 +3,7 @@
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
 
+mod axes;
 mod chain;
 mod datum;
 mod frame;
@@ -17,7 +18,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, REACH_TOLERANCE, Side};
+use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::{Mode, Policy, TcpWords};
 use crate::motion::rotary::{AngleScale, Metric, OutOfLimits, Rotary, TurnTarget, Turns, choose};
@@ -31,16 +32,11 @@ pub(crate) use linearise::{Linearised, Tolerance};
 pub(crate) use refusal::limits_text;
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
-use chain::{coordinates, counted, held_tool_axis, orthogonal, poles, rotaries as rotaries_of};
+use axes::{AxisSpeeds, LinearAxes, Poles, RotaryAxes};
+use chain::rotaries as rotaries_of;
 use datum::Datum;
 use frame::WordFrame;
 use travel::Travel;
-
-/// Word units that floating-point noise of a limit may amount to.
-const LIMIT_NOISE: f64 = 1e-6;
-
-/// Cosine between tool axis and retract axis from which the two count as parallel.
-const PARALLEL: f64 = 1.0 - 1e-12;
 
 /// Where the machine stands: axis values and the words that put it there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,61 +55,6 @@ pub(crate) struct Place<A> {
     pub(crate) pole: bool,
     /// How far rounding of the linear words takes the tip at most, mm.
     pub(crate) rounding: f64,
-}
-
-/// The solved rotary axes.
-#[derive(Debug, Clone)]
-struct RotaryAxes {
-    axes: Vec<Rotary>,
-    /// The same axes without their limits.
-    endless: Vec<Rotary>,
-    /// Any of them has limits.
-    limited: bool,
-    /// Bit `i` for the axis at position `i`.
-    mask: u16,
-    /// Those whose words stay within a turn.
-    wrapped: u16,
-    /// Indexed ones, and their steps in whole units.
-    grid: Vec<(Rotary, i64)>,
-    scale: AngleScale,
-    metric: Metric,
-}
-
-/// Tool axes within reach that leave the first rotary free.
-#[derive(Debug, Clone)]
-struct Poles {
-    axes: Vec<UnitVector3<f64>>,
-    /// Angle to a pole up to which the tool axis counts as being there, rad.
-    tolerance: f64,
-}
-
-/// The solved linear axes.
-#[derive(Debug, Clone)]
-struct LinearAxes {
-    /// Bit `i` for the axis at position `i`.
-    mask: u16,
-    /// Units of their words in 1 mm.
-    per_mm: f64,
-    /// Positions of X Y Z in the chain, where these are the axes that are solved.
-    xyz: Option<[usize; 3]>,
-    /// The one that retracts.
-    retract_axis: usize,
-    /// Component of the tool axis along that axis' positive word, at the zero position.
-    retract_share: f64,
-    /// Going out along it is going out along the tool axis, whatever the rotaries do.
-    straight: bool,
-    /// The control counts their path as long as that of the tip.
-    square: bool,
-    /// They are perpendicular to each other, whatever the rotaries do.
-    orthogonal: bool,
-}
-
-/// Largest speeds, mm/min and rad/min, by position in the chain.
-#[derive(Debug, Clone)]
-struct AxisSpeeds {
-    of_axes: Vec<Option<f64>>,
-    /// Feeds are limited by them.
-    timed: bool,
 }
 
 /// Puts poses into words for one machine, one set-up and the current tool.
@@ -161,79 +102,6 @@ fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> [i64; MAX_AXES] {
     bounds
 }
 
-/// Positions of the solved axes of a kind.
-fn solved<M: Machine>(kind: AxisKind) -> impl Iterator<Item = usize> {
-    let axes = M::AXES.iter().enumerate().take(MAX_AXES);
-    axes.filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
-}
-
-/// A bit for each solved axis of a kind.
-fn mask<M: Machine>(kind: AxisKind) -> u16 {
-    solved::<M>(kind).fold(0_u16, |mask, index| mask | 1 << index)
-}
-
-impl RotaryAxes {
-    fn new<M: Machine>(policy: Policy<'_>, datum: &Datum, speeds: &[Option<f64>], scale: AngleScale) -> Self {
-        let limits = policy.set_up.travel::<M>().limits;
-        let axes: Vec<Rotary> = solved::<M>(AxisKind::Rotary)
-            .map(|index| {
-                let rest = datum.rest(index, scale);
-                let word = |angle: f64| (angle.to_degrees() - rest) * scale.per_degree;
-                Rotary {
-                    index,
-                    lower: limits[index].map(|limits| (word(limits.lower) - LIMIT_NOISE).ceil() as i64),
-                    upper: limits[index].map(|limits| (word(limits.upper) + LIMIT_NOISE).floor() as i64),
-                    rest,
-                }
-            })
-            .collect();
-        let rotaries = &policy.options.rotaries;
-        let is_wrapped = |rotary: &&Rotary| rotaries.wrap.contains_key(&M::AXES[rotary.index].letter);
-        let speed = |axis: usize| axes.get(axis).and_then(|rotary| speeds[rotary.index]);
-        Self {
-            endless: axes.iter().map(|rotary| rotary.without_limits()).collect(),
-            limited: axes.iter().any(|rotary| !rotary.endless()),
-            mask: mask::<M>(AxisKind::Rotary),
-            wrapped: axes.iter().filter(is_wrapped).fold(0, |mask, rotary| mask | 1 << rotary.index),
-            grid: grid::<M>(policy, &axes, scale),
-            metric: Metric::new(&axes, [0, 1].map(speed), scale),
-            scale,
-            axes,
-        }
-    }
-}
-
-impl LinearAxes {
-    fn new<M: Machine>(machine: &M, policy: Policy<'_>, units: Units, head: bool) -> Self {
-        let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
-        let tool_axis = machine.tool_axis();
-        let share = |index: usize| {
-            let joint = machine.joint(index);
-            joint.direction.dot(&tool_axis) * joint.sign
-        };
-        // `max_by` keeps the last of equals; nearer the tool is later on the tool side, and the tool side is later.
-        let retract_axis = solved::<M>(AxisKind::Linear)
-            .max_by(|&a, &b| {
-                let (a, b) = (share(a).abs(), share(b).abs());
-                if (a - b).abs() < 1e-9 { std::cmp::Ordering::Equal } else { a.total_cmp(&b) }
-            })
-            .unwrap_or_default();
-        let along_tool = held_tool_axis(machine).dot(&machine.joint(retract_axis).direction).abs() >= PARALLEL;
-        let per_unit = 10_f64.powi(policy.formats.linear(units) as i32);
-        let orthogonal = orthogonal(machine, axes);
-        Self {
-            mask: mask::<M>(AxisKind::Linear),
-            per_mm: per_unit / units.in_mm(),
-            xyz: coordinates(axes),
-            retract_axis,
-            retract_share: share(retract_axis),
-            straight: policy.options.mode == Mode::Axes && !head && along_tool,
-            square: orthogonal && counted(axes),
-            orthogonal,
-        }
-    }
-}
-
 impl<M: Machine> Placer<M> {
     pub(crate) fn new(machine: M, policy: Policy<'_>, units: Units) -> Self {
         let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
@@ -245,10 +113,7 @@ impl<M: Machine> Placer<M> {
         let (options, mode) = (policy.options, policy.options.mode);
         Self {
             part_origin: policy.set_up.part_origin.into(),
-            poles: Poles {
-                axes: poles(&machine, &rotary.axes),
-                tolerance: options.course.axis_tolerance.max(REACH_TOLERANCE),
-            },
+            poles: Poles::new(&machine, policy, &rotary.axes),
             linear: LinearAxes::new(&machine, policy, units, head),
             speeds: AxisSpeeds {
                 timed: options.feed.keep_speeds && speeds.iter().any(Option::is_some),
@@ -666,14 +531,6 @@ impl<M: Machine> Placer<M> {
         let there = self.travel.value_at(self.linear.retract_axis, retract)?;
         Some((there - place.axes.as_ref()[self.linear.retract_axis]) * self.linear.retract_share.signum())
     }
-}
-
-/// The steps of indexed rotaries in whole units.
-fn grid<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
-    let step = |rotary: &Rotary| {
-        Some((*rotary, scale.word(*policy.options.rotaries.grid.get(&M::AXES[rotary.index].letter)?)))
-    };
-    rotaries.iter().filter_map(step).collect()
 }
 
 #[cfg(test)]

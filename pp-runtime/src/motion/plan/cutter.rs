@@ -1,4 +1,4 @@
-//! CutterCompensation compensation in the plane by the control: CUTCOM.
+//! Cutter compensation in the plane by the control: CUTCOM.
 //!
 //! The control shifts the path to its left or right by what the register D holds, in the plane square to Z of the program
 //! (G17), with the rotary axes still and the tool along that Z. It comes on with the first straight feed motion in this plane

@@ -16,7 +16,7 @@ pub(crate) struct Tooling {
     calls: BTreeMap<u32, ToolCall>,
     /// Tools in the order in which they come into the spindle, as far as it is known.
     order: Vec<u32>,
-    /// LoadedTool changes so far.
+    /// Tool changes so far.
     changes: usize,
 }
 

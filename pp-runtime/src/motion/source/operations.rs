@@ -1,4 +1,4 @@
-//! MotionCounter, stretches and the numbers of motions: counted once, for every pass.
+//! Operations, stretches and the numbers of motions: counted once, for every pass.
 //!
 //! An operation begins with the first motion after TOOL PATH, a tool record, a stop, another frame, GOHOME, or NC text of
 //! the CL data. A stretch is what is cut between two changes of the tool axis in the air: it begins with an operation, and
@@ -40,7 +40,7 @@ pub struct MotionIndex {
 /// Counts the motions of a program.
 #[derive(Debug, Clone)]
 pub(crate) struct MotionCounter {
-    /// MotionCounter go on where the last one ended.
+    /// Operations go on where the last one ended.
     direct: bool,
     /// The tool's length moves the axes even without a tool: nothing may be passed over.
     head: bool,
