@@ -1,3 +1,5 @@
+mod set_up;
+
 use std::collections::BTreeMap;
 
 use proptest::prelude::*;
