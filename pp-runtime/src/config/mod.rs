@@ -53,7 +53,7 @@ options! {
         control: ControlOptions = ControlOptions::default(), keys();
         /// Lengths came from a file that does not state its unit: mm assumed.
         file_units_assumed: bool = false;
-        /// What was given rather than assumed: keys as they stand in a file, `part_origin`, `retract.position`.
+        /// What was given rather than assumed: keys as they are in a file, `part_origin`, `retract.position`.
         ///
         /// The keys of a machine's axes, dimensions and tools are not in here: their maps hold only what was given.
         given: BTreeSet<&'static str> = BTreeSet::new();

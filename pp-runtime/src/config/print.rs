@@ -11,7 +11,7 @@ use super::read::scope;
 /// Widest line of a comment.
 const WIDTH: usize = 120;
 
-/// A configuration file for the machine `M` in which every default stands, switched off. `config`: the defaults of the
+/// A configuration file for the machine `M` with every default, switched off. `config`: the defaults of the
 /// control, or [`Config::default`].
 ///
 /// A line that begins with `#` and a key is a default; a line that begins with `# e.g.` shows a key without default.
