@@ -5,7 +5,7 @@
 
 use core::fmt::Write;
 
-use pp_runtime::cl::Record;
+use pp_runtime::cl::record::{CoordinateRecord, MachineRecord, ProgramRecord, Record};
 use pp_runtime::kinematics::Pose;
 use pp_runtime::program::{Coolant, Spindle, Units};
 
@@ -49,10 +49,10 @@ impl Lines {
 pub fn nx(program: &Program) -> String {
     let mut lines = Lines::default();
     lines.push(&format!("PARTNO {}", program.name));
-    lines.record(Record::Units(Units::Millimetres));
+    lines.record(Record::Coordinates(CoordinateRecord::Units(Units::Millimetres)));
     for (index, operation) in program.operations.iter().enumerate() {
         if index > 0 {
-            lines.record(Record::Stop);
+            lines.record(Record::Program(ProgramRecord::Stop));
         }
         nx_operation(&mut lines, operation);
     }
@@ -73,7 +73,7 @@ fn nx_operation(lines: &mut Lines, operation: &Operation) {
         None => lines.push(&format!("LOAD/TOOL,{number}")),
     }
     lines.push(&format!("SPINDL/RPM,{},CLW", fixed(operation.speed, 0)));
-    lines.record(Record::Coolant(Coolant::On));
+    lines.record(Record::Machine(MachineRecord::Coolant(Coolant::On)));
     let (mut feed, mut axis, mut colour) = (None, String::new(), 0);
     let colours = colours(&operation.moves);
     for (step, &wanted) in operation.moves.iter().zip(&colours) {
@@ -82,7 +82,7 @@ fn nx_operation(lines: &mut Lines, operation: &Operation) {
             lines.push(&format!("PAINT/COLOR,{colour}"));
         }
         match step.feed {
-            None => lines.record(Record::Rapid),
+            None => lines.record(Record::Machine(MachineRecord::Rapid)),
             Some(value) if feed != step.feed => {
                 feed = step.feed;
                 lines.push(&format!("FEDRAT/MMPM,{}", fixed(value, 4)));
@@ -97,11 +97,11 @@ fn nx_operation(lines: &mut Lines, operation: &Operation) {
         }
         lines.push(&record);
     }
-    lines.record(Record::Spindle(Spindle::Off));
-    lines.record(Record::Coolant(Coolant::Off));
+    lines.record(Record::Machine(MachineRecord::Spindle(Spindle::Off)));
+    lines.record(Record::Machine(MachineRecord::Coolant(Coolant::Off)));
     lines.push("PAINT/SPEED,10");
     lines.push("PAINT/TOOL,NOMORE");
-    lines.record(Record::EndOfPath);
+    lines.record(Record::Program(ProgramRecord::EndOfPath));
 }
 
 /// Colours of the moves: rapids and retracts 211, the approach 186, entering 42, cutting 31.
@@ -140,15 +140,15 @@ pub fn catia(program: &Program) -> String {
         lines.push(&format!("$$ {}", fields(&row, 11, 5, " ")));
     }
     lines.push(&format!("PARTNO {}", program.name));
-    lines.record(Record::Units(Units::Millimetres));
+    lines.record(Record::Coordinates(CoordinateRecord::Units(Units::Millimetres)));
     for (index, operation) in program.operations.iter().enumerate() {
         if index > 0 {
-            lines.record(Record::Stop);
+            lines.record(Record::Program(ProgramRecord::Stop));
         }
         catia_operation(&mut lines, operation);
     }
-    lines.record(Record::Rewind);
-    lines.record(Record::End);
+    lines.record(Record::Program(ProgramRecord::Rewind));
+    lines.record(Record::Program(ProgramRecord::End));
     lines.0
 }
 
@@ -169,11 +169,11 @@ fn catia_operation(lines: &mut Lines, operation: &Operation) {
     lines.push(&format!("$$ OPERATION NAME : {}", operation.name));
     lines.push("MULTAX");
     lines.push(&format!("SPINDL/{},RPM,CLW", fields(&[operation.speed], 10, 4, ",")));
-    lines.record(Record::Coolant(Coolant::On));
+    lines.record(Record::Machine(MachineRecord::Coolant(Coolant::On)));
     let mut feed = None;
     for step in &operation.moves {
         match step.feed {
-            None => lines.record(Record::Rapid),
+            None => lines.record(Record::Machine(MachineRecord::Rapid)),
             Some(value) if feed != step.feed => {
                 feed = step.feed;
                 lines.push(&format!("FEDRAT/{},MMPM", fields(&[value], 10, 4, ",")));
@@ -182,8 +182,8 @@ fn catia_operation(lines: &mut Lines, operation: &Operation) {
         }
         catia_record(lines, &format!("GOTO  /{}", fields(&six(&step.pose), 11, 6, ",")));
     }
-    lines.record(Record::Coolant(Coolant::Off));
-    lines.record(Record::Spindle(Spindle::Off));
+    lines.record(Record::Machine(MachineRecord::Coolant(Coolant::Off)));
+    lines.record(Record::Machine(MachineRecord::Spindle(Spindle::Off)));
 }
 
 /// A record, cut raw where it is too long.

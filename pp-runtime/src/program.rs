@@ -208,6 +208,20 @@ pub struct Hole {
     pub dwell: Option<Dwell>,
 }
 
+impl Hole {
+    /// The pose at a height over its top, mm.
+    #[must_use]
+    pub fn level(&self, height: f64) -> Pose {
+        Pose { tip: self.top.tip + self.top.axis.into_inner() * height, axis: self.top.axis }
+    }
+
+    /// The rapid to its clearance level.
+    #[must_use]
+    pub fn way_over(&self) -> Move {
+        Move { pose: self.level(self.clearance), rapid: true, feed: self.feed }
+    }
+}
+
 /// A plane of the workpiece frame: the points `p` with `normal · p = distance`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Plane {
@@ -333,21 +347,4 @@ pub enum Event<'a> {
         /// Its number.
         number: u32,
     },
-}
-
-impl Event<'_> {
-    /// Behind it nobody knows where the machine stands, or in which state: the next motion begins with the safe sequence.
-    #[must_use]
-    pub fn interrupts(&self) -> bool {
-        matches!(
-            self,
-            Self::Stop
-                | Self::OptionalStop
-                | Self::SafeSequence
-                | Self::Frame(_)
-                | Self::Home
-                | Self::Insert(_)
-                | Self::Code { .. }
-        )
-    }
 }

@@ -6,8 +6,8 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 use pp_runtime::config::Config;
 use pp_runtime::kinematics::{AxisKind, Branch, Limits, Machine, Pose};
-use pp_runtime::motion::{Cost, Navigator};
-use pp_runtime::program::{Event, Feed, Move, ToolCall};
+use pp_runtime::motion::{Cost, Navigator, Source};
+use pp_runtime::program::{Event, Feed, Location, Move, ToolCall};
 use tests::random::Random;
 
 use machines::{Dmu70e, LolaXoyzba, SpinnerU5620};
@@ -125,7 +125,9 @@ fn compare<M: Machine>(seed: u64, paths: usize) -> (usize, usize) {
         let shop = Shop { limits, speeds };
         let machine = config.set_up.machine::<M>().expect("valid");
         let mut navigator = Navigator::new(machine.clone(), config.policy());
-        navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
+        let mut source = Source::new::<M>(config.policy());
+        let mut follow = |event| source.event(Location::default(), &event, &mut navigator).expect("nothing is refused");
+        follow(Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
 
         // Round and round, so that limits are met.
         let sense = random.sign();
@@ -136,11 +138,12 @@ fn compare<M: Machine>(seed: u64, paths: usize) -> (usize, usize) {
             let axis = Vector3::new(up.sin() * around.cos(), up.sin() * around.sin(), up.cos());
             let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
             let rapid = point > 0 && random.chance(0.15);
-            navigator.event(&Event::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(100.0)) }));
+            follow(Event::Move(Move { pose, rapid, feed: Some(Feed::PerMinute(100.0)) }));
             layers.push((states(&machine, rotaries, &shop, &pose), point == 0 || rapid));
             turn += sense * random.between(-15.0, 75.0);
             tilt = (tilt + random.between(-12.0, 12.0)).clamp(15.0, 80.0);
         }
+        source.finish(&mut navigator).expect("nothing is refused");
         let course = navigator.finish();
         let mut least = None;
         let start = (Branch::First, [0; 2]);

@@ -4,6 +4,7 @@
 //! What words mean is stated here a second time, with the oracle's matrices and the conventions of the controls written
 //! out; steps are looked at, not text.
 
+use std::collections::BTreeMap;
 use std::io;
 
 use machines::{Dmu70e, LolaXoyzba, MultiProDesk, SpinnerU5620};
@@ -12,7 +13,7 @@ use pp_runtime::config::{Config, GivenTool, Mode, TcpFrame, TcpWords, ToolPostur
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::machine;
-use pp_runtime::motion::{Feed as FeedWord, Navigator, Planner, Sink, Step, Stop};
+use pp_runtime::motion::{Feed as FeedWord, Navigator, Planner, Provenance, Sink, Source, Stage, Step, Stop};
 use pp_runtime::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 use tests::block::{angle_to_arc, distance_to_line};
 use tests::further::{HeadTable, Trunnion};
@@ -52,13 +53,40 @@ struct Says {
 
 struct Listener<M: Machine> {
     says: Says,
+    /// The record that is served, and what the program said before it and after each.
+    line: u64,
+    after: BTreeMap<u64, Says>,
     rotary: u32,
     machine: std::marker::PhantomData<M>,
 }
 
 impl<M: Machine> Listener<M> {
     fn new(config: &Config) -> Self {
-        Self { says: Says::default(), rotary: config.formats.rotary, machine: std::marker::PhantomData }
+        Self {
+            says: Says::default(),
+            line: 0,
+            after: BTreeMap::new(),
+            rotary: config.formats.rotary,
+            machine: std::marker::PhantomData,
+        }
+    }
+
+    /// Another record is served from here on.
+    fn serve(&mut self, line: u64) {
+        if line != self.line {
+            self.after.insert(self.line, self.says.clone());
+            self.says.blocks.clear();
+            self.line = line;
+        }
+    }
+
+    /// What the program said after the record of a line.
+    fn said(&self, line: u64) -> Says {
+        match self.after.range(..=line).next_back() {
+            Some((&at, says)) if at == line => says.clone(),
+            Some((_, says)) => Says { blocks: Vec::new(), ..says.clone() },
+            None => Says::default(),
+        }
     }
 
     fn take(&mut self, words: &pp_runtime::motion::Words) -> bool {
@@ -75,7 +103,8 @@ impl<M: Machine> Listener<M> {
 }
 
 impl<M: Machine> Sink for Listener<M> {
-    fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
+    fn step(&mut self, step: &Step<'_>, from: &Provenance<'_>) -> io::Result<()> {
+        self.serve(from.at.map_or(0, |at| at.line));
         match step {
             Step::Feed { words, feed } => {
                 let turned = self.take(words);
@@ -118,28 +147,33 @@ fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_
         return Err(unfit.join("\n"));
     }
     let mut navigator = Navigator::new(machine.clone(), config.policy());
-    events.iter().for_each(|event| navigator.event(event));
+    hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     let abilities = control::abilities(control, config.demands());
-    let mut planner =
-        Planner::new(machine, config.policy(), Units::Millimetres, abilities, false).with_course(navigator.finish());
-    let mut listener = Listener::<M>::new(config);
-    let mut all = Vec::new();
+    let listener = Listener::<M>::new(config);
+    let mut planner = Planner::new(machine, config.policy(), Units::Millimetres, &abilities, false, listener)
+        .with_course(navigator.finish());
     let fault = |stop: Stop| match stop {
         Stop::Fault(fault) => fault.text,
         Stop::Output(error) => panic!("{error}"),
     };
-    for (line, event) in events.iter().enumerate() {
-        let at = Location { line: line as u64 + 1, column: 1 };
-        planner.event(at, event, &mut listener).map_err(fault)?;
-        if let Event::Move(_) = event {
-            all.push(listener.says.clone());
-            listener.says.blocks.clear();
-        }
-    }
-    planner.finish(Location::default(), &mut listener).map_err(fault)?;
+    hand_on::<M, _>(config, events, &mut planner).map_err(fault)?;
+    let last = Location { line: events.len() as u64 + 1, column: 1 };
+    planner.finish(last).map_err(fault)?;
+    let listener = planner.sink();
+    let moves = events.iter().zip(1..).filter(|(event, _)| matches!(event, Event::Move(_)));
+    let all = moves.map(|(_, line)| listener.said(line)).collect();
     let framed = listener.says.plane.is_some() || listener.says.began.is_some();
     assert!(!framed, "the program ends with the frame off");
     Ok(all)
+}
+
+/// Hands on the items of events; the event at position `n` is in line `n + 1`.
+fn hand_on<M: Machine, S: Stage>(config: &Config, events: &[Event<'_>], stage: &mut S) -> Result<(), S::Stop> {
+    let mut source = Source::new::<M>(config.policy());
+    for (line, event) in events.iter().enumerate() {
+        source.event(Location { line: line as u64 + 1, column: 1 }, event, stage)?;
+    }
+    source.finish(stage)
 }
 
 /// Turns about coordinate directions, written out.
@@ -320,7 +354,6 @@ fn compare_way<M: Machine>(way: Way, seed: u64) -> usize {
     };
     machine.set_up(config.set_up.part_origin.into(), LENGTH);
     let mut compared = 0;
-    // The first motion of an operation, a rapid here, is written with the second.
     let cuts = moves(&events).into_iter().zip(framed.iter().zip(&plain)).filter(|(motion, _)| !motion.rapid);
     for (index, (motion, (framed, plain))) in cuts.enumerate() {
         let context = format!("{} {name} {mode:?} {frame:?} cut {index}", M::NAME);

@@ -15,8 +15,8 @@ use crate::cl;
 use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Machine, Pose, Side as ChainSide};
+use crate::motion::Setting;
 use crate::motion::{Operations, Transition};
-use crate::post::Setting;
 use crate::program::{
     Clearance, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Rotation, Spindle, ToolCall,
 };
@@ -146,7 +146,7 @@ impl<'a, R: Read> Expect<'a, R> {
         let head = M::AXES.iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
         Self {
             reader,
-            setting: Setting::new(config),
+            setting: Setting::new(config.policy()),
             follow: Follow::new(config, family, head, unit),
             queue: VecDeque::new(),
             ended: false,

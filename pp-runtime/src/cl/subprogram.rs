@@ -1,10 +1,12 @@
-//! DEFSUB, ENDSUB, CALSUB: statements that are kept as they are defined, and done where they are called.
+//! DEFSUB, ENDSUB, CALSUB: statements that are kept as they are defined, and interpreted where they are called.
 //!
 //! A definition does nothing by itself. The text of every statement is kept with its place, up to a bound, so that a
 //! fault in it still names its own line.
 
-use crate::program::Location;
 use std::collections::BTreeMap;
+
+use super::text::{ClFault, Span};
+use crate::program::Location;
 
 /// Bytes of text that all subprograms of a file may hold together, and bytes of the list of their statements.
 const MOST_BYTES: usize = 8 << 20;
@@ -14,42 +16,52 @@ const MOST_SUBPROGRAMS: usize = 100_000;
 
 /// One statement of a subprogram.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Kept {
+pub(crate) struct KeptStatement {
     start: usize,
     end: usize,
-    pub(super) location: Location,
+    location: Location,
+}
+
+impl KeptStatement {
+    pub(crate) fn location(&self) -> Location {
+        self.location
+    }
 }
 
 /// Range in the list of statements.
 #[derive(Debug, Clone, Copy)]
 struct Subprogram {
     first: usize,
-    behind: usize,
+    after: usize,
 }
 
 /// All subprograms of a file.
 #[derive(Debug, Default)]
-pub(super) struct Subprograms {
+pub(crate) struct Subprograms {
     text: Vec<u8>,
-    statements: Vec<Kept>,
+    statements: Vec<KeptStatement>,
     known: BTreeMap<u32, Subprogram>,
     /// The one that is being defined.
     open: Option<(u32, usize)>,
-    /// What is still to be done of the one that is called: next statement and the one behind its last.
+    /// What is still to be done of the one that is called: next statement and the one after its last.
     running: Option<(usize, usize)>,
 }
 
 impl Subprograms {
-    pub(super) fn is_open(&self) -> bool {
+    pub(crate) fn is_open(&self) -> bool {
         self.open.is_some()
     }
 
-    pub(super) fn is_running(&self) -> bool {
+    pub(crate) fn is_running(&self) -> bool {
         self.running.is_some()
     }
 
     /// DEFSUB; an error if it cannot be defined here.
-    pub(super) fn define(&mut self, number: u32) -> Result<(), &'static str> {
+    pub(crate) fn define(&mut self, number: u32) -> Result<(), ClFault> {
+        self.try_define(number).map_err(|why| subprogram_fault(Span::WHOLE, why))
+    }
+
+    fn try_define(&mut self, number: u32) -> Result<(), &'static str> {
         if self.open.is_some() || self.running.is_some() {
             return Err("a subprogram cannot be defined inside another one");
         }
@@ -61,48 +73,56 @@ impl Subprograms {
         if self.known.len() >= MOST_SUBPROGRAMS { Err("the file defines too many subprograms") } else { Ok(()) }
     }
 
-    /// Keeps a statement; false if there is no room for it.
-    pub(super) fn keep(&mut self, text: &[u8], location: Location) -> bool {
-        if self.text.len() + text.len() > MOST_BYTES || self.statements.len() * size_of::<Kept>() > MOST_BYTES {
-            return false;
+    /// Keeps a statement; an error if there is no room for it.
+    pub(crate) fn keep(&mut self, text: &[u8], location: Location) -> Result<(), ClFault> {
+        if self.text.len() + text.len() > MOST_BYTES || self.statements.len() * size_of::<KeptStatement>() > MOST_BYTES
+        {
+            return Err(subprogram_fault(Span::WHOLE, "the subprograms of this file are too long"));
         }
         let start = self.text.len();
         self.text.extend_from_slice(text);
-        self.statements.push(Kept { start, end: self.text.len(), location });
-        true
+        self.statements.push(KeptStatement { start, end: self.text.len(), location });
+        Ok(())
     }
 
-    /// ENDSUB; false if nothing was begun.
-    pub(super) fn end(&mut self) -> bool {
-        let Some((number, first)) = self.open.take() else { return false };
+    /// ENDSUB; an error if nothing was begun.
+    pub(crate) fn end(&mut self) -> Result<(), ClFault> {
+        let Some((number, first)) = self.open.take() else {
+            return Err(subprogram_fault(Span::WHOLE, "ENDSUB without DEFSUB"));
+        };
         if self.known.len() < MOST_SUBPROGRAMS {
-            self.known.entry(number).or_insert(Subprogram { first, behind: self.statements.len() });
+            self.known.entry(number).or_insert(Subprogram { first, after: self.statements.len() });
         }
-        true
+        Ok(())
     }
 
     /// CALSUB; an error if it cannot be called here.
-    pub(super) fn call(&mut self, number: u32) -> Result<(), &'static str> {
+    pub(crate) fn call(&mut self, number: u32, at: Span) -> Result<(), ClFault> {
         if self.running.is_some() {
-            return Err("a subprogram that calls another one is not understood");
+            return Err(subprogram_fault(at, "a subprogram that calls another one is not understood"));
         }
-        let known = self.known.get(&number).ok_or("this subprogram is not defined before it is called")?;
-        self.running = Some((known.first, known.behind));
+        let known = self.known.get(&number);
+        let known = known.ok_or_else(|| subprogram_fault(at, "this subprogram is not defined before it is called"))?;
+        self.running = Some((known.first, known.after));
         Ok(())
     }
 
     /// The next statement of the subprogram that is called.
-    pub(super) fn next(&mut self) -> Option<Kept> {
-        let (at, behind) = self.running?;
-        if at == behind {
+    pub(crate) fn next(&mut self) -> Option<KeptStatement> {
+        let (at, after) = self.running?;
+        if at == after {
             self.running = None;
             return None;
         }
-        self.running = Some((at + 1, behind));
+        self.running = Some((at + 1, after));
         Some(self.statements[at])
     }
 
-    pub(super) fn text(&self, kept: &Kept) -> &[u8] {
+    pub(crate) fn text(&self, kept: &KeptStatement) -> &[u8] {
         &self.text[kept.start..kept.end]
     }
+}
+
+pub(crate) fn subprogram_fault(at: Span, why: &str) -> ClFault {
+    ClFault::new("subprogram", at, why, "DEFSUB/n stands before CALSUB/n, with ENDSUB behind the last record")
 }

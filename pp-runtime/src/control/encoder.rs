@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 
 use super::options::{Options, ProgramBlocks, Smoothing};
-use crate::motion::{Cycle, Feed, Sink, Step, VECTOR_DECIMALS, Words};
+use crate::motion::{Cycle, Feed, Provenance, Sink, Step, VECTOR_DECIMALS, Words};
 use crate::motion::{Mode, ToolPosture};
 use crate::nc::{Decimal, Line, Numbering, Numerals, Writer};
 use crate::program::Units;
@@ -538,7 +538,18 @@ impl<'a, W: Write> Encoder<'a, W> {
 
 impl<W: Write> Sink for Encoder<'_, W> {
     #[inline]
-    fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
+    fn step(&mut self, step: &Step<'_>, _: &Provenance<'_>) -> io::Result<()> {
+        self.encode(step)
+    }
+}
+
+impl<W: Write> Encoder<'_, W> {
+    /// Writes the blocks of a step.
+    ///
+    /// # Errors
+    /// Those of the output.
+    #[inline]
+    pub fn encode(&mut self, step: &Step<'_>) -> io::Result<()> {
         let codes = self.codes;
         if self.cycling.is_some() && !matches!(step, Step::Cycle { .. }) {
             self.end_cycle()?;

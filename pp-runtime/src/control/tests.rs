@@ -12,7 +12,7 @@ use super::*;
 use crate::config::sample::Sample;
 use crate::config::{Config, starting_point};
 use crate::control::{Options, ProgramBlocks, Smoothing};
-use crate::motion::{Circle, Feed, MAX_AXES, Plane, Sink as _, Step, Words};
+use crate::motion::{Circle, Feed, MAX_AXES, Plane, Step, Words};
 use crate::motion::{Mode, PathNorm, TcpWords};
 use crate::nc::Decimal;
 use crate::program::Units;
@@ -44,7 +44,7 @@ fn written_by(
 }
 
 fn steps(control: &dyn Control, layout: &Layout, steps: &[Step<'_>]) -> Vec<String> {
-    written_by(control, layout, |encoder| steps.iter().try_for_each(|step| encoder.step(step)))
+    written_by(control, layout, |encoder| steps.iter().try_for_each(|step| encoder.encode(step)))
 }
 
 /// Words of C A Z X.
@@ -94,8 +94,8 @@ fn whole(control: &dyn Control, layout: &Layout) -> Vec<String> {
     written_by(control, layout, |encoder| {
         encoder.open(None)?;
         encoder.comment(b"a (b)")?;
-        encoder.step(&Step::Operation { name: b"Face 1" })?;
-        short_program().iter().try_for_each(|step| encoder.step(step))?;
+        encoder.encode(&Step::Operation { name: b"Face 1" })?;
+        short_program().iter().try_for_each(|step| encoder.encode(step))?;
         encoder.end(&[])
     })
 }
@@ -350,7 +350,7 @@ fn blocks_of_the_configuration_replace_those_of_the_table() {
     let text = written_by(&Fanuc, &layout, |encoder| {
         encoder.open(None)?;
         encoder.start()?;
-        short_program()[..4].iter().try_for_each(|step| encoder.step(step))?;
+        short_program()[..4].iter().try_for_each(|step| encoder.encode(step))?;
         encoder.end(&[])
     });
     assert_eq!(

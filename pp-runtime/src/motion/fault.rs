@@ -1,6 +1,7 @@
-//! Why a motion cannot be posted, before it is known where in the CL data it stands.
+//! Why something cannot be posted, first without and then with its location in the CL data.
 
 use std::fmt::Display;
+use std::io;
 
 use crate::diag::{Diagnostic, Severity};
 use crate::program::Location;
@@ -32,3 +33,58 @@ impl Fault {
         Diagnostic { severity, location, length: 1, text: self.text, help: self.help, count: 1 }
     }
 }
+
+/// Why planning stopped.
+#[derive(Debug)]
+pub enum Stop {
+    /// The CL data cannot be posted from here on.
+    Fault(Diagnostic),
+    /// The output failed.
+    Output(io::Error),
+}
+
+impl From<Diagnostic> for Stop {
+    fn from(fault: Diagnostic) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+impl From<io::Error> for Stop {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+/// Why an item cannot be planned, before its location is attached.
+#[derive(Debug)]
+pub(crate) enum Halt {
+    /// The CL data cannot be posted from here on.
+    Fault(Fault),
+    /// The output failed.
+    Output(io::Error),
+}
+
+impl Halt {
+    /// With the location of the record.
+    pub(crate) fn at(self, location: Location) -> Stop {
+        match self {
+            Self::Fault(fault) => Stop::Fault(fault.at(location, Severity::Error)),
+            Self::Output(error) => Stop::Output(error),
+        }
+    }
+}
+
+impl From<Fault> for Halt {
+    fn from(fault: Fault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+impl From<io::Error> for Halt {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+/// What becomes of planning something.
+pub(crate) type Planned = Result<(), Halt>;

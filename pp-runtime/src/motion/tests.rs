@@ -7,12 +7,12 @@ mod words;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use super::machines::{Ay, Cb, Head, Xyw, Xyz};
-use super::{Navigator, Nowhere, Planner, Sink, Statistics, Stop};
 use crate::config::Config;
 use crate::control::{Control, Encoder, Layout, LinuxCnc};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AxisKind, Limits, Machine, Pose};
+use crate::motion::machines::{Ay, Cb, Head, Xyw, Xyz};
+use crate::motion::{MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Stage, Statistics, Stop};
 use crate::motion::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{
@@ -61,39 +61,41 @@ pub(super) fn plan<M: Machine>(
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let abilities = crate::control::abilities(control, config.demands());
     let mut navigator = Navigator::new(machine.clone(), config.policy());
-    events.iter().for_each(|event| navigator.event(event));
+    hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     let course = navigator.finish();
-    let mut planner =
-        Planner::new(machine.clone(), config.policy(), units, abilities, false).with_course(course.clone());
+    let policy = config.policy();
+    let mut moving = MovingAxes::default();
     if !config.motion.rotaries.clamp.is_empty() {
-        for event in events {
-            planner.event(Location::default(), event, &mut Nowhere).expect("a rehearsal");
-        }
-        planner.finish(Location::default(), &mut Nowhere).expect("a rehearsal");
-        let moving = planner.rehearsed();
-        planner =
-            Planner::new(machine, config.policy(), units, abilities, false).with_course(course).with_clamps(moving);
+        let mut planner = Planner::new(machine.clone(), policy, units, &abilities, false, Nowhere);
+        planner = planner.with_course(course.clone());
+        hand_on::<M, _>(config, events, &mut planner).expect("a rehearsal");
+        planner.finish(Location::default()).expect("a rehearsal");
+        moving = planner.rehearsed();
     }
-    let mut diagnostics = Vec::new();
-    let mut at = Location::default();
-    let mut planned = Ok(());
-    for (index, event) in events.iter().enumerate() {
-        at = Location { line: index as u64 + 1, column: 1 };
-        planned = planner.event(at, event, sink);
-        if planned.is_err() {
-            break;
-        }
-    }
-    if planned.is_ok() {
-        planned = planner.finish(at, sink);
-    }
-    diagnostics.append(&mut planner.take_warnings());
+    let planner = Planner::new(machine, policy, units, &abilities, false, sink).with_course(course);
+    let mut planner = planner.with_clamps(moving);
+    let at = Location { line: events.len() as u64, column: 1 };
+    let planned = hand_on::<M, _>(config, events, &mut planner).and_then(|()| planner.finish(at));
+    let mut diagnostics = planner.take_warnings();
     match planned {
         Ok(()) => {}
         Err(Stop::Fault(fault)) => diagnostics.push(fault),
         Err(Stop::Output(error)) => panic!("{error}"),
     }
     (diagnostics, planner.statistics())
+}
+
+/// Hands on the items of events; the event at position `n` is in line `n + 1`.
+pub(super) fn hand_on<M: Machine, S: Stage>(
+    config: &Config,
+    events: &[Event<'_>],
+    stage: &mut S,
+) -> Result<(), S::Stop> {
+    let mut source = Source::new::<M>(config.policy());
+    for (index, event) in events.iter().enumerate() {
+        source.event(Location { line: index as u64 + 1, column: 1 }, event, stage)?;
+    }
+    source.finish(stage)
 }
 
 /// Posts events that must pass without any remark.

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use crate::control::Encoder;
 use crate::kinematics::{Branch, Pose};
-use crate::motion::{MAX_AXES, Sink, Standing, Step, Why};
+use crate::motion::{MAX_AXES, Provenance, Sink, Standing, Step, Why};
 use crate::program::Location;
 
 /// A line of a program, and where it comes from.
@@ -54,38 +54,50 @@ impl Stand {
 
     pub(crate) fn standing(&self) -> Standing<'_> {
         let Self { ref pose, branch, ref axes, count, mask } = *self;
-        Standing { pose: pose.as_ref(), branch, axes: &axes[..count], mask, inserted: None }
+        Standing { pose: pose.as_ref(), branch, axes: &axes[..count], mask }
     }
 }
 
 /// Hands steps to an encoder, and what it makes of them to an account, if one is kept.
-pub(super) struct Recorded<'e, 'r, W: Write> {
-    pub(super) encoder: Encoder<'e, W>,
+pub(crate) struct Recorded<'e, 'r, W: Write> {
+    encoder: Encoder<'e, W>,
     account: Option<&'r mut dyn Account>,
+    /// The record that was served last.
     at: Option<Location>,
     why: Why,
-    /// The point that comes is one that its record does not name.
-    inserted: Option<Why>,
-    stand: Option<Stand>,
 }
 
 impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
-    pub(super) fn new(mut encoder: Encoder<'e, W>, account: Option<&'r mut dyn Account>) -> Self {
+    pub(crate) fn new(mut encoder: Encoder<'e, W>, account: Option<&'r mut dyn Account>) -> Self {
         if account.is_some() {
             encoder.keep_lines();
         }
-        Self { encoder, account, at: None, why: Why::Head, inserted: None, stand: None }
+        Self { encoder, account, at: None, why: Why::Head }
     }
 
-    /// Accounts for what was written since the last step.
-    pub(super) fn settle(&mut self, step: &'static str) -> io::Result<()> {
+    pub(crate) fn encoder(&mut self) -> &mut Encoder<'e, W> {
+        &mut self.encoder
+    }
+
+    /// Accounts for the header, which has been written.
+    pub(crate) fn account_for_head(&mut self) -> io::Result<()> {
+        self.settle("head", None)
+    }
+
+    /// Accounts for what has been written after the last step.
+    pub(crate) fn account_for_end(&mut self) -> io::Result<()> {
+        self.settle("end", None)
+    }
+
+    /// Accounts for what has been written since the last step.
+    fn settle(&mut self, step: &'static str, standing: Option<Standing<'_>>) -> io::Result<()> {
         let Some(account) = &mut self.account else { return Ok(()) };
-        let (stand, why) = (self.stand.take(), self.inserted.take().unwrap_or(self.why));
+        let (at, why) = (self.at, self.why);
         let mut lines = self.encoder.take_lines().peekable();
         while let Some(line) = lines.next() {
-            // What stands in front of a motion is there for it, and moves nothing.
-            let standing = stand.as_ref().filter(|_| lines.peek().is_none()).map(Stand::standing);
-            account.line(&Origin { line: line.line, number: line.number, step, at: self.at, why, standing })?;
+            // What comes before a motion is there for it, and moves nothing.
+            let standing = standing.filter(|_| lines.peek().is_none());
+            account.line(&Origin { line: line.line, number: line.number, step, at, why, standing })?;
         }
         Ok(())
     }
@@ -93,20 +105,12 @@ impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
 
 impl<W: Write> Sink for Recorded<'_, '_, W> {
     #[inline]
-    fn step(&mut self, step: &Step<'_>) -> io::Result<()> {
-        self.encoder.step(step)?;
-        if self.account.is_some() { self.settle(step.name()) } else { Ok(()) }
-    }
-
-    #[inline]
-    fn serve(&mut self, at: Location, why: Why) {
-        (self.at, self.why) = (Some(at), why);
-    }
-
-    #[inline]
-    fn stand(&mut self, standing: &Standing<'_>) {
-        if self.account.is_some() {
-            (self.stand, self.inserted) = (Some(Stand::of(standing)), standing.inserted);
+    fn step(&mut self, step: &Step<'_>, from: &Provenance<'_>) -> io::Result<()> {
+        self.encoder.step(step, from)?;
+        if self.account.is_none() {
+            return Ok(());
         }
+        (self.at, self.why) = (from.at, from.why);
+        self.settle(step.name(), from.standing)
     }
 }

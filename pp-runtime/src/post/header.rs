@@ -19,13 +19,13 @@ use super::survey::{Survey, ToolUse};
 const THINNEST: f64 = 0.1;
 
 /// Everything the header tells.
-pub(super) struct Header<'a, M: Machine> {
-    pub(super) job: &'a Job<'a>,
-    pub(super) survey: &'a Survey,
-    pub(super) units: Units,
-    pub(super) machine: &'a M,
+pub(crate) struct Header<'a, M: Machine> {
+    pub(crate) job: &'a Job<'a>,
+    pub(crate) survey: &'a Survey,
+    pub(crate) units: Units,
+    pub(crate) machine: &'a M,
     /// Linear axes whose limits are not checked, and why.
-    pub(super) unchecked: Vec<(char, &'static str)>,
+    pub(crate) unchecked: Vec<(char, &'static str)>,
 }
 
 fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
@@ -33,20 +33,20 @@ fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
 }
 
 /// The work offset as the control names it.
-pub(super) fn work_offset(control: &dyn Control, config: &Config) -> String {
+pub(crate) fn work_offset(control: &dyn Control, config: &Config) -> String {
     let word = &config.set_up.work_offset;
     let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
     format!("{}{spelled}", control.spellings().offset_title)
 }
 
 /// What the program takes for granted because nothing was given, one sentence each.
-pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
+pub(crate) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
-    if survey.units_only_given {
-        let unit = survey.units.map_or("", Units::name);
+    if survey.file.units_only_given {
+        let unit = survey.file.units.map_or("", Units::name);
         list.push(format!("the unit of the CL data, which does not state one, is {unit} as given with the job"));
     }
-    if !survey.framed {
+    if !survey.file.framed {
         list.push("the points of the CL data count from the part zero".to_owned());
     }
     // A control that counts the tip in the frame of the part knows where the part lies.
@@ -97,9 +97,9 @@ pub(super) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
 }
 
 /// How the part is set up where that is not the plain case, one sentence each.
-pub(super) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
+pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
-    if let Ok(Some(wanted)) = survey.wanted() {
+    if let Some(Ok(wanted)) = &survey.wanted {
         let (first, last, all) = (wanted.start(), wanted.end(), survey.operations);
         list.push(format!("operations {first} to {last} of {all} only, entered as at their restart points"));
     }
@@ -153,10 +153,10 @@ fn rounded(degrees: f64) -> f64 {
 }
 
 /// How the CL data was read, one sentence each.
-pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
+pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     let given = if config.cl.dialect.is_some() { "as given" } else { "by its own evidence" };
-    let mut list = vec![format!("CL data of {}, {given}", survey.dialect.title())];
-    let ArcVote { arcs, agree, against, given } = survey.arcs;
+    let mut list = vec![format!("CL data of {}, {given}", survey.file.dialect.title())];
+    let ArcVote { arcs, agree, against, given } = survey.file.arcs;
     let decided = agree + against;
     if arcs > 0 {
         let arcs = super::counted(arcs, "arc");
@@ -166,14 +166,14 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
             (false, decided) => format!("{arcs}, {agree} of {decided} decided arcs agree with their form"),
         });
     }
-    if survey.frames > 1 {
+    if survey.file.frames > 1 {
         list.push(match config.cl.frames {
-            Frames::Offset => format!("{} frames, each with a work offset of its own", survey.frames),
-            Frames::Main | Frames::Refuse => format!("{} frames, mapped into the first", survey.frames),
+            Frames::Offset => format!("{} frames, each with a work offset of its own", survey.file.frames),
+            Frames::Main | Frames::Refuse => format!("{} frames, mapped into the first", survey.file.frames),
         });
     }
-    if survey.setup_changes > 0 {
-        let times = super::counted(survey.setup_changes, "time");
+    if survey.file.setup_changes > 0 {
+        let times = super::counted(survey.file.setup_changes, "time");
         list.push(format!("CSYS changes {times}: its points stay in one common frame"));
     }
     if !config.cl.inert.is_empty() {
@@ -182,18 +182,18 @@ pub(super) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     if config.cl.insert == Insert::Write {
         list.push("INSERT written as it stands: nobody has checked it".to_owned());
     }
-    if survey.inverse_time {
+    if survey.file.inverse_time {
         list.push("the CL data asks for inverse-time feed: written wherever a rotary axis moves".to_owned());
     }
     list
 }
 
-pub(super) fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
+pub(crate) fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
     config.set_up.tools.get(&tool.call.number).and_then(|given| given.length).or(tool.call.length)
 }
 
 /// One sentence for each reason why limits were not checked.
-pub(super) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
+pub(crate) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
     let mut lines: Vec<(&str, String)> = Vec::new();
     for &(letter, why) in axes {
         match lines.iter_mut().find(|(reason, _)| *reason == why) {
@@ -208,7 +208,7 @@ pub(super) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
 }
 
 impl<M: Machine> Header<'_, M> {
-    pub(super) fn write<W: Write>(&self, assumptions: &[String], encoder: &mut Encoder<'_, W>) -> io::Result<()> {
+    pub(crate) fn write<W: Write>(&self, assumptions: &[String], encoder: &mut Encoder<'_, W>) -> io::Result<()> {
         encoder.open(self.blank().as_ref())?;
         let config = self.job.config;
         let mut name = b"PROGRAM ".to_vec();
@@ -279,7 +279,7 @@ impl<M: Machine> Header<'_, M> {
     }
 
     /// What the program takes for granted about axes, set-up and tools; `kept`: what holds while a rotary axis moves.
-    pub(super) fn machine_lines(&self, kept: Option<String>) -> Vec<String> {
+    pub(crate) fn machine_lines(&self, kept: Option<String>) -> Vec<String> {
         let config = self.job.config;
         let mut lines: Vec<String> = (0..M::AXES.len()).map(|index| self.sign(index)).collect();
         lines.extend(kept);
@@ -314,13 +314,13 @@ impl<M: Machine> Header<'_, M> {
         Some(format!("ROTARY WORDS{of} are absolute and count on past 360: {note}"))
     }
 
-    pub(super) fn point(&self, point: [f64; 3]) -> String {
+    pub(crate) fn point(&self, point: [f64; 3]) -> String {
         let [x, y, z] = point.map(|value| self.length(value));
         format!("X{x} Y{y} Z{z}")
     }
 
     /// A length in the unit of the program.
-    pub(super) fn length(&self, mm: f64) -> String {
+    pub(crate) fn length(&self, mm: f64) -> String {
         let decimals = self.job.config.formats.linear(self.units);
         let mut text = Vec::new();
         write_decimal(&mut text, Decimal::fixed(mm / self.units.in_mm(), decimals).unwrap_or_default());

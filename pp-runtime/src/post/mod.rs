@@ -8,7 +8,6 @@
 mod account;
 mod header;
 mod proof;
-mod setting;
 mod survey;
 mod time;
 
@@ -21,8 +20,10 @@ use crate::cl::{self, Reader};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
-use crate::kinematics::{AxisKind, Machine};
-use crate::motion::{Chorded, Cost, Course, Gate, Moving, Navigator, Nowhere, Planner, Sink, Statistics, Stop, Times};
+use crate::kinematics::{AxisKind, Invalid, Machine};
+use crate::motion::{
+    Abilities, Chorded, Cost, Course, MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Statistics, Stop, Times,
+};
 use crate::program::Location;
 use crate::program::Units;
 
@@ -30,7 +31,7 @@ use account::Recorded;
 pub(crate) use account::Stand;
 pub use account::{Account, Origin};
 pub use proof::{Proof, prove};
-pub(crate) use setting::Setting;
+pub use survey::Stretches;
 use survey::Survey;
 
 /// What is to be posted, and how.
@@ -78,6 +79,8 @@ pub struct Report {
     pub blocks: u64,
     /// Lines of CL data read.
     pub lines: u64,
+    /// Stretches of the program by what the tool axis does in them.
+    pub stretches: Stretches,
     /// How the part is set up where that is not the plain case, one sentence each.
     pub set_up: Vec<String>,
     /// How the CL data was read: which CAM system wrote it, arcs, frames, words that were passed over.
@@ -92,12 +95,47 @@ pub struct Report {
     pub tools: Vec<u32>,
 }
 
-/// `1 tool`, `2 tools`.
+/// `1 tool`, `2 tools`, `2 stretches`.
 fn counted(count: u64, word: &str) -> String {
-    format!("{} {word}{}", grouped(count), if count == 1 { "" } else { "s" })
+    let ending = match word.ends_with("ch") {
+        _ if count == 1 => "",
+        true => "es",
+        false => "s",
+    };
+    format!("{} {word}{ending}", grouped(count))
 }
 
 impl Report {
+    /// What the survey has found.
+    fn of<M: Machine>(job: &Job<'_>, survey: &Survey) -> Self {
+        let mut report = Self {
+            tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
+            lines: survey.file.lines,
+            stretches: survey.stretches,
+            set_up: header::set_up(job.config, survey),
+            reading: header::reading(job.config, survey),
+            assumptions: header::assumptions::<M>(job.control, job.config, survey),
+            ..Self::default()
+        };
+        if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+            report.course = course_text(&survey.course, job.config);
+        }
+        survey.diagnostics.iter().for_each(|diagnostic| report.fault(diagnostic.clone()));
+        report
+    }
+
+    /// Nothing is written: the machine cannot be built.
+    fn refuse<M: Machine>(&mut self, invalid: &Invalid) {
+        self.fault(Diagnostic {
+            severity: Severity::Error,
+            location: Location::default(),
+            length: 1,
+            count: 1,
+            text: format!("{} cannot be posted for: {invalid}", M::NAME),
+            help: Some("correct the dimensions in the configuration".to_owned()),
+        });
+    }
+
     /// The summary for people, one line each.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
@@ -113,6 +151,7 @@ impl Report {
         lines.extend(self.set_up.iter().cloned());
         lines.extend(self.reading.iter().cloned());
         lines.extend((!self.course.is_empty()).then(|| self.course.clone()));
+        lines.extend((!self.course.is_empty()).then(|| self.stretches.summary()));
         lines.extend(self.assumptions.iter().map(|assumption| format!("assumed: {assumption}")));
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {
@@ -218,149 +257,171 @@ pub fn post_with_account<M: Machine>(
     if !unfit.is_empty() {
         return Err(PostError::Unfit(unfit.join("\n")));
     }
-    let start = input.stream_position().map_err(PostError::Input)?;
-    let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
+    let mut text = ClText::new(job, input)?;
     let machine = job.config.set_up.machine::<M>();
-    let navigator = machine.as_ref().ok().map(|machine| Navigator::new(machine.clone(), job.config.policy()));
-    let mut survey = Survey::take(&mut *input, options.clone(), job.config, navigator).map_err(PostError::Input)?;
-    input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
-
-    let wanted = match survey.wanted() {
-        // What is wrong with the CL data is told first: with it, operations may be missing.
-        Err(text) if survey.first_error.is_none() => return Err(PostError::Operations(text)),
-        wanted => wanted.unwrap_or_default(),
-    };
-    let mut report = Report {
-        tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
-        lines: survey.lines,
-        ..Report::default()
-    };
-    for diagnostic in &survey.diagnostics {
-        report.fault(diagnostic.clone());
+    let survey = text.survey(machine.as_ref().ok())?;
+    if let (Some(Err(missing)), None) = (&survey.wanted, survey.first_error) {
+        // What is wrong with the CL data is reported first: with it, operations may be missing.
+        return Err(PostError::Operations(missing.clone()));
     }
+    let mut report = Report::of::<M>(job, &survey);
     let machine = match machine {
         Ok(machine) => machine,
         Err(invalid) => {
-            report.fault(Diagnostic {
-                severity: Severity::Error,
-                location: Location::default(),
-                length: 1,
-                count: 1,
-                text: format!("{} cannot be posted for: {invalid}", M::NAME),
-                help: Some("correct the dimensions in the configuration".to_owned()),
-            });
+            report.refuse::<M>(&invalid);
             return Ok(report);
         }
     };
-    let units = job.config.output_units.unwrap_or_else(|| survey.units.unwrap_or(Units::Millimetres));
-    if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
-        report.course = course_text(&survey.course, job.config);
-    }
+    let units = job.config.output_units.unwrap_or_else(|| survey.file.units.unwrap_or(Units::Millimetres));
     let layout = Layout::new::<M>(job.config.demands(), units, &survey.name);
-    let mut recorded = Recorded::new(Encoder::new(job.control, &layout, &mut *output), account);
     let abilities = control::abilities(job.control, job.config.demands());
-    let (upside_down, order) = (survey.upside_down(), std::mem::take(&mut survey.order));
-    let course = std::mem::take(&mut survey.course);
-    let planner = |course| {
-        Planner::new(machine.clone(), job.config.policy(), units, abilities, upside_down)
-            .with_course(course)
-            .with_tools(order.clone())
-    };
+    let pass = Pass { job, survey: &survey, machine: &machine, units, abilities: &abilities };
     let moving = if job.config.motion.rotaries.clamp.is_empty() {
-        Moving::default()
+        MovingAxes::default()
     } else {
-        let reader = Reader::new(&mut *input, options.clone());
-        let moving = rehearse(job, &survey, reader, planner(course.clone())).map_err(PostError::Input)?;
-        input.seek(SeekFrom::Start(start)).map_err(PostError::Input)?;
-        moving
+        pass.rehearse(text.reader()?)?
     };
-    let planner = planner(course).with_operations(wanted).with_clamps(moving);
-    report.set_up = header::set_up(job.config, &survey);
-    report.reading = header::reading(job.config, &survey);
-    report.assumptions = header::assumptions::<M>(job.control, job.config, &survey);
-    let header = header::Header { job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
-    header.write(&report.assumptions, &mut recorded.encoder).map_err(PostError::Output)?;
-    recorded.settle("head").map_err(PostError::Output)?;
-    run(job, &survey, Reader::new(&mut *input, options), planner, &mut recorded, &mut report)?;
-    report.blocks = recorded.encoder.blocks();
+    let recorded = Recorded::new(Encoder::new(job.control, &layout, output), account);
+    pass.write(text.reader()?, recorded, moving, &mut report)?;
     report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
-    recorded.encoder.finish().map_err(PostError::Output)?;
     Ok(report)
 }
 
-/// The second pass.
-fn run<M: Machine, R: Read, W: Write>(
-    job: &Job<'_>,
-    survey: &Survey,
-    reader: Reader<R>,
-    mut planner: Planner<'_, M>,
-    recorded: &mut Recorded<'_, '_, W>,
-    report: &mut Report,
-) -> Result<(), PostError> {
-    let mut remarks = Remarks::default();
-    let mut gate = Gate::new(recorded, planner.shows());
-    let planned = plan(job, survey, reader, &mut planner, &mut gate, &mut remarks).map_err(PostError::Input)?;
-    planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
-    report.diagnostics.append(&mut remarks.conclude());
-    report.statistics = planner.statistics();
-    report.times = planner.times().clone();
-    report.unchecked = header::unchecked(&planner.unchecked_axes());
-    match planned {
-        Ok(()) => {}
-        Err(Stop::Output(error)) => return Err(PostError::Output(error)),
-        Err(Stop::Fault(diagnostic)) => report.fault(diagnostic),
-    }
-    close(job, report, &mut recorded.encoder).and_then(|()| recorded.settle("end")).map_err(PostError::Output)
+/// The CL text, which is read from its start in each pass.
+struct ClText<'a, I> {
+    job: &'a Job<'a>,
+    input: &'a mut I,
+    start: u64,
 }
 
-/// Plans the CL data from its first event to its last.
-fn plan<M: Machine>(
-    job: &Job<'_>,
-    survey: &Survey,
-    mut reader: Reader<impl Read>,
-    planner: &mut Planner<'_, M>,
-    sink: &mut impl Sink,
-    remarks: &mut Remarks,
-) -> io::Result<Result<(), Stop>> {
-    let mut setting = Setting::new(job.config);
-    let mut last = Location::default();
-    loop {
-        // Looked at where it lies: to move an event costs as much as to look at it.
-        let found = reader.next_event();
-        match &found {
-            Err(_) => {
-                found?;
-            }
-            Ok(Some((at, event))) if survey.first_error.is_none_or(|error| *at < error) => {
-                last = *at;
-                let planned = match setting.event(event) {
-                    Some(turned) => planner.event(*at, &turned, sink),
-                    None => planner.event(*at, event, sink),
-                };
-                if let Err(stopped) = planned {
-                    return Ok(Err(stopped));
+impl<'a, I: Read + Seek> ClText<'a, I> {
+    fn new(job: &'a Job<'a>, input: &'a mut I) -> Result<Self, PostError> {
+        let start = input.stream_position().map_err(PostError::Input)?;
+        Ok(Self { job, input, start })
+    }
+
+    fn options(&self) -> cl::Options {
+        let config = self.job.config;
+        cl::Options { units: self.job.units.or(config.cl_units), ..config.cl.clone() }
+    }
+
+    /// The first pass; without a machine there is no course.
+    fn survey<M: Machine>(&mut self, machine: Option<&M>) -> Result<Survey, PostError> {
+        let policy = self.job.config.policy();
+        let navigator = machine.map(|machine| Navigator::new(machine.clone(), policy));
+        let options = self.options();
+        Survey::take(&mut *self.input, options, policy, navigator).map_err(PostError::Input)
+    }
+
+    /// A reader at the start.
+    fn reader(&mut self) -> Result<Reader<&mut I>, PostError> {
+        self.input.seek(SeekFrom::Start(self.start)).map_err(PostError::Input)?;
+        let options = self.options();
+        Ok(Reader::new(&mut *self.input, options))
+    }
+}
+
+/// What a pass that plans has to know.
+struct Pass<'a, M: Machine> {
+    job: &'a Job<'a>,
+    survey: &'a Survey,
+    machine: &'a M,
+    units: Units,
+    abilities: &'a Abilities,
+}
+
+impl<M: Machine> Pass<'_, M> {
+    fn planner<S: Sink>(&self, sink: S) -> Planner<'_, M, S> {
+        let Self { job, survey, machine, units, abilities } = *self;
+        Planner::new(machine.clone(), job.config.policy(), units, abilities, survey.upside_down, sink)
+            .with_course(survey.course.clone())
+            .with_tools(survey.order.clone())
+    }
+
+    /// Which rotary axes stay still for how long: the whole program is planned and nothing written.
+    fn rehearse(&self, reader: Reader<impl Read>) -> Result<MovingAxes, PostError> {
+        let mut planner = self.planner(Nowhere);
+        // What goes wrong here goes wrong again when the program is written, and is reported then.
+        let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
+        Ok(planner.rehearsed())
+    }
+
+    /// The last pass: header, program, and end code.
+    fn write<W: Write>(
+        &self,
+        reader: Reader<impl Read>,
+        recorded: Recorded<'_, '_, W>,
+        moving: MovingAxes,
+        report: &mut Report,
+    ) -> Result<(), PostError> {
+        let Self { job, survey, machine, units, .. } = *self;
+        let wanted = survey.wanted.clone().and_then(Result::ok);
+        let mut planner = self.planner(recorded).with_operations(wanted).with_clamps(moving);
+        let unchecked = planner.unchecked_axes();
+        let header = header::Header { job, survey, units, machine, unchecked };
+        let recorded = planner.sink();
+        header.write(&report.assumptions, recorded.encoder()).map_err(PostError::Output)?;
+        recorded.account_for_head().map_err(PostError::Output)?;
+
+        let mut remarks = Remarks::default();
+        let planned = self.plan(reader, &mut planner, &mut remarks)?;
+        planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
+        report.diagnostics.append(&mut remarks.conclude());
+        report.statistics = planner.statistics();
+        report.times = planner.times().clone();
+        report.unchecked = header::unchecked(&planner.unchecked_axes());
+        match planned {
+            Ok(()) => {}
+            Err(Stop::Output(error)) => return Err(PostError::Output(error)),
+            Err(Stop::Fault(diagnostic)) => report.fault(diagnostic),
+        }
+        let recorded = planner.sink();
+        close(job, report, recorded.encoder()).map_err(PostError::Output)?;
+        recorded.account_for_end().map_err(PostError::Output)?;
+        report.blocks = recorded.encoder().blocks();
+        recorded.encoder().finish().map_err(PostError::Output)
+    }
+
+    /// Plans the CL data from its first event to its last, or to the first error of the reader.
+    fn plan<S: Sink>(
+        &self,
+        mut reader: Reader<impl Read>,
+        planner: &mut Planner<'_, M, S>,
+        remarks: &mut Remarks,
+    ) -> Result<Result<(), Stop>, PostError> {
+        let mut source = Source::new::<M>(self.job.config.policy());
+        let first_error = self.survey.first_error;
+        let mut last = Location::default();
+        loop {
+            // Looked at where it lies: to move an event costs as much as to look at it.
+            let found = reader.next_event();
+            match &found {
+                Err(_) => {
+                    found.map_err(PostError::Input)?;
                 }
+                Ok(Some((at, event))) if first_error.is_none_or(|error| *at < error) => {
+                    last = *at;
+                    if let Err(stopped) = source.event(*at, event, planner) {
+                        return Ok(Err(stopped));
+                    }
+                }
+                _ if first_error.is_some() => return Ok(abandoned(source.finish(planner))),
+                Ok(Some(_)) => {}
+                Ok(None) => return Ok(source.finish(planner).and_then(|()| planner.finish(last))),
             }
-            _ if survey.first_error.is_some() => return Ok(planner.abandon(sink).map_err(Stop::Output)),
-            Ok(Some(_)) => {}
-            Ok(None) => return Ok(planner.finish(last, sink)),
-        }
-        if planner.has_warnings() {
-            planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
+            if planner.has_warnings() {
+                planner.take_warnings().into_iter().for_each(|remark| remarks.add(remark));
+            }
         }
     }
 }
 
-/// Which rotary axes stay still for how long: the whole program is planned and nothing written.
-fn rehearse<M: Machine>(
-    job: &Job<'_>,
-    survey: &Survey,
-    reader: Reader<impl Read>,
-    mut planner: Planner<'_, M>,
-) -> io::Result<Moving> {
-    // What goes wrong here goes wrong again when the program is written, and is told then.
-    let _ = plan(job, survey, reader, &mut planner, &mut Nowhere, &mut Remarks::default())?;
-    Ok(planner.rehearsed())
+/// What became of the motions that still waited where the reader stopped: its error is the one to be reported.
+fn abandoned(released: Result<(), Stop>) -> Result<(), Stop> {
+    match released {
+        Err(Stop::Output(error)) => Err(Stop::Output(error)),
+        Ok(()) | Err(Stop::Fault(_)) => Ok(()),
+    }
 }
 
 /// The end code, or the first error in its place.

@@ -11,7 +11,7 @@ use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
 use crate::kinematics::{AxisKind, Machine, Side};
 use crate::motion::Mode;
-use crate::motion::{Planner, Stop, Sweep};
+use crate::motion::{Planner, ProofProgram, Stop, Sweep};
 use crate::program::ToolCall;
 use crate::program::Units;
 
@@ -60,22 +60,22 @@ pub fn prove<M: Machine>(proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     let machine =
         config.set_up.machine::<M>().map_err(|invalid| format!("{} cannot be built like this: {invalid}", M::NAME))?;
     let abilities = control::abilities(proof.control, config.demands());
-    let mut planner = Planner::new(machine.clone(), config.policy(), units, abilities, false);
-    let sweeps = planner.sweeps().map_err(told)?;
+    let mut out = Vec::new();
+    let layout = Layout::new::<M>(config.demands(), units, b"PROOF");
+    let encoder = Encoder::new(proof.control, &layout, &mut out);
+    let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, encoder);
+    let sweeps = ProofProgram::new(&mut planner).sweeps().map_err(told)?;
 
     let number = proof.tool.unwrap_or_else(|| usual_tool(&config));
     let point = Point3::from(proof.point.unwrap_or_default());
     let job = Job { cl_name: "", config: &config, control: proof.control, units: None };
     let survey = survey(number, &point);
     let header = Header { job: &job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
-    let mut out = Vec::new();
-    let mut encoder = Encoder::new(proof.control, &Layout::new::<M>(config.demands(), units, b"PROOF"), &mut out);
-    let written = head(&header, &point, &sweeps, &mut encoder).map_err(Stop::Output);
-    let planned = written
-        .and_then(|()| planner.prove(number, point, &sweeps, &mut encoder))
-        .and_then(|()| encoder.end(&[]).and_then(|()| encoder.finish()).map_err(Stop::Output));
-    planned.map_err(told)?;
-    drop(encoder);
+    head(&header, &point, &sweeps, planner.sink()).map_err(|error| told(Stop::Output(error)))?;
+    ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(told)?;
+    let encoder = planner.sink();
+    encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| told(Stop::Output(error)))?;
+    drop(planner);
     Ok(out)
 }
 

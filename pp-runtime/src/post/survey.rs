@@ -7,14 +7,13 @@ use std::ops::RangeInclusive;
 use nalgebra::UnitVector3;
 
 use crate::cl::{ArcVote, Dialect, Options, Reader};
-use crate::config::{Config, list, nearest};
+use crate::config::{list, nearest};
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::{AxisKind, Machine, Side};
-use crate::motion::Operations;
-use crate::motion::{Course, Expander, Navigator, extent, hole_extent};
+use crate::kinematics::{Machine, Pose};
+use crate::motion::{
+    Action, Begins, Course, Item, MotionIndex, Navigator, Operations, Policy, Source, Stage, extent, hole_extent,
+};
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
-
-use super::setting::Setting;
 
 /// More tools than this are not one program; it bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
@@ -28,222 +27,331 @@ const MOST_CHANGES: usize = 10_000;
 
 /// One tool of the program.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct ToolUse {
-    pub(super) call: ToolCall,
+pub(crate) struct ToolUse {
+    pub(crate) call: ToolCall,
     /// Operations that cut or move with it.
-    pub(super) operations: u64,
+    pub(crate) operations: u64,
     /// Lowest and highest tip of the part as it lies, mm.
-    pub(super) tip: Option<(f64, f64)>,
+    pub(crate) tip: Option<(f64, f64)>,
     /// Lowest and highest corner of the box around the tips of its cuts, mm.
-    pub(super) cuts: Option<[[f64; 3]; 2]>,
+    pub(crate) cuts: Option<[[f64; 3]; 2]>,
     /// It cuts before any SPINDL/.. behind its call: speed and direction come from the configuration.
-    pub(super) spindle_assumed: bool,
+    pub(crate) spindle_assumed: bool,
 }
 
-/// What the whole file says.
+/// What the reader has found out about a file.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Survey {
-    pub(super) name: Vec<u8>,
-    pub(super) units: Option<Units>,
-    pub(super) units_only_given: bool,
+pub(crate) struct FileFacts {
+    pub(crate) units: Option<Units>,
+    pub(crate) units_only_given: bool,
     /// A frame is stated in the file.
-    pub(super) framed: bool,
-    pub(super) dialect: Dialect,
-    pub(super) arcs: ArcVote,
+    pub(crate) framed: bool,
+    pub(crate) dialect: Dialect,
+    pub(crate) arcs: ArcVote,
     /// Different frames.
-    pub(super) frames: usize,
-    /// Operations of the whole program.
-    pub(super) operations: u64,
+    pub(crate) frames: usize,
     /// How often CSYS changes.
-    pub(super) setup_changes: u64,
+    pub(crate) setup_changes: u64,
     /// The CAM system asks for inverse-time feed.
-    pub(super) inverse_time: bool,
-    pub(super) lines: u64,
+    pub(crate) inverse_time: bool,
+    pub(crate) lines: u64,
+}
+
+impl FileFacts {
+    fn of<R: Read>(reader: &Reader<R>) -> Self {
+        Self {
+            units: reader.units(),
+            units_only_given: reader.units_are_only_given(),
+            framed: reader.frame().is_some(),
+            dialect: reader.dialect(),
+            arcs: reader.arcs(),
+            frames: reader.different_frames(),
+            setup_changes: reader.setup_changes(),
+            inverse_time: reader.asks_for_inverse_time(),
+            lines: reader.lines(),
+        }
+    }
+}
+
+/// What the whole program says.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Survey {
+    pub(crate) name: Vec<u8>,
+    pub(crate) file: FileFacts,
+    /// Operations of the whole program.
+    pub(crate) operations: u64,
+    /// Stretches of operations in which the tool axis is held, and in which it turns at feed.
+    pub(crate) stretches: Stretches,
     /// Tools that move, by number.
-    pub(super) tools: Vec<ToolUse>,
+    pub(crate) tools: Vec<ToolUse>,
     /// Tools in the order in which they come into the spindle.
-    pub(super) order: Vec<u32>,
-    pub(super) diagnostics: Vec<Diagnostic>,
+    pub(crate) order: Vec<u32>,
+    pub(crate) diagnostics: Vec<Diagnostic>,
     /// Nothing may be posted from here on.
-    pub(super) first_error: Option<Location>,
+    pub(crate) first_error: Option<Location>,
     /// The course of the rotary axes.
-    pub(super) course: Course,
-    select: Option<Operations>,
-    /// The first operation of the name that was asked for.
-    named: Option<u64>,
-    /// Names that were seen before it.
-    names: Vec<String>,
-    feeds: u64,
-    feeds_down: u64,
+    pub(crate) course: Course,
+    /// Every tool axis of a feed motion points down: the frame of the part is probably upside down.
+    pub(crate) upside_down: bool,
+    /// The operations that are posted, `None` for all; a sentence if there are none, or not as many.
+    pub(crate) wanted: Option<Result<RangeInclusive<u64>, String>>,
 }
 
-/// What is modal while surveying.
-#[derive(Debug, Default)]
-struct State {
-    /// Tools called so far, and where those that have moved stand in the list.
-    called_so_far: BTreeMap<u32, Option<usize>>,
-    /// The first call of too many.
-    too_many: Option<Location>,
-    call: Option<ToolCall>,
-    /// Index of the current tool, once it has moved.
-    tool: Option<usize>,
-    spindle: bool,
-    /// An operation has begun and nothing has moved yet.
-    begun: bool,
-    /// A tool has been called and nothing has moved yet.
-    called: bool,
-    /// The coming operation bears the name that was asked for.
-    named: bool,
-    /// Rotary axes in the head: the machine moves without a tool, too.
-    head: bool,
+/// Stretches by what the tool axis does in them: a stretch is what is cut between two changes of the tool axis in the air.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Stretches {
+    /// The tool axis is held.
+    pub held: u64,
+    /// It turns at feed.
+    pub turning: u64,
 }
 
-fn has_head<M: Machine>() -> bool {
-    M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool)
-}
-
-/// What cannot be expanded, which the planner tells.
-struct Silent;
-
-impl From<Diagnostic> for Silent {
-    fn from(_: Diagnostic) -> Self {
-        Self
+impl Stretches {
+    /// For people.
+    pub(crate) fn summary(self) -> String {
+        let (held, turning) = (super::counted(self.held, "stretch"), super::counted(self.turning, "stretch"));
+        format!("tool axis: held in {held}, turning at feed in {turning}")
     }
 }
 
 impl Survey {
-    pub(super) fn take<M: Machine>(
+    /// The first pass: reads the whole file, for the survey and the course alike.
+    pub(crate) fn take<M: Machine>(
         input: impl Read,
         options: Options,
-        config: &Config,
-        mut navigator: Option<Navigator<M>>,
+        policy: Policy<'_>,
+        navigator: Option<Navigator<M>>,
     ) -> io::Result<Self> {
         let mut reader = Reader::new(input, options);
-        let mut survey = Self { select: config.motion.operations.clone(), ..Self::default() };
-        let (mut setting, mut expander) = (Setting::new(config), Expander::new(config.policy()));
-        let tool_axis = &M::default().tool_axis();
-        let mut state = State { begun: true, head: has_head::<M>(), ..State::default() };
+        let mut source = Source::new::<M>(policy);
+        let surveyor = Surveyor::new(policy.options.operations.clone(), M::default().tool_axis());
+        let mut pass = FirstPass { surveyor, navigator };
         loop {
             // Looked at where it lies: to move an event costs as much as to look at it.
             let found = reader.next_event();
-            let (at, event) = match &found {
-                Ok(Some((at, event))) => (*at, event),
+            match &found {
+                // What cannot be expanded is the planner's to report.
+                Ok(Some((at, event))) => drop(source.event(*at, event, &mut pass)),
                 Ok(None) => break,
                 Err(_) => {
                     found?;
-                    break;
                 }
-            };
-            let turned = setting.event(event);
-            let event = turned.as_ref().unwrap_or(event);
-            let mut straight = |at: Location, event: &Event<'_>| -> Result<(), Silent> {
-                survey.event(at, event, &mut state, tool_axis);
-                Ok(())
-            };
-            // What cannot be expanded is the planner's to tell.
-            let _ = expander.event(at, event, &mut straight);
-            if let Event::Tolerance(_) = event {
-                expander.take_warnings();
-            }
-            if let Some(navigator) = &mut navigator {
-                navigator.event(event);
             }
         }
-        survey.course = navigator.map_or_else(Course::default, Navigator::finish);
-        survey.units = reader.units();
-        survey.units_only_given = reader.units_are_only_given();
-        survey.framed = reader.frame().is_some();
-        survey.dialect = reader.dialect();
-        survey.arcs = reader.arcs();
-        survey.frames = reader.different_frames();
-        survey.setup_changes = reader.setup_changes();
-        survey.inverse_time = reader.asks_for_inverse_time();
-        survey.lines = reader.lines();
-        survey.diagnostics = reader.diagnostics().to_vec();
-        survey.diagnostics.extend(state.too_many.map(|location| Diagnostic {
-            severity: Severity::Error,
-            location,
-            length: 1,
-            count: 1,
-            text: format!("the CL data calls more than {MOST_TOOLS} different tools"),
-            help: Some("check the tool numbers in the CAM system, or post its programs one by one".to_owned()),
-        }));
+        // The first pass refuses nothing.
+        let _ = source.finish(&mut pass);
+        let course = pass.navigator.map_or_else(Course::default, Navigator::finish);
+        let mut survey = Self { course, file: FileFacts::of(&reader), ..pass.surveyor.finish() };
+        let found = reader.diagnostics().iter().cloned();
+        survey.diagnostics = found.chain(std::mem::take(&mut survey.diagnostics)).collect();
         let errors = survey.diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
         survey.first_error = errors.map(|error| error.location).min();
         survey.tools.sort_by_key(|tool| tool.call.number);
         Ok(survey)
     }
+}
 
-    fn event(&mut self, at: Location, event: &Event<'_>, state: &mut State, tool_axis: &UnitVector3<f64>) {
-        match *event {
-            Event::Name(name) if self.name.is_empty() => self.name = name.to_vec(),
-            Event::Operation(name) => {
-                state.begun = true;
-                state.named |= self.is_named(name);
-            }
-            _ if event.interrupts() => state.begun = true,
-            Event::Tool(call) => {
-                if state.called_so_far.len() < MOST_TOOLS {
-                    state.called_so_far.entry(call.number).or_default();
-                } else if !state.called_so_far.contains_key(&call.number) {
-                    state.too_many.get_or_insert(at);
-                }
-                if state.call.is_none_or(|before| before.number != call.number) {
-                    // A SPINDL in the same start counts for the first tool that is called there.
-                    state.spindle &= state.begun && !state.called;
-                }
-                state.called = true;
-                state.call = Some(call);
-                state.tool = None;
-                state.begun = true;
-            }
-            Event::Spindle(Spindle::On { .. }) => state.spindle = true,
-            // The planner passes over these.
-            Event::Move(motion) if state.begun && state.call.is_none() && motion.rapid && !state.head => {}
-            Event::Move(motion) => {
-                let at: [f64; 3] = motion.pose.tip.into();
-                self.moved(state, !motion.rapid, [at; 2], motion.pose.axis.dot(tool_axis) < 0.0);
-            }
-            Event::Hole(hole) => {
-                let down = hole.top.axis.dot(tool_axis) < 0.0;
-                let [over, inside] = hole_extent(&hole);
-                self.moved(state, false, over, down);
-                self.moved(state, true, inside, down);
-            }
-            Event::Arc(arc) => self.moved(state, true, extent(&arc), arc.end.axis.dot(tool_axis) < 0.0),
-            _ => {}
+/// Everything that sees the first pass.
+struct FirstPass<M: Machine> {
+    surveyor: Surveyor,
+    navigator: Option<Navigator<M>>,
+}
+
+/// What the first pass refuses: nothing, all of it comes up again in the last.
+struct Ignored;
+
+impl From<Diagnostic> for Ignored {
+    fn from(_: Diagnostic) -> Self {
+        Self
+    }
+}
+
+impl<M: Machine> Stage for FirstPass<M> {
+    type Stop = Ignored;
+
+    fn take(&mut self, item: &Item<'_>) -> Result<(), Ignored> {
+        self.surveyor.follow(item);
+        if let Some(navigator) = &mut self.navigator {
+            navigator.follow(item);
+        }
+        Ok(())
+    }
+}
+
+/// The survey while it is taken.
+#[derive(Debug)]
+struct Surveyor {
+    survey: Survey,
+    selection: WantedOperations,
+    /// Tool axis with every rotary axis at zero.
+    tool_axis: UnitVector3<f64>,
+    /// Tools called so far, and where those that have moved are in the list.
+    called_so_far: BTreeMap<u32, Option<usize>>,
+    call: Option<ToolCall>,
+    /// Index of the current tool, once it has moved.
+    tool: Option<usize>,
+    /// The spindle has been programmed for the tool.
+    spindle: bool,
+    /// Nothing has moved since the last operation.
+    between: bool,
+    /// A tool has been called and nothing has moved since.
+    called: bool,
+    /// The tool axis turns at feed in the stretch at hand.
+    turning: bool,
+    /// Feed motions, and those with the tool axis down.
+    feeds: u64,
+    feeds_down: u64,
+}
+
+impl Surveyor {
+    fn new(select: Option<Operations>, tool_axis: UnitVector3<f64>) -> Self {
+        Self {
+            survey: Survey::default(),
+            selection: WantedOperations { select, ..WantedOperations::default() },
+            tool_axis,
+            called_so_far: BTreeMap::new(),
+            call: None,
+            tool: None,
+            spindle: false,
+            between: true,
+            called: false,
+            turning: false,
+            feeds: 0,
+            feeds_down: 0,
         }
     }
 
-    /// A motion, at feed or not, of the tip between two corners; `down`: the tool points away from the table's top.
-    fn moved(&mut self, state: &mut State, cuts: bool, [lowest, highest]: [[f64; 3]; 2], down: bool) {
-        state.called = false;
-        if state.begun {
-            state.begun = false;
-            self.operations += 1;
-            if std::mem::take(&mut state.named) {
-                self.named.get_or_insert(self.operations);
+    fn finish(mut self) -> Survey {
+        if self.survey.operations > 0 {
+            self.end_stretch();
+        }
+        self.survey.upside_down = self.feeds > 0 && self.feeds == self.feeds_down;
+        self.survey.wanted = self.selection.wanted(self.survey.operations);
+        self.survey
+    }
+
+    fn follow(&mut self, item: &Item<'_>) {
+        match item.action {
+            Action::Line { motion, index, .. } => {
+                let at: [f64; 3] = motion.pose.tip.into();
+                self.begin(index);
+                self.moved(!motion.rapid, [at; 2], &motion.pose);
             }
-            let call = state.call.filter(|_| self.selected());
-            state.tool = call.and_then(|call| {
-                let place = state.called_so_far.get_mut(&call.number)?;
-                Some(self.tool(call, place))
-            });
-            if let Some(call) = state.call.filter(|call| self.order.last() != Some(&call.number))
-                && self.order.len() < MOST_CHANGES
-            {
-                self.order.push(call.number);
+            Action::Arc { arc, index } => {
+                self.begin(index);
+                self.moved(true, extent(arc), &arc.end);
             }
-            if let Some(index) = state.tool {
-                self.tools[index].operations += 1;
+            Action::Hole { hole, index } => {
+                let [over, inside] = hole_extent(hole);
+                self.begin(index);
+                self.moved(false, over, &hole.top);
+                self.moved(true, inside, &hole.top);
+            }
+            Action::Record { event, between } => {
+                self.record(item.at, event);
+                self.between |= between;
             }
         }
+    }
+
+    fn record(&mut self, at: Location, event: &Event<'_>) {
+        match *event {
+            Event::Name(name) => {
+                if self.survey.name.is_empty() {
+                    self.survey.name = name.to_vec();
+                }
+            }
+            Event::Operation(name) => self.selection.name(name),
+            Event::Tool(call) => self.call_tool(at, call),
+            Event::Spindle(Spindle::On { .. }) => self.spindle = true,
+            Event::Spindle(Spindle::Off)
+            | Event::MachineName(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Preselect(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::From(_)
+            | Event::Move(_)
+            | Event::Arc(_)
+            | Event::Spline(_)
+            | Event::Hole(_)
+            | Event::Home
+            | Event::ClearancePlane(_)
+            | Event::Tolerance(_)
+            | Event::Turning(_)
+            | Event::Delay(_)
+            | Event::OptionalStop
+            | Event::Stop
+            | Event::Message(_)
+            | Event::Insert(_)
+            | Event::Code { .. } => {}
+        }
+    }
+
+    fn call_tool(&mut self, at: Location, call: ToolCall) {
+        if self.called_so_far.len() < MOST_TOOLS {
+            self.called_so_far.entry(call.number).or_default();
+        } else if !self.called_so_far.contains_key(&call.number) && self.survey.diagnostics.is_empty() {
+            self.survey.diagnostics.push(too_many_tools(at));
+        }
+        if self.call.is_none_or(|before| before.number != call.number) {
+            // A SPINDL in the same start counts for the first tool that is called there.
+            self.spindle &= self.between && !self.called;
+        }
+        self.called = true;
+        self.call = Some(call);
+        self.tool = None;
+    }
+
+    /// A motion begins; it may be the first of an operation, or of a stretch.
+    fn begin(&mut self, index: MotionIndex) {
+        if index.stretch != self.survey.stretches.held + self.survey.stretches.turning + 1 {
+            self.end_stretch();
+        }
+        self.turning |= index.turns;
+        self.called = false;
+        self.between = false;
+        if index.begins != Begins::Nothing {
+            self.begin_operation(index.operation);
+        }
+    }
+
+    fn end_stretch(&mut self) {
+        let stretches = &mut self.survey.stretches;
+        match std::mem::take(&mut self.turning) {
+            true => stretches.turning += 1,
+            false => stretches.held += 1,
+        }
+    }
+
+    fn begin_operation(&mut self, number: u64) {
+        self.survey.operations = number;
+        self.selection.begin(number);
+        let call = self.call.filter(|_| self.selection.holds(number));
+        self.tool = call.and_then(|call| {
+            let place = self.called_so_far.get_mut(&call.number)?;
+            Some(self.survey.tool(call, place))
+        });
+        let order = &mut self.survey.order;
+        if let Some(call) = self.call.filter(|call| order.last() != Some(&call.number))
+            && order.len() < MOST_CHANGES
+        {
+            order.push(call.number);
+        }
+        if let Some(index) = self.tool {
+            self.survey.tools[index].operations += 1;
+        }
+    }
+
+    /// A motion, at feed or not, of the tip between two corners.
+    fn moved(&mut self, cuts: bool, [lowest, highest]: [[f64; 3]; 2], pose: &Pose) {
         if cuts {
             self.feeds += 1;
-            self.feeds_down += u64::from(down);
+            self.feeds_down += u64::from(pose.axis.dot(&self.tool_axis) < 0.0);
         }
-        if let Some(index) = state.tool {
-            let tool = &mut self.tools[index];
+        if let Some(index) = self.tool {
+            let tool = &mut self.survey.tools[index];
             let (low, high) = tool.tip.unwrap_or((lowest[2], highest[2]));
             tool.tip = Some((low.min(lowest[2]), high.max(highest[2])));
             if cuts {
@@ -252,52 +360,79 @@ impl Survey {
                     (lower[index], upper[index]) = (lower[index].min(lowest[index]), upper[index].max(highest[index]));
                 }
             }
-            tool.spindle_assumed |= cuts && !state.spindle;
+            tool.spindle_assumed |= cuts && !self.spindle;
         }
     }
+}
 
-    /// Whether an operation bears the name that was asked for.
-    fn is_named(&mut self, name: &[u8]) -> bool {
-        let Some(Operations::From(wanted)) = &self.select else { return false };
+fn too_many_tools(location: Location) -> Diagnostic {
+    Diagnostic {
+        severity: Severity::Error,
+        location,
+        length: 1,
+        count: 1,
+        text: format!("the CL data calls more than {MOST_TOOLS} different tools"),
+        help: Some("check the tool numbers in the CAM system, or post its programs one by one".to_owned()),
+    }
+}
+
+/// Which operations are asked for, and whether they are there.
+#[derive(Debug, Default)]
+struct WantedOperations {
+    select: Option<Operations>,
+    /// The coming operation bears the name that was asked for.
+    named: bool,
+    /// The first operation of that name.
+    first: Option<u64>,
+    /// Names that were seen before it.
+    names: Vec<String>,
+}
+
+impl WantedOperations {
+    /// TOOL PATH.
+    fn name(&mut self, name: &[u8]) {
+        let Some(Operations::From(wanted)) = &self.select else { return };
         let name = String::from_utf8_lossy(name).trim().to_owned();
         let found = name.eq_ignore_ascii_case(wanted.trim());
         if !found && self.names.len() < MOST_NAMES {
             self.names.push(name);
         }
-        found
+        self.named |= found;
+    }
+
+    /// The operation of this number begins.
+    fn begin(&mut self, number: u64) {
+        if std::mem::take(&mut self.named) {
+            self.first.get_or_insert(number);
+        }
     }
 
     /// Whether the operation that has begun is posted.
-    fn selected(&self) -> bool {
+    fn holds(&self, number: u64) -> bool {
         match &self.select {
             None => true,
-            Some(Operations::Range(first, last)) => {
-                self.operations >= *first && last.is_none_or(|last| self.operations <= last)
-            }
-            Some(Operations::From(_)) => self.named.is_some(),
+            Some(Operations::Range(first, last)) => number >= *first && last.is_none_or(|last| number <= last),
+            Some(Operations::From(_)) => self.first.is_some(),
         }
     }
 
-    /// The operations that are posted; `None` for all.
-    ///
-    /// # Errors
-    /// A sentence if there are none, or not as many.
-    pub(super) fn wanted(&self) -> Result<Option<RangeInclusive<u64>>, String> {
-        match &self.select {
-            None => Ok(None),
-            Some(Operations::Range(first, last)) => {
-                let last = last.unwrap_or(self.operations).max(*first);
-                if last > self.operations {
-                    let count = super::counted(self.operations, "operation");
-                    return Err(format!("the CL data has {count}: there is no operation {last}"));
+    /// The operations that are posted out of so many; `None` for all.
+    fn wanted(&self, operations: u64) -> Option<Result<RangeInclusive<u64>, String>> {
+        Some(match self.select.as_ref()? {
+            Operations::Range(first, last) => {
+                let last = last.unwrap_or(operations).max(*first);
+                if last > operations {
+                    let count = super::counted(operations, "operation");
+                    Err(format!("the CL data has {count}: there is no operation {last}"))
+                } else {
+                    Ok(*first..=last)
                 }
-                Ok(Some(*first..=last))
             }
-            Some(Operations::From(name)) => match self.named {
-                Some(first) => Ok(Some(first..=self.operations)),
+            Operations::From(name) => match self.first {
+                Some(first) => Ok(first..=operations),
                 None => Err(format!("no operation of the CL data is called `{name}`: {}", self.known_names(name))),
             },
-        }
+        })
     }
 
     fn known_names(&self, name: &str) -> String {
@@ -308,7 +443,9 @@ impl Survey {
             None => format!("its operations are {}", list(names().take(MOST_LISTED), '`')),
         }
     }
+}
 
+impl Survey {
     /// The index of a tool, with what its calls say together.
     fn tool(&mut self, call: ToolCall, place: &mut Option<usize>) -> usize {
         let index = *place.get_or_insert_with(|| {
@@ -321,10 +458,5 @@ impl Survey {
         known.diameter = known.diameter.or(call.diameter);
         known.corner_radius = known.corner_radius.or(call.corner_radius);
         index
-    }
-
-    /// Every tool axis of a feed motion points down: the frame of the part is probably upside down.
-    pub(super) fn upside_down(&self) -> bool {
-        self.feeds > 0 && self.feeds == self.feeds_down
     }
 }

@@ -19,7 +19,7 @@ fn duration(minutes: f64) -> String {
 }
 
 /// The lines of the summary.
-pub(super) fn lines(times: &Times) -> Vec<String> {
+pub(crate) fn lines(times: &Times) -> Vec<String> {
     if times.total() <= 0.0 {
         return Vec::new();
     }

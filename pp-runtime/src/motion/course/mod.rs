@@ -22,21 +22,20 @@ use std::collections::BTreeMap;
 
 use nalgebra::UnitVector3;
 
-use super::options::{Policy, Transition};
 use crate::diag::Diagnostic;
 use crate::kinematics::{Branch, Machine, Pose};
+use crate::motion::options::Policy;
+use crate::program::Event;
 use crate::program::Units;
-use crate::program::{Event, Location};
 
-use super::expand::Expander;
-use super::place::Placer;
-use super::way::Way;
-
-pub use search::Cost;
-pub(crate) use search::{Metric, Towards, Turns};
+use crate::motion::geometry::Way;
+use crate::motion::place::Placer;
+use crate::motion::rotary::{Cost, Towards, Turns};
+use crate::motion::source::{Action, Begins, Item, MotionIndex, Stage};
 
 use packed::Packed;
-use search::{Search, State};
+use search::{CourseSearch, RotaryState};
+use states::StateFinder;
 
 /// A limit is crossed at most this often in one block.
 const MOST_CROSSINGS: u32 = 16;
@@ -63,14 +62,6 @@ pub(crate) struct Change {
     pub(crate) words: Turns,
 }
 
-/// Rotary words that a motion is to end in.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Target {
-    pub(crate) words: Turns,
-    /// Which way round an endless axis goes there; else the short way.
-    pub(crate) towards: Option<Towards>,
-}
-
 /// The decisions for a program, in the order of its motions.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Course {
@@ -92,10 +83,41 @@ impl Course {
     }
 }
 
+/// The course while it is followed.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Follower {
+    course: Course,
+    /// ROTABL/NEXT for the next motion.
+    towards: Option<Towards>,
+}
+
+impl Follower {
+    pub(crate) fn new(course: Course) -> Self {
+        Self { course, towards: None }
+    }
+
+    /// ROTABL.
+    pub(crate) fn set_towards(&mut self, towards: Option<Towards>) {
+        self.towards = towards;
+    }
+
+    /// ROTABL/NEXT for the motion at hand.
+    #[inline]
+    pub(crate) fn take_towards(&mut self) -> Option<Towards> {
+        self.towards.take()
+    }
+
+    /// The next change of a motion.
+    #[inline]
+    pub(crate) fn change(&mut self, motion: u64) -> Option<Change> {
+        self.course.change(motion)
+    }
+}
+
 /// One of the two searches: with a view ahead, and without.
 #[derive(Debug)]
 struct Seeker {
-    search: Search,
+    search: CourseSearch,
     /// It has come to a motion that it cannot make.
     ended: bool,
 }
@@ -103,39 +125,26 @@ struct Seeker {
 /// Finds the course in the first pass.
 #[derive(Debug)]
 pub struct Navigator<M: Machine> {
-    placer: Placer<M>,
-    expander: Expander,
-    safe: bool,
+    finder: StateFinder<M>,
     greedy: bool,
     prefer: Option<(char, bool)>,
     /// Where GOHOME takes the axes.
     park: BTreeMap<char, f64>,
     start_branch: Option<Branch>,
     ways: [Seeker; 2],
-    /// Motions so far.
+    /// The number of the motion at hand.
     motion: u64,
     here: Option<Pose>,
     /// The pole at which the tool axis stands.
     pole: Option<UnitVector3<f64>>,
     /// Something has been reached: FROM no longer counts.
     placed: bool,
-    armed: bool,
-    begun: bool,
     /// ROTABL/NEXT.
     towards: Option<Towards>,
-    states: Vec<State>,
+    states: Vec<RotaryState>,
     /// Words near which turns are looked at where there are too many to look at all.
     near: Vec<Turns>,
     second: Vec<i64>,
-}
-
-/// What the planner will say, the navigator passes over.
-struct Silent;
-
-impl From<Diagnostic> for Silent {
-    fn from(_: Diagnostic) -> Self {
-        Self
-    }
 }
 
 impl<M: Machine> Navigator<M> {
@@ -143,12 +152,10 @@ impl<M: Machine> Navigator<M> {
     #[must_use]
     pub fn new(machine: M, policy: Policy<'_>) -> Self {
         let placer = Placer::new(machine, policy, Units::Millimetres);
-        let way = |greedy| Seeker { search: Search::new(placer.metric, [0; 2], greedy), ended: false };
+        let way = |greedy| Seeker { search: CourseSearch::new(placer.metric(), [0; 2], greedy), ended: false };
         Self {
             ways: [way(false), way(true)],
-            placer,
-            expander: Expander::new(policy),
-            safe: policy.options.rapids.transition == Transition::Safe,
+            finder: StateFinder::new(placer),
             greedy: policy.options.course.greedy,
             prefer: policy.options.course.prefer,
             park: policy.options.park.clone(),
@@ -157,8 +164,6 @@ impl<M: Machine> Navigator<M> {
             here: None,
             pole: None,
             placed: false,
-            armed: false,
-            begun: true,
             towards: None,
             states: Vec::new(),
             near: Vec::new(),
@@ -166,65 +171,62 @@ impl<M: Machine> Navigator<M> {
         }
     }
 
-    /// Follows one event.
-    pub fn event(&mut self, event: &Event<'_>) {
-        if let Event::Move(_) = event
-            && self.expander.passes()
-        {
-            return self.straight(event);
+    /// Follows one item.
+    pub fn follow(&mut self, item: &Item<'_>) {
+        match item.action {
+            Action::Line { motion, index, .. } => {
+                let begins = index.begins == Begins::Operation;
+                self.move_to(&motion.pose, index, begins || motion.rapid);
+            }
+            // The tool has been led to its start.
+            Action::Arc { arc, index } => self.move_to(&arc.end, index, false),
+            // The tool goes over to it at rapid.
+            Action::Hole { hole, index } => self.move_to(&hole.top, index, true),
+            Action::Record { event, .. } => self.record(event),
         }
-        let mut expander = std::mem::take(&mut self.expander);
-        // An event that cannot be expanded ends the program there.
-        let _: Result<(), Silent> = expander.event(Location::default(), event, &mut |_, event| {
-            self.straight(event);
-            Ok(())
-        });
-        expander.take_warnings();
-        self.expander = expander;
     }
 
-    fn straight(&mut self, event: &Event<'_>) {
+    fn record(&mut self, event: &Event<'_>) {
         match event {
             Event::From(pose) => self.count_from(pose),
-            Event::Tool(_) => {
-                self.armed = true;
-                self.begun = true;
-            }
-            Event::Operation(_) => self.begun |= self.safe,
             Event::Home => self.go_home(),
-            _ if event.interrupts() => self.begun = true,
-            // The planner passes over these.
-            Event::Move(motion) if !self.armed && motion.rapid && !self.placer.head() => self.count_from(&motion.pose),
-            Event::Move(motion) => {
-                let begins = std::mem::take(&mut self.begun);
-                self.placed = true;
-                self.go(&motion.pose, begins || motion.rapid, begins);
-                self.towards = None;
-                self.motion += 1;
-            }
-            Event::Arc(arc) => {
-                // The tool has been led to its start.
-                self.go(&arc.end, false, false);
-                self.towards = None;
-                self.motion += 1;
-            }
-            Event::Hole(hole) => {
-                let begins = std::mem::take(&mut self.begun);
-                self.placed = true;
-                // The tool goes over to it at rapid.
-                self.go(&hole.top, true, begins);
-                self.towards = None;
-                self.motion += 1;
-            }
-            Event::Turning(turning) => self.towards = self.placer.towards(*turning),
-            _ => {}
+            Event::Turning(turning) => self.towards = self.finder.placer().towards(*turning),
+            Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Operation(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Tool(_)
+            | Event::Preselect(_)
+            | Event::Spindle(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::Move(_)
+            | Event::Arc(_)
+            | Event::Spline(_)
+            | Event::Hole(_)
+            | Event::ClearancePlane(_)
+            | Event::Tolerance(_)
+            | Event::Delay(_)
+            | Event::OptionalStop
+            | Event::Stop
+            | Event::Message(_)
+            | Event::Insert(_)
+            | Event::Code { .. } => {}
         }
+    }
+
+    /// A motion; `air`: the tool is out of the part.
+    fn move_to(&mut self, end: &Pose, index: MotionIndex, air: bool) {
+        self.placed = true;
+        self.motion = index.motion;
+        self.go(end, air, index.begins == Begins::Operation);
+        self.towards = None;
     }
 
     /// The rotaries are parked where the configuration wants it; an angle out of reach is told by the planner.
     fn go_home(&mut self) {
-        self.begun = true;
-        let (placer, park) = (&self.placer, &self.park);
+        let (placer, park) = (self.finder.placer(), &self.park);
         let Ok((_, 1..)) = placer.parked(park, &placer.zero()) else { return };
         self.placed = true;
         let parked = |words: &Turns| {
@@ -239,9 +241,9 @@ impl<M: Machine> Navigator<M> {
         if self.placed {
             return;
         }
-        let from = self.placer.standing(&self.ways[0].search.words());
-        if let Some(place) = self.placer.reference(pose, &from) {
-            let words = self.placer.turns_of(&place.words);
+        let from = self.finder.placer().standing(&self.ways[0].search.words());
+        if let Some(place) = self.finder.placer().reference(pose, &from) {
+            let words = self.finder.placer().turns_of(&place.words);
             self.ways.iter_mut().for_each(|way| way.search.restart(words));
         }
     }
@@ -250,15 +252,15 @@ impl<M: Machine> Navigator<M> {
         if self.ways[0].ended {
             return;
         }
-        let pole = self.placer.pole(&pose.axis);
+        let pole = self.finder.placer().pole(&pose.axis);
         let pose = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         self.near.clear();
-        if self.placer.wide() {
+        if self.finder.placer().wide() {
             self.ways.iter().for_each(|way| way.search.near(air, &mut self.near));
         }
         match pole {
-            Some(_) => self.placer.second_words(&pose, &mut self.second),
-            None => self.placer.states(&pose, &self.near, &mut self.states),
+            Some(_) => self.finder.second_words(&pose, &mut self.second),
+            None => self.finder.states(&pose, &self.near, &mut self.states),
         }
         let reached = if pole.is_some() { !self.second.is_empty() } else { !self.states.is_empty() };
         if !reached {
@@ -277,13 +279,14 @@ impl<M: Machine> Navigator<M> {
     /// One motion of one search. False if there is no way.
     fn step(&mut self, way: usize, (pose, pole): (&Pose, Option<&UnitVector3<f64>>), air: bool, begins: bool) -> bool {
         let motion = self.motion;
-        let (placer, search) = (&self.placer, &mut self.ways[way].search);
+        let (finder, search) = (&self.finder, &mut self.ways[way].search);
         let from = self.here.filter(|_| !air);
         match (from, pole) {
             (None, None) => {
-                let wished = |state: &State| {
+                let wished = |state: &RotaryState| {
                     let preferred = self.prefer.is_none_or(|(letter, positive)| {
-                        let axis = placer.rotaries.iter().position(|rotary| M::AXES[rotary.index].letter == letter);
+                        let axis =
+                            finder.placer().rotaries().iter().position(|rotary| M::AXES[rotary.index].letter == letter);
                         axis.is_none_or(|axis| if positive { state.words[axis] >= 0 } else { state.words[axis] <= 0 })
                     });
                     preferred && self.start_branch.is_none_or(|branch| branch == state.branch)
@@ -291,23 +294,23 @@ impl<M: Machine> Navigator<M> {
                 search.free(motion, &self.states, self.towards, wished)
             }
             (None, Some(_)) => {
-                let Some(first) = placer.rotaries.first() else { return false };
+                let Some(first) = finder.placer().rotaries().first() else { return false };
                 search.free_to_pole((motion, begins), (*first, &self.second), self.towards);
                 true
             }
             (Some(_), Some(_)) if self.pole.is_some() => true,
             (Some(from), Some(pole)) => {
-                search.cut_to_pole(motion, None, |state| placer.at_pole(pole, &from.axis, state))
+                search.cut_to_pole(motion, None, |state| finder.at_pole(pole, &from.axis, state))
             }
             (Some(_), None) if let Some(pole) = self.pole => {
-                search.leave_pole(motion, &self.states, &placer.exits(&pole, &pose.axis, &self.states))
+                search.leave_pole(motion, &self.states, &finder.exits(&pole, &pose.axis, &self.states))
             }
-            (Some(from), None) => match placer.pole_between(&from, pose) {
+            (Some(from), None) => match finder.pole_between(&from, pose) {
                 Some((part, pole)) => {
-                    search.cut_to_pole(motion, Some(part), |state| placer.at_pole(&pole, &from.axis, state))
-                        && search.leave_pole(motion, &self.states, &placer.exits(&pole, &pose.axis, &self.states))
+                    search.cut_to_pole(motion, Some(part), |state| finder.at_pole(&pole, &from.axis, state))
+                        && search.leave_pole(motion, &self.states, &finder.exits(&pole, &pose.axis, &self.states))
                 }
-                None => cut(placer, search, motion, &from, pose, &self.states),
+                None => cut(finder, search, motion, &from, pose, &self.states),
             },
         }
     }
@@ -323,36 +326,45 @@ impl<M: Machine> Navigator<M> {
     }
 }
 
+impl<M: Machine> Stage for Navigator<M> {
+    type Stop = Diagnostic;
+
+    fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
+        self.follow(item);
+        Ok(())
+    }
+}
+
 /// A cut between two poses beside the pole. Where no state runs through it is split: at its place nearest to a pole that it
 /// passes, since an axis may turn by more than half a turn there, and where a state runs into a limit on the way.
 fn cut<M: Machine>(
-    placer: &Placer<M>,
-    search: &mut Search,
+    finder: &StateFinder<M>,
+    search: &mut CourseSearch,
     motion: u64,
     from: &Pose,
     to: &Pose,
-    states: &[State],
+    states: &[RotaryState],
 ) -> bool {
     // Between opposite axes no way is known, and none is split.
     let way = Way::new(from, to);
     let (mut here, mut done) = (*from, 0.0);
-    let mut passing = placer.passing(from, to);
+    let mut passing = finder.passing(from, to);
     let (mut near, mut split) = (Vec::new(), Vec::new());
     for _ in 0..MOST_CROSSINGS {
-        let merged = placer.merged(states) || placer.merged(search.layer());
-        if search.cut(motion, states, None, |a, b| placer.connected((&here, a), (to, b), merged)) {
+        let merged = finder.merged(states) || finder.merged(search.layer());
+        if search.cut(motion, states, None, |a, b| finder.connected((&here, a), (to, b), merged)) {
             return true;
         }
         let Some(way) = &way else { return false };
         near.clear();
-        if placer.wide() {
+        if finder.placer().wide() {
             search.near(false, &mut near);
         }
-        let mut split_at = |search: &mut Search, part: f64| {
+        let mut split_at = |search: &mut CourseSearch, part: f64| {
             let there = way.at(part);
-            placer.states(&there, &near, &mut split);
+            finder.states(&there, &near, &mut split);
             let reached =
-                search.cut(motion, &split, Some(part), |a, b| placer.connected((&here, a), (&there, b), false));
+                search.cut(motion, &split, Some(part), |a, b| finder.connected((&here, a), (&there, b), false));
             reached.then_some(there)
         };
         if let Some(part) = passing.filter(|part| *part > done)
@@ -361,7 +373,7 @@ fn cut<M: Machine>(
             (here, done, passing) = (there, part, None);
             continue;
         }
-        let Some(part) = crossing(placer, search, way, (&here, done), &near) else { return false };
+        let Some(part) = crossing(finder, search, way, (&here, done), &near) else { return false };
         let Some(there) = split_at(search, part) else { return false };
         (here, done) = (there, part);
     }
@@ -370,8 +382,8 @@ fn cut<M: Machine>(
 
 /// The first part of the way at which a state of the last layer is about to leave its limits while another turn is inside.
 fn crossing<M: Machine>(
-    placer: &Placer<M>,
-    search: &Search,
+    finder: &StateFinder<M>,
+    search: &CourseSearch,
     way: &Way,
     (here, done): (&Pose, f64),
     near: &[Turns],
@@ -379,22 +391,22 @@ fn crossing<M: Machine>(
     let mut split = Vec::new();
     let mut first: Option<f64> = None;
     for state in search.layer() {
-        let runs = |part: f64| placer.continued(&way.at(part), state);
-        if !placer.continued(here, state).is_some_and(|words| placer.inside(&words)) {
+        let runs = |part: f64| finder.continued(&way.at(part), state);
+        if !finder.continued(here, state).is_some_and(|words| finder.inside(&words)) {
             continue;
         }
         let (mut inside, mut outside) = (done, 1.0);
         for _ in 0..60 {
             let middle = 0.5 * (inside + outside);
             match runs(middle) {
-                Some(words) if placer.inside(&words) => inside = middle,
+                Some(words) if finder.inside(&words) => inside = middle,
                 _ => outside = middle,
             }
         }
         if inside <= done || first.is_some_and(|first| first <= inside) {
             continue;
         }
-        placer.states(&way.at(inside), near, &mut split);
+        finder.states(&way.at(inside), near, &mut split);
         if split.len() > 1 {
             first = Some(inside);
         }

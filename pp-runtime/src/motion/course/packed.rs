@@ -3,7 +3,8 @@
 //! A change takes a byte for what it is, and as many as they need for the motions since the one before and for how far the
 //! words differ; the part of a way takes eight more.
 
-use super::{Change, How, Turns};
+use crate::motion::course::{Change, How};
+use crate::motion::rotary::Turns;
 
 /// Changes in the order of their motions, written once and then read.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,7 +18,7 @@ pub(crate) struct Packed {
 }
 
 impl Packed {
-    pub(super) fn push(&mut self, change: &Change) {
+    pub(crate) fn push(&mut self, change: &Change) {
         let (tag, part) = match change.how {
             How::Take => (0, None),
             How::Turn => (1, None),
@@ -34,12 +35,12 @@ impl Packed {
     }
 
     /// Goes back to the first change, to read.
-    pub(super) fn read_from_start(self) -> Self {
+    pub(crate) fn read_from_start(self) -> Self {
         Self { bytes: self.bytes, ..Self::default() }
     }
 
     /// The next change.
-    pub(super) fn next(&mut self) -> Option<Change> {
+    pub(crate) fn next(&mut self) -> Option<Change> {
         let tag = self.byte()?;
         self.motion = self.motion.wrapping_add_signed(self.number()?);
         for axis in 0..self.words.len() {

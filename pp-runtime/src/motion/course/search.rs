@@ -4,129 +4,25 @@
 //! the cheapest way to its state; what it decided on the way is a chain of changes that survivors share. As soon as all of
 //! them share the beginning of that chain, it is decided.
 
-use super::super::choose::{AngleScale, Rotary};
-use super::packed::Packed;
-use super::{Change, How};
 use crate::kinematics::Branch;
-
-/// Words of the solved rotary axes in the order of the chain; a machine without the second has zero there.
-pub(crate) type Turns = [i64; 2];
+use crate::motion::course::packed::Packed;
+use crate::motion::course::{Change, How};
+use crate::motion::rotary::{Cost, Metric, Rotary, Towards, Turns};
 
 /// Chains of changes are tidied up when there are more than this, and again at twice what is left.
 const TIDY: usize = 4096;
 
 /// One way for the rotary axes to hold a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct State {
+pub(crate) struct RotaryState {
     pub(crate) branch: Branch,
     pub(crate) words: Turns,
-}
-
-/// A sense in which an axis has to turn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Towards {
-    /// Which of the solved rotaries.
-    pub(crate) axis: usize,
-    /// Its word grows.
-    pub(crate) positive: bool,
-}
-
-/// What a way costs: the fewest rewinds first, then wishes of the user that are not met, then time, then travel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
-pub struct Cost {
-    /// Times that the tool has to leave the part to turn.
-    pub rewinds: u32,
-    /// Starts that are not as the user prefers.
-    pub unwished: u32,
-    /// Nanoseconds that the rotary axes take at their largest speeds; 0 where these are not known.
-    pub time: u64,
-    /// Travel of all rotary axes together, in whole units of their words.
-    pub travel: u64,
-}
-
-impl Cost {
-    fn plus(self, other: Self) -> Self {
-        Self {
-            rewinds: self.rewinds + other.rewinds,
-            unwished: self.unwished + other.unwished,
-            time: self.time + other.time,
-            travel: self.travel + other.travel,
-        }
-    }
-
-    const REWIND: Self = Self { rewinds: 1, unwished: 0, time: 0, travel: 0 };
-    const UNWISHED: Self = Self { rewinds: 0, unwished: 1, time: 0, travel: 0 };
-}
-
-/// Measures turns.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Metric {
-    /// Nanoseconds for one unit of a word; 0 for an axis whose speed is not known.
-    per_unit: [f64; 2],
-    endless: [bool; 2],
-    turn: i64,
-}
-
-impl Metric {
-    /// For axes with speeds in rad/min.
-    pub(crate) fn new(rotaries: &[Rotary], speeds: [Option<f64>; 2], scale: AngleScale) -> Self {
-        const NANOSECONDS: f64 = 60e9;
-        Self {
-            per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NANOSECONDS * scale.angle(1) / speed)),
-            endless: [0, 1].map(|axis| rotaries.get(axis).is_some_and(|rotary| rotary.endless())),
-            turn: scale.turn,
-        }
-    }
-
-    /// Signed travel of one axis; an endless one takes the short way.
-    pub(crate) fn change(&self, axis: usize, from: i64, to: i64) -> i64 {
-        let change = to - from;
-        if !self.endless[axis] {
-            return change;
-        }
-        let short = change.rem_euclid(self.turn);
-        if 2 * short > self.turn { short - self.turn } else { short }
-    }
-
-    /// Signed travel of one axis in a sense that was asked for; `None` if that sense does not lead there.
-    fn change_towards(&self, axis: usize, from: i64, to: i64, towards: Option<Towards>) -> Option<i64> {
-        let change = self.change(axis, from, to);
-        match towards.filter(|towards| towards.axis == axis) {
-            None => Some(change),
-            Some(Towards { positive, .. }) if (change >= 0) == positive || change == 0 => Some(change),
-            Some(Towards { positive, .. }) if self.endless[axis] => {
-                Some(if positive { change + self.turn } else { change - self.turn })
-            }
-            Some(_) => None,
-        }
-    }
-
-    /// Cost of turning all axes together.
-    pub(crate) fn cost(&self, from: &Turns, to: &Turns) -> Cost {
-        self.cost_of([0, 1].map(|axis| self.change(axis, from[axis], to[axis])))
-    }
-
-    fn cost_of(&self, changes: [i64; 2]) -> Cost {
-        let travel = changes.map(i64::unsigned_abs);
-        let time = (0..2).map(|axis| (travel[axis] as f64 * self.per_unit[axis]).round() as u64).max();
-        Cost { time: time.unwrap_or(0), travel: travel[0] + travel[1], ..Cost::default() }
-    }
-
-    /// Whether no axis turns by more than half a turn: what a cut can do without a rewind.
-    pub(crate) fn short(&self, from: &Turns, to: &Turns) -> bool {
-        (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() <= self.turn)
-    }
-
-    /// Whether every axis turns by less than a quarter of a turn.
-    pub(crate) fn plain(&self, from: &Turns, to: &Turns) -> bool {
-        (0..2).all(|axis| 4 * self.change(axis, from[axis], to[axis]).abs() < self.turn)
-    }
 }
 
 /// The cheapest way to a state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Survivor {
-    state: State,
+    state: RotaryState,
     cost: Cost,
     /// Its last change.
     head: Head,
@@ -215,7 +111,7 @@ impl History {
 
 /// Where a cut can begin: a state of the last layer.
 #[derive(Debug, Clone, Copy)]
-struct Source {
+struct Ancestor {
     from: Survivor,
     /// It is reached by a rewind only.
     rewound: bool,
@@ -223,25 +119,25 @@ struct Source {
 
 /// The search.
 #[derive(Debug)]
-pub(crate) struct Search {
+pub(crate) struct CourseSearch {
     metric: Metric,
     /// All states of the last pose, in the order of preference; empty at the pole.
-    layer: Vec<State>,
+    layer: Vec<RotaryState>,
     survivors: Vec<Survivor>,
     next: Vec<Survivor>,
-    sources: Vec<Source>,
+    sources: Vec<Ancestor>,
     history: History,
     /// Keep the cheapest alone: pose by pose.
     greedy: bool,
 }
 
-impl Search {
+impl CourseSearch {
     pub(crate) fn new(metric: Metric, start: Turns, greedy: bool) -> Self {
         Self {
             metric,
             layer: Vec::new(),
             survivors: vec![Survivor {
-                state: State { branch: Branch::First, words: start },
+                state: RotaryState { branch: Branch::First, words: start },
                 cost: Cost::default(),
                 head: None,
                 air: None,
@@ -266,7 +162,10 @@ impl Search {
         for from in &self.survivors {
             let words = parked(&from.state.words);
             let cost = from.cost.plus(self.metric.cost(&from.state.words, &words));
-            Self::keep(&mut self.next, Survivor { state: State { words, ..from.state }, cost, air: None, ..*from });
+            Self::keep(
+                &mut self.next,
+                Survivor { state: RotaryState { words, ..from.state }, cost, air: None, ..*from },
+            );
         }
         self.finish_layer(&[]);
     }
@@ -288,12 +187,12 @@ impl Search {
     }
 
     /// The states of the last pose that a rewind can reach, in the order of preference.
-    pub(crate) fn layer(&self) -> &[State] {
+    pub(crate) fn layer(&self) -> &[RotaryState] {
         &self.layer
     }
 
     /// The next survivors become the survivors, in a layer of these states. False, and nothing done, if there are none.
-    fn finish_layer(&mut self, states: &[State]) -> bool {
+    fn finish_layer(&mut self, states: &[RotaryState]) -> bool {
         if self.next.is_empty() {
             return false;
         }
@@ -323,9 +222,9 @@ impl Search {
     pub(crate) fn free(
         &mut self,
         motion: u64,
-        states: &[State],
+        states: &[RotaryState],
         towards: Option<Towards>,
-        wished: impl Fn(&State) -> bool,
+        wished: impl Fn(&RotaryState) -> bool,
     ) -> bool {
         self.next.clear();
         for state in states {
@@ -337,7 +236,7 @@ impl Search {
             };
             let ways = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
             let Some((cost, from)) = ways.min_by_key(|(cost, _)| *cost) else { continue };
-            let travel = |to: &State| self.metric.cost(&from.state.words, &to.words).travel;
+            let travel = |to: &RotaryState| self.metric.cost(&from.state.words, &to.words).travel;
             // Without a word about it the least travel is taken; of an axis with many turns not all are looked at.
             let expected = towards.is_none()
                 && self.metric.short(&from.state.words, &state.words)
@@ -362,7 +261,7 @@ impl Search {
         self.next.clear();
         for from in &self.survivors {
             for &second in second {
-                let state = State { words: [first.clamped(from.state.words[0]), second], ..from.state };
+                let state = RotaryState { words: [first.clamped(from.state.words[0]), second], ..from.state };
                 let cost = from.cost.plus(self.metric.cost(&from.state.words, &state.words));
                 let (head, air) = match state.words == from.state.words && towards.is_none() {
                     true => (from.head, from.air.filter(|_| !begins).unwrap_or(motion)),
@@ -379,21 +278,21 @@ impl Search {
     pub(crate) fn cut(
         &mut self,
         motion: u64,
-        states: &[State],
+        states: &[RotaryState],
         via: Option<f64>,
-        mut linked: impl FnMut(&State, &State) -> bool,
+        mut linked: impl FnMut(&RotaryState, &RotaryState) -> bool,
     ) -> bool {
         self.collect_sources();
         self.next.clear();
         for state in states {
-            let mut best: Option<(Cost, Source)> = None;
+            let mut best: Option<(Cost, Ancestor)> = None;
             for source in &self.sources {
                 let cost = source.from.cost.plus(self.metric.cost(&source.from.state.words, &state.words));
                 if best.is_none_or(|(least, _)| cost < least) && linked(&source.from.state, state) {
                     best = Some((cost, *source));
                 }
             }
-            let Some((cost, Source { from, rewound })) = best else { continue };
+            let Some((cost, Ancestor { from, rewound })) = best else { continue };
             let mut head = from.head;
             if rewound {
                 head = self.history.push(head, motion, How::Rewind, from.state.words);
@@ -415,7 +314,7 @@ impl Search {
         let settled = self.survivors.len() >= self.layer.len()
             && self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest);
         if settled {
-            self.sources.extend(self.survivors.iter().map(|&from| Source { from, rewound: false }));
+            self.sources.extend(self.survivors.iter().map(|&from| Ancestor { from, rewound: false }));
             return;
         }
         for state in &self.layer {
@@ -425,12 +324,12 @@ impl Search {
             let other = self.survivors.iter().map(|from| (rewound(from), from)).min_by_key(|(cost, _)| *cost);
             match (alive, other) {
                 (Some(&from), Some((cost, _))) if from.cost <= cost => {
-                    self.sources.push(Source { from, rewound: false });
+                    self.sources.push(Ancestor { from, rewound: false });
                 }
-                (Some(&from), None) => self.sources.push(Source { from, rewound: false }),
+                (Some(&from), None) => self.sources.push(Ancestor { from, rewound: false }),
                 (_, Some((cost, from))) => {
                     let from = Survivor { state: *state, cost, ..*from };
-                    self.sources.push(Source { from, rewound: true });
+                    self.sources.push(Ancestor { from, rewound: true });
                 }
                 (None, None) => {}
             }
@@ -442,11 +341,11 @@ impl Search {
         &mut self,
         motion: u64,
         via: Option<f64>,
-        mut entry: impl FnMut(&State) -> Option<Turns>,
+        mut entry: impl FnMut(&RotaryState) -> Option<Turns>,
     ) -> bool {
         self.collect_sources();
         self.next.clear();
-        for Source { from, rewound } in &self.sources {
+        for Ancestor { from, rewound } in &self.sources {
             let Some(words) = entry(&from.state) else { continue };
             let cost = from.cost.plus(self.metric.cost(&from.state.words, &words));
             let mut head = from.head;
@@ -458,13 +357,13 @@ impl Search {
             } else if words[0] != from.state.words[0] || !self.metric.plain(&from.state.words, &words) {
                 head = self.history.push(head, motion, How::Take, words);
             }
-            Self::keep(&mut self.next, Survivor { state: State { words, ..from.state }, cost, head, air: None });
+            Self::keep(&mut self.next, Survivor { state: RotaryState { words, ..from.state }, cost, head, air: None });
         }
         self.finish_layer(&[])
     }
 
     /// A cut out of the pole. `exits`: for each state the words in which it leaves the pole.
-    pub(crate) fn leave_pole(&mut self, motion: u64, states: &[State], exits: &[Option<Turns>]) -> bool {
+    pub(crate) fn leave_pole(&mut self, motion: u64, states: &[RotaryState], exits: &[Option<Turns>]) -> bool {
         self.next.clear();
         for (state, exit) in states.iter().zip(exits) {
             let Some(exit) = exit else { continue };
@@ -501,14 +400,15 @@ impl Search {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::rotary::AngleScale;
 
     #[test]
     fn ways_that_are_given_up_leave_nothing_behind() {
         let rotary = Rotary { index: 0, lower: Some(-400), upper: Some(400), rest: 0.0 };
         let metric = Metric::new(&[rotary], [None; 2], AngleScale { per_degree: 1.0, turn: 360 });
         // Pose by pose, one way is kept and one is rewound to and given up.
-        let mut search = Search::new(metric, [10, 0], true);
-        let states = [10, -350].map(|word| State { branch: Branch::First, words: [word, 0] });
+        let mut search = CourseSearch::new(metric, [10, 0], true);
+        let states = [10, -350].map(|word| RotaryState { branch: Branch::First, words: [word, 0] });
         assert!(search.free(0, &states, None, |_| true));
         for motion in 1..10_000 {
             assert!(search.cut(motion, &states, None, |from, to| from == to));

@@ -4,15 +4,11 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{Branch, Machine, Pose, Solution};
 
-use super::super::choose::Rotary;
-use super::super::place::{Place, Placer};
-use super::super::step::MAX_AXES;
-use super::super::way::{Way, angle_between};
-use super::search::{State, Turns};
-
-/// Turns of one axis that are looked at for one pose, nearest to zero first. Of a wider axis those at its ends and those in
-/// which the course stands are looked at besides.
-const MOST_TURNS: i64 = 24;
+use crate::motion::course::search::RotaryState;
+use crate::motion::geometry::{Way, angle_between};
+use crate::motion::place::Placer;
+use crate::motion::rotary::Rotary;
+use crate::motion::rotary::{MOST_TURNS, Turns};
 
 /// Distance from the pole at which the direction of a path into it is read, rad.
 const BESIDE_POLE: f64 = 1e-8;
@@ -24,50 +20,38 @@ const SAME_WORD: i64 = 2;
 /// from a pole beside which the axes still turn.
 const MOST_HALVINGS: u32 = 30;
 
-impl<M: Machine> Placer<M> {
-    /// Words of all axes from those of the solved rotaries.
-    pub(crate) fn all_words(&self, words: &Turns) -> [i64; MAX_AXES] {
-        let mut all = [0; MAX_AXES];
-        for (rotary, word) in self.rotaries.iter().zip(words) {
-            all[rotary.index] = *word;
-        }
-        all
+/// Finds the ways in which the rotary axes of a machine can hold a pose.
+#[derive(Debug)]
+pub(crate) struct StateFinder<M: Machine> {
+    placer: Placer<M>,
+}
+
+impl<M: Machine> StateFinder<M> {
+    pub(crate) fn new(placer: Placer<M>) -> Self {
+        Self { placer }
     }
 
-    /// Words of the solved rotaries.
-    pub(crate) fn turns_of(&self, words: &[i64; MAX_AXES]) -> Turns {
-        let mut turns = [0; 2];
-        for (turn, rotary) in turns.iter_mut().zip(&self.rotaries) {
-            *turn = words[rotary.index];
-        }
-        turns
-    }
-
-    /// Where nothing but the rotaries is known.
-    pub(in crate::motion) fn standing(&self, words: &Turns) -> Place<M::Axes> {
-        Place { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
-    }
-
-    fn axes_of(&self, words: &Turns) -> M::Axes {
-        let mut axes = M::HELD;
-        for (rotary, word) in self.rotaries.iter().zip(words) {
-            axes.as_mut()[rotary.index] = rotary.angle(*word, self.scale);
-        }
-        axes
+    /// Poses into words.
+    pub(crate) fn placer(&self) -> &Placer<M> {
+        &self.placer
     }
 
     /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first, then
     /// the turns nearest to zero, positive before negative. An endless axis stands within half a turn of zero. `near`: of an
     /// axis with too many turns those next to these words are among them, and those at its ends.
-    pub(super) fn states(&self, pose: &Pose, near: &[Turns], out: &mut Vec<State>) {
+    pub(crate) fn states(&self, pose: &Pose, near: &[Turns], out: &mut Vec<RotaryState>) {
         out.clear();
-        for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
+        for solution in self.placer.machine().inverse_kinematics(pose, &M::HELD).iter() {
             let start = out.len();
             let turns = |rotary: &Rotary| {
-                rotary.turns(rotary.word(solution.axes.as_ref()[rotary.index], self.scale), self.scale.turn, MOST_TURNS)
+                rotary.turns(
+                    rotary.word(solution.axes.as_ref()[rotary.index], self.placer.scale()),
+                    self.placer.scale().turn,
+                    MOST_TURNS,
+                )
             };
-            let mut push = |words: Turns| out.push(State { branch: solution.branch, words });
-            match &self.rotaries[..] {
+            let mut push = |words: Turns| out.push(RotaryState { branch: solution.branch, words });
+            match &self.placer.rotaries()[..] {
                 [first, second] => {
                     for a in turns(first) {
                         turns(second).for_each(|b| push([a, b]));
@@ -76,55 +60,49 @@ impl<M: Machine> Placer<M> {
                 [only] => turns(only).for_each(|a| push([a, 0])),
                 _ => push([0; 2]),
             }
-            if self.wide() {
+            if self.placer.wide() {
                 let ends = [Rotary::lower_end, Rotary::upper_end]
-                    .map(|end| [0, 1].map(|axis| self.rotaries.get(axis).map_or(0, |rotary| end(*rotary))));
+                    .map(|end| [0, 1].map(|axis| self.placer.rotaries().get(axis).map_or(0, |rotary| end(*rotary))));
                 for near in ends.iter().chain(near) {
                     let mut words = [0; 2];
-                    let inside = self.rotaries.iter().enumerate().all(|(axis, rotary)| {
-                        let word = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
-                        let nearest = rotary.nearest(word, near[axis], self.scale.turn);
+                    let inside = self.placer.rotaries().iter().enumerate().all(|(axis, rotary)| {
+                        let word = rotary.word(solution.axes.as_ref()[rotary.index], self.placer.scale());
+                        let nearest = rotary.nearest(word, near[axis], self.placer.scale().turn);
                         words[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
                     });
                     if inside && out[start..].iter().all(|known| known.words != words) {
-                        out.push(State { branch: solution.branch, words });
+                        out.push(RotaryState { branch: solution.branch, words });
                     }
                 }
             }
-            let far = |state: &State| state.words[0].abs() + state.words[1].abs();
+            let far = |state: &RotaryState| state.words[0].abs() + state.words[1].abs();
             out[start..].sort_by_key(|state| (far(state), [-state.words[0], -state.words[1]]));
         }
     }
 
-    /// An axis has more turns inside its limits than are looked at.
-    pub(crate) fn wide(&self) -> bool {
-        let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.scale.turn);
-        self.rotaries.iter().filter_map(turns).any(|turns| turns >= MOST_TURNS)
-    }
-
     /// The words of the second rotary at a pole.
-    pub(super) fn second_words(&self, pose: &Pose, out: &mut Vec<i64>) {
+    pub(crate) fn second_words(&self, pose: &Pose, out: &mut Vec<i64>) {
         out.clear();
-        let [_, second] = self.rotaries[..] else { return };
-        for solution in self.machine.inverse_kinematics(pose, &M::HELD).iter() {
-            let word = second.word(solution.axes.as_ref()[second.index], self.scale);
-            out.extend(second.turns(word, self.scale.turn, MOST_TURNS));
+        let [_, second] = self.placer.rotaries()[..] else { return };
+        for solution in self.placer.machine().inverse_kinematics(pose, &M::HELD).iter() {
+            let word = second.word(solution.axes.as_ref()[second.index], self.placer.scale());
+            out.extend(second.turns(word, self.placer.scale().turn, MOST_TURNS));
         }
         out.dedup();
     }
 
     /// Where a path between two poses touches the pole on its way: the part of the way and the pole.
-    pub(super) fn pole_between(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
+    pub(crate) fn pole_between(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b);
         let sine = normal.norm();
-        if self.poles.is_empty() || sine < 1e-12 {
+        if self.placer.poles().is_empty() || sine < 1e-12 {
             return None;
         }
-        self.poles.iter().find_map(|pole| {
+        self.placer.poles().iter().find_map(|pole| {
             let p = pole.into_inner();
-            let touches = p.dot(&normal).abs() <= self.pole_tolerance * sine
+            let touches = p.dot(&normal).abs() <= self.placer.pole_tolerance() * sine
                 && a.cross(&p).dot(&normal) > 0.0
                 && p.cross(&b).dot(&normal) > 0.0;
             touches.then(|| (angle_between(&a, &p) / angle_between(&a, &b), *pole))
@@ -132,10 +110,10 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The part of its way at which a path is nearest to a pole, if it passes it rather than staying on one side.
-    pub(super) fn passing(&self, from: &Pose, to: &Pose) -> Option<f64> {
+    pub(crate) fn passing(&self, from: &Pose, to: &Pose) -> Option<f64> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b).try_normalize(1e-12)?;
-        self.poles.iter().find_map(|pole| {
+        self.placer.poles().iter().find_map(|pole| {
             let p = pole.into_inner();
             let beside = |axis: &Vector3<f64>| axis - p * p.dot(axis);
             let (before, behind) = (beside(&a), beside(&b));
@@ -148,18 +126,23 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The words in which a path from (or to) an axis reaches the pole on the branch of a state.
-    pub(super) fn at_pole(&self, pole: &UnitVector3<f64>, axis: &UnitVector3<f64>, state: &State) -> Option<Turns> {
-        let [first, second] = self.rotaries[..] else { return None };
+    pub(crate) fn at_pole(
+        &self,
+        pole: &UnitVector3<f64>,
+        axis: &UnitVector3<f64>,
+        state: &RotaryState,
+    ) -> Option<Turns> {
+        let [first, second] = self.placer.rotaries()[..] else { return None };
         let p = pole.into_inner();
         let beside = (axis.into_inner() - p * p.dot(axis)).try_normalize(0.0)?;
         let solutions_at = |axis: Vector3<f64>| {
             let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
-            self.machine.inverse_kinematics(&pose, &self.axes_of(&state.words))
+            self.placer.machine().inverse_kinematics(&pose, &self.placer.axes_of(&state.words))
         };
         let near = solutions_at(p + beside * BESIDE_POLE);
         let near = near.iter().find(|solution| near.len() == 1 || solution.branch == state.branch)?;
         let word = |rotary: &Rotary, angle: f64, from: i64| {
-            rotary.nearest(rotary.word(angle, self.scale), from, self.scale.turn).ok()
+            rotary.nearest(rotary.word(angle, self.placer.scale()), from, self.placer.scale().turn).ok()
         };
         let free = word(&first, near.axes.as_ref()[first.index], state.words[0])?;
         let there = solutions_at(p);
@@ -172,25 +155,25 @@ impl<M: Machine> Placer<M> {
     }
 
     /// For each state the words in which a path to an axis leaves the pole.
-    pub(super) fn exits(
+    pub(crate) fn exits(
         &self,
         pole: &UnitVector3<f64>,
         axis: &UnitVector3<f64>,
-        states: &[State],
+        states: &[RotaryState],
     ) -> Vec<Option<Turns>> {
         states.iter().map(|state| self.at_pole(pole, axis, state)).collect()
     }
 
     /// Whether a cut from one state to another keeps the tool on its path: the axes run through from end to end.
-    pub(super) fn connected(&self, from: (&Pose, &State), to: (&Pose, &State), merged: bool) -> bool {
+    pub(crate) fn connected(&self, from: (&Pose, &RotaryState), to: (&Pose, &RotaryState), merged: bool) -> bool {
         let ((a, start), (b, end)) = (from, to);
-        if !self.metric.short(&start.words, &end.words) || (start.branch != end.branch && !merged) {
+        if !self.placer.metric().short(&start.words, &end.words) || (start.branch != end.branch && !merged) {
             return false;
         }
-        if start.branch == end.branch && self.metric.plain(&start.words, &end.words) {
+        if start.branch == end.branch && self.placer.metric().plain(&start.words, &end.words) {
             return true;
         }
-        let change = [0, 1].map(|axis| self.metric.change(axis, start.words[axis], end.words[axis]));
+        let change = [0, 1].map(|axis| self.placer.metric().change(axis, start.words[axis], end.words[axis]));
         let end = [start.words[0] + change[0], start.words[1] + change[1]];
         self.runs_through((a, start.words), (b, end), MOST_HALVINGS)
     }
@@ -198,7 +181,7 @@ impl<M: Machine> Placer<M> {
     /// Whether halving a block again and again leads to small turns.
     fn runs_through(&self, from: (&Pose, Turns), to: (&Pose, Turns), halvings: u32) -> bool {
         let turn = (0..2).map(|axis| (to.1[axis] - from.1[axis]).abs()).max().unwrap_or(0);
-        if 36 * turn < self.scale.turn {
+        if 36 * turn < self.placer.scale().turn {
             return true;
         }
         let Some(middle) = Way::new(from.0, to.0).map(|way| way.at(0.5)) else { return false };
@@ -214,15 +197,15 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The solution of a pose nearest to some words, on any branch, without limits.
-    pub(super) fn nearest_turns(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
-        let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(expected));
+    pub(crate) fn nearest_turns(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
+        let solutions = self.placer.machine().inverse_kinematics(pose, &self.placer.axes_of(expected));
         let off = |words: &Turns| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
         solutions.iter().filter_map(|solution| self.turned_to(solution, expected)).min_by_key(off)
     }
 
     /// The words to which a state runs on in a cut, whatever the limits say.
-    pub(super) fn continued(&self, pose: &Pose, state: &State) -> Option<Turns> {
-        let solutions = self.machine.inverse_kinematics(pose, &self.axes_of(&state.words));
+    pub(crate) fn continued(&self, pose: &Pose, state: &RotaryState) -> Option<Turns> {
+        let solutions = self.placer.machine().inverse_kinematics(pose, &self.placer.axes_of(&state.words));
         let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
         self.turned_to(solution, &state.words)
     }
@@ -230,20 +213,20 @@ impl<M: Machine> Placer<M> {
     /// The words of a solution in the turn nearest to some words, without limits.
     fn turned_to(&self, solution: &Solution<M::Axes>, near: &Turns) -> Option<Turns> {
         let mut words = *near;
-        for (word, rotary) in words.iter_mut().zip(&self.rotaries) {
-            let wanted = rotary.word(solution.axes.as_ref()[rotary.index], self.scale);
-            *word = rotary.without_limits().nearest(wanted, *word, self.scale.turn).ok()?;
+        for (word, rotary) in words.iter_mut().zip(self.placer.rotaries()) {
+            let wanted = rotary.word(solution.axes.as_ref()[rotary.index], self.placer.scale());
+            *word = rotary.without_limits().nearest(wanted, *word, self.placer.scale().turn).ok()?;
         }
         Some(words)
     }
 
     /// Whether words lie inside the limits of their axes.
-    pub(super) fn inside(&self, words: &Turns) -> bool {
-        self.rotaries.iter().zip(words).all(|(rotary, &word)| rotary.holds(word))
+    pub(crate) fn inside(&self, words: &Turns) -> bool {
+        self.placer.rotaries().iter().zip(words).all(|(rotary, &word)| rotary.holds(word))
     }
 
     /// Both branches of a pose are one.
-    pub(super) fn merged(&self, states: &[State]) -> bool {
-        self.rotaries.len() == 2 && states.iter().all(|state| state.branch == Branch::First)
+    pub(crate) fn merged(&self, states: &[RotaryState]) -> bool {
+        self.placer.rotaries().len() == 2 && states.iter().all(|state| state.branch == Branch::First)
     }
 }

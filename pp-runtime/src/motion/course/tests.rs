@@ -3,10 +3,11 @@
 use nalgebra::{Point3, UnitVector3, Vector3};
 use proptest::prelude::*;
 
-use super::super::machines::{Cb, Head};
 use super::*;
 use crate::config::Config;
 use crate::kinematics::Limits;
+use crate::motion::machines::{Cb, Head};
+use crate::motion::tests::hand_on;
 use crate::program::{Feed, Move, ToolCall};
 
 fn limits(lower: f64, upper: f64) -> Option<Limits> {
@@ -35,14 +36,17 @@ fn changes(mut course: Course) -> Vec<Change> {
     .collect()
 }
 
-fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
+fn course_of<M: Machine>(config: &Config, events: &[Event<'_>]) -> Course {
     let mut navigator = Navigator::new(config.set_up.machine::<M>().expect("valid"), config.policy());
-    navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
-    for point in points {
-        let feed = Some(Feed::PerMinute(100.0));
-        navigator.event(&Event::Move(Move { pose: point.pose, rapid: point.rapid, feed }));
-    }
+    hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     navigator.finish()
+}
+
+fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
+    let mut events = vec![Event::Tool(ToolCall { number: 1, ..ToolCall::default() })];
+    let feed = Some(Feed::PerMinute(100.0));
+    events.extend(points.iter().map(|point| Event::Move(Move { pose: point.pose, rapid: point.rapid, feed })));
+    course_of::<M>(config, &events)
 }
 
 #[test]
@@ -50,14 +54,13 @@ fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
     let mut config = Config::default();
     config.set_up.limits.insert('C', limits(-190.0, 190.0));
     config.motion.park.insert('C', 0.0);
-    let mut navigator = Navigator::new(config.set_up.machine::<Cb>().expect("valid"), config.policy());
-    navigator.event(&Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
+    let mut events = vec![Event::Tool(ToolCall { number: 1, ..ToolCall::default() })];
     for event in [Some(170.0), None, Some(-172.0)] {
         let pose = |turn| Pose { tip: Point3::origin(), axis: axis(turn, 30.0) };
         let cut = |turn| Move { pose: pose(turn), rapid: false, feed: Some(Feed::PerMinute(100.0)) };
-        navigator.event(&event.map_or(Event::Home, |turn| Event::Move(cut(turn))));
+        events.push(event.map_or(Event::Home, |turn| Event::Move(cut(turn))));
     }
-    let course = navigator.finish();
+    let course = course_of::<Cb>(&config, &events);
     // C to 170, home, to -172 and not to 188; B to 30 once.
     let degrees = course.cost.travel as f64 / 10_f64.powi(config.formats.rotary as i32);
     assert!((degrees - (170.0 + 170.0 + 172.0 + 30.0)).abs() < 0.01, "{degrees}");
@@ -67,9 +70,9 @@ fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
 /// Everything that can be done, one choice after the other: which state each motion ends in, and to which state of the
 /// same pose the axes are rewound before it. Paths keep away from the pole.
 struct Everything<'t, M: Machine> {
-    placer: &'t Placer<M>,
+    finder: &'t StateFinder<M>,
     points: &'t [Point],
-    layers: Vec<Vec<State>>,
+    layers: Vec<Vec<RotaryState>>,
     least: Option<Cost>,
 }
 
@@ -83,7 +86,7 @@ impl<M: Machine> Everything<'_, M> {
         }
     }
 
-    fn go(&mut self, index: usize, from: State, cost: Cost) {
+    fn go(&mut self, index: usize, from: RotaryState, cost: Cost) {
         if self.least.is_some_and(|least| least < cost) {
             return;
         }
@@ -93,7 +96,7 @@ impl<M: Machine> Everything<'_, M> {
             }
             return;
         };
-        let turning = |a: &State, b: &State| self.placer.metric.cost(&a.words, &b.words);
+        let turning = |a: &RotaryState, b: &RotaryState| self.finder.placer().metric().cost(&a.words, &b.words);
         let mut next = Vec::new();
         for to in &self.layers[index] {
             if index == 0 || point.rapid {
@@ -104,7 +107,7 @@ impl<M: Machine> Everything<'_, M> {
             for start in &self.layers[index - 1] {
                 let rewound = Cost { rewinds: u32::from(*start != from), ..Cost::default() };
                 let cost = Self::sum(Self::sum(cost, rewound), turning(&from, start));
-                if self.placer.connected((before, start), (&point.pose, to), false) {
+                if self.finder.connected((before, start), (&point.pose, to), false) {
                     next.push((*to, Self::sum(cost, turning(start, to))));
                 }
             }
@@ -118,16 +121,17 @@ impl<M: Machine> Everything<'_, M> {
 
 fn everything<M: Machine>(config: &Config, points: &[Point]) -> Option<Cost> {
     let placer = Placer::<M>::new(config.set_up.machine::<M>().expect("valid"), config.policy(), Units::Millimetres);
+    let finder = StateFinder::new(placer);
     let layers = points
         .iter()
         .map(|point| {
             let mut states = Vec::new();
-            placer.states(&point.pose, &[], &mut states);
+            finder.states(&point.pose, &[], &mut states);
             states
         })
         .collect();
-    let mut all = Everything { placer: &placer, points, layers, least: None };
-    all.go(0, State { branch: Branch::First, words: [0; 2] }, Cost::default());
+    let mut all = Everything { finder: &finder, points, layers, least: None };
+    all.go(0, RotaryState { branch: Branch::First, words: [0; 2] }, Cost::default());
     all.least
 }
 

@@ -7,12 +7,13 @@ use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 use crate::kinematics::Machine;
 use crate::nc::whole_units;
 
-use super::super::fault::Fault;
-use super::super::frame::{Map, no_plane, orientation};
-use super::super::step::MAX_AXES;
-use super::super::tilt::{PlaneAbility, PoseRule, Tilt};
-use super::super::way::turn_between;
+use super::frame::{WordMap, no_plane, orientation};
+use super::refusal;
+use super::tilted_plane::{PlaneAbility, PoseRule, Tilt};
 use super::{Place, Placer, too_large};
+use crate::motion::fault::Fault;
+use crate::motion::geometry::turn_between;
+use crate::motion::step::MAX_AXES;
 
 /// How far a map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
 const ORTHOGONAL: f64 = 1e-9;
@@ -26,23 +27,23 @@ const MOST_SEEN: f64 = 1000.0;
 impl<M: Machine> Placer<M> {
     /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
     /// where the program has no such words.
-    pub(in super::super) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
+    pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
         if let Some(map) = self.frame.map(&self.machine, &at.axes) {
             return Some(map.words(tip));
         }
         let axes = self.machine.linear_axes(tip, &at.axes)?;
-        let word = |index: usize| axes.as_ref()[index] + self.origin.linear(index);
-        Some(Vector3::from(self.xyz?.map(word)))
+        let word = |index: usize| axes.as_ref()[index] + self.datum.linear(index);
+        Some(Vector3::from(self.linear.xyz?.map(word)))
     }
 
     /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
     /// place: the rows belong to the words, the columns to the directions of the workpiece.
-    pub(in super::super) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
-        Some((self.xyz?, differences(|tip| self.program_point(tip, at))?))
+    pub(crate) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        Some((self.linear.xyz?, differences(|tip| self.program_point(tip, at))?))
     }
 
     /// The same where the words are square to each other and as long as the ways of the tip.
-    pub(in super::super) fn square_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn square_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
         self.program_map(at).filter(|(_, map)| {
             let off = map.transpose() * map - Matrix3::identity();
             off.iter().all(|part| part.abs() <= ORTHOGONAL)
@@ -50,8 +51,8 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.
-    pub(in super::super) fn axis_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
-        let mut linear = (0..M::AXES.len().min(MAX_AXES)).filter(|index| self.linear_mask & (1 << index) != 0);
+    pub(crate) fn axis_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+        let mut linear = (0..M::AXES.len().min(MAX_AXES)).filter(|index| self.linear.mask & (1 << index) != 0);
         let solved = [linear.next()?, linear.next()?, linear.next()?];
         let values = |tip: &Point3<f64>| {
             let axes = self.machine.linear_axes(tip, &at.axes)?;
@@ -61,24 +62,27 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The words of a tip that the control counts in a frame of its own.
-    pub(super) fn set_tip(&self, mut place: Place<M::Axes>, map: &Map) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn set_tip(&self, mut place: Place<M::Axes>, map: &WordMap) -> Result<Place<M::Axes>, Fault> {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
-            let units = whole_units(*value, self.per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
+            let units = whole_units(*value, self.linear.per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
             let units = units.ok_or_else(|| too_large(M::AXES[index].letter))?;
             place.words[index] = units;
-            *value = units as f64 / self.per_mm;
+            *value = units as f64 / self.linear.per_mm;
         }
         let reached = map.tip(&written);
         let axes = self.machine.linear_axes(&reached, &place.axes);
-        place.axes = axes.ok_or_else(|| self.unreachable(&place.pose, &place.axes))?;
+        place.axes = axes.ok_or_else(|| refusal::unreachable(self, &place.pose, &place.axes))?;
         place.rounding = (reached - place.pose.tip).norm();
         Ok(place)
     }
 
-    /// The place in the frame that counts once its rotaries have been turned to.
-    pub(crate) fn started(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    /// The place in the frame of tip control, which may be that of the table once its rotaries have been turned.
+    pub(crate) fn in_tip_frame(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+        if !self.frame.is_set_anew() {
+            return Ok(place);
+        }
         self.frame.start(&self.machine, &place.axes);
         self.finish(place)
     }
@@ -99,14 +103,15 @@ impl<M: Machine> Placer<M> {
 
     /// Which of the poses of a plane this is, in the words of a rule: see [`PoseRule::choose`].
     pub(crate) fn pose_of_plane(&self, place: &Place<M::Axes>, rule: PoseRule) -> Option<bool> {
-        let rotary = self.rotaries.last()?;
+        let rotary = self.rotary.axes.last()?;
         let within_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
         let value = |axes: &M::Axes| within_a_turn(axes.as_ref()[rotary.index]);
         let here = value(&place.axes);
         let solutions = self.machine.inverse_kinematics(&place.pose, &place.axes);
         let others = solutions.iter().map(|solution| value(&solution.axes));
         // This pose is among them, rounded.
-        let others: Vec<f64> = others.filter(|other| within_a_turn(other - here).abs() > self.scale.angle(1)).collect();
+        let others: Vec<f64> =
+            others.filter(|other| within_a_turn(other - here).abs() > self.rotary.scale.angle(1)).collect();
         rule.choose(here, &others)
     }
 
@@ -125,7 +130,8 @@ impl<M: Machine> Placer<M> {
                 *value += (end - *value) * part;
             }
             let tip = from.pose.tip + (to.pose.tip - from.pose.tip) * part;
-            let axes = self.machine.linear_axes(&tip, &axes).ok_or_else(|| self.unreachable(&to.pose, &to.axes))?;
+            let axes =
+                self.machine.linear_axes(&tip, &axes).ok_or_else(|| refusal::unreachable(self, &to.pose, &to.axes))?;
             self.travel.check(axes.as_ref())?;
             step += 1.0;
         }

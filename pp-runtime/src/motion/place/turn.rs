@@ -5,13 +5,13 @@ use nalgebra::UnitVector3;
 use crate::kinematics::{Machine, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::program::{Rotation, Turning};
 
-use super::super::choose::{Rotary, choose};
-use super::super::course::{Target, Towards};
-use super::super::fault::Fault;
-use super::super::linearise::Tolerance;
-use super::super::step::MAX_AXES;
-use super::super::way::angle_between;
+use super::linearise::Tolerance;
+use super::refusal;
 use super::{Place, Placer};
+use crate::motion::fault::Fault;
+use crate::motion::geometry::angle_between;
+use crate::motion::rotary::{MOST_TURNS, Rotary, Towards, TurnTarget, Turns, choose};
+use crate::motion::step::MAX_AXES;
 
 /// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
 const SWING: f64 = 1_f64.to_radians();
@@ -22,28 +22,28 @@ impl<M: Machine> Placer<M> {
     pub(crate) fn towards(&self, turning: Turning) -> Option<Towards> {
         let Turning::Next(rotation) = turning else { return None };
         let table = |rotary: &Rotary| M::AXES[rotary.index].side == Side::Workpiece;
-        let axis = self.rotaries.iter().position(table)?;
-        let forwards = self.machine.joint(self.rotaries[axis].index).sign > 0.0;
+        let axis = self.rotary.axes.iter().position(table)?;
+        let forwards = self.machine.joint(self.rotary.axes[axis].index).sign > 0.0;
         Some(Towards { axis, positive: (rotation == Rotation::Clockwise) == forwards })
     }
 
     /// Indexed axes stand on one of their steps, and do not turn in a cut.
     #[cold]
-    pub(super) fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
-        for &(rotary, step) in &self.grid {
+    pub(crate) fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
+        for &(rotary, step) in &self.rotary.grid {
             let index = rotary.index;
             let word = place.words[index];
             let snapped = (2 * word + step).div_euclid(2 * step) * step;
-            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
+            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.rotary.scale));
             place.words[index] = snapped;
-            place.axes.as_mut()[index] = rotary.angle(snapped, self.scale);
+            place.axes.as_mut()[index] = rotary.angle(snapped, self.rotary.scale);
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             let deviation = angle_between(&reached, &place.pose.axis);
-            if deviation > self.pole_tolerance + 2.0 * self.scale.angle(1) || !rotary.holds(snapped) {
+            if deviation > self.poles.tolerance + 2.0 * self.rotary.scale.angle(1) || !rotary.holds(snapped) {
                 return Err(Fault::new(format_args!(
                     "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
                     degrees(word),
-                    self.scale.degrees(step)
+                    self.rotary.scale.degrees(step)
                 ))
                 .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
             }
@@ -62,13 +62,13 @@ impl<M: Machine> Placer<M> {
 
     /// On the way of a cut an indexed axis stays where it is, and the tool axis leaves its even turn by what that takes.
     #[inline]
-    pub(in super::super) fn hold_indexed(
+    pub(crate) fn hold_indexed(
         &self,
         place: &mut Place<M::Axes>,
         from: &Place<M::Axes>,
         allowed: Tolerance,
     ) -> Result<(), Fault> {
-        for &(rotary, step) in &self.grid {
+        for &(rotary, step) in &self.rotary.grid {
             let index = rotary.index;
             let (wanted, held) = (place.words[index], from.words[index]);
             place.words[index] = held;
@@ -77,12 +77,12 @@ impl<M: Machine> Placer<M> {
             place.deviation = place.deviation.max(angle_between(&reached, &place.pose.axis));
             // What an end is off counts twice: see `certify`.
             if 2.0 * place.deviation >= allowed.axis {
-                let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.scale));
+                let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.rotary.scale));
                 return Err(Fault::new(format_args!(
                     "{letter} would have to turn from {}° to {}° in the cut, and it is indexed in steps of {}°",
                     degrees(held),
                     degrees(wanted),
-                    self.scale.degrees(step)
+                    self.rotary.scale.degrees(step)
                 ))
                 .help("program this operation with a fixed tool axis, or with points closer together"));
             }
@@ -94,9 +94,9 @@ impl<M: Machine> Placer<M> {
     #[inline]
     pub(crate) fn pole(&self, axis: &UnitVector3<f64>) -> Option<UnitVector3<f64>> {
         let near = |pole: &&UnitVector3<f64>| {
-            (pole.into_inner() - axis.into_inner()).norm_squared() <= self.pole_tolerance * self.pole_tolerance
+            (pole.into_inner() - axis.into_inner()).norm_squared() <= self.poles.tolerance * self.poles.tolerance
         };
-        self.poles.iter().find(near).copied()
+        self.poles.axes.iter().find(near).copied()
     }
 
     /// The rotaries of a pose, chosen from where they stand: a feed motion stays on its branch, a rapid turns least. A
@@ -108,32 +108,34 @@ impl<M: Machine> Placer<M> {
         }
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
         if solutions.is_empty() {
-            return Err(self.unreachable(pose, &from.axes));
+            return Err(refusal::unreachable(self, pose, &from.axes));
         }
         let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.pole);
         let branch = same.map_or(&*solutions, |same| &solutions[same..=same]);
-        let choice = choose(branch, &self.rotaries, &from.words, self.scale).map_err(|outside| {
-            choose(&solutions, &self.rotaries, &from.words, self.scale)
-                .map_or_else(|outside| self.outside_limits(&outside), |_| self.outside_limits(&outside))
+        let choice = choose(branch, &self.rotary.axes, &from.words, self.rotary.scale).map_err(|outside| {
+            choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).map_or_else(
+                |outside| refusal::outside_limits(self, &outside),
+                |_| refusal::outside_limits(self, &outside),
+            )
         })?;
         let solution = &branch[choice.solution];
         let mut place = self.at(pose, from, &choice.words);
-        place.axes = merged(solution.axes, &place.axes, self.rotary_mask);
+        place.axes = merged(solution.axes, &place.axes, self.rotary.mask);
         place.deviation = solution.deviation;
         place.branch = solution.branch;
-        if feed && self.limited && self.rotary_travel(&from.words, &place.words) > SWING {
-            let nearest = choose(branch, &self.endless, &from.words, self.scale);
+        if feed && self.rotary.limited && self.rotary_travel(&from.words, &place.words) > SWING {
+            let nearest = choose(branch, &self.rotary.endless, &from.words, self.rotary.scale);
             if let Ok(nearest) = nearest
                 && nearest.words != choice.words
             {
-                return Err(self.jump(&from.words, &choice.words, &nearest.words));
+                return Err(refusal::jump(self, &from.words, &choice.words, &nearest.words));
             }
         }
         Ok(place)
     }
 
     /// At the pole the first rotary keeps its value: what CL data says of it there is rounding.
-    pub(super) fn turn_to_pole(
+    pub(crate) fn turn_to_pole(
         &self,
         pose: &Pose,
         pole: UnitVector3<f64>,
@@ -142,11 +144,11 @@ impl<M: Machine> Placer<M> {
         let there = Pose { axis: pole, ..*pose };
         let solutions = self.machine.inverse_kinematics(&there, &from.axes);
         if solutions.is_empty() {
-            return Err(self.unreachable(&there, &from.axes));
+            return Err(refusal::unreachable(self, &there, &from.axes));
         }
         // The rotary that is free stands in the solutions as it stood before.
-        let choice = choose(&solutions, &self.rotaries, &from.words, self.scale)
-            .map_err(|outside| self.outside_limits(&outside))?;
+        let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale)
+            .map_err(|outside| refusal::outside_limits(self, &outside))?;
         let mut place = self.at(&there, from, &choice.words);
         place.branch = from.branch;
         place.pole = true;
@@ -156,7 +158,7 @@ impl<M: Machine> Placer<M> {
 
     /// A pose with these rotary words; the linear axes are not computed.
     #[inline]
-    pub(in super::super) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
+    pub(crate) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
         let mut place = Place {
             pose: *pose,
             branch: from.branch,
@@ -166,38 +168,43 @@ impl<M: Machine> Placer<M> {
             pole: false,
             rounding: 0.0,
         };
-        for rotary in &self.rotaries {
-            place.axes.as_mut()[rotary.index] = rotary.angle(words[rotary.index], self.scale);
+        for rotary in &self.rotary.axes {
+            place.axes.as_mut()[rotary.index] = rotary.angle(words[rotary.index], self.rotary.scale);
         }
         place
     }
 
     /// A pose with the rotary words of the course.
-    pub(super) fn planned(&self, pose: &Pose, from: &Place<M::Axes>, target: &Target) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn planned(
+        &self,
+        pose: &Pose,
+        from: &Place<M::Axes>,
+        target: &TurnTarget,
+    ) -> Result<Place<M::Axes>, Fault> {
         let pole = self.pole(&pose.axis);
         let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         let mut words = self.all_words(&target.words);
-        for (axis, rotary) in self.rotaries.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
+        for (axis, rotary) in self.rotary.axes.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
             let (word, before) = (&mut words[rotary.index], from.words[rotary.index]);
-            *word = rotary.nearest(*word, before, self.scale.turn).unwrap_or(*word);
+            *word = rotary.nearest(*word, before, self.rotary.scale.turn).unwrap_or(*word);
             if let Some(Towards { positive, .. }) = target.towards.filter(|towards| towards.axis == axis) {
                 match *word - before {
-                    change if change > 0 && !positive => *word -= self.scale.turn,
-                    change if change < 0 && positive => *word += self.scale.turn,
+                    change if change > 0 && !positive => *word -= self.rotary.scale.turn,
+                    change if change < 0 && positive => *word += self.rotary.scale.turn,
                     _ => {}
                 }
             }
         }
         let mut place = self.at(&there, from, &words);
         let reached = self.machine.forward_kinematics(&place.axes).axis;
-        if angle_between(&reached, &there.axis) > 2.0 * self.scale.angle(1) + REACH_TOLERANCE {
+        if angle_between(&reached, &there.axis) > 2.0 * self.rotary.scale.angle(1) + REACH_TOLERANCE {
             return Err(Fault::new("the course of the rotary axes does not hold this pose")
                 .help("this is a fault of the postprocessor, not of the CL data"));
         }
         let solutions = self.machine.inverse_kinematics(&there, &place.axes);
         let off = |solution: &Solution<M::Axes>| -> f64 {
             let turned = |rotary: &Rotary| solution.axes.as_ref()[rotary.index] - place.axes.as_ref()[rotary.index];
-            self.rotaries.iter().map(|rotary| 1.0 - turned(rotary).cos()).sum()
+            self.rotary.axes.iter().map(|rotary| 1.0 - turned(rotary).cos()).sum()
         };
         let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
         place.branch = nearest.map_or(from.branch, |solution| solution.branch);
@@ -207,6 +214,44 @@ impl<M: Machine> Placer<M> {
             None => nearest.map_or(0.0, |solution| solution.deviation),
         };
         Ok(place)
+    }
+
+    /// Words of all axes from those of the solved rotaries.
+    pub(crate) fn all_words(&self, words: &Turns) -> [i64; MAX_AXES] {
+        let mut all = [0; MAX_AXES];
+        for (rotary, word) in self.rotary.axes.iter().zip(words) {
+            all[rotary.index] = *word;
+        }
+        all
+    }
+
+    /// Words of the solved rotaries.
+    pub(crate) fn turns_of(&self, words: &[i64; MAX_AXES]) -> Turns {
+        let mut turns = [0; 2];
+        for (turn, rotary) in turns.iter_mut().zip(&self.rotary.axes) {
+            *turn = words[rotary.index];
+        }
+        turns
+    }
+
+    /// Where nothing but the rotaries is known.
+    pub(crate) fn standing(&self, words: &Turns) -> Place<M::Axes> {
+        Place { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
+    }
+
+    /// Axis values of rotary words, with held axes at their values.
+    pub(crate) fn axes_of(&self, words: &Turns) -> M::Axes {
+        let mut axes = M::HELD;
+        for (rotary, word) in self.rotary.axes.iter().zip(words) {
+            axes.as_mut()[rotary.index] = rotary.angle(*word, self.rotary.scale);
+        }
+        axes
+    }
+
+    /// An axis has more turns inside its limits than are looked at.
+    pub(crate) fn wide(&self) -> bool {
+        let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.rotary.scale.turn);
+        self.rotary.axes.iter().filter_map(turns).any(|turns| turns >= MOST_TURNS)
     }
 }
 

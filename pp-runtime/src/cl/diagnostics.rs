@@ -1,0 +1,105 @@
+//! Faults as diagnostics, in a bounded list.
+//!
+//! A file with a million equal faults must not fill the memory or the screen, so each kind is shown a few times and
+//! counted from then on.
+
+use std::io::Read;
+
+use super::record::nearest_word;
+use super::text::{ClFault, Help, Lexer, Statement};
+use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
+use crate::program::Location;
+
+/// Diagnostics in the order found, and the number of faults of each kind.
+#[derive(Debug, Default)]
+pub(crate) struct Faults {
+    diagnostics: Vec<Diagnostic>,
+    counts: Vec<FaultCount>,
+    failed: bool,
+}
+
+#[derive(Debug)]
+struct FaultCount {
+    kind: &'static str,
+    severity: Severity,
+    found: u64,
+    first_hidden: Location,
+}
+
+impl Faults {
+    pub(crate) fn diagnostics(&self) -> &[Diagnostic] {
+        &self.diagnostics
+    }
+
+    pub(crate) fn failed(&self) -> bool {
+        self.failed
+    }
+
+    /// Takes the fault of a statement.
+    #[cold]
+    pub(crate) fn add<R: Read>(&mut self, fault: ClFault, statement: &Statement, lexer: &Lexer<R>) {
+        let (location, left_on_line) = lexer.locate(statement, fault.at.start);
+        self.add_at(fault, location, left_on_line);
+    }
+
+    /// Takes the fault of a statement with `left_on_line` bytes from there on its line.
+    pub(crate) fn add_at(&mut self, fault: ClFault, location: Location, left_on_line: usize) {
+        let length = fault.at.end.saturating_sub(fault.at.start).min(left_on_line).max(1);
+        if !self.is_shown(fault.kind, fault.severity, location) {
+            return;
+        }
+        let help = match fault.help {
+            Help::Text(text) => text,
+            Help::NearestTo(word) => match nearest_word(&word) {
+                Some(known) => format!("did you mean {known}?"),
+                None if word.is_empty() => "check whether this is CL data".into(),
+                None => format!("if it is known to move nothing, delete it or give `--inert {word}`"),
+            },
+        };
+        self.diagnostics.push(Diagnostic {
+            severity: fault.severity,
+            location,
+            length: u32::try_from(length).unwrap_or(u32::MAX),
+            text: fault.text,
+            help: Some(help),
+            count: 1,
+        });
+    }
+
+    /// Takes a diagnostic of the file as a whole.
+    pub(crate) fn add_about_file(&mut self, severity: Severity, location: Location, text: String, help: &str) {
+        self.failed |= severity == Severity::Error;
+        self.diagnostics.push(Diagnostic { severity, location, length: 1, text, help: Some(help.into()), count: 1 });
+    }
+
+    /// Adds the number of diagnostics that were not shown, at the end.
+    pub(crate) fn conclude(&mut self) {
+        for count in &self.counts {
+            if let Some(hidden) = count.found.checked_sub(LISTED_OF_A_KIND).filter(|hidden| *hidden > 0) {
+                self.diagnostics.push(Diagnostic {
+                    severity: count.severity,
+                    location: count.first_hidden,
+                    length: 1,
+                    text: format!("{hidden} more of this kind from here on: {}", count.kind),
+                    help: None,
+                    count: hidden,
+                });
+            }
+        }
+    }
+
+    fn is_shown(&mut self, kind: &'static str, severity: Severity, location: Location) -> bool {
+        self.failed |= severity == Severity::Error;
+        let index = self.counts.iter().position(|count| count.kind == kind && count.severity == severity);
+        let index = index.unwrap_or_else(|| {
+            self.counts.push(FaultCount { kind, severity, found: 0, first_hidden: location });
+            self.counts.len() - 1
+        });
+        let count = &mut self.counts[index];
+        count.found += 1;
+        if count.found == LISTED_OF_A_KIND + 1 {
+            count.first_hidden = location;
+        }
+        count.found <= LISTED_OF_A_KIND
+    }
+}

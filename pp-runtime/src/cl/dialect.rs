@@ -1,0 +1,43 @@
+//! The CAM systems whose habits are known.
+
+/// The CAM system that wrote a file, by the evidence in it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Dialect {
+    /// No evidence yet.
+    #[default]
+    Generic,
+    /// Siemens NX: `TOOL PATH/`.
+    Nx,
+    /// CATIA: `$$*CATIA0`.
+    Catia,
+    /// PTC Creo: `$$->`.
+    Creo,
+    /// SolidWorks CAM: `UNIT/`, `CSYS/`, `TRNTYP/`, `CSI_`.
+    SolidWorks,
+    /// ISO 4343; there is no evidence of it, it must be given.
+    Iso,
+}
+
+impl Dialect {
+    /// Names as on the command line.
+    pub const NAMES: [(&'static str, Dialect); 5] = [
+        ("nx", Dialect::Nx),
+        ("catia", Dialect::Catia),
+        ("creo", Dialect::Creo),
+        ("solidworks", Dialect::SolidWorks),
+        ("iso", Dialect::Iso),
+    ];
+
+    /// Name in messages.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Dialect::Generic => "no CAM system that is known here",
+            Dialect::Nx => "NX",
+            Dialect::Catia => "CATIA",
+            Dialect::Creo => "Creo",
+            Dialect::SolidWorks => "SolidWorks CAM",
+            Dialect::Iso => "ISO 4343",
+        }
+    }
+}

@@ -1,0 +1,309 @@
+//! Circles that are open, and the arc from one point to the next.
+//!
+//! A CIRCLE waits for the GOTO that ends its arc; AUTOPS and INDIRV wait for the TLON whose arc they begin. CAM systems
+//! disagree on the sign of a CIRCLE's axis, and the count of its numbers tells which habit a file has.
+
+use std::f64::consts::TAU;
+
+use super::change::Changes;
+use super::options::Sense;
+use super::permitted::Permitted;
+use crate::cl::record::{CircleForm, CircleRecord, TangentArc};
+use crate::cl::text::{ClFault, Span};
+use crate::cl::vector::near;
+use crate::kinematics::Pose;
+use crate::nalgebra::{Point3, UnitVector3, Vector3};
+use crate::program::{Arc, Feed};
+
+/// Sine of the largest angle between INDIRV and the tangent of its circle.
+const TANGENT: f64 = 1e-2;
+
+/// Largest deviation of an end from the radius or the plane of its circle, mm; real files stay below a tenth of it.
+pub(crate) const ARC_TOLERANCE_MM: f64 = 0.005;
+
+/// Points closer than this are one point, mm.
+const SAME_POINT_MM: f64 = 1e-6;
+
+/// A chord this short may be rounding, mm: an arc over it may be nothing or a whole turn.
+const SHORTEST_CHORD_MM: f64 = 5e-4;
+
+/// A circle in the workpiece frame that waits for its end.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct WaitingCircle {
+    centre: Point3<f64>,
+    /// As in the file: the sense counts about it.
+    axis: UnitVector3<f64>,
+    sense: Sense,
+    radius: Option<f64>,
+    times: u32,
+    /// Angle that the arc must have, rad.
+    angle: Option<f64>,
+    line: u64,
+}
+
+impl WaitingCircle {
+    /// The circle of a CIRCLE or MOVARC in line `line`; `unit`: mm in one unit of the file; `sense`: if it is given,
+    /// whatever the form.
+    pub(crate) fn new(
+        circle: &CircleRecord,
+        unit: f64,
+        changes: &Changes,
+        sense: Option<Sense>,
+        line: u64,
+    ) -> Result<WaitingCircle, ClFault> {
+        let axis = Vector3::from(circle.axis);
+        let length = axis.norm();
+        if (length - 1.0).abs() > 1e-3 {
+            return Err(ClFault::new(
+                "circle",
+                circle.at,
+                format!("the axis of this circle has length {length:.6}, not 1"),
+                "i, j, k are a vector of length 1",
+            ));
+        }
+        let of_form = match circle.form {
+            CircleForm::Six | CircleForm::Seven => Sense::CounterClockwise,
+            CircleForm::Eleven => Sense::Clockwise,
+        };
+        let centre = changes.point(Point3::from(circle.centre.map(|value| value * unit)));
+        Ok(WaitingCircle {
+            centre: near(centre, circle.at)?,
+            axis: changes.direction(UnitVector3::new_normalize(axis)),
+            sense: sense.unwrap_or(of_form),
+            radius: circle.radius.map(|radius| radius * unit),
+            times: circle.times,
+            angle: circle.angle.map(f64::to_radians),
+            line,
+        })
+    }
+
+    pub(crate) fn axis(&self) -> &UnitVector3<f64> {
+        &self.axis
+    }
+
+    /// Line of its record.
+    pub(crate) fn line(&self) -> u64 {
+        self.line
+    }
+}
+
+/// Circle and end of a TLON, which begins at `start` in `direction`. Its plane is that of the radius to the start and of
+/// the direction.
+pub(crate) fn tangent_circle(
+    record: &TangentArc,
+    start: &Pose,
+    direction: Vector3<f64>,
+    (unit, changes): (f64, &Changes),
+    line: u64,
+) -> Result<(WaitingCircle, Point3<f64>), ClFault> {
+    let at = record.at;
+    let fault = |text: String| tlon_fault(at, text);
+    let point = |p: [f64; 3]| near(changes.point(Point3::from(p.map(|value| value * unit))), at);
+    let (centre, radius) = (point(record.centre)?, record.radius * unit);
+    let (from, end) = (point(record.line[0])?, point(record.line[1])?);
+    let off = ((end - centre).norm() - radius).abs();
+    if off > ARC_TOLERANCE_MM {
+        return Err(fault(format!("the end of the line is {off:.4} mm off the circle, so the end is not known")));
+    }
+    if record.second && (end - from).dot(&(centre - from)) > 0.0 && (end - centre).dot(&(end - from)) < 0.0 {
+        return Err(fault("the end of the line is the first intersection with the circle, not the second".into()));
+    }
+    let arm = start.tip - centre;
+    let across = direction.dot(&arm).abs() / radius.max(f64::MIN_POSITIVE);
+    if across > TANGENT {
+        return Err(fault("INDIRV is not tangential to the circle where the arc begins".into()));
+    }
+    let Some(axis) = UnitVector3::try_new(arm.cross(&direction), 1e-9) else {
+        return Err(fault("the plane of this arc is not known".into()));
+    };
+    let sense = Sense::CounterClockwise;
+    Ok((WaitingCircle { centre, axis, sense, radius: Some(radius), times: 1, angle: None, line }, end))
+}
+
+/// A TLON that is not understood.
+pub(crate) fn tlon_fault(at: Span, text: String) -> ClFault {
+    ClFault::new("TLON", at, text, "have the CAM system write lines instead of arcs, or check this one")
+}
+
+/// The arc that is open.
+#[derive(Debug, Default)]
+pub(crate) struct OpenArc {
+    circle: Option<WaitingCircle>,
+    /// INDIRV.
+    direction: Option<Vector3<f64>>,
+    /// AUTOPS, INDIRV: a TLON must follow.
+    tangent_begun: bool,
+}
+
+impl OpenArc {
+    pub(crate) fn is_open(&self) -> bool {
+        self.circle.is_some() || self.tangent_begun
+    }
+
+    /// Lets a record come while an arc is open; one that may not come ends the arc.
+    pub(crate) fn admit(&mut self, permitted: Permitted) -> Result<(), ClFault> {
+        if permitted.begins_motion && std::mem::take(&mut self.tangent_begun) {
+            self.direction = None;
+            return Err(ClFault::new(
+                "TLON",
+                Span::WHOLE,
+                "this motion stands behind AUTOPS or INDIRV, where TLON is expected",
+                "have the CAM system write lines instead of arcs",
+            ));
+        }
+        match self.circle {
+            Some(circle) if !permitted.in_arc => {
+                self.circle = None;
+                Err(ClFault::new(
+                    "circle",
+                    Span::WHOLE,
+                    format!("the circle of line {} has no end: this record stands before its GOTO", circle.line),
+                    "behind CIRCLE stands the GOTO that ends the arc",
+                ))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// CIRCLE: its GOTO must follow.
+    pub(crate) fn open_circle(&mut self, circle: WaitingCircle) {
+        self.circle = Some(circle);
+    }
+
+    /// The circle that waits for its end.
+    pub(crate) fn circle(&self) -> Option<WaitingCircle> {
+        self.circle
+    }
+
+    /// The circle that waited, at its end.
+    pub(crate) fn take_circle(&mut self) -> Option<WaitingCircle> {
+        self.circle.take()
+    }
+
+    /// AUTOPS.
+    pub(crate) fn begin_tangent(&mut self) {
+        self.tangent_begun = true;
+    }
+
+    /// INDIRV, in the workpiece frame.
+    pub(crate) fn set_direction(&mut self, direction: Vector3<f64>, at: Span) -> Result<(), ClFault> {
+        if direction.norm() < 1e-9 {
+            return Err(ClFault::new("INDIRV", at, "INDIRV points nowhere", "it is the direction of the path"));
+        }
+        self.direction = Some(direction.normalize());
+        self.tangent_begun = true;
+        Ok(())
+    }
+
+    /// TLON: the direction of its INDIRV.
+    pub(crate) fn end_tangent(&mut self, at: Span) -> Result<Vector3<f64>, ClFault> {
+        self.tangent_begun = false;
+        let direction = self.direction.take();
+        direction.ok_or_else(|| tlon_fault(at, "no INDIRV says in which direction this arc begins".into()))
+    }
+
+    /// What the end of the file leaves open.
+    pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
+        match self.circle.take() {
+            Some(circle) => Err(ClFault::new(
+                "circle",
+                Span::WHOLE,
+                format!("the file ends before the GOTO that ends the arc of line {}", circle.line),
+                "check whether the CAM system wrote the file completely",
+            )),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The arc of a circle from `start` to `end`.
+pub(crate) fn arc_of(
+    circle: &WaitingCircle,
+    start: &Pose,
+    end: &Pose,
+    feed: Option<Feed>,
+    at: Span,
+) -> Result<Arc, ClFault> {
+    let fault = |text: String| {
+        let text = format!("{text} (circle of line {})", circle.line);
+        ClFault::new("circle", at, text, "check the arc in the CAM system, or have it write lines instead of arcs")
+    };
+    if (start.axis.into_inner() - end.axis.into_inner()).norm() > 1e-6 {
+        return Err(fault("the tool axis changes on an arc".into()));
+    }
+    let normal = match circle.sense {
+        Sense::CounterClockwise => circle.axis,
+        Sense::Clockwise => -circle.axis,
+    };
+    let n = normal.into_inner();
+    let flat = |point: Point3<f64>| {
+        let from_centre = point - circle.centre;
+        from_centre - n * from_centre.dot(&n)
+    };
+    let (u, v) = (flat(start.tip), flat(end.tip));
+    let (first, last) = (u.norm(), v.norm());
+    let off_plane = (end.tip - circle.centre).dot(&n).abs();
+    if off_plane > ARC_TOLERANCE_MM {
+        return Err(fault(format!("the end of an arc is {off_plane:.4} mm off the plane of its circle")));
+    }
+    let radius = circle.radius.unwrap_or(first);
+    for (which, found) in [("start", first), ("end", last)] {
+        let off = (found - radius).abs();
+        if off > ARC_TOLERANCE_MM {
+            return Err(fault(format!("the {which} of an arc is {off:.4} mm off its radius of {radius:.4} mm")));
+        }
+    }
+    if first.min(last) <= ARC_TOLERANCE_MM {
+        return Err(fault(format!("an arc has no radius: it begins {first:.4} mm from its centre")));
+    }
+    // Along the axis: a helix that ends over its start is a whole turn.
+    let rise = (end.tip - start.tip).dot(&n).abs();
+    let part = part_of_turn(u, v, n, rise, circle.angle.is_some()).map_err(fault)?;
+    let Some(stated) = circle.angle else {
+        let angle = part + f64::from(circle.times - 1) * TAU;
+        return Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed });
+    };
+    let turns = ((stated - part) / TAU).round().max(0.0);
+    let angle = part + turns * TAU;
+    if (angle - stated).abs() * radius > ARC_TOLERANCE_MM {
+        return Err(fault(format!(
+            "the end of an arc lies at {:.4} degrees, not at the {:.4} of its record",
+            angle.to_degrees(),
+            stated.to_degrees()
+        )));
+    }
+    Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed })
+}
+
+/// Angle about `n` from the arm `u` to the arm `v` with a rise along `n`, rad, 0 to a whole turn.
+fn part_of_turn(
+    u: Vector3<f64>,
+    v: Vector3<f64>,
+    n: Vector3<f64>,
+    rise: f64,
+    angle_is_stated: bool,
+) -> Result<f64, String> {
+    let chord = (v - u).norm();
+    if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise > ARC_TOLERANCE_MM) {
+        Ok(TAU)
+    } else if chord < SHORTEST_CHORD_MM && !angle_is_stated {
+        Err(format!("the ends of an arc are {chord:.5} mm apart: it may be nothing or a whole turn"))
+    } else {
+        Ok(n.dot(&u.cross(&v)).atan2(u.dot(&v)).rem_euclid(TAU))
+    }
+}
+
+/// Whether the tip passes over a point of the arc; the place along the normal is not compared.
+pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
+    let n = arc.normal.into_inner();
+    let flat = |point: Point3<f64>| {
+        let from_centre = point - arc.centre;
+        from_centre - n * from_centre.dot(&n)
+    };
+    let (u, p) = (flat(arc.start.tip), flat(point));
+    let radius = u.norm();
+    let angle = n.dot(&u.cross(&p)).atan2(u.dot(&p)).rem_euclid(TAU);
+    // Points at the ends may be before the one and after the other by rounding.
+    let rounding = ARC_TOLERANCE_MM / radius;
+    (p.norm() - radius).abs() <= ARC_TOLERANCE_MM && (angle <= arc.angle + rounding || angle >= TAU - rounding)
+}

@@ -1,0 +1,106 @@
+//! From the numbers of a file to the workpiece frame: all changes of coordinates, and the frames they come from.
+
+use super::change::{Changes, RigidChange};
+use super::frame::{SetUpFrame, StatedFrame, WorkpieceFrames};
+use super::options::Frames;
+use crate::cl::text::{ClFault, Span};
+use crate::cl::vector::{length, near};
+use crate::nalgebra::{Point3, UnitVector3, Vector3};
+use crate::program::Plane;
+
+/// Everything that decides where a point of the file is.
+#[derive(Debug, Default)]
+pub(crate) struct Coordinates {
+    workpiece: WorkpieceFrames,
+    set_up: SetUpFrame,
+    changes: Changes,
+}
+
+impl Coordinates {
+    /// The frames stated.
+    pub(crate) fn workpiece(&self) -> &WorkpieceFrames {
+        &self.workpiece
+    }
+
+    /// The CSYS of SolidWorks CAM.
+    pub(crate) fn set_up(&self) -> &SetUpFrame {
+        &self.set_up
+    }
+
+    /// The changes in force.
+    pub(crate) fn changes(&self) -> &Changes {
+        &self.changes
+    }
+
+    /// TRACUT; `unit`: mm in one unit of the file.
+    pub(crate) fn set_tracut(&mut self, rows: Option<[f64; 12]>, unit: f64, at: Span) -> Result<(), ClFault> {
+        let tracut = rows.map(|rows| RigidChange::from_rows(&rows, unit, at)).transpose()?;
+        self.changes.set_tracut(tracut);
+        Ok(())
+    }
+
+    /// ORIGIN, mm.
+    pub(crate) fn set_origin(&mut self, origin: Option<[f64; 3]>) {
+        self.changes.set_origin(origin);
+    }
+
+    /// TRANS, mm.
+    pub(crate) fn set_translation(&mut self, by: Option<[f64; 3]>) {
+        self.changes.set_translation(by);
+    }
+
+    /// The unit of the file became known after the frames.
+    pub(crate) fn scale_frames(&mut self, unit: f64) {
+        self.workpiece.scale(unit);
+    }
+
+    /// Takes a frame; answers whether another one is in force now.
+    pub(crate) fn take_frame(&mut self, frame: StatedFrame, at: Span, frames: Frames) -> Result<bool, ClFault> {
+        self.workpiece.take(frame, at, frames)
+    }
+
+    /// Maps the frame in force into the first.
+    pub(crate) fn map_frame(&mut self) {
+        if let Some((main, current)) = self.workpiece.main_and_current() {
+            self.changes.set_frame(main, current);
+        }
+    }
+
+    /// TRNTYP/WORLD.
+    pub(crate) fn set_world(&mut self) {
+        self.set_up.set_world();
+    }
+
+    /// CSYS: answers whether it differs from the one before.
+    pub(crate) fn take_set_up(&mut self, frame: StatedFrame) -> bool {
+        self.set_up.replace(frame)
+    }
+
+    /// The tool keeps the direction of the CSYS from here on.
+    pub(crate) fn hold_axis(&mut self, axis: [f64; 3]) {
+        self.set_up.hold_axis(axis);
+    }
+
+    /// Another operation has an axis of its own.
+    pub(crate) fn release_axis(&mut self) {
+        self.set_up.release_axis();
+    }
+
+    /// A point in the workpiece frame, if a machine could be there.
+    pub(crate) fn point(&self, point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
+        near(self.changes.point(point), at)
+    }
+
+    /// A plane in the workpiece frame; `unit`: mm in one unit of the file.
+    pub(crate) fn plane(&self, normal: [f64; 3], distance: f64, unit: f64, at: Span) -> Result<Plane, ClFault> {
+        let length = length(normal);
+        if length < 1e-9 {
+            return Err(ClFault::new("CLEARP", at, "the normal of this plane is 0, 0, 0", "write CLEARP/XYPLAN,z"));
+        }
+        let normal = normal.map(|value| value / length);
+        let distance = distance * unit / length;
+        let point = self.point(Point3::from(normal.map(|value| value * distance)), at)?;
+        let normal = self.changes.direction(UnitVector3::new_normalize(Vector3::from(normal)));
+        Ok(Plane { normal, distance: point.coords.dot(&normal) })
+    }
+}

@@ -1,0 +1,55 @@
+//! Events that wait to be asked for, and warnings that wait to be reported.
+
+use std::collections::VecDeque;
+
+use crate::cl::text::{ClFault, Span};
+use crate::program::{Event, Location};
+
+/// Event that a text becomes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum TextUse {
+    Name,
+    MachineName,
+    Operation,
+    Message,
+    Insert,
+}
+
+/// An event whose text, if any, is still in the statement; a spline is in the interpreter.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum QueuedEvent {
+    Plain(Event<'static>),
+    Text(TextUse, Span),
+    Spline,
+}
+
+/// What the last record caused, in order.
+#[derive(Debug, Default)]
+pub(crate) struct EventQueue {
+    events: VecDeque<(Location, QueuedEvent)>,
+    warnings: Vec<ClFault>,
+}
+
+impl EventQueue {
+    #[inline]
+    pub(crate) fn is_empty(&self) -> bool {
+        self.events.is_empty()
+    }
+
+    pub(crate) fn push(&mut self, here: Location, event: QueuedEvent) {
+        self.events.push_back((here, event));
+    }
+
+    #[inline]
+    pub(crate) fn pop(&mut self) -> Option<(Location, QueuedEvent)> {
+        self.events.pop_front()
+    }
+
+    pub(crate) fn warn(&mut self, fault: ClFault) {
+        self.warnings.push(fault.warning());
+    }
+
+    pub(crate) fn take_warnings(&mut self) -> impl Iterator<Item = ClFault> + '_ {
+        self.warnings.drain(..)
+    }
+}

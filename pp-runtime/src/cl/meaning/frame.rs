@@ -1,0 +1,210 @@
+//! Frames of a file: where the output frame is in the model, and whether it stays there.
+//!
+//! The numbers of CL data are already in that frame, so the first frame *is* the workpiece frame and is only reported.
+//! A later one that differs would put every further point elsewhere: it is mapped, given a work offset of its own, or
+//! refused, never ignored. CSYS of SolidWorks CAM is no such frame: it moves nothing and gives the direction of the tool.
+
+use super::options::Frames;
+use crate::cl::record::FrameRecord;
+use crate::cl::text::{ClFault, Span};
+use crate::cl::vector::{cross, distance, dot, length};
+use crate::nalgebra::{UnitVector3, Vector3};
+use crate::program::Location;
+
+/// Origins closer than this are the same, mm: CL data has four decimals.
+const SAME_ORIGIN_MM: f64 = 1e-4;
+
+/// Axes closer than this are the same: CL data has seven decimals.
+const SAME_AXES: f64 = 1e-6;
+
+/// Largest deviation of the axes from a right-handed unit frame.
+const SQUARE: f64 = 1e-3;
+
+/// Directions whose components differ by less are the same, within the digits of CL data.
+const SAME_DIRECTION: f64 = 1e-5;
+
+/// A frame stated by MSYS, by Creo's CSYS comment or by CATIA's matrix.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StatedFrame {
+    /// Place of its record.
+    pub location: Location,
+    /// Origin in the model, mm.
+    pub origin: [f64; 3],
+    /// Directions of its X, Y and Z in the model.
+    pub axes: [[f64; 3]; 3],
+}
+
+impl StatedFrame {
+    pub(crate) fn new(record: &FrameRecord, unit: f64, location: Location) -> Result<StatedFrame, ClFault> {
+        let [x, y, z] = record.axes;
+        let unit_length = [x, y, z].iter().all(|axis| (length(*axis) - 1.0).abs() <= SQUARE);
+        let perpendicular = dot(x, y).abs() <= SQUARE && distance(cross(x, y), z) <= SQUARE;
+        if !unit_length || !perpendicular {
+            return Err(ClFault::new(
+                "frame",
+                record.at,
+                "the axes of this frame are not at right angles, of length 1 and right-handed",
+                "check the machine coordinate system in the CAM system",
+            ));
+        }
+        Ok(StatedFrame { location, origin: record.origin.map(|value| value * unit), axes: record.axes })
+    }
+
+    pub(crate) fn is_same(&self, other: &StatedFrame) -> bool {
+        distance(self.origin, other.origin) <= SAME_ORIGIN_MM
+            && (0..3).all(|i| distance(self.axes[i], other.axes[i]) <= SAME_AXES)
+    }
+}
+
+/// More different frames than a file may have.
+const MOST_FRAMES: usize = 100;
+
+/// The frames of a file; the first is that of the workpiece.
+#[derive(Debug, Default)]
+pub(crate) struct WorkpieceFrames {
+    /// Frames that differ, in the order of their first statement.
+    frames: Vec<StatedFrame>,
+    /// Index of the one in force.
+    current: usize,
+    stated: u64,
+}
+
+impl WorkpieceFrames {
+    pub(crate) fn frame(&self) -> Option<&StatedFrame> {
+        self.frames.first()
+    }
+
+    pub(crate) fn stated(&self) -> u64 {
+        self.stated
+    }
+
+    /// Different frames stated so far.
+    pub(crate) fn different(&self) -> usize {
+        self.frames.len()
+    }
+
+    /// The unit of the file became known after the frames.
+    pub(crate) fn scale(&mut self, unit: f64) {
+        for frame in &mut self.frames {
+            frame.origin = frame.origin.map(|value| value * unit);
+        }
+    }
+
+    /// Number of the frame in force, from 1.
+    pub(crate) fn number(&self) -> u32 {
+        u32::try_from(self.current + 1).unwrap_or(u32::MAX)
+    }
+
+    /// The first frame and the one in force.
+    pub(crate) fn main_and_current(&self) -> Option<(&StatedFrame, &StatedFrame)> {
+        Some((self.frames.first()?, self.frames.get(self.current)?))
+    }
+
+    /// Takes a frame; answers whether another one is in force now.
+    pub(crate) fn take(&mut self, frame: StatedFrame, at: Span, frames: Frames) -> Result<bool, ClFault> {
+        self.stated += 1;
+        let Some(first) = self.frames.first() else {
+            self.frames.push(frame);
+            return Ok(false);
+        };
+        if !first.is_same(&frame) && frames == Frames::Refuse {
+            return Err(ClFault::new(
+                "second frame",
+                at,
+                format!(
+                    "the frame in line {} differs from the workpiece frame in line {}",
+                    frame.location.line, first.location.line
+                ),
+                "`--frames main` maps it into the first, `--frames offset` gives it a work offset of its own; or write \
+                 one file for each frame",
+            ));
+        }
+        let known = self.frames.iter().position(|known| known.is_same(&frame));
+        let index = match known {
+            Some(index) => index,
+            None if self.frames.len() < MOST_FRAMES => {
+                self.frames.push(frame);
+                self.frames.len() - 1
+            }
+            None => {
+                return Err(ClFault::new(
+                    "second frame",
+                    at,
+                    format!("the file states more than {MOST_FRAMES} different frames"),
+                    "write one file for each set-up",
+                ));
+            }
+        };
+        Ok(std::mem::replace(&mut self.current, index) != index)
+    }
+}
+
+/// The set-up of SolidWorks CAM: the CSYS in force, whose third column is the tool axis.
+#[derive(Debug, Default)]
+pub(crate) struct SetUpFrame {
+    /// TRNTYP/WORLD: the points of all set-ups are in one frame.
+    in_world: bool,
+    /// The CSYS stated last.
+    stated: Option<StatedFrame>,
+    /// CSYS that differ from the one before.
+    changes: u64,
+    /// Tool axis of the CSYS in force.
+    axis: Option<UnitVector3<f64>>,
+}
+
+impl SetUpFrame {
+    /// TRNTYP/WORLD.
+    pub(crate) fn set_world(&mut self) {
+        self.in_world = true;
+    }
+
+    pub(crate) fn changes(&self) -> u64 {
+        self.changes
+    }
+
+    /// CSYS needs TRNTYP/WORLD before it.
+    pub(crate) fn check_world(&self, at: Span) -> Result<(), ClFault> {
+        if self.in_world {
+            return Ok(());
+        }
+        Err(ClFault::new(
+            "CSYS",
+            at,
+            "CSYS without TRNTYP/WORLD,0,0,0 in front of it: in which frame the points are is not known",
+            "have SolidWorks CAM write its points in one common frame",
+        ))
+    }
+
+    /// Takes a CSYS; answers whether it differs from the one before.
+    pub(crate) fn replace(&mut self, frame: StatedFrame) -> bool {
+        let differs = self.stated.replace(frame).is_some_and(|before| !before.is_same(&frame));
+        self.changes += u64::from(differs);
+        differs
+    }
+
+    /// The tool keeps the direction of the CSYS from here on.
+    pub(crate) fn hold_axis(&mut self, axis: [f64; 3]) {
+        self.axis = Some(UnitVector3::new_normalize(Vector3::from(axis)));
+    }
+
+    /// Another operation has an axis of its own.
+    pub(crate) fn release_axis(&mut self) {
+        self.axis = None;
+    }
+
+    /// Refuses the tool axis of a point that is not that of the CSYS in force.
+    #[inline]
+    pub(crate) fn check_axis(&self, given: Option<[f64; 3]>, at: Span) -> Result<(), ClFault> {
+        let (Some(axis), Some(given)) = (self.axis, given) else { return Ok(()) };
+        let same = distance([axis.x, axis.y, axis.z], given) <= SAME_DIRECTION;
+        if !same {
+            return Err(ClFault::new(
+                "tool axis",
+                at,
+                "this tool axis contradicts the third column of CSYS",
+                "under one CSYS the tool keeps its direction: check the set-up in the CAM system",
+            ));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,290 @@
+//! Meaning of a CYCLE: levels along the tool axis from the point of each GOTO, by the habits of each CAM system.
+
+use crate::cl::dialect::Dialect;
+use crate::cl::record::{CycleCall, CycleKind, FeedUnit, Return};
+use crate::cl::text::{ClFault, Span};
+use crate::program::{Drilling, Dwell, Feed};
+
+/// A number of a CYCLE that has no word before it (`[cl.cycle.TAP] args`).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CycleArg {
+    /// Depth, positive into the part.
+    Depth,
+    /// Clearance level.
+    Clearance,
+    /// Return level.
+    Return,
+    /// Depth of a step.
+    Step,
+    /// Wait at the bottom, seconds.
+    Dwell,
+    /// Pitch of a thread, units of the file per turn.
+    Pitch,
+    /// Feed, units of the file per minute.
+    Feed,
+}
+
+impl CycleArg {
+    /// Names as in configuration files.
+    pub const NAMES: [(&'static str, CycleArg); 7] = [
+        ("depth", CycleArg::Depth),
+        ("clearance", CycleArg::Clearance),
+        ("return", CycleArg::Return),
+        ("step", CycleArg::Step),
+        ("dwell", CycleArg::Dwell),
+        ("pitch", CycleArg::Pitch),
+        ("feed", CycleArg::Feed),
+    ];
+}
+
+/// Level of the tool after a hole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum ReturnLevel {
+    /// The clearance level.
+    Clearance,
+    /// The level before the cycle.
+    Initial,
+    /// This level, mm.
+    Level(f64),
+}
+
+/// A cycle in force, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct HoleDefinition {
+    pub(crate) depth: f64,
+    pub(crate) clearance: f64,
+    pub(crate) back: ReturnLevel,
+    pub(crate) drilling: Drilling,
+    pub(crate) feed: Option<Feed>,
+    pub(crate) dwell: Option<Dwell>,
+}
+
+/// What the meaning of a CYCLE depends on besides its record.
+pub(crate) struct CycleContext<'a> {
+    pub(crate) dialect: Dialect,
+    /// mm in one unit of the file.
+    pub(crate) unit: f64,
+    /// CYCLE/INIT (true) or CYCLE/CLEAR came before it.
+    pub(crate) initial: Option<bool>,
+    /// Meaning of numbers without words.
+    pub(crate) args: Option<&'a [CycleArg]>,
+    /// Feed of the record.
+    pub(crate) feed: Option<Feed>,
+}
+
+fn fault(at: Span, text: impl Into<String>, help: &str) -> ClFault {
+    ClFault::new("CYCLE", at, text, help)
+}
+
+/// Gives the numbers without words their meaning.
+fn named(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<(CycleCall, Option<f64>), ClFault> {
+    let mut cycle = *cycle;
+    let mut pitch = None;
+    if cycle.positionals == 0 {
+        return Ok((cycle, pitch));
+    }
+    let word = cycle.kind.word();
+    let Some(args) = args.filter(|args| args.len() == cycle.positionals) else {
+        let text = format!(
+            "CYCLE/{word} has {} numbers without a word, whose meaning depends on a table of the CAM system",
+            cycle.positionals
+        );
+        let help = format!("say what they are: `[cl.cycle.{word}] args = [\"depth\", \"pitch\"]` in the configuration");
+        return Err(ClFault::new("CYCLE", cycle.at, text, help));
+    };
+    for (arg, value) in args.iter().zip(cycle.positional) {
+        let place = match arg {
+            CycleArg::Depth => &mut cycle.depth,
+            CycleArg::Clearance => &mut cycle.clear,
+            CycleArg::Step => &mut cycle.step,
+            CycleArg::Dwell => &mut cycle.dwell,
+            CycleArg::Pitch => &mut pitch,
+            CycleArg::Return => {
+                cycle.back_to = Some(Return::Level(value));
+                continue;
+            }
+            CycleArg::Feed => {
+                cycle.feed = Some((value, FeedUnit::PerMinute));
+                continue;
+            }
+        };
+        *place = Some(value);
+    }
+    Ok((cycle, pitch))
+}
+
+/// The record with its numbers named, for the feed in it.
+pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<CycleCall, ClFault> {
+    named(cycle, args).map(|(cycle, _)| cycle)
+}
+
+/// The hole that a CYCLE describes.
+pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<HoleDefinition, ClFault> {
+    let (cycle, pitch) = named(cycle, context.args)?;
+    let unit = context.unit;
+    let depth = depth(&cycle, context.dialect)? * unit;
+    let clearance = clearance(&cycle, context.dialect)? * unit;
+    let back = back(&cycle, context, clearance)?;
+    let drilling = drilling(&cycle, context.feed, pitch, unit)?;
+    let dwell = match (cycle.dwell, cycle.dwell_turns) {
+        (Some(_), Some(_)) => return Err(fault(cycle.at, "a cycle waits either seconds or turns", "write one DWELL")),
+        (Some(value), None) | (None, Some(value)) if value < 0.0 => {
+            return Err(fault(cycle.at, "a wait is not negative", "write DWELL,seconds"));
+        }
+        (Some(seconds), None) => (seconds > 0.0).then_some(Dwell::Seconds(seconds)),
+        (None, Some(turns)) => (turns > 0.0).then_some(Dwell::Revolutions(turns)),
+        (None, None) => None,
+    };
+    Ok(HoleDefinition { depth, clearance, back, drilling, feed: context.feed, dwell })
+}
+
+/// Depth below the point of the GOTO, above 0.
+fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
+    let value = match (cycle.fedto, cycle.depth, dialect) {
+        (Some(fedto), None, Dialect::Nx) => -fedto,
+        (Some(fedto), None, Dialect::SolidWorks) => fedto,
+        (Some(_), ..) => {
+            return Err(fault(
+                cycle.depth_at,
+                "FEDTO counts down in one CAM system and up in another, and this file does not say which wrote it",
+                "give `--dialect nx` or `--dialect solidworks`",
+            ));
+        }
+        (None, Some(_), Dialect::Generic) => {
+            return Err(fault(
+                cycle.at,
+                "the levels of a cycle depend on the CAM system, and this file does not say which wrote it",
+                "give `--dialect iso`, `catia` or `creo`",
+            ));
+        }
+        (None, Some(depth), _) => depth,
+        (None, None, _) => return Err(fault(cycle.at, "this cycle has no depth", "write DEPTH or FEDTO")),
+    };
+    if value.abs() < f64::MIN_POSITIVE {
+        return Err(fault(cycle.depth_at, "a depth of 0 is no hole", "set the depth of the hole in the CAM system"));
+    }
+    if value < 0.0 {
+        return Err(fault(
+            cycle.depth_at,
+            "this depth points out of the part",
+            "check its sign: NX counts FEDTO negative into the part, everybody else positive",
+        ));
+    }
+    Ok(value)
+}
+
+/// Level to which the tool comes down at rapid.
+fn clearance(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
+    let couplet = match dialect {
+        Dialect::Nx | Dialect::SolidWorks => false,
+        Dialect::Generic | Dialect::Catia | Dialect::Creo | Dialect::Iso => true,
+    };
+    let level = match (cycle.rapto, cycle.clear) {
+        (Some(rapto), None) if !couplet => rapto,
+        (None, Some(clear)) => clear,
+        (Some(rapto), Some(clear)) if (rapto - clear).abs() < 1e-9 => clear,
+        (Some(_), Some(_)) => {
+            return Err(fault(
+                cycle.at,
+                "RAPTO and CLEAR of this cycle differ, and which of them is the clearance level is not known",
+                "have the CAM system write one of them",
+            ));
+        }
+        (Some(_), None) => {
+            return Err(fault(cycle.at, "RAPTO without CLEAR: the clearance level is not known", "write CLEAR"));
+        }
+        (None, None) => {
+            return Err(fault(cycle.at, "this cycle has no clearance level", "write RAPTO or CLEAR"));
+        }
+    };
+    if level < 0.0 {
+        return Err(fault(
+            cycle.at,
+            "the clearance level lies below the top of the hole",
+            "the tool would plunge into the part at rapid: check RAPTO or CLEAR",
+        ));
+    }
+    Ok(level)
+}
+
+fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result<ReturnLevel, ClFault> {
+    let back = match (context.dialect, cycle.back_to) {
+        (Dialect::SolidWorks, level) => {
+            let Some(initial) = context.initial else {
+                return Err(fault(
+                    cycle.at,
+                    "neither CYCLE/INIT nor CYCLE/CLEAR stands before this cycle",
+                    "one of them says to which level the tool goes back",
+                ));
+            };
+            match level {
+                _ if !initial => ReturnLevel::Clearance,
+                Some(Return::Level(level)) => ReturnLevel::Level(level * context.unit),
+                _ => return Err(fault(cycle.at, "CYCLE/INIT needs RTRCTO with a level", "write RTRCTO,level")),
+            }
+        }
+        (_, None) => ReturnLevel::Clearance,
+        (Dialect::Nx, Some(Return::Auto)) => ReturnLevel::Initial,
+        (_, Some(Return::Auto)) => {
+            return Err(fault(cycle.at, "RTRCTO,AUTO is known from NX only", "write RETURN with a level"));
+        }
+        (_, Some(Return::Level(level))) => ReturnLevel::Level(level * context.unit),
+    };
+    match back {
+        ReturnLevel::Level(level) if level < clearance => Err(fault(
+            cycle.at,
+            "the return level of this cycle lies below its clearance level",
+            "give a return level at or above the clearance level",
+        )),
+        back => Ok(back),
+    }
+}
+
+fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit: f64) -> Result<Drilling, ClFault> {
+    let steps = |step: Option<f64>| match step {
+        Some(step) if step > 0.0 => Ok(step * unit),
+        Some(_) => Err(fault(cycle.at, "the step of a cycle is not above 0", "write STEP,depth")),
+        None => Err(fault(cycle.at, "this cycle has no step", "write STEP, INCR or SUBPECK with a depth")),
+    };
+    if cycle.orient.is_some() || cycle.kind == CycleKind::Back {
+        return Err(fault(
+            cycle.at,
+            "this cycle stops the spindle at an angle in the hole, which only a cycle of the control can do",
+            "have the CAM system write the motions, or bore with feed out: BORE without ORIENT",
+        ));
+    }
+    let any = cycle.back.or(cycle.first_step).or(cycle.step);
+    let stray = match cycle.kind {
+        CycleKind::Deep => cycle.back,
+        CycleKind::Brkchp => cycle.first_step,
+        CycleKind::Drill | CycleKind::Face | CycleKind::Csink | CycleKind::Thru | CycleKind::Cbore => any,
+        CycleKind::Bore | CycleKind::Back | CycleKind::Ream | CycleKind::Tap => any,
+    };
+    if stray.is_some() {
+        return Err(fault(
+            cycle.at,
+            format!("a word of this cycle has no meaning for {}", cycle.kind.word()),
+            "STEP belongs to DEEP and BRKCHP, 1STPECK to DEEP, BACK to BRKCHP",
+        ));
+    }
+    Ok(match cycle.kind {
+        CycleKind::Drill | CycleKind::Face | CycleKind::Csink | CycleKind::Thru | CycleKind::Cbore => Drilling::Drill,
+        CycleKind::Bore | CycleKind::Ream | CycleKind::Back => Drilling::Ream,
+        CycleKind::Deep => {
+            let later = steps(cycle.step)?;
+            let first = if cycle.first_step.is_some() { steps(cycle.first_step)? } else { later };
+            Drilling::Peck { first, later }
+        }
+        CycleKind::Brkchp => {
+            let back = if cycle.back.is_some() { Some(steps(cycle.back)?) } else { None };
+            Drilling::ChipBreak { step: steps(cycle.step)?, back }
+        }
+        CycleKind::Tap => {
+            let turn = match feed {
+                Some(Feed::PerRevolution(turn)) => Some(turn),
+                _ => pitch.map(|pitch| pitch * unit),
+            };
+            Drilling::Tap { pitch: turn }
+        }
+    })
+}

@@ -1,0 +1,276 @@
+//! From records to events: each record goes to the owners of the state that it changes.
+//!
+//! A tool's event is held back until the next event, because Creo gives the diameter after it. Records of motion are in
+//! `motion`, those of coordinates, tools and the machine in `state`.
+
+mod motion;
+mod state;
+
+use super::arc::OpenArc;
+use super::axis::ModalAxis;
+use super::coordinates::Coordinates;
+use super::cycle::CycleInForce;
+use super::event_queue::{EventQueue, QueuedEvent, TextUse};
+use super::modal_tool::ModalTool;
+use super::nurbs_curve::OpenCurve;
+use super::options::{ClPoint, Insert, Options};
+use super::path_state::PathState;
+use super::permitted::Permitted;
+use super::units::FileUnits;
+use super::votes::ArcVotes;
+use crate::cl::dialect::Dialect;
+use crate::cl::record::{ProgramRecord, Record, SubprogramRecord, Text};
+use crate::cl::text::{ClFault, Span};
+use crate::program::{Event, Location, Spline};
+
+/// Everything modal, each part with its owner.
+#[derive(Debug, Default)]
+pub(crate) struct RecordInterpreter {
+    options: Options,
+    found_dialect: Dialect,
+    units: FileUnits,
+    tool: ModalTool,
+    axis: ModalAxis,
+    coordinates: Coordinates,
+    path: PathState,
+    arc: OpenArc,
+    votes: ArcVotes,
+    curve: OpenCurve,
+    cycle: CycleInForce,
+    /// The CAM system asks for inverse-time feed.
+    inverse_time: bool,
+    /// The next GOTO is a straight motion and nothing else: see [`note_state`](Self::note_state).
+    plain: bool,
+    events: EventQueue,
+}
+
+impl RecordInterpreter {
+    pub(crate) fn new(options: Options) -> Self {
+        let units = FileUnits::new(options.units);
+        let mut new = RecordInterpreter { options, units, ..Self::default() };
+        new.note_state();
+        new
+    }
+
+    pub(crate) fn options(&self) -> &Options {
+        &self.options
+    }
+
+    pub(crate) fn units(&self) -> &FileUnits {
+        &self.units
+    }
+
+    pub(crate) fn tool(&self) -> &ModalTool {
+        &self.tool
+    }
+
+    pub(crate) fn axis(&self) -> &ModalAxis {
+        &self.axis
+    }
+
+    pub(crate) fn coordinates(&self) -> &Coordinates {
+        &self.coordinates
+    }
+
+    pub(crate) fn path(&self) -> &PathState {
+        &self.path
+    }
+
+    pub(crate) fn votes(&self) -> &ArcVotes {
+        &self.votes
+    }
+
+    pub(crate) fn asks_for_inverse_time(&self) -> bool {
+        self.inverse_time
+    }
+
+    /// The curve of the spline event that was taken last.
+    pub(crate) fn completed_curve(&self) -> Spline<'_> {
+        self.curve.completed()
+    }
+
+    /// As given, else as found.
+    pub(crate) fn dialect(&self) -> Dialect {
+        self.options.dialect.unwrap_or(self.found_dialect)
+    }
+
+    /// The first evidence decides.
+    pub(crate) fn suspect(&mut self, dialect: Dialect) {
+        if self.found_dialect == Dialect::Generic {
+            self.found_dialect = dialect;
+        }
+    }
+
+    /// The next event that waits.
+    #[inline]
+    pub(crate) fn next_event(&mut self) -> Option<(Location, QueuedEvent)> {
+        self.events.pop()
+    }
+
+    /// The warnings that wait.
+    pub(crate) fn take_warnings(&mut self) -> impl Iterator<Item = ClFault> + '_ {
+        self.events.take_warnings()
+    }
+
+    /// Takes the record of the statement at `here`.
+    pub(crate) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
+        let permitted = Permitted::of(record);
+        if self.curve.is_open() && !permitted.in_curve {
+            self.close_curve()?;
+        }
+        self.arc.admit(permitted)?;
+        self.cycle.admit(permitted)?;
+        let taken = self.interpret(record, here);
+        self.note_state();
+        taken
+    }
+
+    fn interpret(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
+        match record {
+            Record::Motion(record) => self.take_motion(record, here),
+            Record::Arc(record) => self.take_arc(record, here),
+            Record::Nurbs(record) => self.take_nurbs(record, here),
+            Record::Cycle(record) => self.take_cycle(record),
+            Record::Coordinates(record) => self.take_coordinates(record, here),
+            Record::Tool(record) => self.take_tool(record, here),
+            Record::Machine(record) => self.take_machine(record, here),
+            Record::Program(record) => self.take_program(record, here),
+            // The reader defines and calls subprograms.
+            Record::Subprogram(SubprogramRecord::Define(_) | SubprogramRecord::End | SubprogramRecord::Call { .. }) => {
+                Ok(())
+            }
+            Record::Inert => Ok(()),
+        }
+    }
+
+    /// Reports what is still open at the end of the file, and lets go of a tool that is held back.
+    pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
+        let closed = if self.curve.is_open() { self.close_curve() } else { Ok(()) };
+        self.let_go();
+        self.votes.settle(None);
+        closed?;
+        self.arc.finish()
+    }
+
+    fn let_go(&mut self) {
+        if let Some((here, tool)) = self.tool.let_go() {
+            self.events.push(here, QueuedEvent::Plain(Event::Tool(tool)));
+        }
+    }
+
+    fn emit(&mut self, here: Location, event: Event<'static>) {
+        self.push(here, QueuedEvent::Plain(event));
+    }
+
+    fn emit_text(&mut self, here: Location, used: TextUse, text: &Text<'_>) {
+        self.push(here, QueuedEvent::Text(used, text.at));
+    }
+
+    fn push(&mut self, here: Location, event: QueuedEvent) {
+        self.let_go();
+        self.events.push(here, event);
+    }
+
+    /// Whether the next GOTO is a motion and no event waits before it.
+    #[inline]
+    pub(crate) fn is_straight(&self) -> bool {
+        self.plain && !self.tool.is_held() && self.events.is_empty()
+    }
+
+    /// Whether a GOTO has nothing to do with circles, curves, cycles, votes and changes of coordinates.
+    fn note_state(&mut self) {
+        self.plain = !self.arc.is_open()
+            && !self.curve.is_open()
+            && !self.tool.is_described_anew()
+            && !self.cycle.is_active()
+            && !self.path.is_above_hole()
+            && !self.votes.waits()
+            && self.coordinates.changes().none()
+            && self.options.cl_point == ClPoint::Tip
+            && self.options.cl_point_of.is_empty();
+    }
+
+    fn take_program(&mut self, record: &ProgramRecord<'_>, here: Location) -> Result<(), ClFault> {
+        match record {
+            ProgramRecord::PartName(text) => self.emit_text(here, TextUse::Name, text),
+            ProgramRecord::MachineName(text) => self.emit_text(here, TextUse::MachineName, text),
+            ProgramRecord::ToolPath(name) => {
+                self.begin_operation();
+                self.tool.end_operation();
+                self.emit_text(here, TextUse::Operation, name);
+            }
+            ProgramRecord::Message(text) => self.emit_text(here, TextUse::Message, text),
+            ProgramRecord::Insert(text) => return self.insert(text, here),
+            ProgramRecord::Code { letter, number, at } => return self.code(*letter, *number, *at, here),
+            ProgramRecord::OptionalStop => self.emit(here, Event::OptionalStop),
+            ProgramRecord::Stop => self.emit(here, Event::Stop),
+            ProgramRecord::EndOfPath | ProgramRecord::End | ProgramRecord::Fini | ProgramRecord::Rewind => {}
+        }
+        Ok(())
+    }
+
+    fn begin_operation(&mut self) {
+        self.axis.begin_operation();
+        self.coordinates.release_axis();
+        self.cycle.end_operation();
+        // Rapids and lines of another operation are no evidence of the sense of an arc.
+        self.path.forget_line();
+        self.votes.settle(None);
+    }
+
+    fn insert(&mut self, text: &Text<'_>, here: Location) -> Result<(), ClFault> {
+        let stop = text.bytes.len() >= 4
+            && text.bytes[..4].eq_ignore_ascii_case(b"STOP")
+            && text.bytes.get(4).is_none_or(|byte| !byte.is_ascii_alphanumeric());
+        if stop && self.options.insert_stop {
+            self.emit(here, Event::Stop);
+            self.emit_text(here, TextUse::Message, text);
+            return Ok(());
+        }
+        if stop && self.options.insert != Insert::Refuse {
+            return Err(ClFault::new(
+                "INSERT",
+                text.at,
+                "INSERT/STOP may be a stop that is needed",
+                "`[cl] insert_stop = true` makes it STOP",
+            ));
+        }
+        match self.options.insert {
+            Insert::Comment => self.emit_text(here, TextUse::Message, text),
+            Insert::Write => {
+                self.path.forget_position();
+                self.emit_text(here, TextUse::Insert, text);
+            }
+            Insert::Refuse => {
+                return Err(ClFault::new(
+                    "INSERT",
+                    text.at,
+                    "INSERT is refused: it writes NC text that the postprocessor cannot see into",
+                    "`--insert comment` writes it as a comment, `--allow-insert` as it stands",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn code(&mut self, letter: u8, number: u32, at: Span, here: Location) -> Result<(), ClFault> {
+        let (word, key, allowed) = match letter {
+            b'M' => ("AUXFUN", "auxfun", &self.options.auxfun),
+            _ => ("PREFUN", "prefun", &self.options.prefun),
+        };
+        if !allowed.contains(&number) {
+            return Err(ClFault::new(
+                word,
+                at,
+                format!(
+                    "{word} is refused: it writes {}{number}, which the postprocessor cannot see into",
+                    char::from(letter)
+                ),
+                format!("if the control is to have it, allow it: `[cl] {key} = [{number}]`"),
+            ));
+        }
+        self.path.forget_position();
+        self.emit(here, Event::Code { letter, number });
+        Ok(())
+    }
+}

@@ -1,0 +1,391 @@
+//! Records of motion: points, arcs, curves and holes.
+
+use super::RecordInterpreter;
+use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon_fault};
+use crate::cl::meaning::event_queue::QueuedEvent;
+use crate::cl::meaning::feed::feed_of;
+use crate::cl::meaning::holes::{self, CycleContext};
+use crate::cl::meaning::options::ClPoint;
+use crate::cl::record::{
+    ArcRecord, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point, TangentArc,
+};
+use crate::cl::text::{ClFault, Span};
+use crate::cl::vector::near;
+use crate::kinematics::Pose;
+use crate::nalgebra::{Point3, Vector3};
+use crate::program::{Arc, Event, Hole, Location, Move};
+
+impl RecordInterpreter {
+    pub(crate) fn take_motion(&mut self, record: &MotionRecord<'_>, here: Location) -> Result<(), ClFault> {
+        match record {
+            MotionRecord::From(point) => self.start_at(point, here),
+            MotionRecord::Goto(point) => self.go_to(point, here),
+            MotionRecord::Points(points) => self.go_along(points, here),
+            MotionRecord::Delta(step) => self.go_by(step, here),
+            MotionRecord::DeltaAlongAxis { distance, at } => self.go_along_axis(*distance, *at, here),
+            MotionRecord::Home(point) => self.go_home(point.as_ref(), here),
+            MotionRecord::Retract => self.retract(here),
+        }
+    }
+
+    /// The pose of a point, in the workpiece frame.
+    fn pose(&mut self, point: &Point, here: Location) -> Result<Pose, ClFault> {
+        let unit = self.units.millimetres(point.at)?;
+        let tip = near(Point3::from(point.tip.map(|value| value * unit)), point.at)?;
+        let (axis, normalised) = self.axis.at_point(point.axis, point.at)?;
+        self.coordinates.set_up().check_axis(point.axis, point.at)?;
+        let pose = if self.plain {
+            Pose { tip, axis }
+        } else {
+            let tip = self.coordinates.point(tip, point.at)?;
+            Pose { tip, axis: self.coordinates.changes().direction(axis) }
+        };
+        self.axis.count(normalised, here);
+        Ok(pose)
+    }
+
+    /// The tip of a pose that may be programmed at the centre of the corner radius.
+    fn tip(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
+        if self.plain {
+            return Ok(pose);
+        }
+        let tool = self.tool.current();
+        let number = tool.map(|tool| tool.number);
+        let given = number.and_then(|number| self.options.cl_point_of.get(&number)).copied();
+        if given.unwrap_or(self.options.cl_point) == ClPoint::Tip {
+            return Ok(pose);
+        }
+        let Some(radius) = tool.and_then(|tool| tool.corner_radius) else {
+            return Err(ClFault::new(
+                "cl_point",
+                at,
+                "the CL data programs the centre of the corner radius, and the radius of this tool is unknown",
+                "give it with CUTTER or TLDATA in front of the tool call",
+            ));
+        };
+        Ok(Pose { tip: pose.tip - pose.axis.into_inner() * radius, axis: pose.axis })
+    }
+
+    /// FROM.
+    fn start_at(&mut self, point: &Point, here: Location) -> Result<(), ClFault> {
+        let pose = self.pose(point, here)?;
+        self.path.start_at(pose);
+        self.votes.settle(None);
+        if !self.options.from_move {
+            let pose = self.tip(pose, point.at)?;
+            self.emit(here, Event::From(pose));
+            return Ok(());
+        }
+        self.path.count_motion();
+        let pose = self.tip(pose, point.at)?;
+        self.emit(here, Event::Move(Move { pose, rapid: true, feed: self.path.feed() }));
+        Ok(())
+    }
+
+    /// GOTO.
+    fn go_to(&mut self, point: &Point, here: Location) -> Result<(), ClFault> {
+        if self.plain {
+            let motion = self.straight(point, here)?;
+            self.emit(here, Event::Move(motion));
+            return Ok(());
+        }
+        let pose = self.pose(point, here)?;
+        self.move_to(pose, point.at, here)
+    }
+
+    /// GOTO while nothing is open.
+    #[inline]
+    pub(crate) fn straight(&mut self, point: &Point, here: Location) -> Result<Move, ClFault> {
+        let pose = self.pose(point, here)?;
+        let rapid = self.path.move_to(pose);
+        Ok(Move { pose, rapid, feed: self.path.feed() })
+    }
+
+    /// A motion to a pose in the workpiece frame, whatever is open.
+    #[cold]
+    fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), ClFault> {
+        near(pose.tip, at)?;
+        if let Some(warning) = self.tool.compare(at) {
+            self.events.warn(warning);
+        }
+        if let Some(circle) = self.arc.take_circle() {
+            let done = self.end_circle(&circle, pose, at, here);
+            // What follows an arc that is refused counts from its end all the same.
+            self.path.set_here(pose);
+            self.note_state();
+            return done;
+        }
+        if self.cycle.is_active() {
+            return self.hole(pose, at, here);
+        }
+        self.votes.settle(self.path.line_to(pose.tip));
+        let rapid = self.path.move_to(pose);
+        let pose = self.tip(pose, at)?;
+        self.emit(here, Event::Move(Move { pose, rapid, feed: self.path.feed() }));
+        self.note_state();
+        Ok(())
+    }
+
+    /// A list of points; after a CIRCLE its last one is the end of the arc.
+    fn go_along(&mut self, points: &Numbers<'_>, here: Location) -> Result<(), ClFault> {
+        let Some(circle) = self.arc.circle() else {
+            return points.points().try_for_each(|point| self.go_to(&point, here));
+        };
+        let Some(end) = points.points().last() else { return Ok(()) };
+        let passed = self.pass(&circle, points, &end, here);
+        self.go_to(&end, here).and(passed)
+    }
+
+    /// The points of a list after a CIRCLE are on its arc, the last one at its end.
+    fn pass(
+        &mut self,
+        circle: &WaitingCircle,
+        points: &Numbers<'_>,
+        end: &Point,
+        here: Location,
+    ) -> Result<(), ClFault> {
+        let start = self.path.position("CIRCLE", points.at)?;
+        let end = self.pose(end, here)?;
+        let arc = arc_of(circle, &start, &end, self.path.feed(), points.at)?;
+        for point in points.points() {
+            let pose = self.pose(&point, here)?;
+            if !is_on(&arc, pose.tip) {
+                return Err(ClFault::new(
+                    "circle",
+                    points.at,
+                    format!("a point of this list is not on the arc that it ends (circle of line {})", circle.line()),
+                    "check the arc in the CAM system; `--circle-sense` says which way round it goes",
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// GODLTA with three numbers.
+    fn go_by(&mut self, point: &Point, here: Location) -> Result<(), ClFault> {
+        let unit = self.units.millimetres(point.at)?;
+        let from = self.path.position("GODLTA", point.at)?;
+        let pose = self.pose(&Point { tip: [0.0; 3], ..*point }, here)?;
+        let step = self.coordinates.changes().vector(Vector3::from(point.tip.map(|value| value * unit)));
+        self.move_to(Pose { tip: from.tip + step, axis: pose.axis }, point.at, here)
+    }
+
+    /// GODLTA with one number.
+    fn go_along_axis(&mut self, distance: f64, at: Span, here: Location) -> Result<(), ClFault> {
+        let unit = self.units.millimetres(at)?;
+        let from = self.path.position("GODLTA", at)?;
+        let known = self.axis.known(at)?;
+        let axis = self.coordinates.changes().direction(known);
+        self.move_to(Pose { tip: from.tip + axis.into_inner() * (distance * unit), axis }, at, here)
+    }
+
+    /// GOHOME.
+    fn go_home(&mut self, point: Option<&Point>, here: Location) -> Result<(), ClFault> {
+        self.path.begin_home();
+        self.votes.settle(None);
+        let Some(point) = point else {
+            self.path.forget_position();
+            self.emit(here, Event::Home);
+            return Ok(());
+        };
+        let pose = self.pose(point, here)?;
+        self.path.count_motion();
+        self.path.set_here(pose);
+        let pose = self.tip(pose, point.at)?;
+        self.emit(here, Event::SafeSequence);
+        self.emit(here, Event::Move(Move { pose, rapid: true, feed: self.path.feed() }));
+        Ok(())
+    }
+
+    /// RETRCT.
+    fn retract(&mut self, here: Location) -> Result<(), ClFault> {
+        let fault = |text, help| Err(ClFault::new("RETRCT", Span::WHOLE, text, help));
+        let Some(plane) = self.path.clearance() else {
+            return fault("RETRCT goes to the clearance plane, and there is none", "give CLEARP before it");
+        };
+        self.path.leave_hole();
+        let from = self.path.position("RETRCT", Span::WHOLE)?;
+        let along = from.axis.dot(&plane.normal);
+        if along < 1e-3 {
+            return fault("the tool axis does not lead to the clearance plane", "check CLEARP");
+        }
+        let distance = (plane.distance - from.tip.coords.dot(&plane.normal)) / along;
+        let is_above = distance <= 0.0;
+        self.path.set_rapid(!is_above);
+        if is_above {
+            return Ok(());
+        }
+        self.move_to(Pose { tip: from.tip + from.axis.into_inner() * distance, ..from }, Span::WHOLE, here)
+    }
+
+    pub(crate) fn take_arc(&mut self, record: &ArcRecord, here: Location) -> Result<(), ClFault> {
+        match record {
+            ArcRecord::Circle(circle) => self.open_circle(circle, here)?,
+            ArcRecord::AutomaticPlane => self.arc.begin_tangent(),
+            ArcRecord::Direction { vector, at } => {
+                let direction = self.coordinates.changes().vector(Vector3::from(*vector));
+                self.arc.set_direction(direction, *at)?;
+            }
+            ArcRecord::TangentArc(arc) => self.tangent_arc(arc, here)?,
+        }
+        Ok(())
+    }
+
+    /// CIRCLE, MOVARC.
+    fn open_circle(&mut self, circle: &CircleRecord, here: Location) -> Result<(), ClFault> {
+        let unit = self.units.millimetres(circle.at)?;
+        if self.path.take_rapid() {
+            return Err(ClFault::new(
+                "circle",
+                Span::WHOLE,
+                "RAPID stands before a circle: no control runs an arc at rapid",
+                "give the arc a feed",
+            ));
+        }
+        self.path.position("CIRCLE", circle.at)?;
+        let changes = self.coordinates.changes();
+        let waiting = WaitingCircle::new(circle, unit, changes, self.options.circle_sense, here.line)?;
+        self.arc.open_circle(waiting);
+        Ok(())
+    }
+
+    /// The GOTO after a circle.
+    fn end_circle(&mut self, circle: &WaitingCircle, end: Pose, at: Span, here: Location) -> Result<(), ClFault> {
+        if self.path.take_rapid() {
+            return Err(ClFault::new("circle", at, "RAPID stands before the end of an arc", "give the arc a feed"));
+        }
+        let start = self.path.position("CIRCLE", at)?;
+        let arc = arc_of(circle, &start, &end, self.path.feed(), at)?;
+        let line = self.path.line_before(start.tip);
+        let frame = self.coordinates.workpiece().number();
+        self.votes.arc(&arc, circle.axis(), line, frame, here);
+        self.write_arc(arc, at, here)
+    }
+
+    fn write_arc(&mut self, mut arc: Arc, at: Span, here: Location) -> Result<(), ClFault> {
+        self.path.count_motion();
+        self.path.set_here(arc.end);
+        let start = self.tip(arc.start, at)?;
+        arc.centre += start.tip - arc.start.tip;
+        arc.start = start;
+        arc.end = self.tip(arc.end, at)?;
+        self.emit(here, Event::Arc(arc));
+        Ok(())
+    }
+
+    /// TLON of CATIA.
+    fn tangent_arc(&mut self, record: &TangentArc, here: Location) -> Result<(), ClFault> {
+        let at = record.at;
+        let unit = self.units.millimetres(at)?;
+        let start = self.path.position("TLON", at)?;
+        if self.path.take_rapid() {
+            return Err(tlon_fault(at, "RAPID stands before an arc".into()));
+        }
+        let direction = self.arc.end_tangent(at)?;
+        let scale = (unit, self.coordinates.changes());
+        let (circle, end) = tangent_circle(record, &start, direction, scale, here.line)?;
+        let arc = arc_of(&circle, &start, &Pose { tip: end, axis: start.axis }, self.path.feed(), at)?;
+        self.votes.settle(None);
+        self.write_arc(arc, at, here)
+    }
+
+    pub(crate) fn take_nurbs(&mut self, record: &NurbsRecord<'_>, here: Location) -> Result<(), ClFault> {
+        match record {
+            NurbsRecord::Begin => self.open_curve(here),
+            NurbsRecord::Knots(knots) => {
+                self.curve.check_open("KNOT", knots.at)?;
+                self.curve.add_knots(knots.values());
+                Ok(())
+            }
+            NurbsRecord::ControlPoint(point) => self.take_control_point(point),
+        }
+    }
+
+    fn open_curve(&mut self, here: Location) -> Result<(), ClFault> {
+        if self.path.take_rapid() {
+            return Err(ClFault::new("NURBS", Span::WHOLE, "RAPID stands before a curve", "give the curve a feed"));
+        }
+        let start = self.path.position("NURBS", Span::WHOLE)?;
+        let tip = self.tip(start, Span::WHOLE)?.tip;
+        self.curve.begin(tip, start.axis, self.path.feed(), here);
+        Ok(())
+    }
+
+    fn take_control_point(&mut self, point: &Point) -> Result<(), ClFault> {
+        self.curve.check_open("CNTRL", point.at)?;
+        let start = self.path.position("CNTRL", point.at)?;
+        let unit = self.units.millimetres(point.at)?;
+        let tip = near(Point3::from(point.tip.map(|value| value * unit)), point.at)?;
+        // The axis is held.
+        let pose = Pose { tip: self.coordinates.point(tip, point.at)?, axis: start.axis };
+        let shifted = self.tip(pose, point.at)?;
+        self.curve.add_point(shifted.tip);
+        self.path.set_here(pose);
+        Ok(())
+    }
+
+    /// The record after a curve completes it.
+    pub(crate) fn close_curve(&mut self) -> Result<(), ClFault> {
+        let closed = self.curve.close();
+        self.path.forget_line();
+        self.votes.settle(None);
+        self.note_state();
+        let at = closed?;
+        self.path.count_motion();
+        self.push(at, QueuedEvent::Spline);
+        Ok(())
+    }
+
+    pub(crate) fn take_cycle(&mut self, record: &CycleRecord) -> Result<(), ClFault> {
+        match record {
+            CycleRecord::Define(cycle) => self.define_cycle(cycle),
+            CycleRecord::Switch { state, at } => {
+                let before = self.path.here().map(|pose| pose.tip);
+                self.cycle.switch(*state, before, *at)
+            }
+        }
+    }
+
+    fn define_cycle(&mut self, cycle: &CycleCall) -> Result<(), ClFault> {
+        self.cycle.begin_definition();
+        self.votes.settle(None);
+        let known = self.options.cycle_args.iter().find(|(kind, _)| *kind == cycle.kind);
+        let args = known.map(|(_, args)| args.as_slice());
+        let named = holes::with_names(cycle, args)?;
+        let feed = match named.feed {
+            Some((value, unit)) => {
+                let record = FeedRecord { value, unit, at: cycle.at, unit_at: cycle.at };
+                Some(feed_of(&record, &mut self.units, self.options.feed_label)?)
+            }
+            None => None,
+        };
+        let unit = self.units.millimetres(cycle.at)?;
+        let initial = self.cycle.take_initial();
+        let context = CycleContext { dialect: self.dialect(), unit, initial, args, feed };
+        let definition = holes::define(cycle, &context)?;
+        let before = self.path.here().map(|pose| pose.tip);
+        self.cycle.begin_holes(definition, before, cycle.at)
+    }
+
+    /// A point under a cycle.
+    fn hole(&mut self, top: Pose, at: Span, here: Location) -> Result<(), ClFault> {
+        self.path.begin_hole();
+        // The record was refused: so are its holes, silently.
+        let Some(cycle) = self.cycle.definition() else {
+            self.path.set_here(top);
+            return Ok(());
+        };
+        let back_to = self.cycle.return_level(&cycle, &top, at)?;
+        near(top.tip - top.axis.into_inner() * cycle.depth, at)?;
+        let above = near(top.tip + top.axis.into_inner() * back_to, at)?;
+        self.path.end_hole(Pose { tip: above, ..top });
+        let top = self.tip(top, at)?;
+        let (depth, clearance) = (cycle.depth, cycle.clearance);
+        let feed = cycle.feed.or(self.path.feed());
+        self.emit(
+            here,
+            Event::Hole(Hole { top, depth, clearance, back_to, drilling: cycle.drilling, feed, dwell: cycle.dwell }),
+        );
+        Ok(())
+    }
+}

@@ -1,0 +1,199 @@
+//! Records of coordinates, tools and the machine.
+
+use super::RecordInterpreter;
+use crate::cl::dialect::Dialect;
+use crate::cl::meaning::feed::feed_of;
+use crate::cl::meaning::frame::StatedFrame;
+use crate::cl::meaning::options::Frames;
+use crate::cl::record::{
+    AxisPlane, CoordinateRecord, CutterRecord, FrameRecord, MachineRecord, ToolCallRecord, ToolRecord,
+};
+use crate::cl::text::{ClFault, Span};
+use crate::program::{Compensation, Dwell, Event, Location, Units};
+
+/// Longer waits are no intention, seconds.
+const LONG_DELAY: f64 = 10.0;
+
+impl RecordInterpreter {
+    pub(crate) fn take_coordinates(&mut self, record: &CoordinateRecord, here: Location) -> Result<(), ClFault> {
+        match *record {
+            CoordinateRecord::Units(units) => self.take_units(units, here)?,
+            CoordinateRecord::MultiAxis(on) => {
+                if !on && self.dialect() == Dialect::Creo {
+                    self.axis.return_to_z();
+                }
+            }
+            CoordinateRecord::ToolAxis { axis, at } => self.axis.state(axis, at, here)?,
+            CoordinateRecord::Frame(ref frame) => self.take_frame(frame, here)?,
+            CoordinateRecord::Setup(ref frame) => self.take_set_up(frame, here)?,
+            CoordinateRecord::World => self.coordinates.set_world(),
+            CoordinateRecord::Origin(origin) => {
+                let origin = self.in_millimetres(origin)?;
+                self.coordinates.set_origin(origin);
+            }
+            CoordinateRecord::Translation { by, at } => self.take_translation(by, at)?,
+            CoordinateRecord::Transformation { matrix, at } => {
+                let unit = self.units.millimetres(at)?;
+                self.coordinates.set_tracut(matrix, unit, at)?;
+            }
+            CoordinateRecord::ClearancePlane { normal, distance, at } => {
+                let unit = self.units.millimetres(at)?;
+                let plane = self.coordinates.plane(normal, distance, unit, at)?;
+                self.path.set_clearance(plane);
+                self.emit(here, Event::ClearancePlane(plane));
+            }
+        }
+        Ok(())
+    }
+
+    fn take_units(&mut self, units: Units, here: Location) -> Result<(), ClFault> {
+        if self.units.known().is_none() {
+            self.coordinates.scale_frames(units.in_mm());
+        }
+        self.units.take(units, here)
+    }
+
+    fn in_millimetres(&mut self, lengths: Option<[f64; 3]>) -> Result<Option<[f64; 3]>, ClFault> {
+        let Some(lengths) = lengths else { return Ok(None) };
+        let unit = self.units.millimetres(Span::WHOLE)?;
+        Ok(Some(lengths.map(|value| value * unit)))
+    }
+
+    fn take_translation(&mut self, by: Option<[f64; 3]>, at: Span) -> Result<(), ClFault> {
+        if self.dialect() == Dialect::Creo {
+            return Err(ClFault::new(
+                "TRANS",
+                at,
+                "TRANS of Creo belongs to output in the frame of each sequence, which is not known",
+                "have Creo write its CL data in the machine coordinate system, without TRANS",
+            ));
+        }
+        let by = self.in_millimetres(by)?;
+        self.coordinates.set_translation(by);
+        Ok(())
+    }
+
+    /// MSYS, Creo's CSYS comment, CATIA's matrix.
+    fn take_frame(&mut self, record: &FrameRecord, here: Location) -> Result<(), ClFault> {
+        let frame = self.stated_frame(record, here)?;
+        let frames = self.options.frames;
+        if !self.coordinates.take_frame(frame, record.at, frames)? {
+            return Ok(());
+        }
+        self.begin_operation();
+        match frames {
+            Frames::Main => {
+                self.coordinates.map_frame();
+                self.emit(here, Event::SafeSequence);
+            }
+            // A frame that differs is refused before it gets here.
+            Frames::Offset | Frames::Refuse => {
+                self.path.change_frame();
+                let number = self.coordinates.workpiece().number();
+                self.emit(here, Event::Frame(number));
+            }
+        }
+        Ok(())
+    }
+
+    /// CSYS of SolidWorks CAM.
+    fn take_set_up(&mut self, record: &FrameRecord, here: Location) -> Result<(), ClFault> {
+        self.coordinates.set_up().check_world(record.at)?;
+        let frame = self.stated_frame(record, here)?;
+        if self.coordinates.take_set_up(frame) {
+            // The tool may turn: out of the part first.
+            self.begin_operation();
+            self.emit(here, Event::SafeSequence);
+        }
+        self.axis.state(frame.axes[2], record.at, here)?;
+        self.coordinates.hold_axis(frame.axes[2]);
+        Ok(())
+    }
+
+    fn stated_frame(&self, record: &FrameRecord, here: Location) -> Result<StatedFrame, ClFault> {
+        StatedFrame::new(record, self.units.known().map_or(1.0, Units::in_mm), here)
+    }
+
+    pub(crate) fn take_tool(&mut self, record: &ToolRecord, here: Location) -> Result<(), ClFault> {
+        match record {
+            ToolRecord::Call(tool) => self.call_tool(tool, here)?,
+            ToolRecord::Preselect(number) => self.emit(here, Event::Preselect(*number)),
+            ToolRecord::Cutter(cutter) => {
+                let cutter = self.cutter_in_millimetres(cutter)?;
+                match self.dialect() {
+                    Dialect::Creo => self.tool.describe_last(cutter, here),
+                    Dialect::Generic | Dialect::Nx | Dialect::Catia | Dialect::SolidWorks | Dialect::Iso => {
+                        self.tool.describe_next(cutter, here);
+                    }
+                }
+            }
+            ToolRecord::CutterOfLastTool(cutter) => {
+                let cutter = self.cutter_in_millimetres(cutter)?;
+                self.tool.describe_last(cutter, here);
+            }
+            ToolRecord::LengthOffset { register, at } => self.tool.set_length_offset(*register, *at)?,
+        }
+        Ok(())
+    }
+
+    fn cutter_in_millimetres(&mut self, cutter: &CutterRecord) -> Result<CutterRecord, ClFault> {
+        let unit = self.units.millimetres(Span::WHOLE)?;
+        let corner_radius = cutter.corner_radius.map(|radius| radius * unit);
+        Ok(CutterRecord { diameter: cutter.diameter * unit, corner_radius })
+    }
+
+    fn call_tool(&mut self, tool: &ToolCallRecord, here: Location) -> Result<(), ClFault> {
+        let length = match tool.length {
+            Some(length) => Some(length * self.units.millimetres(Span::WHOLE)?),
+            None => None,
+        };
+        self.let_go();
+        self.begin_operation();
+        self.tool.call(tool, length, here);
+        Ok(())
+    }
+
+    pub(crate) fn take_machine(&mut self, record: &MachineRecord, here: Location) -> Result<(), ClFault> {
+        match *record {
+            MachineRecord::Rapid => self.path.set_rapid(true),
+            MachineRecord::Feed(ref feed) => {
+                let feed = feed_of(feed, &mut self.units, self.options.feed_label)?;
+                self.path.set_feed(feed);
+            }
+            MachineRecord::InverseTime(on) => self.inverse_time |= on,
+            MachineRecord::Spindle(spindle) => self.emit(here, Event::Spindle(spindle)),
+            MachineRecord::Coolant(coolant) => self.emit(here, Event::Coolant(coolant)),
+            MachineRecord::Compensation { side, register, plane } => {
+                let xy = plane.is_none_or(|plane| plane == AxisPlane::Xy);
+                self.emit(here, Event::Compensation(Compensation { side, register, xy }));
+            }
+            MachineRecord::Delay { dwell, at } => self.delay(dwell, at, here),
+            MachineRecord::Tolerance { value, at } => self.take_tolerance(value, at, here)?,
+            MachineRecord::Turning(turning) => self.emit(here, Event::Turning(turning)),
+        }
+        Ok(())
+    }
+
+    fn delay(&mut self, dwell: Dwell, at: Span, here: Location) {
+        if let Dwell::Seconds(seconds) = dwell
+            && seconds > LONG_DELAY
+        {
+            self.events.warn(ClFault::new(
+                "long wait",
+                at,
+                format!("a wait of {seconds} seconds"),
+                "DELAY counts seconds: check whether turns or milliseconds were meant",
+            ));
+        }
+        self.emit(here, Event::Delay(dwell));
+    }
+
+    fn take_tolerance(&mut self, value: Option<f64>, at: Span, here: Location) -> Result<(), ClFault> {
+        let unit = self.units.millimetres(at)?;
+        if value.is_some_and(|value| value <= 0.0) {
+            return Err(ClFault::new("LINTOL", at, "a tolerance is above 0", "LINTOL/OFF takes it back"));
+        }
+        self.emit(here, Event::Tolerance(value.map(|value| value * unit)));
+        Ok(())
+    }
+}

@@ -1,0 +1,136 @@
+//! The tool in the spindle: its call, and the cutter that was described for it.
+//!
+//! A cutter described before a call belongs to the tool called next; Creo gives it after the call, so a call is held
+//! back until the next event. A motion with another cutter that no tool record has called is warned of.
+
+use crate::cl::record::{CutterRecord, ToolCallRecord};
+use crate::cl::text::{ClFault, Span};
+use crate::program::{Location, ToolCall};
+
+/// Cutters whose diameters differ by less are the same, mm.
+const SAME_DIAMETER_MM: f64 = 1e-3;
+
+/// Tool and cutter as far as they are known, lengths in mm.
+#[derive(Debug, Default)]
+pub(crate) struct ModalTool {
+    /// Described for the next call.
+    next_cutter: Option<CutterRecord>,
+    /// Nothing has moved since that cutter was described.
+    next_is_new: bool,
+    /// The cutter that moved last without a tool record for it.
+    uncalled: Option<CutterRecord>,
+    /// A call that may still be described.
+    held: Option<(Location, ToolCall)>,
+    last: Option<ToolCall>,
+    /// Largest diameter and the place of the first cutter, for the plausibility of the units.
+    largest: Option<(f64, Location)>,
+}
+
+impl ModalTool {
+    /// The tool called last.
+    pub(crate) fn current(&self) -> Option<ToolCall> {
+        self.held.map(|(_, tool)| tool).or(self.last)
+    }
+
+    #[inline]
+    pub(crate) fn is_held(&self) -> bool {
+        self.held.is_some()
+    }
+
+    /// Whether a motion has to be compared with the cutter: see [`compare`](Self::compare).
+    pub(crate) fn is_described_anew(&self) -> bool {
+        self.next_is_new
+    }
+
+    /// Largest diameter so far, mm, and the place of the first cutter.
+    pub(crate) fn largest_cutter(&self) -> Option<(f64, Location)> {
+        self.largest
+    }
+
+    /// The call that was held back: nothing describes it any more.
+    pub(crate) fn let_go(&mut self) -> Option<(Location, ToolCall)> {
+        let held = self.held.take()?;
+        self.last = Some(held.1);
+        Some(held)
+    }
+
+    /// LOADTL, LOAD/TOOL, after the call before it was let go; `length` in mm.
+    pub(crate) fn call(&mut self, tool: &ToolCallRecord, length: Option<f64>, here: Location) {
+        (self.next_is_new, self.uncalled) = (false, None);
+        let mut call = ToolCall { number: tool.number, length, offset: tool.offset, ..ToolCall::default() };
+        if let Some(cutter) = self.next_cutter.take() {
+            call.diameter = Some(cutter.diameter);
+            call.corner_radius = cutter.corner_radius;
+        } else if let Some(same) = self.last.filter(|last| last.number == tool.number) {
+            // CATIA calls a tool again for each operation and describes it once.
+            (call.diameter, call.corner_radius) = (same.diameter, same.corner_radius);
+        }
+        self.held = Some((here, call));
+    }
+
+    /// CUTTER before a call.
+    pub(crate) fn describe_next(&mut self, cutter: CutterRecord, here: Location) {
+        self.note_size(cutter, here);
+        self.next_cutter = Some(cutter);
+        self.next_is_new = true;
+    }
+
+    /// CUTTER after a call.
+    pub(crate) fn describe_last(&mut self, cutter: CutterRecord, here: Location) {
+        self.note_size(cutter, here);
+        let held = self.held.as_mut().map(|(_, tool)| tool);
+        if let Some(tool) = held.or(self.last.as_mut()) {
+            tool.diameter = Some(cutter.diameter);
+            tool.corner_radius = cutter.corner_radius;
+        }
+    }
+
+    /// A cutter that found no tool belongs to the operation that ends.
+    pub(crate) fn end_operation(&mut self) {
+        self.next_cutter = None;
+    }
+
+    fn note_size(&mut self, cutter: CutterRecord, here: Location) {
+        if cutter.diameter > 0.0 {
+            let (largest, _) = self.largest.get_or_insert((0.0, here));
+            *largest = largest.max(cutter.diameter);
+        }
+    }
+
+    /// SET/OFSETL.
+    pub(crate) fn set_length_offset(&mut self, register: u32, at: Span) -> Result<(), ClFault> {
+        let fault = |text: &str, help: &str| Err(ClFault::new("length offset", at, text, help));
+        if register == 0 {
+            return fault("length offset 0 would switch the length offset off", "give a register above 0");
+        }
+        match &mut self.held {
+            Some((_, tool)) if tool.offset.is_none_or(|offset| offset == register) => {
+                tool.offset = Some(register);
+                Ok(())
+            }
+            Some(_) => fault("two different length offsets for one tool", "give one register"),
+            None if self.last.is_some_and(|tool| tool.offset.unwrap_or(tool.number) == register) => Ok(()),
+            None => fault(
+                "the length offset changes away from the tool's call",
+                "give it behind LOADTL or LOAD/TOOL: a change in the cut would move the tool",
+            ),
+        }
+    }
+
+    /// A motion with a cutter that no tool record has called: another one needs a call.
+    pub(crate) fn compare(&mut self, at: Span) -> Option<ClFault> {
+        if !std::mem::take(&mut self.next_is_new) {
+            return None;
+        }
+        let cutter = self.next_cutter?;
+        let called = self.current().and_then(|tool| tool.diameter);
+        let before = self.uncalled.replace(cutter).map(|cutter| cutter.diameter).or(called)?;
+        if (before - cutter.diameter).abs() <= SAME_DIAMETER_MM {
+            return None;
+        }
+        let text =
+            format!("the cutter changes from {before:.3} mm to {:.3} mm, and no tool record calls it", cutter.diameter);
+        let help = "the tool in the spindle goes on: give LOADTL or LOAD/TOOL in front of this motion";
+        Some(ClFault::new("cutter without call", at, text, help))
+    }
+}

@@ -1,0 +1,132 @@
+//! NURBS of NX: knots and control points of a cubic, collected until the next record ends it.
+//!
+//! Four zero knots are implied before the first, the last one counts four times, and the first control point is the
+//! position of the tool. So the points listed are two more than the knots listed.
+
+use crate::cl::text::{ClFault, Span};
+use crate::nalgebra::{Point3, UnitVector3, Vector3};
+use crate::program::{Feed, Location, Spline};
+
+/// More control points than this are not one curve of a tool path; it bounds the memory.
+const MOST_POINTS: usize = 100_000;
+
+/// A curve, while it is read and when it is complete.
+#[derive(Debug)]
+struct NurbsCurve {
+    knots: Vec<f64>,
+    points: Vec<Point3<f64>>,
+    axis: UnitVector3<f64>,
+    feed: Option<Feed>,
+    at: Location,
+}
+
+impl Default for NurbsCurve {
+    fn default() -> Self {
+        NurbsCurve {
+            knots: Vec::new(),
+            points: Vec::new(),
+            axis: Vector3::z_axis(),
+            feed: None,
+            at: Location::default(),
+        }
+    }
+}
+
+impl NurbsCurve {
+    /// Begins at a point.
+    fn begin(&mut self, start: Point3<f64>, axis: UnitVector3<f64>, feed: Option<Feed>, at: Location) {
+        self.knots.clear();
+        self.knots.extend([0.0; 4]);
+        self.points.clear();
+        self.points.push(start);
+        (self.axis, self.feed, self.at) = (axis, feed, at);
+    }
+
+    /// Whether there is room for more.
+    fn has_room(&self) -> bool {
+        self.knots.len() < MOST_POINTS && self.points.len() < MOST_POINTS
+    }
+
+    /// Completes the knots; the error is the reason why they are none of a curve.
+    fn complete(&mut self) -> Result<(), String> {
+        let (knots, points) = (self.knots.len() - 4, self.points.len() - 1);
+        if knots == 0 || points != knots + 2 {
+            return Err(format!("it lists {knots} knots and {points} control points, which must be two more"));
+        }
+        if self.knots.windows(2).any(|pair| pair[1] < pair[0]) {
+            return Err("its knots do not rise".into());
+        }
+        let last = self.knots[self.knots.len() - 1];
+        self.knots.extend([last; 3]);
+        // A cubic breaks at four equal knots; at its ends, where they are implied, at a fifth.
+        let inner = &self.knots[1..self.knots.len() - 1];
+        if inner.windows(4).any(|four| four[3] <= four[0]) {
+            return Err("it breaks where too many of its knots are equal".into());
+        }
+        Ok(())
+    }
+}
+
+/// The curve that is read, and the one that waits to be asked for.
+#[derive(Debug, Default)]
+pub(crate) struct OpenCurve {
+    open: bool,
+    reading: NurbsCurve,
+    complete: NurbsCurve,
+}
+
+impl OpenCurve {
+    pub(crate) fn is_open(&self) -> bool {
+        self.open
+    }
+
+    /// NURBS: begins at the position of the tool.
+    pub(crate) fn begin(&mut self, start: Point3<f64>, axis: UnitVector3<f64>, feed: Option<Feed>, here: Location) {
+        self.reading.begin(start, axis, feed, here);
+        self.open = true;
+    }
+
+    /// KNOT and CNTRL need a curve with room for more.
+    pub(crate) fn check_open(&self, name: &'static str, at: Span) -> Result<(), ClFault> {
+        if self.open && self.reading.has_room() {
+            return Ok(());
+        }
+        let text = if self.open {
+            "this curve has more points than a curve of a tool path can have".to_string()
+        } else {
+            format!("{name} stands outside a NURBS")
+        };
+        Err(ClFault::new("NURBS", at, text, "knots and control points stand behind NURBS/"))
+    }
+
+    /// KNOT.
+    pub(crate) fn add_knots(&mut self, knots: impl Iterator<Item = f64>) {
+        self.reading.knots.extend(knots);
+    }
+
+    /// CNTRL.
+    pub(crate) fn add_point(&mut self, point: Point3<f64>) {
+        self.reading.points.push(point);
+    }
+
+    /// The record after a curve completes it; answers the place of its NURBS.
+    pub(crate) fn close(&mut self) -> Result<Location, ClFault> {
+        self.open = false;
+        if let Err(why) = self.reading.complete() {
+            return Err(ClFault::new(
+                "NURBS",
+                Span::WHOLE,
+                format!("the curve of line {} is not understood: {why}", self.reading.at.line),
+                "have the CAM system write lines instead of curves",
+            ));
+        }
+        std::mem::swap(&mut self.reading, &mut self.complete);
+        Ok(self.complete.at)
+    }
+
+    /// The curve that was completed last.
+    pub(crate) fn completed(&self) -> Spline<'_> {
+        let NurbsCurve { knots, points, axis, feed, .. } = &self.complete;
+        Spline { knots, points, axis: *axis, feed: *feed }
+    }
+}

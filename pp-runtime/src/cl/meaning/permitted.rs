@@ -1,0 +1,100 @@
+//! Which records may come while an arc, a curve or a cycle is open: one table.
+
+use crate::cl::record::{
+    ArcRecord, CoordinateRecord, CycleRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, Record,
+    SubprogramRecord, ToolRecord,
+};
+
+/// Where a record may come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Permitted {
+    /// It moves the tool or begins a path: not between AUTOPS or INDIRV and their TLON.
+    pub(crate) begins_motion: bool,
+    /// It may come between CIRCLE and the GOTO that ends its arc.
+    pub(crate) in_arc: bool,
+    /// It belongs to a NURBS that is open, or does not end it.
+    pub(crate) in_curve: bool,
+    /// It may come among the points of a CYCLE.
+    pub(crate) in_cycle: bool,
+}
+
+impl Permitted {
+    /// It interrupts nothing but a curve and an arc.
+    const ORDINARY: Permitted = Permitted { begins_motion: false, in_arc: false, in_curve: false, in_cycle: true };
+    /// It may come before the end of an arc, too.
+    const WITHIN_ARC: Permitted = Permitted { in_arc: true, ..Permitted::ORDINARY };
+    /// It ends everything.
+    const ALONE: Permitted = Permitted { in_cycle: false, ..Permitted::ORDINARY };
+    /// It is part of a curve.
+    const OF_CURVE: Permitted = Permitted { in_curve: true, ..Permitted::ORDINARY };
+    /// It matters to nothing.
+    const ANYWHERE: Permitted = Permitted { in_arc: true, in_curve: true, ..Permitted::ORDINARY };
+    /// It moves to a point, which may end an arc or be that of a hole.
+    const POINT: Permitted = Permitted { begins_motion: true, ..Permitted::WITHIN_ARC };
+    /// It moves to a point, which may be that of a hole.
+    const POINT_OF_HOLE: Permitted = Permitted { begins_motion: true, ..Permitted::ORDINARY };
+    /// It moves or begins a path, and ends everything.
+    const PATH_ALONE: Permitted = Permitted { begins_motion: true, ..Permitted::ALONE };
+
+    pub(crate) fn of(record: &Record<'_>) -> Permitted {
+        match record {
+            Record::Motion(record) => match record {
+                MotionRecord::Goto(_) | MotionRecord::Points(_) | MotionRecord::Delta(_) => Self::POINT,
+                MotionRecord::DeltaAlongAxis { .. } => Self::POINT_OF_HOLE,
+                MotionRecord::Home(_) | MotionRecord::Retract => Self::PATH_ALONE,
+                MotionRecord::From(_) => Self::ORDINARY,
+            },
+            Record::Arc(record) => match record {
+                ArcRecord::Circle(_) => Self::PATH_ALONE,
+                ArcRecord::TangentArc(_) => Self::ALONE,
+                ArcRecord::AutomaticPlane | ArcRecord::Direction { .. } => Self::ORDINARY,
+            },
+            Record::Nurbs(record) => match record {
+                NurbsRecord::Begin => Self::PATH_ALONE,
+                NurbsRecord::Knots(_) | NurbsRecord::ControlPoint(_) => Self::OF_CURVE,
+            },
+            Record::Cycle(CycleRecord::Define(_) | CycleRecord::Switch { .. }) => Self::ORDINARY,
+            Record::Coordinates(record) => Self::of_coordinates(record),
+            Record::Tool(record) => match record {
+                ToolRecord::Call(_) => Self::ALONE,
+                ToolRecord::Preselect(_) | ToolRecord::LengthOffset { .. } => Self::ORDINARY,
+                ToolRecord::Cutter(_) | ToolRecord::CutterOfLastTool(_) => Self::ORDINARY,
+            },
+            Record::Machine(record) => Self::of_machine(record),
+            Record::Program(record) => Self::of_program(record),
+            Record::Subprogram(record) => match record {
+                SubprogramRecord::Define(_) | SubprogramRecord::End | SubprogramRecord::Call { .. } => Self::ORDINARY,
+            },
+            Record::Inert => Self::ANYWHERE,
+        }
+    }
+
+    fn of_coordinates(record: &CoordinateRecord) -> Permitted {
+        match record {
+            CoordinateRecord::Frame(_) | CoordinateRecord::Setup(_) => Self::ALONE,
+            CoordinateRecord::Units(_) | CoordinateRecord::World => Self::ORDINARY,
+            CoordinateRecord::MultiAxis(_) | CoordinateRecord::ToolAxis { .. } => Self::ORDINARY,
+            CoordinateRecord::Origin(_) | CoordinateRecord::Translation { .. } => Self::ORDINARY,
+            CoordinateRecord::Transformation { .. } | CoordinateRecord::ClearancePlane { .. } => Self::ORDINARY,
+        }
+    }
+
+    fn of_machine(record: &MachineRecord) -> Permitted {
+        match record {
+            MachineRecord::Feed(_) | MachineRecord::InverseTime(_) => Self::WITHIN_ARC,
+            MachineRecord::Coolant(_) | MachineRecord::Tolerance { .. } => Self::WITHIN_ARC,
+            MachineRecord::Rapid | MachineRecord::Spindle(_) | MachineRecord::Compensation { .. } => Self::ORDINARY,
+            MachineRecord::Delay { .. } | MachineRecord::Turning(_) => Self::ORDINARY,
+        }
+    }
+
+    fn of_program(record: &ProgramRecord<'_>) -> Permitted {
+        match record {
+            ProgramRecord::Message(_) => Self::WITHIN_ARC,
+            ProgramRecord::ToolPath(_) | ProgramRecord::Insert(_) | ProgramRecord::Code { .. } => Self::ALONE,
+            ProgramRecord::Stop | ProgramRecord::OptionalStop => Self::ALONE,
+            ProgramRecord::PartName(_) | ProgramRecord::MachineName(_) | ProgramRecord::EndOfPath => Self::ORDINARY,
+            ProgramRecord::End | ProgramRecord::Fini | ProgramRecord::Rewind => Self::ORDINARY,
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The unit of a file: found in it, or given by the caller.
+
+use crate::cl::text::{ClFault, Span};
+use crate::program::{Location, Units};
+
+/// The unit of a file; the first one stated holds to its end.
+#[derive(Debug, Default)]
+pub(crate) struct FileUnits {
+    given: Option<Units>,
+    found: Option<(Units, Location)>,
+    /// That none is known has been reported.
+    missed: bool,
+}
+
+impl FileUnits {
+    pub(crate) fn new(given: Option<Units>) -> Self {
+        FileUnits { given, ..Self::default() }
+    }
+
+    /// As found, else as given.
+    pub(crate) fn known(&self) -> Option<Units> {
+        self.found.map(|(units, _)| units).or(self.given)
+    }
+
+    /// Whether the unit is known from the caller only.
+    pub(crate) fn are_only_given(&self) -> bool {
+        self.found.is_none() && self.given.is_some()
+    }
+
+    /// Millimetres in one unit of the file, for the number at `at`. A missing unit is reported once.
+    #[inline]
+    pub(crate) fn millimetres(&mut self, at: Span) -> Result<f64, ClFault> {
+        match self.known() {
+            Some(units) => Ok(units.in_mm()),
+            None => self.assume_millimetres(at),
+        }
+    }
+
+    #[cold]
+    fn assume_millimetres(&mut self, at: Span) -> Result<f64, ClFault> {
+        if std::mem::replace(&mut self.missed, true) {
+            return Ok(1.0);
+        }
+        Err(ClFault::new(
+            "units",
+            at,
+            "the file does not say its unit: no UNITS/MM, UNITS/INCH or UNIT/.. stands before this number",
+            "give `--units mm` or `--units in`, as the part is modelled",
+        ))
+    }
+
+    /// UNITS.
+    pub(crate) fn take(&mut self, units: Units, here: Location) -> Result<(), ClFault> {
+        let fault = |text: String, help: &str| Err(ClFault::new("units", Span::WHOLE, text, help));
+        if let Some((before, line)) = self.found {
+            if before != units {
+                let text = format!("the unit changes in the middle of the file; line {} says another one", line.line);
+                return fault(text, "write the whole file in one unit");
+            }
+            return Ok(());
+        }
+        self.found = Some((units, here));
+        if self.given.is_some_and(|given| given != units) {
+            let text = "the file says another unit than `--units`".to_string();
+            return fault(text, "leave `--units` out if the file is right");
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,141 @@
+//! A vote on the sense in which circles are traversed.
+//!
+//! The sense that follows from the form of a CIRCLE is checked against the feed lines before and after each arc: a line
+//! that continues tangentially decides. A majority against the form's sense is an error, a single contradiction may be a
+//! genuine cusp.
+
+use crate::nalgebra::{UnitVector3, Vector3};
+use crate::program::{Arc, Location};
+
+/// A line is tangential within this angle; its cosine.
+const TANGENTIAL: f64 = 0.999_847_695_156_391_3;
+
+/// Shorter lines have no reliable direction, mm.
+const SHORTEST_LINE_MM: f64 = 0.01;
+
+/// Groups of arcs that vote separately; more frames than that share the last group.
+const MOST_GROUPS: usize = 64;
+
+/// Direction of an arc at its start and at its end.
+fn tangents(arc: &Arc) -> [Vector3<f64>; 2] {
+    let n = arc.normal.into_inner();
+    [arc.start.tip, arc.end.tip].map(|point| n.cross(&(point - arc.centre)).normalize())
+}
+
+/// Whether a line runs along a tangent (`Some(true)`), against it, or neither.
+fn vote(line: Vector3<f64>, tangent: Vector3<f64>, normal: &UnitVector3<f64>) -> Option<bool> {
+    let flat = line - normal.into_inner() * line.dot(normal);
+    let length = flat.norm();
+    if length < SHORTEST_LINE_MM {
+        return None;
+    }
+    let cosine = flat.dot(&tangent) / length;
+    (cosine.abs() >= TANGENTIAL).then_some(cosine > 0.0)
+}
+
+/// Arcs of one frame about one direction.
+#[derive(Debug, Clone, Copy)]
+struct VoteGroup {
+    frame: u32,
+    upward: bool,
+    agree: u64,
+    against: u64,
+    first_against: Location,
+}
+
+/// Evidence of the sense of the arcs of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct ArcVote {
+    /// Arcs read.
+    pub arcs: u64,
+    /// Arcs of which a neighbouring line confirms the sense.
+    pub agree: u64,
+    /// Arcs of which a neighbouring line contradicts it.
+    pub against: u64,
+    /// The sense was given, whatever the form.
+    pub given: bool,
+}
+
+/// An arc whose next line is not known yet.
+#[derive(Debug, Clone, Copy)]
+struct UndecidedArc {
+    group: usize,
+    before: Option<bool>,
+    tangent: Vector3<f64>,
+    normal: UnitVector3<f64>,
+    location: Location,
+}
+
+/// Collects the votes.
+#[derive(Debug, Default)]
+pub(crate) struct ArcVotes {
+    groups: Vec<VoteGroup>,
+    undecided: Option<UndecidedArc>,
+    arcs: u64,
+}
+
+impl ArcVotes {
+    /// An arc; `line`: the feed line that led to it.
+    pub(crate) fn arc(
+        &mut self,
+        arc: &Arc,
+        axis: &UnitVector3<f64>,
+        line: Option<Vector3<f64>>,
+        frame: u32,
+        at: Location,
+    ) {
+        self.settle(None);
+        self.arcs += 1;
+        let largest =
+            axis.iter().copied().fold(0.0_f64, |most, value| if value.abs() > most.abs() { value } else { most });
+        let upward = largest > 0.0;
+        let known = self.groups.iter().position(|group| group.frame == frame && group.upward == upward);
+        let group = known.unwrap_or_else(|| {
+            if self.groups.len() < MOST_GROUPS {
+                self.groups.push(VoteGroup { frame, upward, agree: 0, against: 0, first_against: Location::default() });
+            }
+            self.groups.len() - 1
+        });
+        let [first, last] = tangents(arc);
+        self.undecided = Some(UndecidedArc {
+            group,
+            before: line.and_then(|line| vote(line, first, &arc.normal)),
+            tangent: last,
+            normal: arc.normal,
+            location: at,
+        });
+    }
+
+    pub(crate) fn waits(&self) -> bool {
+        self.undecided.is_some()
+    }
+
+    /// What follows the last arc: a feed line, or something else.
+    pub(crate) fn settle(&mut self, line: Option<Vector3<f64>>) {
+        let Some(arc) = self.undecided.take() else { return };
+        let after = line.and_then(|line| vote(line, arc.tangent, &arc.normal));
+        let group = &mut self.groups[arc.group];
+        match (arc.before, after) {
+            (Some(true), None | Some(true)) | (None, Some(true)) => group.agree += 1,
+            (Some(false), None | Some(false)) | (None, Some(false)) => {
+                if group.against == 0 {
+                    group.first_against = arc.location;
+                }
+                group.against += 1;
+            }
+            // A line that comes in along the arc and one that goes out against it: a cusp.
+            (None, None) | (Some(true), Some(false)) | (Some(false), Some(true)) => {}
+        }
+    }
+
+    pub(crate) fn count(&self, given: bool) -> ArcVote {
+        let sum = |of: fn(&VoteGroup) -> u64| self.groups.iter().map(of).sum();
+        ArcVote { arcs: self.arcs, agree: sum(|group| group.agree), against: sum(|group| group.against), given }
+    }
+
+    /// Groups with contradictions: where the first is, how many arcs contradict, of how many decided ones.
+    pub(crate) fn contradictions(&self) -> impl Iterator<Item = (Location, u64, u64)> + '_ {
+        let some = self.groups.iter().filter(|group| group.against > 0);
+        some.map(|group| (group.first_against, group.against, group.agree + group.against))
+    }
+}

@@ -1,0 +1,375 @@
+//! The reader: bytes in, events and diagnostics out.
+
+use std::io::{self, Read};
+
+use super::diagnostics::Faults;
+use super::dialect::Dialect;
+use super::meaning::{ArcVote, Options, QueuedEvent, RecordInterpreter, StatedFrame, TextUse};
+use super::record::{
+    CatiaMatrix, Record, SubprogramRecord, comment_dialect, is_goto, is_list, joined_record, parse, plain_goto,
+    read_comment, record_dialect,
+};
+use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
+use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, Span, Statement, StatementKind};
+use crate::diag::{Diagnostic, Severity};
+use crate::program::{Event, Location, Units};
+
+/// Cutters that are all smaller than this, in a file whose millimetres are only claimed, are inches.
+const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
+
+/// Reads CL data and returns its events one by one.
+pub struct Reader<R> {
+    lexer: Lexer<R>,
+    interpreter: RecordInterpreter,
+    matrix: CatiaMatrix,
+    faults: Faults,
+    progress: Progress,
+    records: u64,
+    /// The statement whose bytes the waiting events point into.
+    statement: Option<Statement>,
+    subprograms: Subprograms,
+    /// The statement of a subprogram whose bytes the waiting events point into, instead.
+    kept: Option<KeptStatement>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Progress {
+    Unread,
+    Reading,
+    Done,
+}
+
+impl<R: Read> Reader<R> {
+    /// A reader of `input`; nothing is read yet.
+    pub fn new(input: R, options: Options) -> Self {
+        Reader {
+            lexer: Lexer::new(input, options.columns),
+            interpreter: RecordInterpreter::new(options),
+            matrix: CatiaMatrix::default(),
+            faults: Faults::default(),
+            progress: Progress::Unread,
+            records: 0,
+            statement: None,
+            subprograms: Subprograms::default(),
+            kept: None,
+        }
+    }
+
+    /// The next event with the place of its statement's first byte, or `None` at the end.
+    ///
+    /// After the first error the rest of the file is read for diagnostics only and `None` is returned; ask
+    /// [`failed`](Self::failed) then.
+    pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
+        let (location, pending) = loop {
+            if let Some(event) = self.interpreter.next_event()
+                && !self.faults.failed()
+            {
+                break event;
+            }
+            match self.progress {
+                Progress::Unread => self.begin()?,
+                Progress::Reading if self.subprograms.is_running() => self.run_kept(),
+                Progress::Reading => match self.lexer.next()? {
+                    // Nearly every statement: a point, and an event that waits for nothing.
+                    Some(statement) if self.is_plain_goto(&statement) => {
+                        if let Some(found) = self.read_goto(&statement) {
+                            return Ok(Some(found));
+                        }
+                    }
+                    Some(statement) => self.read(&statement),
+                    None => self.finish(),
+                },
+                Progress::Done => return Ok(None),
+            }
+        };
+        let text = |at: Span| match (&self.kept, &self.statement) {
+            (Some(kept), _) => &self.subprograms.text(kept)[at.start..at.end],
+            (None, Some(statement)) => &self.lexer.text(statement)[at.start..at.end],
+            (None, None) => &[],
+        };
+        let event = match pending {
+            QueuedEvent::Plain(event) => event,
+            QueuedEvent::Text(used, at) => match used {
+                TextUse::Name => Event::Name(text(at)),
+                TextUse::MachineName => Event::MachineName(text(at)),
+                TextUse::Operation => Event::Operation(text(at)),
+                TextUse::Message => Event::Message(text(at)),
+                TextUse::Insert => Event::Insert(text(at)),
+            },
+            QueuedEvent::Spline => Event::Spline(self.interpreter.completed_curve()),
+        };
+        Ok(Some((location, event)))
+    }
+
+    /// Errors and warnings so far, in the order found. Of one kind the first 20 are kept; at the end one more says how
+    /// many others there were.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        self.faults.diagnostics()
+    }
+
+    /// Whether there was an error; nothing may be posted then.
+    pub fn failed(&self) -> bool {
+        self.faults.failed()
+    }
+
+    /// The unit of the file as found so far, else as given.
+    pub fn units(&self) -> Option<Units> {
+        self.interpreter.units().known()
+    }
+
+    /// Whether the unit is known from the options only.
+    pub fn units_are_only_given(&self) -> bool {
+        self.interpreter.units().are_only_given()
+    }
+
+    /// The CAM system by the evidence so far; the first evidence decides.
+    pub fn dialect(&self) -> Dialect {
+        self.interpreter.dialect()
+    }
+
+    /// The workpiece frame: the first frame stated so far.
+    pub fn frame(&self) -> Option<&StatedFrame> {
+        self.interpreter.coordinates().workpiece().frame()
+    }
+
+    /// Evidence of the sense of the arcs read so far.
+    pub fn arcs(&self) -> ArcVote {
+        self.interpreter.votes().count(self.interpreter.options().circle_sense.is_some())
+    }
+
+    /// Different frames stated so far.
+    pub fn different_frames(&self) -> usize {
+        self.interpreter.coordinates().workpiece().different()
+    }
+
+    /// Changes of the CSYS of SolidWorks CAM so far.
+    pub fn setup_changes(&self) -> u64 {
+        self.interpreter.coordinates().set_up().changes()
+    }
+
+    /// Whether the CAM system asks for inverse-time feed.
+    pub fn asks_for_inverse_time(&self) -> bool {
+        self.interpreter.asks_for_inverse_time()
+    }
+
+    /// Frames stated so far, equal ones included.
+    pub fn frames_stated(&self) -> u64 {
+        self.interpreter.coordinates().workpiece().stated()
+    }
+
+    /// Statements so far, comments not counted.
+    pub fn records(&self) -> u64 {
+        self.records
+    }
+
+    /// Motions so far.
+    pub fn motions(&self) -> u64 {
+        self.interpreter.path().motions()
+    }
+
+    /// Lines so far.
+    pub fn lines(&self) -> u64 {
+        self.lexer.lines()
+    }
+
+    /// Tool axes so far whose length was off by more than rounding and which were normalised.
+    pub fn normalised_axes(&self) -> u64 {
+        self.interpreter.axis().normalised()
+    }
+
+    fn begin(&mut self) -> io::Result<()> {
+        let (text, help) = match self.lexer.begin()? {
+            Beginning::Text => {
+                self.progress = Progress::Reading;
+                return Ok(());
+            }
+            Beginning::Binary => (
+                "this is no text file: it holds NUL bytes",
+                "write the CL data as text (APT source, CLS); UTF-16 text must be saved as UTF-8",
+            ),
+            Beginning::Empty => ("the file is empty", "check whether the CAM system wrote it completely"),
+        };
+        self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text.into(), help);
+        self.progress = Progress::Done;
+        Ok(())
+    }
+
+    fn is_plain_goto(&self, statement: &Statement) -> bool {
+        statement.kind == StatementKind::Code
+            && self.interpreter.is_straight()
+            && !self.matrix.is_open()
+            && !self.subprograms.is_open()
+            && is_goto(self.lexer.text(statement))
+    }
+
+    /// A GOTO while nothing is open and nothing waits: the same as by `read`, without a queue.
+    fn read_goto(&mut self, statement: &Statement) -> Option<(Location, Event<'static>)> {
+        self.records += 1;
+        let here = self.lexer.locate(statement, 0).0;
+        match plain_goto(self.lexer.text(statement)).and_then(|point| self.interpreter.straight(&point, here)) {
+            Ok(motion) if !self.faults.failed() => Some((here, Event::Move(motion))),
+            Ok(_) => None,
+            Err(fault) if is_list(&fault) => {
+                self.statement = Some(*statement);
+                self.kept = None;
+                self.read_record(statement, here);
+                None
+            }
+            Err(fault) => {
+                self.faults.add(fault, statement, &self.lexer);
+                None
+            }
+        }
+    }
+
+    fn read(&mut self, statement: &Statement) {
+        self.statement = Some(*statement);
+        self.kept = None;
+        let text = self.lexer.text(statement);
+        let record = match statement.kind {
+            StatementKind::Code => {
+                self.records += 1;
+                if let Err(fault) = self.matrix.abandon() {
+                    self.faults.add(fault, statement, &self.lexer);
+                }
+                self.interpreter.suspect(record_dialect(text));
+                return self.read_record(statement, self.lexer.locate(statement, 0).0);
+            }
+            StatementKind::Comment => {
+                self.interpreter.suspect(comment_dialect(text));
+                let mut lines = self.lexer.joined_lines(statement);
+                match lines.find_map(|(offset, line)| joined_record(text, offset, line)) {
+                    Some(swallowed) => Err(swallowed),
+                    None => read_comment(text, &mut self.matrix),
+                }
+            }
+            StatementKind::TooLong => Err(ClFault::new(
+                "statement too long",
+                Span::WHOLE,
+                format!("a statement here is longer than {} bytes", LONGEST_STATEMENT),
+                "check whether this is CL data and whether its line ends were lost",
+            )),
+            StatementKind::Unfinished => Err(ClFault::new(
+                "unfinished statement",
+                Span { start: 0, end: text.len() },
+                "the file ends inside this statement, behind a `$` that continues it",
+                "check whether the CAM system wrote the file completely",
+            )),
+        };
+        let taken = match &record {
+            Ok(record) => self.interpreter.take(record, self.lexer.locate(statement, 0).0),
+            Err(_) => Ok(()),
+        };
+        if let Some(fault) = record.err().or(taken.err()) {
+            self.faults.add(fault, statement, &self.lexer);
+        }
+    }
+
+    /// Any statement that is no comment.
+    fn read_record(&mut self, statement: &Statement, here: Location) {
+        let text = self.lexer.text(statement);
+        let mut lines = self.lexer.joined_lines(statement);
+        let record = parse(text, &self.interpreter.options().inert).and_then(|record| {
+            let lost = |(offset, line)| joined_record(text, offset, line);
+            let lost = if record.takes_anything() { lines.find_map(lost) } else { None };
+            lost.map_or(Ok(record), Err)
+        });
+        let taken = record.and_then(|record| match record {
+            Record::Subprogram(SubprogramRecord::Define(number)) => self.subprograms.define(number),
+            Record::Subprogram(SubprogramRecord::End) => self.subprograms.end(),
+            _ if self.subprograms.is_open() => self.subprograms.keep(text, here),
+            Record::Subprogram(SubprogramRecord::Call { number, at }) => {
+                self.interpreter.take(&record, here)?;
+                self.subprograms.call(number, at)
+            }
+            record => self.interpreter.take(&record, here),
+        });
+        if let Err(fault) = taken {
+            self.faults.add(fault, statement, &self.lexer);
+        }
+        for warning in self.interpreter.take_warnings() {
+            self.faults.add(warning, statement, &self.lexer);
+        }
+    }
+
+    /// The next statement of a subprogram that is called.
+    fn run_kept(&mut self) {
+        let Some(kept) = self.subprograms.next() else { return };
+        self.kept = Some(kept);
+        let text = self.subprograms.text(&kept);
+        let place = |at: Span| {
+            let column = u32::try_from(at.start).unwrap_or(u32::MAX);
+            let location = Location { column: kept.location().column.saturating_add(column), ..kept.location() };
+            (location, text.len().saturating_sub(at.start))
+        };
+        let taken = parse(text, &self.interpreter.options().inert).and_then(|record| match record {
+            Record::Subprogram(SubprogramRecord::Call { at, .. }) => {
+                Err(subprogram_fault(at, "a subprogram that calls another one is not understood"))
+            }
+            record => self.interpreter.take(&record, kept.location()),
+        });
+        for fault in taken.err().into_iter().chain(self.interpreter.take_warnings()) {
+            let (location, left) = place(fault.at);
+            self.faults.add_at(fault, location, left);
+        }
+    }
+
+    /// Checks of the whole file.
+    fn finish(&mut self) {
+        self.progress = Progress::Done;
+        let unfinished = self.interpreter.finish();
+        let unfinished = unfinished.err().or_else(|| {
+            let open = self.subprograms.is_open();
+            open.then(|| subprogram_fault(Span::WHOLE, "the file ends inside a subprogram"))
+        });
+        if let (Some(fault), Some(statement)) = (unfinished, &self.statement) {
+            self.faults.add(fault, statement, &self.lexer);
+        }
+        self.count_votes();
+        let reading = &self.interpreter;
+        let normalised = reading.axis().normalised();
+        if normalised > 0 {
+            let text = format!(
+                "{normalised} tool axes are off from length 1 by more than 0.00001 and were normalised; this is the first"
+            );
+            let help = "have the CAM system write i, j, k with more digits";
+            self.faults.add_about_file(Severity::Warning, reading.axis().first_normalised(), text, help);
+        }
+        if let Some((largest_mm, first)) = reading.tool().largest_cutter()
+            && reading.units().are_only_given()
+            && reading.units().known() == Some(Units::Millimetres)
+            && largest_mm < SMALLEST_LARGEST_CUTTER_MM
+        {
+            let text = format!("no cutter is larger than {largest_mm} mm: is this file in inch?");
+            let help = "give `--units in`; if these are millimetres, say UNITS/MM at the top of the file";
+            self.faults.add_about_file(Severity::Error, first, text, help);
+        }
+        if reading.path().motions() == 0 && !self.faults.failed() {
+            let text = "the file holds no motion: there is no GOTO in it".into();
+            let help = "check whether the tool path was generated before it was written";
+            self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text, help);
+        }
+        self.faults.conclude();
+    }
+
+    /// Compares the sense of the arcs with the lines next to them.
+    fn count_votes(&mut self) {
+        if self.interpreter.options().circle_sense.is_some() {
+            return;
+        }
+        for (location, against, decided) in self.interpreter.votes().contradictions() {
+            let majority = 2 * against > decided;
+            let severity = if majority { Severity::Error } else { Severity::Warning };
+            let text = format!(
+                "{against} of {decided} arcs whose neighbours decide run the other way than the form of CIRCLE says; \
+                 this is the first"
+            );
+            let help = if majority {
+                "give `--circle-sense cw` or `ccw` if the CAM system has another habit"
+            } else {
+                "a cusp, if the path really turns back here"
+            };
+            self.faults.add_about_file(severity, location, text, help);
+        }
+    }
+}

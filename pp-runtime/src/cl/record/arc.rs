@@ -1,0 +1,282 @@
+//! Records of arcs: CIRCLE in its three forms, MOVARC, and CATIA's TLON with AUTOPS and INDIRV.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::values::{ClNumber, ClNumbers};
+use crate::cl::text::{Args, ClFault, Span, number_at_start, quoted, skip_blanks};
+
+/// Form of a CIRCLE, by the count of its numbers; the sense in which it is traversed follows from it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CircleForm {
+    /// 6 numbers: centre and axis; counter-clockwise about the axis (SolidWorks CAM).
+    Six,
+    /// 7 numbers: a radius after them; counter-clockwise (Creo, ISO 4343).
+    Seven,
+    /// 11 numbers: radius, tolerances and tool; clockwise about the axis (NX).
+    Eleven,
+}
+
+/// A circle, in the units of the file; the next GOTO is the end of the arc.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CircleRecord {
+    /// Centre.
+    pub centre: [f64; 3],
+    /// Its axis, not normalised.
+    pub axis: [f64; 3],
+    /// Radius, if the form has one.
+    pub radius: Option<f64>,
+    /// Form.
+    pub form: CircleForm,
+    /// TIMES,n: the arc and n - 1 full turns.
+    pub times: u32,
+    /// MOVARC: the angle that the arc must have, degrees.
+    pub angle: Option<f64>,
+    /// The numbers, for messages.
+    pub at: Span,
+}
+
+/// `TLON,GOFWD/ (CIRCLE/ c,r),ON,(LINE/ c,e)`: an arc to `e`, begun in the direction of INDIRV.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TangentArc {
+    /// Centre.
+    pub centre: [f64; 3],
+    /// Radius.
+    pub radius: f64,
+    /// A point of the line, and its end: where the line meets the circle the arc ends.
+    pub line: [[f64; 3]; 2],
+    /// `2,INTOF`: the second intersection along the line.
+    pub second: bool,
+    /// The arguments, for messages.
+    pub at: Span,
+}
+
+/// An arc, or what comes before one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ArcRecord {
+    /// `CIRCLE/..` with 6, 7 or 11 numbers and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`.
+    Circle(CircleRecord),
+    /// `AUTOPS`: the plane of the next TLON passes through the current position.
+    AutomaticPlane,
+    /// `INDIRV/i,j,k`: direction in which the next TLON begins.
+    Direction {
+        /// Not normalised.
+        vector: [f64; 3],
+        /// The numbers, for messages.
+        at: Span,
+    },
+    /// `TLON,GOFWD/ ..`.
+    TangentArc(TangentArc),
+}
+
+/// INDIRV.
+pub(crate) fn direction(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
+    let vector = args.exactly()?;
+    Ok(ArcRecord::Direction { vector, at: args.all() })
+}
+
+/// Turns of one arc: deeper threads have fewer, and it bounds the chords.
+const MOST_TURNS: u32 = 1000;
+
+/// CIRCLE: `x,y,z,i,j,k[,r[,t,f,d,e]][,TIMES,n]`.
+pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
+    let at = args.all();
+    let mut numbers = [0.0; 11];
+    let mut found = 0;
+    let mut times = 1;
+    while let Some(arg) = args.next()? {
+        if arg.is("TIMES") {
+            let count = args.needed()?;
+            times = count.integer()?;
+            if !(1..=MOST_TURNS).contains(&times) {
+                let text = format!("an arc has 1 to {MOST_TURNS} turns, not {times}");
+                return Err(ClFault::new("circle", count.at, text, "TIMES,1 is the arc itself"));
+            }
+            break;
+        }
+        let value = arg.number()?;
+        if let Some(place) = numbers.get_mut(found) {
+            *place = value;
+        }
+        found += 1;
+    }
+    let form = match found {
+        6 => CircleForm::Six,
+        7 => CircleForm::Seven,
+        11 => CircleForm::Eleven,
+        found => {
+            return Err(ClFault::new(
+                "circle",
+                at,
+                format!(
+                    "{} has 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
+                    args.name()
+                ),
+                "6 and 7 are counter-clockwise about i, j, k; 11 are clockwise",
+            ));
+        }
+    };
+    let [x, y, z, i, j, k, r, ..] = numbers;
+    Ok(ArcRecord::Circle(CircleRecord {
+        centre: [x, y, z],
+        axis: [i, j, k],
+        radius: (form != CircleForm::Six).then_some(r),
+        form,
+        times,
+        angle: None,
+        at,
+    }))
+}
+
+/// MOVARC: `x,y,z,i,j,k,r,ANGLE,degrees`.
+pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
+    let at = args.all();
+    let mut numbers = [0.0; 7];
+    for place in &mut numbers {
+        *place = args.needed()?.number()?;
+    }
+    let word = args.needed()?;
+    if !word.is("ANGLE") {
+        return Err(args.not_understood(word));
+    }
+    let angle = args.needed()?;
+    let degrees = angle.number()?;
+    if !(degrees > 0.0 && degrees <= 360.0 * f64::from(MOST_TURNS)) {
+        return Err(ClFault::new(
+            "circle",
+            angle.at,
+            format!("an arc of {} degrees is not understood", quoted(angle.text)),
+            "an arc turns counter-clockwise about i, j, k by more than 0 and at most a thousand turns",
+        ));
+    }
+    let [x, y, z, i, j, k, r] = numbers;
+    Ok(ArcRecord::Circle(CircleRecord {
+        centre: [x, y, z],
+        axis: [i, j, k],
+        radius: Some(r),
+        form: CircleForm::Seven,
+        times: 1,
+        angle: Some(degrees),
+        at,
+    }))
+}
+
+/// TLON: `,GOFWD/ (CIRCLE/ x,y,z,r),ON,[2,INTOF,](LINE/ x,y,z,x,y,z)`.
+pub(crate) fn tangent_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
+    let text = args.text();
+    let mut scan = TlonScan { text, at: args.position() };
+    scan.expect(",")?;
+    scan.expect("GOFWD")?;
+    scan.expect("/")?;
+    let start = skip_blanks(text, scan.at);
+    scan.expect("(")?;
+    scan.expect("CIRCLE")?;
+    scan.expect("/")?;
+    let [x, y, z, radius] = scan.numbers()?;
+    scan.expect(")")?;
+    scan.expect(",")?;
+    scan.expect("ON")?;
+    scan.expect(",")?;
+    let second = scan.accept("2");
+    if second {
+        scan.expect(",")?;
+        scan.expect("INTOF")?;
+        scan.expect(",")?;
+    }
+    scan.expect("(")?;
+    scan.expect("LINE")?;
+    scan.expect("/")?;
+    let [a, b, c, d, e, f] = scan.numbers()?;
+    scan.expect(")")?;
+    if skip_blanks(text, scan.at) < text.len() {
+        return Err(scan.unexpected("the end of the record"));
+    }
+    let at = Span { start, end: text.len() };
+    let line = [[a, b, c], [d, e, f]];
+    Ok(ArcRecord::TangentArc(TangentArc { centre: [x, y, z], radius, line, second, at }))
+}
+
+/// Walks over the nested record of a TLON.
+struct TlonScan<'t> {
+    text: &'t [u8],
+    at: usize,
+}
+
+impl TlonScan<'_> {
+    fn accept(&mut self, token: &str) -> bool {
+        let start = skip_blanks(self.text, self.at);
+        let end = start + token.len();
+        let found = self.text.get(start..end).is_some_and(|found| found.eq_ignore_ascii_case(token.as_bytes()));
+        if found {
+            self.at = end;
+        }
+        found
+    }
+
+    fn expect(&mut self, token: &str) -> Result<(), ClFault> {
+        if self.accept(token) { Ok(()) } else { Err(self.unexpected(&format!("`{token}`"))) }
+    }
+
+    /// Numbers with commas between them.
+    fn numbers<const N: usize>(&mut self) -> Result<[f64; N], ClFault> {
+        let mut numbers = [0.0; N];
+        for (index, place) in numbers.iter_mut().enumerate() {
+            if index > 0 {
+                self.expect(",")?;
+            }
+            let start = skip_blanks(self.text, self.at);
+            match number_at_start(&self.text[start..]).filter(|(value, _)| value.is_finite()) {
+                Some((value, used)) => (*place, self.at) = (value, start + used),
+                None => return Err(self.unexpected("a number")),
+            }
+        }
+        Ok(numbers)
+    }
+
+    #[cold]
+    fn unexpected(&self, wanted: &str) -> ClFault {
+        let start = skip_blanks(self.text, self.at).min(self.text.len().saturating_sub(1));
+        ClFault::new(
+            "TLON",
+            Span { start, end: start + 1 },
+            format!("TLON is not understood from here on: {wanted} is expected"),
+            "the form known here is TLON,GOFWD/ (CIRCLE/ x,y,z,r),ON,(LINE/ x,y,z,x,y,z)",
+        )
+    }
+}
+
+impl Display for CircleRecord {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let radius = self.radius.unwrap_or_default();
+        if let Some(angle) = self.angle {
+            let (centre, axis) = (ClNumbers(&self.centre), ClNumbers(&self.axis));
+            return write!(out, "MOVARC/{centre},{axis},{},ANGLE,{}", ClNumber(radius), ClNumber(angle));
+        }
+        write!(out, "CIRCLE/{},{}", ClNumbers(&self.centre), ClNumbers(&self.axis))?;
+        match self.form {
+            CircleForm::Six => {}
+            CircleForm::Seven => write!(out, ",{}", ClNumber(radius))?,
+            // Tolerances and tool do not matter to the path.
+            CircleForm::Eleven => write!(out, ",{},0.06,0.5,0.,0.", ClNumber(radius))?,
+        }
+        if self.times > 1 { write!(out, ",TIMES,{}", self.times) } else { Ok(()) }
+    }
+}
+
+impl Display for TangentArc {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let (centre, radius, [from, to]) = (ClNumbers(&self.centre), ClNumber(self.radius), &self.line);
+        let second = if self.second { "2,INTOF," } else { "" };
+        write!(out, "TLON,GOFWD/(CIRCLE/{centre},{radius}),ON,{second}(LINE/{},{})", ClNumbers(from), ClNumbers(to))
+    }
+}
+
+impl Display for ArcRecord {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Circle(circle) => circle.fmt(out),
+            Self::AutomaticPlane => out.write_str("AUTOPS"),
+            Self::Direction { vector, .. } => write!(out, "INDIRV/{}", ClNumbers(vector)),
+            Self::TangentArc(arc) => arc.fmt(out),
+        }
+    }
+}

@@ -1,0 +1,327 @@
+//! `CYCLE/..`: its words as written, in any order; their meaning depends on the CAM system.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::feed::FeedUnit;
+use super::values::{ClNumber, word_of};
+use crate::cl::text::{Arg, Args, ClFault, Span, quoted};
+
+/// Kind of hole that a CYCLE makes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CycleKind {
+    /// DRILL.
+    Drill,
+    /// FACE: with a wait at the bottom.
+    Face,
+    /// CSINK.
+    Csink,
+    /// THRU.
+    Thru,
+    /// DEEP, DEEP2, and DRILL,DEEP of NX.
+    Deep,
+    /// BRKCHP.
+    Brkchp,
+    /// BORE.
+    Bore,
+    /// BACK.
+    Back,
+    /// REAM.
+    Ream,
+    /// TAP.
+    Tap,
+    /// CBORE.
+    Cbore,
+}
+
+impl CycleKind {
+    /// Words and kinds; the first word of a kind is the one written.
+    pub const WORDS: [(&'static str, CycleKind); 12] = [
+        ("DRILL", CycleKind::Drill),
+        ("FACE", CycleKind::Face),
+        ("CSINK", CycleKind::Csink),
+        ("THRU", CycleKind::Thru),
+        ("DEEP", CycleKind::Deep),
+        ("DEEP2", CycleKind::Deep),
+        ("BRKCHP", CycleKind::Brkchp),
+        ("BORE", CycleKind::Bore),
+        ("BACK", CycleKind::Back),
+        ("REAM", CycleKind::Ream),
+        ("TAP", CycleKind::Tap),
+        ("CBORE", CycleKind::Cbore),
+    ];
+
+    /// The word that is written for it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        word_of(&Self::WORDS, &self)
+    }
+}
+
+/// Level to which the tool returns after a hole.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Return {
+    /// RTRCTO,AUTO: the level before the cycle.
+    Auto,
+    /// `RTRCTO,v[,MANUAL]` or `RETURN,v`.
+    Level(f64),
+}
+
+/// Most numbers without a word before them that a CYCLE may have.
+pub const MOST_POSITIONAL: usize = 6;
+
+/// The words of a CYCLE as written; what they mean depends on the CAM system.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CycleCall {
+    /// Kind.
+    pub kind: CycleKind,
+    /// FEDTO: bottom, signed along the tool axis (NX) or positive into the part (SolidWorks CAM).
+    pub fedto: Option<f64>,
+    /// DEPTH: positive into the part.
+    pub depth: Option<f64>,
+    /// A feed with its unit.
+    pub feed: Option<(f64, FeedUnit)>,
+    /// RAPTO.
+    pub rapto: Option<f64>,
+    /// CLEAR.
+    pub clear: Option<f64>,
+    /// RTRCTO or RETURN.
+    pub back_to: Option<Return>,
+    /// STEP, INCR or SUBPECK: depth of each step.
+    pub step: Option<f64>,
+    /// 1STPECK: depth of the first step.
+    pub first_step: Option<f64>,
+    /// DWELL,n.
+    pub dwell: Option<f64>,
+    /// DWELL,REV,n or REV,n: the wait in revolutions of the spindle.
+    pub dwell_turns: Option<f64>,
+    /// BACK,g of BRKCHP: how far back.
+    pub back: Option<f64>,
+    /// ORIENT,a.
+    pub orient: Option<f64>,
+    /// Numbers without a word, in their order.
+    pub positional: [f64; MOST_POSITIONAL],
+    /// How many of them there are.
+    pub positionals: usize,
+    /// The arguments, for messages.
+    pub at: Span,
+    /// The depth, for messages.
+    pub depth_at: Span,
+}
+
+impl CycleCall {
+    /// A cycle of this kind without any level.
+    #[must_use]
+    pub const fn new(kind: CycleKind, at: Span) -> Self {
+        CycleCall {
+            kind,
+            fedto: None,
+            depth: None,
+            feed: None,
+            rapto: None,
+            clear: None,
+            back_to: None,
+            step: None,
+            first_step: None,
+            dwell: None,
+            dwell_turns: None,
+            back: None,
+            orient: None,
+            positional: [0.0; MOST_POSITIONAL],
+            positionals: 0,
+            at,
+            depth_at: at,
+        }
+    }
+}
+
+/// What `CYCLE/..` without a kind switches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CycleState {
+    /// OFF: the GOTOs are motions again.
+    Off,
+    /// ON: the last cycle is in force again.
+    On,
+    /// INIT: the next cycle goes back to its initial level (SolidWorks CAM).
+    Initial,
+    /// CLEAR: the next cycle goes back to its clearance level (SolidWorks CAM).
+    Clear,
+}
+
+impl CycleState {
+    const WORDS: [(&'static str, CycleState); 4] =
+        [("OFF", CycleState::Off), ("ON", CycleState::On), ("INIT", CycleState::Initial), ("CLEAR", CycleState::Clear)];
+}
+
+/// A cycle begins, ends, or is resumed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "nothing is allocated for a record")]
+pub enum CycleRecord {
+    /// `CYCLE/kind,..`.
+    Define(CycleCall),
+    /// `CYCLE/OFF`, `CYCLE/ON`, `CYCLE/INIT`, `CYCLE/CLEAR`.
+    Switch {
+        /// Which.
+        state: CycleState,
+        /// The word, for messages.
+        at: Span,
+    },
+}
+
+/// CYCLE.
+pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
+    let at = args.all();
+    let first = args.needed()?;
+    if let Some(state) = first.among(&CycleState::WORDS) {
+        return Ok(CycleRecord::Switch { state, at: first.at });
+    }
+    let kind = first.among(&CycleKind::WORDS).ok_or_else(|| args.not_understood(first))?;
+    let mut cycle = CycleCall::new(kind, at);
+    let mut only_kind = true;
+    while let Some(arg) = args.next()? {
+        match arg.among(&CycleKind::WORDS) {
+            // NX writes DRILL,DEEP.
+            Some(kind) if only_kind && cycle.kind == CycleKind::Drill => cycle.kind = kind,
+            _ => cycle.take(arg, args)?,
+        }
+        only_kind = false;
+    }
+    Ok(CycleRecord::Define(cycle))
+}
+
+/// The place of a number in the words of a cycle.
+type NumberOf = fn(&mut CycleCall) -> &mut Option<f64>;
+
+/// Words that one number follows.
+const NUMBER_AFTER: [(&str, NumberOf); 9] = [
+    ("1STPECK", |cycle| &mut cycle.first_step),
+    ("RAPTO", |cycle| &mut cycle.rapto),
+    ("CLEAR", |cycle| &mut cycle.clear),
+    ("STEP", |cycle| &mut cycle.step),
+    ("INCR", |cycle| &mut cycle.step),
+    ("SUBPECK", |cycle| &mut cycle.step),
+    ("REV", |cycle| &mut cycle.dwell_turns),
+    ("BACK", |cycle| &mut cycle.back),
+    ("ORIENT", |cycle| &mut cycle.orient),
+];
+
+impl CycleCall {
+    /// One word with what follows it, or a number without a word.
+    fn take(&mut self, arg: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
+        if let Some(place) = arg.among(&NUMBER_AFTER) {
+            return put(place(self), arg, args);
+        }
+        if arg.looks_numeric() {
+            return self.take_number(arg, args);
+        }
+        if let Some(unit) = arg.among(&FeedUnit::WORDS) {
+            let value = args.needed()?.number()?;
+            return once(self.feed.replace((value, unit)).is_none(), arg);
+        }
+        if arg.is("FEDTO") || arg.is("DEPTH") {
+            return self.take_depth(arg, args);
+        }
+        if arg.is("RTRCTO") || arg.is("RETURN") {
+            return self.take_return(arg, args);
+        }
+        if arg.is("DWELL") {
+            let turns = follows(args, "REV")?;
+            return put(if turns { &mut self.dwell_turns } else { &mut self.dwell }, arg, args);
+        }
+        Err(args.not_understood(arg))
+    }
+
+    fn take_number(&mut self, arg: Arg<'_>, args: &Args<'_>) -> Result<(), ClFault> {
+        let value = arg.number()?;
+        let Some(place) = self.positional.get_mut(self.positionals) else {
+            return Err(args.not_understood(arg));
+        };
+        if self.positionals == 0 {
+            self.depth_at = arg.at;
+        }
+        *place = value;
+        self.positionals += 1;
+        Ok(())
+    }
+
+    fn take_depth(&mut self, word: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
+        let depth = args.needed()?;
+        once(self.fedto.is_none() && self.depth.is_none(), word)?;
+        let place = if word.is("FEDTO") { &mut self.fedto } else { &mut self.depth };
+        *place = Some(depth.number()?);
+        self.depth_at = depth.at;
+        Ok(())
+    }
+
+    fn take_return(&mut self, word: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
+        let level = args.needed()?;
+        let level = if level.is("AUTO") { Return::Auto } else { Return::Level(level.number()?) };
+        once(self.back_to.replace(level).is_none(), word)?;
+        follows(args, "MANUAL")?;
+        Ok(())
+    }
+}
+
+/// Whether this word comes next; takes it if so.
+fn follows(args: &mut Args<'_>, word: &str) -> Result<bool, ClFault> {
+    let mut ahead = args.clone();
+    let found = ahead.next()?.is_some_and(|next| next.is(word));
+    if found {
+        *args = ahead;
+    }
+    Ok(found)
+}
+
+/// The number after a word.
+fn put(place: &mut Option<f64>, word: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
+    let value = args.needed()?.number()?;
+    once(place.replace(value).is_none(), word)
+}
+
+/// Every level is written once.
+fn once(first: bool, word: Arg<'_>) -> Result<(), ClFault> {
+    if first {
+        return Ok(());
+    }
+    let text = format!("{} is said twice", quoted(word.text));
+    Err(ClFault::new("CYCLE", word.at, text, "write every level of a cycle once"))
+}
+
+impl Display for CycleCall {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CYCLE/{}", self.kind.word())?;
+        for value in &self.positional[..self.positionals.min(self.positional.len())] {
+            write!(out, ",{}", ClNumber(*value))?;
+        }
+        for (word, value) in [
+            ("FEDTO", self.fedto),
+            ("DEPTH", self.depth),
+            ("STEP", self.step),
+            ("1STPECK", self.first_step),
+            ("RAPTO", self.rapto),
+            ("CLEAR", self.clear),
+            ("DWELL", self.dwell),
+            ("REV", self.dwell_turns),
+            ("BACK", self.back),
+            ("ORIENT", self.orient),
+        ] {
+            if let Some(value) = value {
+                write!(out, ",{word},{}", ClNumber(value))?;
+            }
+        }
+        match self.back_to {
+            Some(Return::Auto) => out.write_str(",RTRCTO,AUTO")?,
+            Some(Return::Level(level)) => write!(out, ",RTRCTO,{}", ClNumber(level))?,
+            None => {}
+        }
+        self.feed.map_or(Ok(()), |(value, unit)| write!(out, ",{},{}", unit.word(), ClNumber(value)))
+    }
+}
+
+impl Display for CycleRecord {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Define(words) => words.fmt(out),
+            Self::Switch { state, .. } => write!(out, "CYCLE/{}", word_of(&CycleState::WORDS, state)),
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! FEDRAT: a feed with its unit.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::values::{ClNumber, word_of};
+use crate::cl::text::{Arg, Args, ClFault, Span};
+
+/// Unit of a feed rate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FeedUnit {
+    /// PERMIN or no word: units of the file per minute.
+    PerMinute,
+    /// PERREV: units of the file per revolution.
+    PerRevolution,
+    /// MMPM.
+    MillimetresPerMinute,
+    /// MMPR.
+    MillimetresPerRevolution,
+    /// IPM.
+    InchesPerMinute,
+    /// IPR.
+    InchesPerRevolution,
+}
+
+impl FeedUnit {
+    /// Words and units.
+    pub const WORDS: [(&'static str, FeedUnit); 6] = [
+        ("MMPM", FeedUnit::MillimetresPerMinute),
+        ("MMPR", FeedUnit::MillimetresPerRevolution),
+        ("IPM", FeedUnit::InchesPerMinute),
+        ("IPR", FeedUnit::InchesPerRevolution),
+        ("PERMIN", FeedUnit::PerMinute),
+        ("PERREV", FeedUnit::PerRevolution),
+    ];
+
+    /// The word that is written for it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        word_of(&Self::WORDS, &self)
+    }
+}
+
+/// A feed as written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FeedRecord {
+    /// In `unit`.
+    pub value: f64,
+    /// Unit.
+    pub unit: FeedUnit,
+    /// The number, for messages.
+    pub at: Span,
+    /// The unit's word; the number again if there is none.
+    pub unit_at: Span,
+}
+
+impl FeedRecord {
+    /// `n[,unit]` or `unit,n`, of which the first argument is taken.
+    pub(crate) fn parse(first: Arg<'_>, args: &mut Args<'_>) -> Result<FeedRecord, ClFault> {
+        let second = args.next()?;
+        let (number, word) = if first.looks_numeric() {
+            (first, second)
+        } else if first.among(&FeedUnit::WORDS).is_some() {
+            (second.ok_or_else(|| args.wrong_count("a number", 0))?, Some(first))
+        } else {
+            return Err(args.not_understood(first));
+        };
+        let value = number.number()?;
+        let unit = match word {
+            None => FeedUnit::PerMinute,
+            Some(word) => word.among(&FeedUnit::WORDS).ok_or_else(|| args.not_understood(word))?,
+        };
+        Ok(FeedRecord { value, unit, at: number.at, unit_at: word.map_or(number.at, |word| word.at) })
+    }
+}
+
+impl Display for FeedRecord {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self.unit {
+            FeedUnit::PerMinute => write!(out, "FEDRAT/{}", ClNumber(self.value)),
+            unit => write!(out, "FEDRAT/{},{}", unit.word(), ClNumber(self.value)),
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! Records of the machine's state: rapid and feed, spindle, coolant, cutter compensation, dwell, tolerance, rotary
+//! direction.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::feed::FeedRecord;
+use super::spindle::write_spindle;
+use super::values::{AxisPlane, ClNumber, word_of, write_on_off};
+use crate::cl::text::{Args, ClFault, Span};
+use crate::program::{Coolant, CutterSide, Dwell, Rotation, Spindle, Turning};
+
+/// A state of the machine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MachineRecord {
+    /// `RAPID`, `FEDRAT/RAPID`.
+    Rapid,
+    /// `FEDRAT/n[,unit]`, `FEDRAT/unit,n`.
+    Feed(FeedRecord),
+    /// `FEDRAT/INVERS,AUTO`, `INVERSE/ON`, `INVERSE/OFF`: the CAM system asks for inverse-time feed.
+    InverseTime(bool),
+    /// `SPINDL/..` with RPM, CLW, CCLW, ON, OFF and a number in any order.
+    Spindle(Spindle),
+    /// `COOLNT/ON|OFF|FLOOD|MIST|THRU|AIR`.
+    Coolant(Coolant),
+    /// `CUTCOM/LEFT|RIGHT[,n][,XYPLAN]`, `CUTCOM/ON`, `CUTCOM/OFF`.
+    Compensation {
+        /// Side.
+        side: CutterSide,
+        /// Offset register.
+        register: Option<u32>,
+        /// Plane.
+        plane: Option<AxisPlane>,
+    },
+    /// `DELAY/s`, `DELAY/n,REV`.
+    Delay {
+        /// Duration.
+        dwell: Dwell,
+        /// The number, for messages.
+        at: Span,
+    },
+    /// `LINTOL/t`, `LINTOL/OFF`.
+    Tolerance {
+        /// In units of the file; `None`: OFF.
+        value: Option<f64>,
+        /// The argument, for messages.
+        at: Span,
+    },
+    /// `ROTABL/SHORT`, `ROTABL/NEXT,CLW|CCLW`.
+    Turning(Turning),
+}
+
+/// FEDRAT.
+pub(crate) fn feed(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
+    let first = args.needed()?;
+    if first.is("RAPID") {
+        return Ok(MachineRecord::Rapid);
+    }
+    if first.is("INVERS") {
+        args.keyword("AUTO")?;
+        return Ok(MachineRecord::InverseTime(true));
+    }
+    FeedRecord::parse(first, args).map(MachineRecord::Feed)
+}
+
+/// INVERSE.
+pub(crate) fn inverse_time(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
+    args.one_of(&[("ON", true), ("OFF", false)]).map(MachineRecord::InverseTime)
+}
+
+const COOLANTS: [(&str, Coolant); 6] = [
+    ("ON", Coolant::On),
+    ("OFF", Coolant::Off),
+    ("FLOOD", Coolant::Flood),
+    ("MIST", Coolant::Mist),
+    ("THRU", Coolant::Through),
+    ("AIR", Coolant::Air),
+];
+
+/// COOLNT.
+pub(crate) fn coolant(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
+    args.one_of(&COOLANTS).map(MachineRecord::Coolant)
+}
+
+const SIDES: [(&str, CutterSide); 4] =
+    [("OFF", CutterSide::Off), ("ON", CutterSide::On), ("LEFT", CutterSide::Left), ("RIGHT", CutterSide::Right)];
+
+/// CUTCOM.
+pub(crate) fn compensation(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
+    let side = args.one_of(&SIDES)?;
+    let (mut register, mut plane) = (None, None);
+    while side != CutterSide::Off
+        && let Some(arg) = args.next()?
+    {
+        let known = arg.among(&AxisPlane::WORDS);
+        if arg.looks_numeric() && register.is_none() {
+            register = Some(arg.integer()?);
+        } else if known.is_some() && plane.is_none() {
+            plane = known;
+        } else {
+            return Err(args.not_understood(arg));
+        }
+    }
+    Ok(MachineRecord::Compensation { side, register, plane })
+}
+
+/// DELAY.
+pub(crate) fn delay(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
+    let arg = args.needed()?;
+    let value = arg.number()?;
+    if value < 0.0 {
+        return Err(ClFault::new("DELAY", arg.at, "a wait is not negative", "write DELAY/seconds"));
+    }
+    let dwell = match args.next()? {
+        None => Dwell::Seconds(value),
+        Some(word) if word.is("REV") => Dwell::Revolutions(value),
+        Some(word) => return Err(args.not_understood(word)),
+    };
+    Ok(MachineRecord::Delay { dwell, at: arg.at })
+}
+
+/// LINTOL.
+pub(crate) fn tolerance(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
+    let arg = args.needed()?;
+    let value = if arg.is("OFF") { None } else { Some(arg.number()?) };
+    Ok(MachineRecord::Tolerance { value, at: arg.at })
+}
+
+const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
+
+/// ROTABL.
+pub(crate) fn rotary_direction(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
+    let arg = args.needed()?;
+    if arg.is("SHORT") {
+        return Ok(MachineRecord::Turning(Turning::Shortest));
+    }
+    if arg.is("NEXT") {
+        return args.one_of(&ROTATIONS).map(|rotation| MachineRecord::Turning(Turning::Next(rotation)));
+    }
+    // An empty place is the nearer fault.
+    while args.next()?.is_some() {}
+    Err(ClFault::new(
+        args.name(),
+        args.all(),
+        "ROTABL moves the table itself, which the postprocessor does from the tool axis",
+        "have the CAM system give the tool axis with i, j, k; ROTABL/SHORT and ROTABL/NEXT,CLW are read",
+    ))
+}
+
+fn write_compensation(
+    side: CutterSide,
+    register: Option<u32>,
+    plane: Option<AxisPlane>,
+    out: &mut Formatter<'_>,
+) -> fmt::Result {
+    write!(out, "CUTCOM/{}", word_of(&SIDES, &side))?;
+    if let Some(register) = register {
+        write!(out, ",{register}")?;
+    }
+    plane.map_or(Ok(()), |plane| write!(out, ",{}", word_of(&AxisPlane::WORDS, &plane)))
+}
+
+impl Display for MachineRecord {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Rapid => out.write_str("RAPID"),
+            Self::Feed(feed) => feed.fmt(out),
+            Self::InverseTime(on) => write_on_off("INVERSE", *on, out),
+            Self::Spindle(spindle) => write_spindle(*spindle, out),
+            Self::Coolant(coolant) => write!(out, "COOLNT/{}", word_of(&COOLANTS, coolant)),
+            Self::Compensation { side, register, plane } => write_compensation(*side, *register, *plane, out),
+            Self::Delay { dwell: Dwell::Seconds(value), .. } => write!(out, "DELAY/{}", ClNumber(*value)),
+            Self::Delay { dwell: Dwell::Revolutions(value), .. } => write!(out, "DELAY/{},REV", ClNumber(*value)),
+            Self::Tolerance { value: Some(value), .. } => write!(out, "LINTOL/{}", ClNumber(*value)),
+            Self::Tolerance { value: None, .. } => out.write_str("LINTOL/OFF"),
+            Self::Turning(Turning::Shortest) => out.write_str("ROTABL/SHORT"),
+            Self::Turning(Turning::Next(rotation)) => write!(out, "ROTABL/NEXT,{}", word_of(&ROTATIONS, rotation)),
+        }
+    }
+}

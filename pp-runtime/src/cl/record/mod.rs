@@ -1,0 +1,100 @@
+//! One CL record, typed, with numbers as the file has them; text to records and records to text.
+//!
+//! A file for each topic holds its records, the functions that read their arguments, and their text. `words` is the table
+//! of all major words: each row that is read holds its function. `parse` looks the word up and calls it; `comment` reads
+//! the comments that are records in all but name. Units, modes and the meaning of a record in its context come later.
+//!
+//! A record prints as a statement that is read back as the same record. Numbers are written with as many digits as they
+//! need and no more, in decimals. Nothing is cut into several lines, and text goes out as UTF-8, so a text in another
+//! encoding is not the same afterwards.
+
+mod arc;
+mod comment;
+mod coordinates;
+mod cycle;
+mod feed;
+mod machine;
+mod motion;
+mod nurbs;
+mod parse;
+mod program;
+mod spindle;
+mod subprogram;
+mod tool;
+mod values;
+mod words;
+
+pub use self::arc::{ArcRecord, CircleForm, CircleRecord, TangentArc};
+pub use self::coordinates::{CoordinateRecord, FrameRecord};
+pub use self::cycle::{CycleCall, CycleKind, CycleRecord, CycleState, MOST_POSITIONAL, Return};
+pub use self::feed::{FeedRecord, FeedUnit};
+pub use self::machine::MachineRecord;
+pub use self::motion::MotionRecord;
+pub use self::nurbs::NurbsRecord;
+pub use self::program::ProgramRecord;
+pub use self::subprogram::SubprogramRecord;
+pub use self::tool::{CutterRecord, ToolCallRecord, ToolRecord};
+pub use self::values::{AxisPlane, Numbers, Point, Text};
+pub use self::words::{list, not_inert};
+pub use super::text::Span;
+
+pub(crate) use self::comment::{CatiaMatrix, comment_dialect, read_comment};
+pub(crate) use self::parse::{is_goto, is_list, joined_record, parse, plain_goto, record_dialect};
+pub(crate) use self::words::nearest_word;
+
+use std::fmt::{self, Display, Formatter};
+
+/// The content of one statement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Record<'a> {
+    /// Names, operations, messages, stops and literal NC text.
+    Program(ProgramRecord<'a>),
+    /// Units, tool axis, frames and changes of coordinates.
+    Coordinates(CoordinateRecord),
+    /// Tool calls and descriptions.
+    Tool(ToolRecord),
+    /// States of the machine.
+    Machine(MachineRecord),
+    /// Motion to points.
+    Motion(MotionRecord<'a>),
+    /// Arcs.
+    Arc(ArcRecord),
+    /// Curves.
+    Nurbs(NurbsRecord<'a>),
+    /// Hole cycles.
+    Cycle(CycleRecord),
+    /// Subprograms.
+    Subprogram(SubprogramRecord),
+    /// Nothing that matters.
+    Inert,
+}
+
+impl Record<'_> {
+    /// Whether it takes any arguments, so that a line joined to it would vanish in them.
+    pub(crate) fn takes_anything(&self) -> bool {
+        match self {
+            Self::Program(record) => record.takes_anything(),
+            Self::Inert => true,
+            Self::Coordinates(_) | Self::Tool(_) | Self::Machine(_) | Self::Motion(_) => false,
+            Self::Arc(_) | Self::Nurbs(_) | Self::Cycle(_) | Self::Subprogram(_) => false,
+        }
+    }
+}
+
+impl Display for Record<'_> {
+    /// The statement, without a line end; an inert record is a comment.
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Program(record) => record.fmt(out),
+            Self::Coordinates(record) => record.fmt(out),
+            Self::Tool(record) => record.fmt(out),
+            Self::Machine(record) => record.fmt(out),
+            Self::Motion(record) => record.fmt(out),
+            Self::Arc(record) => record.fmt(out),
+            Self::Nurbs(record) => record.fmt(out),
+            Self::Cycle(record) => record.fmt(out),
+            Self::Subprogram(record) => record.fmt(out),
+            Self::Inert => out.write_str("$$"),
+        }
+    }
+}

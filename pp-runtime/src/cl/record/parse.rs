@@ -1,0 +1,135 @@
+//! A statement to a typed record.
+//!
+//! `MAJOR[/argument,argument..]`: the word is looked up in `words`, and its row reads the arguments completely; an
+//! argument that is not understood is never passed over.
+
+use super::Record;
+use super::values::Point;
+use super::words::{Fate, GOTO, look_up};
+use crate::cl::dialect::Dialect;
+use crate::cl::text::{Args, ClFault, Help, Span, quoted, skip_blanks};
+use crate::diag::Severity;
+
+/// Bytes of an unknown word that its message names.
+const LONGEST_NAME: usize = 32;
+
+/// Reads one statement that is no comment. `text` is not empty; the words of `inert` are passed over, unless they are
+/// read or would move what follows.
+pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, ClFault> {
+    let word_at = major_word(text);
+    let word = &text[word_at.start..word_at.end];
+    let declared = || inert.iter().any(|inert| word.eq_ignore_ascii_case(inert.as_bytes()));
+    let Some(row) = look_up(word) else {
+        return if declared() { Ok(Record::Inert) } else { Err(unknown(text, word_at)) };
+    };
+    let name = row.word.name;
+    match row.fate {
+        Fate::Read(read) => {
+            let mut args = Args::after_slash(&row.word, text, word_at.end)?;
+            let record = read(&mut args)?;
+            args.finish()?;
+            Ok(record)
+        }
+        Fate::ReadText(read) => read(&mut Args::new(&row.word, text, word_at.end)),
+        Fate::Inert => Ok(Record::Inert),
+        Fate::Refused(_) if declared() => Ok(Record::Inert),
+        Fate::Refused(reason) => Err(ClFault::new(
+            name,
+            word_at,
+            format!("{name} is refused: {reason}"),
+            format!("have the CAM system leave it out, or give `--inert {name}` if it is known not to matter"),
+        )),
+        Fate::Hazard(reason) => Err(ClFault::new(
+            name,
+            word_at,
+            format!("{name} is refused: {reason}"),
+            "have the CAM system write plain motion without it",
+        )),
+        Fate::Turning => Err(ClFault::turning(word_at)),
+    }
+}
+
+/// The fault of a line that the `$` of the line before joins to the record `text`, if it is a record itself.
+pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<ClFault> {
+    let start = skip_blanks(line, 0);
+    let end = start + major_word(&line[start..]).end;
+    let row = look_up(&line[start..end]).filter(|row| row.fate.is_read())?;
+    // Text that happens to begin with such a word goes on with another one.
+    if line.get(skip_blanks(line, end)).is_some_and(|next| *next != b'/') {
+        return None;
+    }
+    let word = major_word(text);
+    // A comment has no word, only its `$$->`.
+    let shown = if word.end == 0 { text.len().min(4) } else { word.end };
+    let first = String::from_utf8_lossy(&text[..shown]);
+    Some(ClFault::new(
+        "joined record",
+        Span { start: offset + start, end: offset + end },
+        format!("{} begins a line that the `$` before it makes part of {first}", row.word.name),
+        "delete that `$`: at the end of a line it joins the next one",
+    ))
+}
+
+/// The CAM system that a record gives away.
+pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
+    // Nearly every record is a GOTO and gives nothing away.
+    if !matches!(text[0], b'T' | b'U' | b'C' | b't' | b'u' | b'c') {
+        return Dialect::Generic;
+    }
+    let word_at = major_word(text);
+    match look_up(&text[word_at.start..word_at.end]).map(|row| row.word.name) {
+        Some("TOOL PATH") => Dialect::Nx,
+        Some("UNIT" | "CSYS" | "TRNTYP" | "CSI_") => Dialect::SolidWorks,
+        _ => Dialect::Generic,
+    }
+}
+
+/// Whether the record is a GOTO; [`plain_goto`] reads it then.
+#[inline]
+pub(crate) fn is_goto(text: &[u8]) -> bool {
+    let name = GOTO.name.as_bytes();
+    text.len() > name.len() && text[..name.len()].eq_ignore_ascii_case(name) && matches!(text[name.len()], b'/' | b' ')
+}
+
+/// Reads a GOTO with one point.
+#[inline]
+pub(crate) fn plain_goto(text: &[u8]) -> Result<Point, ClFault> {
+    Point::parse(&mut Args::after_slash(&GOTO, text, GOTO.name.len())?)
+}
+
+/// Whether a GOTO was refused because it is a list of points.
+pub(crate) fn is_list(fault: &ClFault) -> bool {
+    fault.kind == "second slash"
+}
+
+/// The first word; it may hold `-` and `_`. TOOL PATH is one word with a blank inside.
+fn major_word(text: &[u8]) -> Span {
+    let length = |text: &[u8]| {
+        text.iter().take_while(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_')).count()
+    };
+    let end = length(text);
+    if text[..end].eq_ignore_ascii_case(b"TOOL") {
+        let next = skip_blanks(text, end);
+        let path = next + length(&text[next..]);
+        // One blank only: the table spells the word so.
+        if next == end + 1 && text[next..path].eq_ignore_ascii_case(b"PATH") {
+            return Span { start: 0, end: path };
+        }
+    }
+    Span { start: 0, end }
+}
+
+fn unknown(text: &[u8], mut at: Span) -> ClFault {
+    let named = at.start..at.end.min(at.start + LONGEST_NAME);
+    if at.start == at.end {
+        at.end = text.len();
+    }
+    let word = &text[at.start..at.end];
+    ClFault {
+        kind: "unknown word",
+        at,
+        text: format!("{} is not a word of CL data known here", quoted(word)),
+        help: Help::NearestTo(String::from_utf8_lossy(&text[named]).into_owned()),
+        severity: Severity::Error,
+    }
+}

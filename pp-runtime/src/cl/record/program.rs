@@ -1,0 +1,123 @@
+//! Records of the program as a whole: names, operations, messages, stops, literal NC text, and modes that need no
+//! reading beyond their check.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::values::Text;
+use crate::cl::text::{Args, ClFault, Span};
+
+/// A part of the program that is no motion and no state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ProgramRecord<'a> {
+    /// `PARTNO text`, `PARTNO/text`, `PARTNO/'text'`.
+    PartName(Text<'a>),
+    /// `MACHIN/name,n[,..]`: the name.
+    MachineName(Text<'a>),
+    /// `TOOL PATH/name,TOOL,toolname`: the name.
+    ToolPath(Text<'a>),
+    /// `END-OF-PATH`.
+    EndOfPath,
+    /// `PPRINT text`.
+    Message(Text<'a>),
+    /// `INSERT text`.
+    Insert(Text<'a>),
+    /// `AUXFUN/n[,NEXT|NOW]`, `PREFUN/n`.
+    Code {
+        /// `M` or `G`.
+        letter: u8,
+        /// Its number.
+        number: u32,
+        /// The number, for messages.
+        at: Span,
+    },
+    /// `OPSTOP`.
+    OptionalStop,
+    /// `STOP`.
+    Stop,
+    /// `END`.
+    End,
+    /// `FINI`.
+    Fini,
+    /// `REWIND`, `REWIND/n`.
+    Rewind,
+}
+
+impl ProgramRecord<'_> {
+    /// Whether it takes the rest of its statement as it is.
+    pub(crate) fn takes_anything(&self) -> bool {
+        match self {
+            Self::PartName(_) | Self::MachineName(_) | Self::ToolPath(_) | Self::Message(_) | Self::Insert(_) => true,
+            Self::Code { .. } | Self::OptionalStop | Self::Stop => false,
+            Self::EndOfPath | Self::End | Self::Fini | Self::Rewind => false,
+        }
+    }
+}
+
+/// MACHIN: the name up to the first comma; the other arguments are the postprocessor's own.
+pub(crate) fn machine_name<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, ClFault> {
+    let arg = args.needed()?;
+    args.skip_rest();
+    Ok(ProgramRecord::MachineName(Text { bytes: arg.text, at: arg.at }))
+}
+
+/// TOOL PATH, `/name,TOOL,toolname`: names may hold commas, so the last `,TOOL,` ends the name.
+pub(crate) fn tool_path<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, ClFault> {
+    const TOOL: &[u8] = b",TOOL,";
+    let mut name = Text::rest(args);
+    if let Some(length) = name.bytes.windows(TOOL.len()).rposition(|bytes| bytes.eq_ignore_ascii_case(TOOL)) {
+        name.bytes = &name.bytes[..length];
+        name.at.end = name.at.start + length;
+    }
+    Ok(ProgramRecord::ToolPath(name))
+}
+
+/// AUXFUN and PREFUN, for the letter `M` and `G`.
+pub(crate) fn code<'a>(letter: u8, args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFault> {
+    let arg = args.needed()?;
+    let number = arg.integer()?;
+    if let Some(when) = args.next()?
+        && !when.is("NOW")
+        && !when.is("NEXT")
+    {
+        return Err(args.not_understood(when));
+    }
+    Ok(ProgramRecord::Code { letter, number, at: arg.at })
+}
+
+/// REWIND.
+pub(crate) fn rewind<'a>(args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFault> {
+    if let Some(arg) = args.next()? {
+        arg.number()?;
+    }
+    Ok(ProgramRecord::Rewind)
+}
+
+/// MODE: milling only.
+pub(crate) fn mode(args: &mut Args<'_>) -> Result<(), ClFault> {
+    let arg = args.needed()?;
+    if arg.is("TURN") {
+        return Err(ClFault::turning(arg.at));
+    }
+    if arg.is("MILL") || arg.is("ABSOL") { Ok(()) } else { Err(args.not_understood(arg)) }
+}
+
+impl Display for ProgramRecord<'_> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::PartName(text) => write!(out, "PARTNO {text}"),
+            Self::MachineName(text) => write!(out, "MACHIN/{text}"),
+            Self::ToolPath(text) => write!(out, "TOOL PATH/{text},TOOL,NONE"),
+            Self::EndOfPath => out.write_str("END-OF-PATH"),
+            Self::Message(text) => write!(out, "PPRINT {text}"),
+            Self::Insert(text) => write!(out, "INSERT {text}"),
+            Self::Code { letter, number, .. } => {
+                write!(out, "{}/{number}", if *letter == b'M' { "AUXFUN" } else { "PREFUN" })
+            }
+            Self::OptionalStop => out.write_str("OPSTOP"),
+            Self::Stop => out.write_str("STOP"),
+            Self::End => out.write_str("END"),
+            Self::Fini => out.write_str("FINI"),
+            Self::Rewind => out.write_str("REWIND/0"),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! `SPINDL/..`: RPM, a number, CLW or CCLW, ON and OFF in any order.
+
+use std::fmt::{self, Formatter};
+
+use super::values::ClNumber;
+use crate::cl::text::{Arg, Args, ClFault, quoted};
+use crate::program::{Rotation, Spindle};
+
+/// Words of constant surface speed: a lathe's.
+const SURFACE_SPEED: [&str; 3] = ["SFM", "SMM", "MAXRPM"];
+
+/// Speeds below this are S0 where S has no decimals, rev/min.
+const SLOWEST: f64 = 0.5;
+
+/// Speeds above this have a wrong exponent, rev/min.
+const FASTEST: f64 = 1e6;
+
+/// The words of a SPINDL, as far as they are read.
+#[derive(Default)]
+struct SpindleWords {
+    speed: Option<f64>,
+    rotation: Option<Rotation>,
+    rpm: bool,
+    on: bool,
+    off: bool,
+}
+
+impl SpindleWords {
+    /// Takes one word; whether there was one of its kind before.
+    fn take(&mut self, arg: Arg<'_>, args: &Args<'_>) -> Result<bool, ClFault> {
+        Ok(if arg.looks_numeric() {
+            self.speed.replace(speed(arg)?).is_some()
+        } else if arg.is("RPM") {
+            std::mem::replace(&mut self.rpm, true)
+        } else if arg.is("CLW") {
+            self.rotation.replace(Rotation::Clockwise).is_some()
+        } else if arg.is("CCLW") {
+            self.rotation.replace(Rotation::CounterClockwise).is_some()
+        } else if arg.is("ON") {
+            std::mem::replace(&mut self.on, true)
+        } else if arg.is("OFF") {
+            std::mem::replace(&mut self.off, true)
+        } else if SURFACE_SPEED.iter().any(|word| arg.is(word)) {
+            return Err(ClFault::turning(arg.at));
+        } else {
+            return Err(args.not_understood(arg));
+        })
+    }
+
+    /// OFF has no company.
+    fn contradicts_itself(&self) -> bool {
+        self.off && (self.on || self.rpm || self.speed.is_some() || self.rotation.is_some())
+    }
+}
+
+/// SPINDL.
+pub(crate) fn spindle(args: &mut Args<'_>) -> Result<Spindle, ClFault> {
+    let mut words = SpindleWords::default();
+    let mut next = Some(args.needed()?);
+    while let Some(arg) = next {
+        if words.take(arg, args)? || words.contradicts_itself() {
+            return Err(ClFault::new(
+                "spindle",
+                arg.at,
+                format!("{} contradicts what stands before it", quoted(arg.text)),
+                "write one speed and one sense of rotation, or OFF alone",
+            ));
+        }
+        next = args.next()?;
+    }
+    if words.rpm && words.speed.is_none() {
+        return Err(ClFault::new("spindle speed", args.all(), "RPM without a speed", "write SPINDL/RPM,3600,CLW"));
+    }
+    let SpindleWords { speed, rotation, off, .. } = words;
+    Ok(if off { Spindle::Off } else { Spindle::On { speed, rotation } })
+}
+
+/// A speed that a spindle can have, rev/min.
+fn speed(arg: Arg<'_>) -> Result<f64, ClFault> {
+    let value = arg.number()?;
+    let fault = |text: String, help: &str| Err(ClFault::new("spindle speed", arg.at, text, help));
+    if value <= 0.0 {
+        return fault(
+            format!("the spindle speed {} is not above 0", quoted(arg.text)),
+            "SPINDL/OFF stops the spindle; the sense of rotation is CLW or CCLW",
+        );
+    }
+    if value < SLOWEST {
+        return fault(
+            format!("a spindle speed of {value} rev/min rounds to 0"),
+            "check the speed of this tool in the CAM system",
+        );
+    }
+    if value > FASTEST {
+        let text = format!("a spindle speed of {} rev/min is not plausible", quoted(arg.text));
+        return fault(text, "check the exponent");
+    }
+    Ok(value)
+}
+
+pub(crate) fn write_spindle(spindle: Spindle, out: &mut Formatter<'_>) -> fmt::Result {
+    let Spindle::On { speed, rotation } = spindle else { return out.write_str("SPINDL/OFF") };
+    out.write_str("SPINDL/ON")?;
+    if let Some(speed) = speed {
+        write!(out, ",RPM,{}", ClNumber(speed))?;
+    }
+    match rotation {
+        Some(Rotation::Clockwise) => out.write_str(",CLW"),
+        Some(Rotation::CounterClockwise) => out.write_str(",CCLW"),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,218 @@
+//! Records that call or describe a tool: LOADTL, LOAD/TOOL, SELECT, CUTTER, TLDATA, SET/OFSETL, TOOLNO.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::values::ClNumber;
+use crate::cl::text::{Args, ClFault, Span, quoted};
+
+/// Size of a cutter, in the units of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CutterRecord {
+    /// Diameter.
+    pub diameter: f64,
+    /// Corner radius, if the record gives one.
+    pub corner_radius: Option<f64>,
+}
+
+/// A tool call, lengths in the units of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ToolCallRecord {
+    /// Number of the tool.
+    pub number: u32,
+    /// LENGTH: gauge length.
+    pub length: Option<f64>,
+    /// ADJUST or OSETNO: length offset register.
+    pub offset: Option<u32>,
+}
+
+/// A tool is called, selected or described.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ToolRecord {
+    /// `LOADTL/n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]`, `LOAD/TOOL,n[,..]`.
+    Call(ToolCallRecord),
+    /// `SELECT/TOOL,n`, `SELCTL/n`.
+    Preselect(u32),
+    /// `CUTTER/d[,r[,e,f,a,b,h]]`, `TLDATA/MILL,d,r,..`, `TLDATA/DRILL[,word],d,..`: of the tool called next.
+    Cutter(CutterRecord),
+    /// `$$-> CUTTER / d`: of the tool called last.
+    CutterOfLastTool(CutterRecord),
+    /// `SET/OFSETL,n`: length offset register of the tool called last.
+    LengthOffset {
+        /// Register.
+        register: u32,
+        /// The number, for messages.
+        at: Span,
+    },
+}
+
+/// LOADTL: `n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]`.
+pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
+    let first = args.needed()?;
+    let number = first.integer()?;
+    if number == 0 {
+        return Err(ClFault::new(
+            "tool 0",
+            first.at,
+            "0 is not the number of a tool",
+            "give every tool its number in the CAM system; two tools with the number 0 would be taken for one",
+        ));
+    }
+    let mut tool = ToolCallRecord { number, length: None, offset: None };
+    while let Some(arg) = args.next()? {
+        if arg.looks_numeric() {
+            // Some systems repeat the number of the tool; any other number could be a length or an offset.
+            if arg.integer().ok() != Some(number) {
+                return Err(ClFault::new(
+                    "number behind the tool",
+                    arg.at,
+                    format!("{} behind tool {number}: its meaning is not stated", quoted(arg.text)),
+                    format!("write {} with LENGTH, OSETNO or ADJUST in front of the number", args.name()),
+                ));
+            }
+        } else if arg.is("LENGTH") {
+            let value = args.needed()?;
+            let length = value.number()?;
+            if length <= 0.0 {
+                return Err(ClFault::new(
+                    "gauge length",
+                    value.at,
+                    format!("the gauge length {} is not above 0", quoted(value.text)),
+                    "give the real length, or leave LENGTH out and state it in the configuration",
+                ));
+            }
+            tool.length = Some(length);
+        } else if arg.is("OSETNO") || arg.is("ADJUST") {
+            let value = args.needed()?;
+            let offset = value.integer()?;
+            if offset == 0 || tool.offset.is_some_and(|other| other != offset) {
+                return Err(ClFault::new(
+                    "length offset",
+                    value.at,
+                    if offset == 0 {
+                        format!("{} 0 would switch the length offset off", quoted(arg.text))
+                    } else {
+                        "two different length offsets for one tool".to_string()
+                    },
+                    "give one register above 0, or none to use the one with the tool's number",
+                ));
+            }
+            tool.offset = Some(offset);
+        } else {
+            return Err(args.not_understood(arg));
+        }
+    }
+    Ok(ToolRecord::Call(tool))
+}
+
+/// `d[,r[,e,f,a,b,h]]`, the cutter of APT.
+pub(crate) fn cutter(args: &mut Args<'_>) -> Result<CutterRecord, ClFault> {
+    let mut numbers = [0.0; 7];
+    match args.numbers(&mut numbers)? {
+        found @ 1..=7 => cutter_of(numbers[0], (found > 1).then_some(numbers[1]), args.all()),
+        found => Err(args.wrong_count("1 to 7 numbers", found)),
+    }
+}
+
+/// `TLDATA/MILL,d,r,..` or `TLDATA/DRILL[,word],d,..`.
+pub(crate) fn data(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
+    let kind = args.needed()?;
+    let is_mill = kind.is("MILL");
+    if ["TURN", "GROOVE", "THREAD"].iter().any(|word| kind.is(word)) {
+        return Err(ClFault::turning(kind.at));
+    }
+    if !is_mill && !kind.is("DRILL") {
+        return Err(args.not_understood(kind));
+    }
+    let mut after_word = args.clone();
+    if !is_mill && after_word.next()?.is_some_and(|arg| !arg.looks_numeric()) {
+        *args = after_word;
+    }
+    let mut numbers = [0.0; 2];
+    let found = args.numbers(&mut numbers)?;
+    if found < if is_mill { 2 } else { 1 } {
+        return Err(args.wrong_count("at least the diameter and, for MILL, the corner radius", found));
+    }
+    cutter_of(numbers[0], is_mill.then_some(numbers[1]), args.all()).map(ToolRecord::Cutter)
+}
+
+fn cutter_of(diameter: f64, corner_radius: Option<f64>, at: Span) -> Result<CutterRecord, ClFault> {
+    if diameter < 0.0 || corner_radius.is_some_and(|radius| radius < 0.0) {
+        return Err(ClFault::new(
+            "size of the cutter",
+            at,
+            "diameter and corner radius of a cutter are not negative",
+            "check the tool's description in the CAM system",
+        ));
+    }
+    Ok(CutterRecord { diameter, corner_radius })
+}
+
+/// LOAD/TOOL.
+pub(crate) fn load(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
+    args.keyword("TOOL")?;
+    call(args)
+}
+
+/// SELCTL.
+pub(crate) fn preselect(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
+    args.needed()?.integer().map(ToolRecord::Preselect)
+}
+
+/// SELECT/TOOL.
+pub(crate) fn select(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
+    args.keyword("TOOL")?;
+    preselect(args)
+}
+
+/// SET/OFSETL; SET/MODE,ABSOL changes nothing.
+pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
+    let arg = args.needed()?;
+    if arg.is("OFSETL") {
+        let register = args.needed()?;
+        return Ok(Some(ToolRecord::LengthOffset { register: register.integer()?, at: register.at }));
+    }
+    if arg.is("MODE") {
+        args.keyword("ABSOL")?;
+        return Ok(None);
+    }
+    Err(args.not_understood(arg))
+}
+
+/// TOOLNO describes a tool and changes nothing, unless the tool is a turning tool.
+pub(crate) fn description(args: &mut Args<'_>) -> Result<(), ClFault> {
+    while let Some(arg) = args.next()? {
+        if arg.is("TURN") {
+            return Err(ClFault::turning(arg.at));
+        }
+    }
+    Ok(())
+}
+
+impl Display for ToolCallRecord {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "LOADTL/{}", self.number)?;
+        if let Some(length) = self.length {
+            write!(out, ",LENGTH,{}", ClNumber(length))?;
+        }
+        self.offset.map_or(Ok(()), |offset| write!(out, ",ADJUST,{offset}"))
+    }
+}
+
+impl Display for CutterRecord {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        write!(out, "CUTTER/{}", ClNumber(self.diameter))?;
+        self.corner_radius.map_or(Ok(()), |radius| write!(out, ",{}", ClNumber(radius)))
+    }
+}
+
+impl Display for ToolRecord {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Call(call) => call.fmt(out),
+            Self::Preselect(number) => write!(out, "SELCTL/{number}"),
+            Self::Cutter(cutter) => cutter.fmt(out),
+            Self::CutterOfLastTool(cutter) => write!(out, "$$-> {cutter}"),
+            Self::LengthOffset { register, .. } => write!(out, "SET/OFSETL,{register}"),
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! Values that many records share: points, lists of numbers, texts; and numbers as text.
+
+use std::fmt::{self, Display, Formatter, Write as _};
+
+use crate::cl::text::{Args, ClFault, Span, skip_blanks, trimmed, whole_number};
+
+/// A point, perhaps with a tool axis, in the units of the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// `x, y, z`.
+    pub tip: [f64; 3],
+    /// `i, j, k`, not normalised.
+    pub axis: Option<[f64; 3]>,
+    /// The numbers, for messages.
+    pub at: Span,
+}
+
+impl Point {
+    /// `x,y,z[,i,j,k]` and nothing else.
+    #[inline]
+    pub(crate) fn parse(args: &mut Args<'_>) -> Result<Point, ClFault> {
+        let mut numbers = [0.0; 6];
+        let found = args.numbers(&mut numbers)?;
+        let [x, y, z, i, j, k] = numbers;
+        let axis = match found {
+            3 => None,
+            6 => Some([i, j, k]),
+            found => return Err(args.wrong_count("3 or 6 numbers", found)),
+        };
+        Ok(Point { tip: [x, y, z], axis, at: args.all() })
+    }
+}
+
+/// Text of a record without blanks, slash and quotes around it, as the file encodes it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Text<'a> {
+    /// The bytes.
+    pub bytes: &'a [u8],
+    /// Their place in the statement.
+    pub at: Span,
+}
+
+impl<'a> Text<'a> {
+    /// The text after a text word, without blanks, one slash and a pair of quotes around it.
+    pub(crate) fn rest(args: &mut Args<'a>) -> Text<'a> {
+        let text = args.text();
+        let mut start = args.position();
+        if text.get(start) == Some(&b'/') {
+            start = skip_blanks(text, start + 1);
+        }
+        let mut end = text.len();
+        if end >= start + 2 && text[start] == b'\'' && text[end - 1] == b'\'' {
+            (start, end) = (start + 1, end - 1);
+        }
+        args.skip_rest();
+        Text { bytes: &text[start..end], at: Span { start, end } }
+    }
+}
+
+/// Numbers of a record that may hold any count of them, checked when the record was read.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Numbers<'a> {
+    /// The arguments as the file has them.
+    pub bytes: &'a [u8],
+    /// Their place in the statement.
+    pub at: Span,
+}
+
+impl<'a> Numbers<'a> {
+    /// All arguments of a record; the caller checks that they are numbers.
+    pub(crate) fn all(args: &Args<'a>) -> Numbers<'a> {
+        let at = args.all();
+        Numbers { bytes: &args.text()[at.start..at.end], at }
+    }
+
+    /// The numbers, in their order; commas and slashes separate them.
+    pub fn values(&self) -> impl Iterator<Item = f64> + 'a {
+        let pieces = self.bytes.split(|byte| matches!(byte, b',' | b'/'));
+        pieces.filter_map(|piece| whole_number(trimmed(piece)))
+    }
+
+    /// The numbers as points.
+    pub fn points(&self) -> impl Iterator<Item = Point> + 'a {
+        let (mut values, at) = (self.values(), self.at);
+        std::iter::from_fn(move || {
+            let tip = [values.next()?, values.next()?, values.next()?];
+            Some(Point { tip, axis: None, at })
+        })
+    }
+}
+
+/// A number as CL data has it: decimal, and with a point.
+pub(crate) struct ClNumber(pub(crate) f64);
+
+impl Display for ClNumber {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        let text = format!("{}", self.0);
+        out.write_str(&text)?;
+        if text.contains('.') { Ok(()) } else { out.write_char('.') }
+    }
+}
+
+/// Numbers with commas between them.
+pub(crate) struct ClNumbers<'a>(pub(crate) &'a [f64]);
+
+impl Display for ClNumbers<'_> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        for (index, value) in self.0.iter().enumerate() {
+            if index > 0 {
+                out.write_char(',')?;
+            }
+            ClNumber(*value).fmt(out)?;
+        }
+        Ok(())
+    }
+}
+
+impl Display for Point {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        ClNumbers(&self.tip).fmt(out)?;
+        self.axis.map_or(Ok(()), |axis| write!(out, ",{}", ClNumbers(&axis)))
+    }
+}
+
+impl Display for Text<'_> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str(&String::from_utf8_lossy(self.bytes))
+    }
+}
+
+impl Display for Numbers<'_> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
+        out.write_str(&String::from_utf8_lossy(self.bytes))
+    }
+}
+
+/// `WORD/ON`, `WORD/OFF`.
+pub(crate) fn write_on_off(word: &str, on: bool, out: &mut Formatter<'_>) -> fmt::Result {
+    write!(out, "{word}/{}", if on { "ON" } else { "OFF" })
+}
+
+/// The word of a table for a value.
+pub(crate) fn word_of<T: PartialEq>(table: &[(&'static str, T)], value: &T) -> &'static str {
+    table.iter().find(|(_, known)| known == value).map_or("", |(word, _)| word)
+}
+
+/// Plane of two axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AxisPlane {
+    /// XYPLAN.
+    Xy,
+    /// YZPLAN.
+    Yz,
+    /// ZXPLAN.
+    Zx,
+}
+
+impl AxisPlane {
+    /// Words and planes.
+    pub const WORDS: [(&'static str, AxisPlane); 3] =
+        [("XYPLAN", AxisPlane::Xy), ("YZPLAN", AxisPlane::Yz), ("ZXPLAN", AxisPlane::Zx)];
+
+    /// Direction of its normal.
+    #[must_use]
+    pub const fn normal(self) -> [f64; 3] {
+        match self {
+            AxisPlane::Xy => [0.0, 0.0, 1.0],
+            AxisPlane::Yz => [1.0, 0.0, 0.0],
+            AxisPlane::Zx => [0.0, 1.0, 0.0],
+        }
+    }
+}

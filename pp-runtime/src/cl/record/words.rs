@@ -1,0 +1,320 @@
+//! The major words of CL data and what becomes of each: one table.
+//!
+//! A word is read by the function of its row, or inert (it moves nothing and changes no state, so it is passed over), or
+//! refused with a reason. No word is ever skipped because it is unknown: it might move the tool. `explain --cl` prints
+//! this table.
+
+use std::cmp::Ordering;
+use std::io::{self, Write};
+
+use super::Record::{self, Arc, Coordinates, Cycle, Machine, Motion, Nurbs, Program, Subprogram, Tool};
+use super::values::{Point, Text};
+use super::{ArcRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, SubprogramRecord, ToolRecord};
+use super::{arc, coordinates, cycle, machine, motion, nurbs, program, spindle, subprogram, tool};
+use crate::cl::text::{Args, ClFault, MajorWord};
+
+/// Reads the arguments of a word.
+type ReadArgs = for<'a> fn(&mut Args<'a>) -> Result<Record<'a>, ClFault>;
+
+/// What becomes of a record.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Fate {
+    /// Its arguments, which follow a slash, are read; one that is not taken is a fault.
+    Read(ReadArgs),
+    /// The rest of its statement is read as it is.
+    ReadText(ReadArgs),
+    /// It matters neither to the motion nor to the state of the machine.
+    Inert,
+    /// It is refused for this reason; the user may know better and declare it inert.
+    Refused(&'static str),
+    /// It is refused for this reason and cannot be declared inert: what follows would be somewhere else.
+    Hazard(&'static str),
+    /// It belongs to a lathe.
+    Turning,
+}
+
+impl Fate {
+    pub(crate) fn is_read(self) -> bool {
+        match self {
+            Read(_) | ReadText(_) => true,
+            Inert | Refused(_) | Hazard(_) | Turning => false,
+        }
+    }
+}
+
+/// A word and what becomes of it.
+#[derive(Debug)]
+pub(crate) struct Row {
+    pub(crate) word: MajorWord,
+    pub(crate) fate: Fate,
+}
+
+const fn row(name: &'static str, fate: Fate, forms: &'static str) -> Row {
+    Row { word: MajorWord { name, forms }, fate }
+}
+
+use Fate::{Hazard, Inert, Read, ReadText, Refused, Turning};
+
+const MOVES_COORDINATES: &str = "it changes the coordinates of everything behind it";
+const REDEFINES: &str = "it changes what other records mean";
+const MACHINE_AXES: &str = "it commands machine axes, which the postprocessor computes itself";
+const OWN_MEANING: &str = "its meaning depends on the postprocessor that it was written for";
+const TOLERANCE: &str = "it sets a tolerance of another postprocessor";
+
+/// Nearly every record; read without a look at the table where nothing else is open.
+pub(crate) const GOTO: MajorWord = MajorWord { name: "GOTO", forms: "/x,y,z[,i,j,k]; /x,y,z / x,y,z .." };
+
+/// Sorted by name; capitals only. The third column names the forms that are read.
+#[rustfmt::skip] // A row is a line.
+static TABLE: &[Row] = &[
+    row("ALIGN", Hazard(MACHINE_AXES), ""),
+    row("ARCSLP", Refused(OWN_MEANING), ""),
+    row("AUTOPS", Read(|_| Ok(Arc(ArcRecord::AutomaticPlane))), "before TLON"),
+    row("AUXFUN", Read(|args| program::code(b'M', args).map(Program)), "/n[,NEXT|NOW]; only codes that `[cl] auxfun` allows"),
+    row("BREAK", Refused(OWN_MEANING), ""),
+    row("CALSUB", Read(|args| subprogram::call(args).map(Subprogram)), "/n"),
+    row("CHECK", Inert, ""),
+    row("CIRCLE", Read(|args| arc::circle(args).map(Arc)), "/x,y,z,i,j,k[,r[,t,f,d,e][,TIMES,n]] and the GOTO that ends it"),
+    row("CLAMP", Hazard(MACHINE_AXES), ""),
+    row("CLEARP", Read(|args| coordinates::clearance_plane(args).map(Coordinates)), "/XYPLAN|YZPLAN|ZXPLAN,d; /a,b,c,d"),
+    row("CLRSRF", Refused("it sets a clearance surface that is not a plane"), ""),
+    row("CNTRL", Read(|args| nurbs::control_point(args).map(Nurbs)), "/x,y,z of a NURBS"),
+    row("COOLNT", Read(|args| machine::coolant(args).map(Machine)), "/ON|OFF|FLOOD|MIST|THRU|AIR"),
+    row("COPY", Hazard(MOVES_COORDINATES), ""),
+    row("COUPLE", Turning, ""),
+    row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, behind TRNTYP/WORLD,0,0,0"),
+    row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/LEFT|RIGHT[,n][,XYPLAN]; /ON; /OFF"),
+    row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
+    row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON"),
+    row("DEFSUB", Read(|args| subprogram::define(args).map(Subprogram)), "/n, up to ENDSUB"),
+    row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
+    row("DISPLAY", Inert, ""),
+    row("DISPLY", Inert, ""),
+    row("END", Read(|_| Ok(Program(ProgramRecord::End))), "what follows is still read"),
+    row("END-OF-PATH", Read(|_| Ok(Program(ProgramRecord::EndOfPath))), ""),
+    row("ENDSUB", Read(|_| Ok(Subprogram(SubprogramRecord::End))), ""),
+    row("FEDRAT", Read(|args| machine::feed(args).map(Machine)), "/v[,unit]; /unit,v; /RAPID; /INVERS,AUTO; MMPM MMPR IPM IPR PERMIN PERREV"),
+    row("FINI", Read(|_| Ok(Program(ProgramRecord::Fini))), ""),
+    row("FROM", Read(|args| Point::parse(args).map(|point| Motion(MotionRecord::From(point)))), "/x,y,z[,i,j,k]"),
+    row("GODLTA", Read(|args| motion::increment(args).map(Motion)), "/dx,dy,dz[,i,j,k]; /d along the tool axis"),
+    row("GOHOME", Read(|args| motion::home(args).map(Motion)), "[/x,y,z[,i,j,k]]"),
+    Row { word: GOTO, fate: Read(|args| motion::goto(args).map(Motion)) },
+    row("HEAD", Hazard(MACHINE_AXES), ""),
+    row("INDEX", Hazard(MOVES_COORDINATES), ""),
+    row("INDIRV", Read(|args| arc::direction(args).map(Arc)), "/i,j,k before TLON"),
+    row("INSERT", ReadText(|args| Ok(Program(ProgramRecord::Insert(Text::rest(args))))), "text; only with `--insert comment` or `--allow-insert`"),
+    row("INTOL", Inert, ""),
+    row("INVERSE", Read(|args| machine::inverse_time(args).map(Machine)), "/ON|OFF"),
+    row("KNOT", Read(|args| nurbs::knots(args).map(Nurbs)), "/k,k.. of a NURBS"),
+    row("LEADER", Inert, ""),
+    row("LETTER", Inert, ""),
+    row("LIMIT", Refused("it sets limits of axes, which the configuration states"), ""),
+    row("LINTOL", Read(|args| machine::tolerance(args).map(Machine)), "/t; /OFF"),
+    row("LOAD", Read(|args| tool::load(args).map(Tool)), "/TOOL,n[,LENGTH,l][,OSETNO,o][,ADJUST,h]"),
+    row("LOADTL", Read(|args| tool::call(args).map(Tool)), "/n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]"),
+    row("LOOP", Hazard("it may repeat motion"), ""),
+    row("MACHIN", Read(|args| program::machine_name(args).map(Program)), "/name[,..]"),
+    row("MATRIX", Hazard(MOVES_COORDINATES), ""),
+    row("MCHTOL", Refused(TOLERANCE), ""),
+    row("MODE", Read(|args| program::mode(args).map(|()| Record::Inert)), "/MILL; /ABSOL"),
+    row("MOVARC", Read(|args| arc::move_arc(args).map(Arc)), "/x,y,z,i,j,k,r,ANGLE,degrees and the GOTO that ends it"),
+    row("MSYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/x,y,z,i1,j1,k1,i2,j2,k2"),
+    row("MULTAX", Read(|args| coordinates::multi_axis(args).map(Coordinates)), "[/ON|OFF]"),
+    row("NURBS", Read(|_| Ok(Nurbs(NurbsRecord::Begin))), "/ with KNOT and CNTRL behind it"),
+    row("OPSKIP", Read(|args| args.keyword("OFF").map(|()| Record::Inert)), "/OFF"),
+    row("OPSTOP", Read(|_| Ok(Program(ProgramRecord::OptionalStop))), ""),
+    row("ORIGIN", Read(|args| coordinates::origin(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
+    row("OUTTOL", Inert, ""),
+    row("PAINT", Inert, ""),
+    row("PARTNO", ReadText(|args| Ok(Program(ProgramRecord::PartName(Text::rest(args))))), "text"),
+    row("PATTERN", Hazard(MOVES_COORDINATES), ""),
+    row("PITCH", Turning, ""),
+    row("PIVOTZ", Hazard(MACHINE_AXES), ""),
+    row("POSITN", Hazard(MACHINE_AXES), ""),
+    row("PPFUN", Hazard(REDEFINES), ""),
+    row("PPRINT", ReadText(|args| Ok(Program(ProgramRecord::Message(Text::rest(args))))), "text"),
+    row("PPTOL", Refused(TOLERANCE), ""),
+    row("PREFUN", Read(|args| program::code(b'G', args).map(Program)), "/n; only codes that `[cl] prefun` allows"),
+    row("RAPID", Read(|_| Ok(Machine(MachineRecord::Rapid))), "the next motion only"),
+    row("REMARK", Inert, ""),
+    row("RESET", Refused(OWN_MEANING), ""),
+    row("RETRCT", Read(|_| Ok(Motion(MotionRecord::Retract))), "along the tool axis to the plane of CLEARP"),
+    row("REWIND", Read(|args| program::rewind(args).map(Program)), "[/n]"),
+    row("ROTABL", Read(|args| machine::rotary_direction(args).map(Machine)), "/SHORT; /NEXT,CLW|CCLW"),
+    row("ROTATE", Hazard(MOVES_COORDINATES), ""),
+    row("ROTHED", Hazard(MACHINE_AXES), ""),
+    row("SAFETY", Refused(OWN_MEANING), ""),
+    row("SELCTL", Read(|args| tool::preselect(args).map(Tool)), "/n"),
+    row("SELECT", Read(|args| tool::select(args).map(Tool)), "/TOOL,n"),
+    row("SEQNO", Inert, ""),
+    row("SET", Read(|args| tool::set(args).map(|found| found.map_or(Record::Inert, Tool))), "/MODE,ABSOL; /OFSETL,n"),
+    row("SETUP", Inert, ""),
+    row("SPINDL", Read(|args| spindle::spindle(args).map(|spindle| Machine(MachineRecord::Spindle(spindle)))), "/RPM, n, CLW|CCLW, ON|OFF in any order"),
+    row("STOP", Read(|_| Ok(Program(ProgramRecord::Stop))), ""),
+    row("SWITCH", Turning, ""),
+    row("SYN", Hazard(REDEFINES), ""),
+    row("SYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/ as MSYS"),
+    row("THREAD", Turning, ""),
+    row("TLAXIS", Read(|args| coordinates::tool_axis(args).map(Coordinates)), "/i,j,k"),
+    row("TLDATA", Read(|args| tool::data(args).map(Tool)), "/MILL,d,r,..; /DRILL[,word],d,.."),
+    row("TLON", ReadText(|args| arc::tangent_arc(args).map(Arc)), ",GOFWD/ (CIRCLE/ c,r),ON,[2,INTOF,](LINE/ c,e)"),
+    row("TMARK", Inert, ""),
+    row("TOOL PATH", ReadText(|args| program::tool_path(args).map(Program)), "/name,TOOL,name"),
+    row("TOOLNO", Read(|args| tool::description(args).map(|()| Record::Inert)), "/n,.. describes a tool and changes nothing"),
+    row("TPRINT", Inert, ""),
+    row("TRACUT", Read(|args| coordinates::transformation(args).map(Coordinates)), "/12 numbers of a rigid motion; /NOMORE; /0"),
+    row("TRANS", Read(|args| coordinates::translation(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
+    row("TRNTYP", Read(|args| coordinates::world(args).map(Coordinates)), "/WORLD,0,0,0"),
+    row("TURRET", Turning, ""),
+    row("UNIT", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH"),
+    row("UNITS", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH|INCHES"),
+    row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
+];
+
+/// Prefix of the tool descriptions of SolidWorks CAM (`CSI_SET_FLUTE_LENGTH/70.`).
+const TOOL_DESCRIPTION: &[u8] = b"CSI_";
+
+/// What becomes of a tool description.
+static TOOL_DESCRIBED: Row = row("CSI_", Inert, "");
+
+/// Looks a major word up, whatever its case.
+pub(crate) fn look_up(word: &[u8]) -> Option<&'static Row> {
+    match TABLE.binary_search_by(|row| compare(row.word.name.as_bytes(), word)) {
+        Ok(index) => Some(&TABLE[index]),
+        Err(_) => {
+            let described = word.get(..TOOL_DESCRIPTION.len())?.eq_ignore_ascii_case(TOOL_DESCRIPTION);
+            described.then_some(&TOOL_DESCRIBED)
+        }
+    }
+}
+
+/// Why a word cannot be declared inert; `None` if it can.
+#[must_use]
+pub fn not_inert(word: &str) -> Option<String> {
+    if word.is_empty() || !word.bytes().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b' ')) {
+        return Some(format!("`{word}` is not a word of CL data"));
+    }
+    match look_up(word.as_bytes())?.fate {
+        Read(_) | ReadText(_) => Some(format!("{word} is read, so it cannot be inert")),
+        Hazard(reason) => Some(format!("{word} cannot be inert: {reason}")),
+        Turning => Some(format!("{word} cannot be inert: it belongs to a lathe")),
+        Inert | Refused(_) => None,
+    }
+}
+
+/// Writes what becomes of each word.
+///
+/// # Errors
+/// Those of the output.
+pub fn list(out: &mut dyn Write) -> io::Result<()> {
+    writeln!(
+        out,
+        "Words of CL data. A word that is not listed is refused, unless `--inert WORD` says that it is inert."
+    )?;
+    list_section(out, "Read", |Row { word: MajorWord { name, forms }, fate }| {
+        let glue = if forms.starts_with(['/', ',', '[']) || forms.is_empty() { "" } else { " " };
+        fate.is_read().then(|| format!("{name}{glue}{forms}"))
+    })?;
+    list_section(out, "Inert: nothing that moves an axis or changes a state", |row| match row.fate {
+        Inert => Some(row.word.name.to_string()),
+        Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Turning => None,
+    })?;
+    writeln!(out, "    CSI_..")?;
+    list_section(out, "Refused, unless `--inert WORD` says that it is inert", |row| match row.fate {
+        Refused(reason) => Some(format!("{:<11} {reason}", row.word.name)),
+        Read(_) | ReadText(_) | Inert | Hazard(_) | Turning => None,
+    })?;
+    list_section(out, "Refused always", |row| match row.fate {
+        Hazard(reason) => Some(format!("{:<11} {reason}", row.word.name)),
+        Turning => Some(format!("{:<11} it belongs to a lathe", row.word.name)),
+        Read(_) | ReadText(_) | Inert | Refused(_) => None,
+    })
+}
+
+/// A heading and a line for each row that belongs under it.
+fn list_section(out: &mut dyn Write, heading: &str, line: impl Fn(&Row) -> Option<String>) -> io::Result<()> {
+    writeln!(out, "\n{heading}")?;
+    TABLE.iter().filter_map(line).try_for_each(|line| writeln!(out, "    {line}"))
+}
+
+fn compare(name: &[u8], word: &[u8]) -> Ordering {
+    name.iter().copied().cmp(word.iter().map(u8::to_ascii_uppercase))
+}
+
+/// The known word that `word` is probably meant to be.
+pub(crate) fn nearest_word(word: &str) -> Option<&'static str> {
+    /// Two slips of the finger; more would be guessing.
+    const SLIPS: usize = 2;
+    if word.len() > 16 {
+        return None;
+    }
+    let word = word.to_ascii_uppercase();
+    let allowed = SLIPS.min(word.len() / 3);
+    // Words of another length cannot be near, and the search is the costliest thing done for a fault.
+    let similar = TABLE.iter().map(|row| row.word.name).filter(|name| name.len().abs_diff(word.len()) <= allowed);
+    let (distance, name) =
+        similar.map(|name| (strsim::damerau_levenshtein(&word, name), name)).min_by_key(|(distance, _)| *distance)?;
+    (distance <= allowed).then_some(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cl::text::Span;
+
+    #[test]
+    fn the_table_is_sorted_and_has_no_word_twice() {
+        assert!(TABLE.windows(2).all(|pair| pair[0].word.name < pair[1].word.name));
+    }
+
+    #[test]
+    fn words_are_found_in_any_case() {
+        let point = Point { tip: [1.0, 2.0, 3.0], axis: None, at: Span { start: 0, end: 5 } };
+        for (word, name, record) in [
+            ("goto", "GOTO", Motion(MotionRecord::Goto(point))),
+            ("End-Of-Path", "END-OF-PATH", Program(ProgramRecord::EndOfPath)),
+        ] {
+            let row = look_up(word.as_bytes()).unwrap();
+            assert_eq!(row.word.name, name);
+            let Read(read) = row.fate else { panic!("{word} is read") };
+            assert_eq!(read(&mut Args::new(&row.word, b"1,2,3", 0)).unwrap(), record);
+        }
+        let described = look_up(b"csi_set_flute_length").unwrap();
+        assert!(described.word.name == "CSI_" && matches!(described.fate, Inert));
+        assert!(look_up(b"CSI").is_none());
+        assert!(look_up(b"").is_none());
+    }
+
+    #[test]
+    fn only_what_moves_nothing_can_be_declared_inert() {
+        for word in ["GOTO", "LOOP", "SYN", "COPY", "TURRET", "", "A/B"] {
+            assert!(not_inert(word).is_some(), "{word}");
+        }
+        for word in ["AICC", "FIXOFTCO", "BREAK", "PAINT"] {
+            assert_eq!(not_inert(word), None, "{word}");
+        }
+    }
+
+    #[test]
+    fn the_list_names_every_word_once() {
+        let mut text = Vec::new();
+        list(&mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        for Row { word: MajorWord { name, .. }, .. } in TABLE {
+            let listed = text.lines().filter(|line| {
+                let word = line.trim_start().split(['/', ',', '[']).next().unwrap();
+                line.starts_with("    ") && (word == *name || word.starts_with(&format!("{name} ")))
+            });
+            assert_eq!(listed.count(), 1, "{name}");
+        }
+    }
+
+    #[test]
+    fn a_slip_of_the_finger_finds_the_word_and_gibberish_finds_none() {
+        assert_eq!(nearest_word("GOTTO"), Some("GOTO"));
+        assert_eq!(nearest_word("fedart"), Some("FEDRAT"));
+        assert_eq!(nearest_word("SPINDLE"), Some("SPINDL"));
+        assert_eq!(nearest_word("sfsdfsdf"), None);
+        assert_eq!(nearest_word("X"), None);
+    }
+}

@@ -1,0 +1,322 @@
+//! The arguments of a record: words and numbers between commas.
+//!
+//! [`Args`] walks over them from left to right and knows the major word they belong to, for its messages. An empty place
+//! between commas is an error, and so is an argument that is not taken: see [`Args::finish`].
+
+use super::fault::{ClFault, Span, quoted};
+use super::lexer::is_blank;
+use super::number::{number_at_start, whole_number};
+
+/// One argument without the blanks around it; never empty.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Arg<'a> {
+    pub(crate) text: &'a [u8],
+    pub(crate) at: Span,
+}
+
+impl Arg<'_> {
+    pub(crate) fn is(self, word: &str) -> bool {
+        self.text.eq_ignore_ascii_case(word.as_bytes())
+    }
+
+    /// The entry of a table of words that it is.
+    pub(crate) fn among<T: Copy>(self, table: &[(&str, T)]) -> Option<T> {
+        table.iter().find(|(word, _)| self.is(word)).map(|(_, found)| *found)
+    }
+
+    /// Whether it begins like a number; then it must be one.
+    pub(crate) fn looks_numeric(self) -> bool {
+        matches!(self.text[0], b'0'..=b'9' | b'+' | b'-' | b'.')
+    }
+
+    /// The finite number it is.
+    pub(crate) fn number(self) -> Result<f64, ClFault> {
+        match whole_number(self.text) {
+            Some(value) if value.is_finite() => Ok(value),
+            Some(_) => Err(ClFault::new(
+                "number too large",
+                self.at,
+                format!("{} is too large to be a number here", quoted(self.text)),
+                "check the exponent",
+            )),
+            None => Err(self.not_a_number()),
+        }
+    }
+
+    /// The tool or register number it is.
+    pub(crate) fn integer(self) -> Result<u32, ClFault> {
+        let value = self.number()?;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // In range, and checked to be whole.
+        if (0.0..=f64::from(u32::MAX)).contains(&value) && value.fract().abs() < f64::MIN_POSITIVE {
+            Ok(value as u32)
+        } else {
+            Err(ClFault::new(
+                "whole number",
+                self.at,
+                format!("{} must be a whole number, 0 or more", quoted(self.text)),
+                "write it as in LOADTL/12",
+            ))
+        }
+    }
+
+    #[cold]
+    fn not_a_number(self) -> ClFault {
+        if self.text.contains(&b'/') {
+            return ClFault::new(
+                "second slash",
+                self.at,
+                "a second slash stands behind this word",
+                "arguments are separated by commas; only a GOTO may hold a list of points",
+            );
+        }
+        if self.text.contains(&b'$') {
+            return ClFault::new(
+                "stray $",
+                self.at,
+                format!("`$` stands inside a statement: {}", quoted(self.text)),
+                "`$` continues a statement only at the end of a line; `$$` begins a comment",
+            );
+        }
+        let glued = number_at_start(self.text).is_some_and(|(_, used)| used > 0);
+        let help = if glued {
+            "a number ends at a comma: is a comma missing?"
+        } else {
+            "numbers look like 12, -0.5, .5 or 1.5E-3"
+        };
+        ClFault::new("number expected", self.at, format!("{} is not a number", quoted(self.text)), help)
+    }
+}
+
+/// A major word of CL data and the forms of its arguments that are read.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct MajorWord {
+    pub(crate) name: &'static str,
+    /// What follows the word, as `explain --cl` prints it.
+    pub(crate) forms: &'static str,
+}
+
+impl MajorWord {
+    /// The forms that are read, as the help of a message.
+    fn help(&self) -> Option<String> {
+        let Self { name, forms } = self;
+        forms.starts_with(['/', '[']).then(|| format!("what is read is {name}{forms}"))
+    }
+}
+
+/// Walks over the arguments of a record, from left to right.
+#[derive(Debug, Clone)]
+pub(crate) struct Args<'a> {
+    word: &'static MajorWord,
+    text: &'a [u8],
+    at: usize,
+    /// Another argument must follow.
+    more: bool,
+    first: usize,
+}
+
+impl<'a> Args<'a> {
+    /// Everything from byte `at` of the statement on. Nothing but blanks there means no arguments.
+    pub(crate) fn new(word: &'static MajorWord, text: &'a [u8], at: usize) -> Self {
+        let at = skip_blanks(text, at.min(text.len()));
+        Args { word, text, at, more: at < text.len(), first: at }
+    }
+
+    /// The arguments after the slash that follows the word, which ends at byte `word_end`; no slash and nothing else is
+    /// no arguments.
+    #[inline]
+    pub(crate) fn after_slash(word: &'static MajorWord, text: &'a [u8], word_end: usize) -> Result<Self, ClFault> {
+        let slash = skip_blanks(text, word_end);
+        match text.get(slash) {
+            None => Ok(Args::new(word, text, text.len())),
+            Some(b'/') => Ok(Args::new(word, text, slash + 1)),
+            Some(_) => Err(slash_expected(word, text, slash)),
+        }
+    }
+
+    /// Name of the major word.
+    pub(crate) fn name(&self) -> &'static str {
+        self.word.name
+    }
+
+    /// The whole statement up to the last argument.
+    pub(crate) fn text(&self) -> &'a [u8] {
+        self.text
+    }
+
+    /// Byte of the statement at which the next argument begins.
+    pub(crate) fn position(&self) -> usize {
+        self.at
+    }
+
+    /// The bytes of the statement from `start` to `end` as arguments of their own; places in messages stay right.
+    pub(crate) fn part(&self, start: usize, end: usize) -> Args<'a> {
+        Args::new(self.word, &self.text[..end], start)
+    }
+
+    /// Takes all that is left as it is.
+    pub(crate) fn skip_rest(&mut self) {
+        self.more = false;
+    }
+
+    /// Refuses an argument that was not taken.
+    pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
+        match self.next()? {
+            None => Ok(()),
+            Some(arg) => Err(self.not_understood(arg)),
+        }
+    }
+
+    /// The next argument, which the record cannot do without.
+    pub(crate) fn needed(&mut self) -> Result<Arg<'a>, ClFault> {
+        let name = self.name();
+        self.next()?.ok_or_else(|| {
+            ClFault::new(
+                "argument missing",
+                self.all(),
+                format!("an argument of {name} is missing"),
+                self.word.help().unwrap_or_else(|| format!("write {name} with all its arguments")),
+            )
+        })
+    }
+
+    /// The next argument must be this word; no other is understood.
+    pub(crate) fn keyword(&mut self, word: &str) -> Result<(), ClFault> {
+        let arg = self.needed()?;
+        if arg.is(word) { Ok(()) } else { Err(self.not_understood(arg)) }
+    }
+
+    /// The next argument must be a word of `table`.
+    pub(crate) fn one_of<T: Copy>(&mut self, table: &[(&str, T)]) -> Result<T, ClFault> {
+        let arg = self.needed()?;
+        arg.among(table).ok_or_else(|| self.not_understood(arg))
+    }
+
+    /// Exactly `N` numbers and nothing else.
+    pub(crate) fn exactly<const N: usize>(&mut self) -> Result<[f64; N], ClFault> {
+        let mut numbers = [0.0; N];
+        match self.numbers(&mut numbers)? {
+            found if found == N => Ok(numbers),
+            found => Err(self.wrong_count(&format!("{N} numbers"), found)),
+        }
+    }
+
+    /// The record needs another count of arguments.
+    #[cold]
+    pub(crate) fn wrong_count(&self, needs: &str, found: usize) -> ClFault {
+        ClFault::new(
+            "wrong number of arguments",
+            self.all(),
+            format!("{} needs {needs}, found {found}", self.name()),
+            "a line that was cut off ends in `$`; write every number, or delete those too many",
+        )
+    }
+
+    /// An argument that the record may legally have, but that means nothing here.
+    pub(crate) fn not_understood(&self, arg: Arg<'_>) -> ClFault {
+        ClFault::new(
+            self.name(),
+            arg.at,
+            format!("{} with {} is not understood yet", self.name(), quoted(arg.text)),
+            self.word
+                .help()
+                .unwrap_or_else(|| "check the spelling; `explain --cl` lists the forms that are read".into()),
+        )
+    }
+
+    /// All arguments, for messages; the whole statement if there are none.
+    pub(crate) fn all(&self) -> Span {
+        let start = if self.first < self.text.len() { self.first } else { 0 };
+        Span { start, end: self.text.len() }
+    }
+
+    /// The next argument; an empty place is an error.
+    pub(crate) fn next(&mut self) -> Result<Option<Arg<'a>>, ClFault> {
+        if !self.more {
+            return Ok(None);
+        }
+        let start = skip_blanks(self.text, self.at);
+        let end = memchr::memchr(b',', &self.text[start..]).map_or(self.text.len(), |found| start + found);
+        let trimmed = end - self.text[start..end].iter().rev().take_while(|byte| is_blank(**byte)).count();
+        self.more = end < self.text.len();
+        self.at = end + 1;
+        if trimmed == start {
+            return Err(self.empty_place(start));
+        }
+        Ok(Some(Arg { text: &self.text[start..trimmed], at: Span { start, end: trimmed } }))
+    }
+
+    /// All remaining arguments as numbers. Those beyond the size of `into` are checked and counted only.
+    pub(crate) fn numbers(&mut self, into: &mut [f64]) -> Result<usize, ClFault> {
+        let mut count = 0;
+        while self.more {
+            let start = skip_blanks(self.text, self.at);
+            // The common case in one pass; everything unusual is read again for its message.
+            let value = match number_at_start(&self.text[start..]) {
+                Some((value, used)) if value.is_finite() => {
+                    let end = skip_blanks(self.text, start + used);
+                    match self.text.get(end) {
+                        Some(b',') => self.at = end + 1,
+                        None => self.more = false,
+                        Some(_) => self.only_number()?,
+                    }
+                    value
+                }
+                _ => {
+                    self.only_number()?;
+                    0.0
+                }
+            };
+            if let Some(place) = into.get_mut(count) {
+                *place = value;
+            }
+            count += 1;
+        }
+        Ok(count)
+    }
+
+    /// Refuses the next argument, which is no number.
+    #[cold]
+    fn only_number(&mut self) -> Result<(), ClFault> {
+        if let Some(arg) = self.next()? {
+            arg.number()?;
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn empty_place(&self, at: usize) -> ClFault {
+        let start = at.min(self.text.len() - 1);
+        ClFault::new(
+            "empty place",
+            Span { start, end: start + 1 },
+            "an argument is missing: nothing stands between the commas here",
+            "write the missing argument, or delete the comma",
+        )
+    }
+}
+
+#[cold]
+fn slash_expected(word: &MajorWord, text: &[u8], at: usize) -> ClFault {
+    let name = word.name;
+    ClFault::new(
+        "slash expected",
+        Span { start: at, end: text.len() },
+        format!("{} stands behind {name} where a slash is expected", quoted(&text[at..])),
+        format!("write {name}/.."),
+    )
+}
+
+/// A piece without the blanks around it.
+pub(crate) fn trimmed(piece: &[u8]) -> &[u8] {
+    let start = skip_blanks(piece, 0);
+    let after = piece[start..].iter().rev().take_while(|byte| is_blank(**byte)).count();
+    &piece[start..piece.len() - after]
+}
+
+/// Index of the first byte from `at` on that is no blank.
+pub(crate) fn skip_blanks(text: &[u8], mut at: usize) -> usize {
+    while at < text.len() && is_blank(text[at]) {
+        at += 1;
+    }
+    at
+}

@@ -1,0 +1,358 @@
+//! Bytes to logical statements, in constant memory.
+//!
+//! A statement is one physical line, or several joined by a trailing `$`. Lines end in LF, CRLF or a lone CR; the last
+//! line may have no end. `$$` begins a comment. Pieces are joined raw, with nothing added or trimmed, because CAM
+//! systems cut inside numbers. A `$` joins only when nothing but blanks follows it. A comment continues on the next
+//! line only if it begins with `$$->`, and the continuation is comment too; any other comment that happens to end in
+//! `$` would swallow the GOTO below it. `$$` inside a pair of quotes begins no comment, nor does any `$$` after INSERT,
+//! which owns its whole line. On cards of 72 columns the columns after them are not read.
+//!
+//! A statement on one line is a slice of the read buffer; a joined one is copied to a second buffer, with a list of the
+//! lines that its pieces come from. Both buffers are reused. The meaning of a statement is not known here.
+
+use crate::program::Location;
+use memchr::{memchr, memchr2};
+use std::io::{self, Read};
+
+/// Bytes asked of the input at once.
+const CHUNK: usize = 256 * 1024;
+
+/// Longest statement that is read, and longest line: far above real ones, and it bounds the memory.
+pub(crate) const LONGEST_STATEMENT: usize = 1 << 20;
+
+/// Bytes searched for a NUL, which tells a binary file from text.
+const BINARY_SEARCH: usize = 1024;
+
+/// Kind of a statement, as far as its bytes tell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum StatementKind {
+    /// A record.
+    Code,
+    /// A comment with its `$$`.
+    Comment,
+    /// Longer than [`LONGEST_STATEMENT`]; skipped.
+    TooLong,
+    /// Its last line ends in `$`, and so does the file.
+    Unfinished,
+}
+
+/// One statement without the blanks around it; its bytes lie in the lexer until the next one is asked for.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Statement {
+    pub(crate) kind: StatementKind,
+    joined: bool,
+    start: usize,
+    end: usize,
+    line: u64,
+    /// Index of the line's first byte in the read buffer; meaningless for a joined statement.
+    line_start: usize,
+}
+
+/// Origin of the bytes of a joined statement from `offset` on.
+#[derive(Debug, Clone, Copy)]
+struct JoinedPiece {
+    offset: usize,
+    location: Location,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct PhysicalLine {
+    start: usize,
+    end: usize,
+    too_long: bool,
+}
+
+/// Reads statements from `R`.
+pub(crate) struct Lexer<R> {
+    input: R,
+    buffer: Vec<u8>,
+    /// Unread bytes are `buffer[start..end]`.
+    start: usize,
+    end: usize,
+    at_end: bool,
+    begun: bool,
+    /// The last line ended in CR: a LF now belongs to it.
+    after_cr: bool,
+    /// Number of the line taken last.
+    line: u64,
+    joined: Vec<u8>,
+    pieces: Vec<JoinedPiece>,
+    /// Bytes of a line that count.
+    columns: usize,
+}
+
+impl<R: Read> Lexer<R> {
+    pub(crate) fn new(input: R, columns: Option<u32>) -> Self {
+        Lexer {
+            input,
+            columns: columns.map_or(usize::MAX, |columns| columns as usize),
+            buffer: vec![0; CHUNK],
+            start: 0,
+            end: 0,
+            at_end: false,
+            begun: false,
+            after_cr: false,
+            line: 0,
+            joined: Vec::new(),
+            pieces: Vec::new(),
+        }
+    }
+
+    /// Looks at the first bytes: skips a UTF-8 byte order mark, answers whether they are text at all.
+    pub(crate) fn begin(&mut self) -> io::Result<Beginning> {
+        while !self.at_end && self.end < BINARY_SEARCH {
+            self.fill()?;
+        }
+        self.begun = true;
+        if self.buffer[..self.end].starts_with(b"\xEF\xBB\xBF") {
+            self.start = 3;
+        }
+        Ok(match memchr(0, &self.buffer[..self.end.min(BINARY_SEARCH)]) {
+            Some(_) => Beginning::Binary,
+            None if self.start == self.end => Beginning::Empty,
+            None => Beginning::Text,
+        })
+    }
+
+    /// The next statement that is not blank.
+    pub(crate) fn next(&mut self) -> io::Result<Option<Statement>> {
+        if !self.begun {
+            self.begin()?;
+        }
+        loop {
+            let Some(line) = self.take_line()? else { return Ok(None) };
+            let statement = if line.too_long {
+                return Ok(Some(self.on_one_line(line, StatementKind::TooLong)));
+            } else if memchr(b'$', &self.buffer[line.start..line.end]).is_none() {
+                self.on_one_line(line, StatementKind::Code)
+            } else {
+                self.with_dollar(line)?
+            };
+            let statement = self.trimmed(statement);
+            if statement.start < statement.end {
+                return Ok(Some(statement));
+            }
+        }
+    }
+
+    /// The bytes of the statement returned last.
+    pub(crate) fn text(&self, statement: &Statement) -> &[u8] {
+        let bytes = if statement.joined { &self.joined } else { &self.buffer };
+        &bytes[statement.start..statement.end]
+    }
+
+    /// Place in the file of byte `offset` of the statement, and the count of its bytes from there on that line.
+    pub(crate) fn locate(&self, statement: &Statement, offset: usize) -> (Location, usize) {
+        let at = statement.start + offset;
+        if !statement.joined {
+            let location = Location { line: statement.line, column: column(at - statement.line_start) };
+            return (location, statement.end.saturating_sub(at));
+        }
+        let next = self.pieces.partition_point(|piece| piece.offset <= at);
+        let piece = self.pieces[next.saturating_sub(1)];
+        let end = self.pieces.get(next).map_or(statement.end, |piece| piece.offset);
+        let Location { line, column: first } = piece.location;
+        (Location { line, column: column(first as usize - 1 + at - piece.offset) }, end.saturating_sub(at))
+    }
+
+    /// The lines of a joined statement after its first, and the byte of the statement at which each begins.
+    pub(crate) fn joined_lines(&self, statement: &Statement) -> impl Iterator<Item = (usize, &[u8])> {
+        let pieces = if statement.joined { self.pieces.get(1..).unwrap_or_default() } else { &[] };
+        let ends = pieces.iter().skip(1).map(|piece| piece.offset).chain([statement.end]);
+        pieces.iter().zip(ends).filter_map(move |(piece, end)| {
+            // The statement is without the blanks around it, the pieces are not.
+            let (from, to) = (piece.offset.max(statement.start), end.min(statement.end));
+            (from < to).then(|| (from - statement.start, &self.joined[from..to]))
+        })
+    }
+
+    /// Lines taken so far.
+    pub(crate) fn lines(&self) -> u64 {
+        self.line
+    }
+
+    /// A line that holds a `$`: a comment, code before a comment, or the first line of several.
+    fn with_dollar(&mut self, line: PhysicalLine) -> io::Result<Statement> {
+        let text = &self.buffer[line.start..line.end];
+        let whole = is_insert(text);
+        let comment = if whole { None } else { comment_start(text) };
+        let blank_before = text.iter().take_while(|byte| is_blank(**byte)).count();
+        if comment == Some(blank_before) {
+            let continues = text[blank_before..].starts_with(b"$$->") && continued(text).is_some();
+            return if continues {
+                self.join(line, StatementKind::Comment)
+            } else {
+                Ok(self.on_one_line(line, StatementKind::Comment))
+            };
+        }
+        let code = &text[..comment.unwrap_or(text.len())];
+        if continued(code).is_some() {
+            return self.join(line, StatementKind::Code);
+        }
+        let end = line.start + code.len();
+        Ok(self.on_one_line(PhysicalLine { end, ..line }, StatementKind::Code))
+    }
+
+    /// Joins the lines from `line` on as long as they end in `$`.
+    #[cold]
+    fn join(&mut self, line: PhysicalLine, mut kind: StatementKind) -> io::Result<Statement> {
+        let is_comment = kind == StatementKind::Comment;
+        let whole = is_comment || is_insert(&self.buffer[line.start..line.end]);
+        let first = self.line;
+        self.joined.clear();
+        self.pieces.clear();
+        let mut line = line;
+        loop {
+            let text = &self.buffer[line.start..line.end];
+            let text = if whole { text } else { &text[..comment_start(text).unwrap_or(text.len())] };
+            let more = continued(text);
+            let piece = &text[..more.unwrap_or(text.len())];
+            self.pieces
+                .push(JoinedPiece { offset: self.joined.len(), location: Location { line: self.line, column: 1 } });
+            if line.too_long || self.joined.len() + piece.len() > LONGEST_STATEMENT {
+                kind = StatementKind::TooLong;
+                self.joined.clear();
+                self.pieces.clear();
+            } else {
+                self.joined.extend_from_slice(piece);
+            }
+            if more.is_none() {
+                break;
+            }
+            match self.take_line()? {
+                Some(next) => line = next,
+                None => {
+                    kind = if is_comment { kind } else { StatementKind::Unfinished };
+                    break;
+                }
+            }
+        }
+        if kind == StatementKind::TooLong {
+            self.joined.clear();
+            self.joined.push(b'$');
+            self.pieces.clear();
+            self.pieces.push(JoinedPiece { offset: 0, location: Location { line: first, column: 1 } });
+        }
+        Ok(Statement { kind, joined: true, start: 0, end: self.joined.len(), line: first, line_start: 0 })
+    }
+
+    fn on_one_line(&self, line: PhysicalLine, kind: StatementKind) -> Statement {
+        Statement { kind, joined: false, start: line.start, end: line.end, line: self.line, line_start: line.start }
+    }
+
+    fn trimmed(&self, statement: Statement) -> Statement {
+        let text = self.text(&statement);
+        let before = text.iter().take_while(|byte| is_blank(**byte)).count();
+        let after = text[before..].iter().rev().take_while(|byte| is_blank(**byte)).count();
+        Statement { start: statement.start + before, end: statement.end - after, ..statement }
+    }
+
+    /// The next physical line without its end.
+    fn take_line(&mut self) -> io::Result<Option<PhysicalLine>> {
+        // There is no line end before `searched`, so a long line is searched once, whatever the size of the reads.
+        let mut searched = self.start;
+        let mut too_long = false;
+        loop {
+            if self.after_cr && self.start < self.end {
+                self.after_cr = false;
+                if self.buffer[self.start] == b'\n' {
+                    self.start += 1;
+                    searched = self.start;
+                }
+            }
+            if let Some(found) = memchr2(b'\n', b'\r', &self.buffer[searched..self.end]) {
+                let end = searched + found;
+                let line =
+                    PhysicalLine { start: self.start, end: end.min(self.start.saturating_add(self.columns)), too_long };
+                self.after_cr = self.buffer[end] == b'\r';
+                self.start = end + 1;
+                self.line += 1;
+                return Ok(Some(line));
+            }
+            if self.end - self.start > LONGEST_STATEMENT {
+                too_long = true;
+                self.end = self.start;
+            }
+            if self.at_end {
+                if self.start == self.end && !too_long {
+                    return Ok(None);
+                }
+                let end = self.end.min(self.start.saturating_add(self.columns));
+                let line = PhysicalLine { start: self.start, end, too_long };
+                self.start = self.end;
+                self.line += 1;
+                return Ok(Some(line));
+            }
+            let unread = self.end - self.start;
+            self.fill()?;
+            searched = self.start + unread;
+        }
+    }
+
+    /// Moves what is unread to the front and reads some more after it.
+    fn fill(&mut self) -> io::Result<()> {
+        self.buffer.copy_within(self.start..self.end, 0);
+        self.end -= self.start;
+        self.start = 0;
+        if self.end == self.buffer.len() {
+            self.buffer.resize(2 * self.end, 0);
+        }
+        loop {
+            match self.input.read(&mut self.buffer[self.end..]) {
+                Ok(0) => self.at_end = true,
+                Ok(count) => self.end += count,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(error) => return Err(error),
+            }
+            return Ok(());
+        }
+    }
+}
+
+/// What the first bytes of a file are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Beginning {
+    Text,
+    Binary,
+    Empty,
+}
+
+/// Blanks and tabs; also the Ctrl-Z with which DOS programs end a file.
+pub(crate) fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | 0x1A)
+}
+
+/// Index of the first `$$` that is not between two quotes.
+fn comment_start(text: &[u8]) -> Option<usize> {
+    let mut from = 0;
+    while let Some(found) = memchr2(b'$', b'\'', &text[from..]) {
+        let at = from + found;
+        from = at + 1;
+        match text[at] {
+            b'\'' => from = memchr(b'\'', &text[from..]).map_or(from, |closing| from + closing + 1),
+            _ if text.get(from) == Some(&b'$') => return Some(at),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// Whether a line is an INSERT, which owns everything up to its end.
+fn is_insert(text: &[u8]) -> bool {
+    const INSERT: &[u8] = b"INSERT";
+    let text = text.trim_ascii_start();
+    text.get(..INSERT.len()).is_some_and(|word| word.eq_ignore_ascii_case(INSERT))
+        && text.get(INSERT.len()).is_none_or(|byte| !byte.is_ascii_alphanumeric())
+}
+
+/// Index of the `$` with only blanks after it, if the text ends in one.
+fn continued(text: &[u8]) -> Option<usize> {
+    let blanks = text.iter().rev().take_while(|byte| is_blank(**byte)).count();
+    let last = (text.len() - blanks).checked_sub(1)?;
+    (text[last] == b'$').then_some(last)
+}
+
+/// Columns count from 1.
+fn column(index: usize) -> u32 {
+    u32::try_from(index + 1).unwrap_or(u32::MAX)
+}

@@ -1,0 +1,15 @@
+//! Text of CL data: bytes to statements, and the arguments of a statement to words and numbers.
+//!
+//! `lexer` cuts the input into statements, `args` walks over the arguments of one, `number` reads decimals, `fault` names
+//! the bytes that are not understood. No word of CL data is known here.
+
+mod args;
+mod fault;
+mod lexer;
+mod number;
+
+pub(crate) use self::args::{Arg, Args, MajorWord, skip_blanks, trimmed};
+pub use self::fault::Span;
+pub(crate) use self::fault::{ClFault, Help, quoted};
+pub(crate) use self::lexer::{Beginning, LONGEST_STATEMENT, Lexer, Statement, StatementKind};
+pub(crate) use self::number::{number_at_start, whole_number};

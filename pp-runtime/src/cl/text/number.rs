@@ -1,0 +1,164 @@
+//! Decimal numbers of CL data, exactly rounded.
+//!
+//! Understands `1`, `1.`, `.5`, `-0.0`, `+2`, `1.E-3` and the Fortran exponents `1D2`, `1.0D+02`. Nothing else is a
+//! number: no blanks inside, no `inf`, no `NaN`, no hexadecimal.
+//!
+//! Nearly every number of a real file has fewer than 16 digits, and then mantissa and power of ten are both exact in
+//! binary64, so one multiplication or division rounds correctly (Clinger). The rest goes through the standard library.
+
+/// Powers of ten that binary64 holds exactly.
+const POWERS_OF_TEN: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
+/// Up to here every integer is exact in binary64.
+const LARGEST_EXACT_MANTISSA: u64 = 1 << 53;
+
+/// Digits that always fit a `u64`.
+const DIGITS_OF_U64: usize = 19;
+
+/// The number at the start of `text` and how many bytes it takes; `None` if no number starts there.
+///
+/// A number too large for binary64 comes back as an infinity, which the caller must refuse.
+pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
+    let mut at = 0;
+    let negative = text.first() == Some(&b'-');
+    if negative || text.first() == Some(&b'+') {
+        at = 1;
+    }
+    let whole = at;
+    // Wraps beyond 19 digits; such a number is not computed from it.
+    let mut mantissa = 0_u64;
+    at += digits_of(&text[at..], &mut mantissa);
+    let mut digits = at - whole;
+    let mut exponent = 0_i64;
+    if text.get(at) == Some(&b'.') {
+        at += 1;
+        let fraction = at;
+        at += digits_of(&text[at..], &mut mantissa);
+        digits += at - fraction;
+        exponent = -i64::try_from(at - fraction).ok()?;
+    }
+    if digits == 0 {
+        return None;
+    }
+    let mantissa_end = at;
+    if matches!(text.get(at), Some(b'E' | b'e' | b'D' | b'd')) {
+        let (power, used) = integer(&text[at + 1..])?;
+        exponent = exponent.saturating_add(power);
+        at += 1 + used;
+    }
+    let magnitude = match usize::try_from(exponent.unsigned_abs()) {
+        Ok(power) if digits <= DIGITS_OF_U64 && mantissa < LARGEST_EXACT_MANTISSA && power < POWERS_OF_TEN.len() => {
+            #[allow(clippy::cast_precision_loss)] // Below 2^53, so exact.
+            let mantissa = mantissa as f64;
+            if exponent < 0 { mantissa / POWERS_OF_TEN[power] } else { mantissa * POWERS_OF_TEN[power] }
+        }
+        _ => rounded_by_library(&text[whole..at], mantissa_end - whole)?,
+    };
+    Some((if negative { -magnitude } else { magnitude }, at))
+}
+
+/// Appends the digits at the start of `text` to `mantissa`; answers how many there are.
+fn digits_of(text: &[u8], mantissa: &mut u64) -> usize {
+    let mut count = 0;
+    for digit in text.iter().map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10) {
+        *mantissa = mantissa.wrapping_mul(10).wrapping_add(u64::from(digit));
+        count += 1;
+    }
+    count
+}
+
+/// The number that `text` is from its first byte to its last.
+pub(crate) fn whole_number(text: &[u8]) -> Option<f64> {
+    number_at_start(text).filter(|&(_, used)| used == text.len()).map(|(value, _)| value)
+}
+
+/// An exponent with its sign; huge ones saturate, which gives zero or infinity as it should.
+fn integer(text: &[u8]) -> Option<(i64, usize)> {
+    let signed = usize::from(matches!(text.first(), Some(b'-' | b'+')));
+    let digits = text[signed..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+    if digits == 0 {
+        return None;
+    }
+    let magnitude = text[signed..signed + digits]
+        .iter()
+        .fold(0_i64, |sum, byte| sum.saturating_mul(10).saturating_add(i64::from(byte - b'0')))
+        .min(1 << 32);
+    Some((if text[0] == b'-' { -magnitude } else { magnitude }, signed + digits))
+}
+
+/// `text` is an unsigned number whose exponent letter, if any, is at `letter`.
+#[cold]
+fn rounded_by_library(text: &[u8], letter: usize) -> Option<f64> {
+    let text = std::str::from_utf8(text).ok()?;
+    if matches!(text.as_bytes().get(letter), Some(b'D' | b'd')) {
+        // The library knows no Fortran; this copy is made for long D numbers only.
+        return format!("{}e{}", &text[..letter], &text[letter + 1..]).parse().ok();
+    }
+    text.parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{number_at_start as prefix, whole_number as whole};
+    use proptest::prelude::*;
+
+    #[test]
+    fn every_form_of_number_in_cl_data_is_read() {
+        for (text, value) in [
+            ("1", 1.0),
+            ("1.", 1.0),
+            (".5", 0.5),
+            ("-.5", -0.5),
+            ("+2", 2.0),
+            ("1.E-3", 1e-3),
+            ("1D2", 100.0),
+            ("1.0D+02", 100.0),
+            ("2d-1", 0.2),
+            ("00012.50", 12.5),
+            ("0.0000000", 0.0),
+            ("-254.9773", -254.9773),
+            ("1.7976931348623157D308", f64::MAX),
+        ] {
+            assert_eq!(whole(text.as_bytes()).map(f64::to_bits), Some(value.to_bits()), "{text}");
+        }
+        assert_eq!(whole(b"-0.0").map(f64::to_bits), Some((-0.0_f64).to_bits()));
+    }
+
+    #[test]
+    fn what_is_no_number_is_refused() {
+        for text in
+            ["", "-", ".", "+.", "E5", "1E", "1E+", "NaN", "inf", "-inf", "0x10", "1_0", "--1", "1 2", "1,", "900CCLW"]
+        {
+            assert_eq!(whole(text.as_bytes()), None, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn a_number_beyond_binary64_is_an_infinity() {
+        assert_eq!(whole(b"1E999"), Some(f64::INFINITY));
+        assert_eq!(whole(b"-1D99999999999999999999"), Some(f64::NEG_INFINITY));
+        assert_eq!(whole(b"1E-999"), Some(0.0));
+    }
+
+    #[test]
+    fn reading_stops_behind_the_number() {
+        assert_eq!(prefix(b"12.5,3"), Some((12.5, 4)));
+        assert_eq!(prefix(b"900CCLW"), Some((900.0, 3)));
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+        #[test]
+        fn random_decimals_read_as_the_standard_library_reads_them(
+            text in "[-+]?([0-9]{1,25}(\\.[0-9]{0,25})?|\\.[0-9]{1,25})([eE][-+]?[0-9]{1,3})?"
+        ) {
+            let expected: f64 = text.parse().unwrap();
+            prop_assert_eq!(whole(text.as_bytes()).map(f64::to_bits), Some(expected.to_bits()));
+            let fortran = text.replace(['e', 'E'], "D");
+            prop_assert_eq!(whole(fortran.as_bytes()).map(f64::to_bits), Some(expected.to_bits()));
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! The geometry of an arc: where its tip is, how long it is, where it is furthest in a direction, and its chords.
+//!
+//! The angle runs from 0 at the start to [`Arc::angle`] at the end; parts count from 0 to 1. Height along the normal and,
+//! where the CL data's ends are not equally far from the centre, the radius change in proportion to the angle.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use crate::nalgebra::{Point3, Vector3};
+use crate::program::Arc;
+
+use crate::motion::fault::Fault;
+
+/// More chords than this in one arc are a fault of the file.
+const MOST_CHORDS: f64 = 1e6;
+
+/// An arc with the frame in which it is computed.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Round<'a> {
+    arc: &'a Arc,
+    /// Unit vectors from the axis to the start, and a quarter turn on.
+    u: Vector3<f64>,
+    v: Vector3<f64>,
+    /// Distances of start and end from the axis, mm.
+    pub(crate) radii: [f64; 2],
+    /// Height of the start above the centre, mm.
+    level: f64,
+    /// What the tip moves along the normal, mm.
+    pub(crate) rise: f64,
+}
+
+impl<'a> Round<'a> {
+    pub(crate) fn new(arc: &'a Arc) -> Self {
+        let normal = arc.normal.into_inner();
+        let along = |point: Point3<f64>| (point - arc.centre).dot(&normal);
+        let flat = |point: Point3<f64>| (point - arc.centre) - normal * along(point);
+        let (first, last) = (flat(arc.start.tip), flat(arc.end.tip));
+        let u = first / first.norm();
+        let level = along(arc.start.tip);
+        Self {
+            arc,
+            u,
+            v: normal.cross(&u),
+            radii: [first.norm(), last.norm()],
+            level,
+            rise: along(arc.end.tip) - level,
+        }
+    }
+
+    /// The larger of the radii, mm.
+    pub(crate) fn radius(&self) -> f64 {
+        self.radii[0].max(self.radii[1])
+    }
+
+    /// Where the tip is at a part of the way; the ends are as the CL data has them.
+    pub(crate) fn tip(&self, part: f64) -> Point3<f64> {
+        if part <= 0.0 {
+            return self.arc.start.tip;
+        }
+        if part >= 1.0 {
+            return self.arc.end.tip;
+        }
+        let (sine, cosine) = (self.arc.angle * part).sin_cos();
+        let radius = self.radii[0] + (self.radii[1] - self.radii[0]) * part;
+        let height = self.level + self.rise * part;
+        self.arc.centre + (self.u * cosine + self.v * sine) * radius + self.arc.normal.into_inner() * height
+    }
+
+    /// Length of the whole way, mm.
+    pub(crate) fn length(&self) -> f64 {
+        (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle).hypot(self.rise)
+    }
+
+    /// What it rises on 1 mm of its way in the plane.
+    pub(crate) fn slope(&self) -> f64 {
+        self.rise / (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle)
+    }
+
+    /// Parts of the way, the ends left out, at which the tip may be furthest in a direction or against it.
+    ///
+    /// With `H cos(t - φ)` for the circle and `s t` for the helix the derivative vanishes where `sin(t - φ) = s/H`. Of the
+    /// places a turn apart only the first and the last can be the furthest.
+    pub(crate) fn extremes(&self, direction: Vector3<f64>) -> impl Iterator<Item = f64> {
+        let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
+        let angle = self.arc.angle;
+        let slope = self.arc.normal.dot(&direction) * self.rise / angle;
+        let share = slope / (self.radius() * a.hypot(b));
+        let phase = b.atan2(a);
+        // NaN where the direction is the normal, outside ±1 where the helix is steeper than the circle is wide.
+        let lean = share.asin();
+        [phase + lean, phase + PI - lean].into_iter().filter(|turn| turn.is_finite()).flat_map(move |turn| {
+            let first = turn.rem_euclid(TAU);
+            let last = first + TAU * ((angle - first) / TAU).floor();
+            [first, last].into_iter().filter(move |at| *at < angle).map(move |at| at / angle)
+        })
+    }
+
+    /// Chords that leave the arc by no more than a tolerance, mm.
+    ///
+    /// # Errors
+    /// If there would be too many.
+    pub(crate) fn chords(&self, tolerance: f64) -> Result<u32, Fault> {
+        // A chord over the angle t is off by r (1 - cos t/2), which is at most r t²/8.
+        let step = (8.0 * tolerance / self.radius()).sqrt().min(FRAC_PI_2);
+        let chords = (self.arc.angle / step).ceil().max(1.0);
+        if chords.is_nan() || chords > MOST_CHORDS {
+            return Err(Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL"));
+        }
+        Ok(chords as u32)
+    }
+}
+
+/// The box that the tip of an arc fills: its lowest and its highest corner, mm.
+pub(crate) fn extent(arc: &Arc) -> [[f64; 3]; 2] {
+    let round = Round::new(arc);
+    let along = |axis: usize| {
+        let direction = Vector3::ith_axis(axis).into_inner();
+        let tips = round.extremes(direction).chain([0.0, 1.0]).map(|part| round.tip(part)[axis]);
+        tips.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| (low.min(at), high.max(at)))
+    };
+    let (x, y, z) = (along(0), along(1), along(2));
+    [[x.0, y.0, z.0], [x.1, y.1, z.1]]
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::kinematics::Pose;
+    use crate::nalgebra::UnitVector3;
+
+    fn arc(start: [f64; 3], end: [f64; 3], angle: f64) -> Arc {
+        let up = |tip: [f64; 3]| Pose { tip: Point3::from(tip), axis: Vector3::z_axis() };
+        let (start, end) = (up(start), up(end));
+        Arc { start, end, centre: Point3::origin(), normal: Vector3::z_axis(), angle, feed: None }
+    }
+
+    /// Distance of a point from the line between two others.
+    fn off_line(p: Point3<f64>, a: Point3<f64>, b: Point3<f64>) -> f64 {
+        let t = ((p - a).dot(&(b - a)) / (b - a).norm_squared()).clamp(0.0, 1.0);
+        (p - (a + (b - a) * t)).norm()
+    }
+
+    #[test]
+    fn chords_leave_a_helix_by_the_tolerance_at_most_and_not_by_much_less() {
+        for tolerance in [0.001, 0.01, 0.1] {
+            let angle = 2.25 * TAU;
+            let helix = arc([20.0, 0.0, 0.0], [0.0, 20.0, -9.0], angle);
+            let round = Round::new(&helix);
+            let chords = round.chords(tolerance).expect("chords");
+            let tips: Vec<_> = (0..=chords).map(|index| round.tip(f64::from(index) / f64::from(chords))).collect();
+            assert_eq!(tips.last(), Some(&helix.end.tip), "the end is exact");
+            let mut most: f64 = 0.0;
+            for step in 0..=20_000 {
+                let part = f64::from(step) / 20_000.0;
+                let (sine, cosine) = (angle * part).sin_cos();
+                let on_helix = Point3::new(20.0 * cosine, 20.0 * sine, -9.0 * part);
+                let index = ((part * f64::from(chords)).floor() as usize).min(tips.len() - 2);
+                most = most.max(off_line(on_helix, tips[index], tips[index + 1]));
+            }
+            assert!(most <= tolerance * 1.000_001 && most > 0.9 * tolerance, "{most} for {tolerance}");
+        }
+    }
+
+    #[test]
+    fn arcs_that_would_need_a_million_chords_are_refused() {
+        let round = |centre, tolerance| {
+            let circle = Arc { centre, ..arc([20.0, 0.0, 0.0], [20.0, 0.0, 0.0], TAU) };
+            Round::new(&circle).chords(tolerance).is_err()
+        };
+        assert!(round(Point3::new(1e150, 0.0, 0.0), 0.01));
+        assert!(round(Point3::new(f64::MAX, 0.0, 0.0), 0.01));
+        assert!(round(Point3::origin(), 1e-300));
+        assert!(!round(Point3::origin(), 0.01));
+    }
+
+    #[test]
+    fn a_radius_that_changes_within_the_tolerance_leaves_both_ends_exact() {
+        let spiral = arc([20.0, 0.0, 0.0], [0.0, 20.004, 0.0], 0.25 * TAU);
+        let round = Round::new(&spiral);
+        assert_eq!((round.tip(0.0), round.tip(1.0)), (spiral.start.tip, spiral.end.tip));
+        assert!((round.tip(0.5).coords.norm() - 20.002).abs() < 1e-9);
+    }
+
+    proptest! {
+        /// Nowhere on the arc is the tip further than at its ends and its extremes.
+        #[test]
+        fn no_point_of_an_arc_is_further_than_its_extremes(
+            direction in prop::array::uniform3(-1.0_f64..1.0),
+            normal in prop::array::uniform3(-1.0_f64..1.0),
+            angle in 0.01_f64..15.0,
+            rise in -30.0_f64..30.0,
+        ) {
+            let normal = Vector3::from(normal);
+            prop_assume!(normal.norm() > 0.1);
+            let normal = UnitVector3::new_normalize(normal);
+            let u = normal.cross(&Vector3::new(0.3, 0.7, -0.4)).normalize() * 7.0;
+            let turned = nalgebra::Rotation3::from_axis_angle(&normal, angle) * u + normal.into_inner() * rise;
+            let helix = Arc { normal, ..arc(u.into(), turned.into(), angle) };
+            let (round, direction) = (Round::new(&helix), Vector3::from(direction));
+            let far = |part: f64| round.tip(part).coords.dot(&direction);
+            let known: Vec<f64> = round.extremes(direction).chain([0.0, 1.0]).map(far).collect();
+            let most = known.iter().copied().fold(f64::MIN, f64::max);
+            let least = known.iter().copied().fold(f64::MAX, f64::min);
+            for step in 0..=500 {
+                let here = far(f64::from(step) / 500.0);
+                prop_assert!(here <= most + 1e-9 && here >= least - 1e-9, "{here} {known:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,336 @@
+//! The words of a circle: end points are rounded first, and the centre follows from them.
+//!
+//! A control compares the distances of both ends from the centre. The centre therefore is the point of the perpendicular
+//! bisector of the *rounded* ends that is nearest to the nominal one, and of the points around it that its words can hold
+//! the one from which both ends are most equally far. Lengths here are mm in the plane of the circle, in the program's
+//! own coordinates: the first axis, then the second, a quarter turn counter-clockwise from it.
+
+use std::f64::consts::{PI, TAU};
+
+/// Angles by which the sweep of the words may be off the nominal one, rad: beyond it they say another arc.
+const SAME_SWEEP: f64 = 0.5;
+
+/// An `R` says where the centre is only where the chord is well away from nothing and from the diameter: sweeps in rad.
+const CLEAR_SWEEP: [f64; 2] = [0.05, 0.95 * PI];
+
+/// Centres further away than this, in units, are none.
+const LARGEST: f64 = 1e15;
+
+/// A plane of the program, by the axis that is square to it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Plane {
+    /// G17: X, then Y.
+    Xy,
+    /// G18: Z, then X.
+    Zx,
+    /// G19: Y, then Z.
+    Yz,
+}
+
+impl Plane {
+    /// The plane square to X, Y or Z.
+    pub(crate) const SQUARE_TO: [Self; 3] = [Self::Yz, Self::Zx, Self::Xy];
+
+    /// Places of its axes among X Y Z, in their order, and that of the axis square to it.
+    #[must_use]
+    pub const fn axes(self) -> [usize; 3] {
+        match self {
+            Self::Xy => [0, 1, 2],
+            Self::Zx => [2, 0, 1],
+            Self::Yz => [1, 2, 0],
+        }
+    }
+}
+
+/// A circle as its words say it; whole units of linear words.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Circle {
+    /// The plane.
+    pub plane: Plane,
+    /// Places of X Y Z in the chain.
+    pub chain: [usize; 3],
+    /// Seen against the axis square to the plane.
+    pub clockwise: bool,
+    /// Where it begins.
+    pub start: [i64; 2],
+    /// Its centre.
+    pub centre: [i64; 2],
+    /// The radius, where it is to say what the centre says; below zero for more than half a turn.
+    pub radius: Option<i64>,
+    /// Angle from start to end, above 0 and at most a turn, rad.
+    pub sweep: f64,
+    /// What the block moves along the axis square to the plane.
+    pub rise: i64,
+}
+
+/// The circle of the CL data in the plane, mm.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Nominal {
+    pub(crate) centre: [f64; 2],
+    /// At start and end.
+    pub(crate) radii: [f64; 2],
+    pub(crate) clockwise: bool,
+    /// rad.
+    pub(crate) sweep: f64,
+}
+
+/// What words have to keep.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Grid {
+    /// Units in 1 mm.
+    pub(crate) per_mm: f64,
+    /// By how much the control lets the radii at both ends differ, mm.
+    pub(crate) radius_tolerance: f64,
+}
+
+/// Words of a circle and how well they say it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fit {
+    pub(crate) centre: [i64; 2],
+    /// Angle of the circle that the words say, rad.
+    pub(crate) sweep: f64,
+    pub(crate) off: Off,
+}
+
+/// How far the circle of some words is off the nominal one, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Off {
+    /// In its plane.
+    pub(crate) plane: f64,
+    /// Its centre: so much does a point lead or lag, seen from either centre.
+    pub(crate) centre: f64,
+}
+
+fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+fn length(a: [f64; 2]) -> f64 {
+    a[0].hypot(a[1])
+}
+
+impl Nominal {
+    /// Angle from one direction to another in the sense of the circle; a whole turn where both are the same.
+    fn turn(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
+        let left = (from[0] * to[1] - from[1] * to[0]).atan2(dot(from, to));
+        let turn = if self.clockwise { -left } else { left }.rem_euclid(TAU);
+        if turn > 0.0 { turn } else { TAU }
+    }
+
+    /// The circle between two rounded points about `centre`, mm.
+    fn judged(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, Off) {
+        let (first, last) = (minus(start, centre), minus(end, centre));
+        let sweep = if whole { TAU } else { self.turn(first, last) };
+        let radii = [length(first), length(last)];
+        let shift = minus(centre, self.centre);
+        let far = |direction: [f64; 2]| {
+            let distance = length([shift[0] + direction[0] * radii[0], shift[1] + direction[1] * radii[0]]);
+            self.radii.iter().map(|radius| (distance - radius).abs()).fold(0.0, f64::max)
+        };
+        let missed = |direction: [f64; 2]| {
+            let radius = self.radii[0];
+            (length([direction[0] * radius - shift[0], direction[1] * radius - shift[1]]) - radii[0]).abs()
+        };
+        let unit = |vector: [f64; 2]| [vector[0] / length(vector), vector[1] / length(vector)];
+        // The distance from the nominal centre changes monotonously except along the shift, and so does that of the nominal
+        // circle from this centre.
+        let mut off = far(unit(first)).max(far(unit(last)));
+        if length(shift) > 0.0 {
+            let along = unit(shift);
+            let begin = minus(start, self.centre);
+            for direction in [along, [-along[0], -along[1]]] {
+                if self.turn(first, direction) <= sweep {
+                    off = off.max(far(direction));
+                }
+                // The other way round: a small loop near the nominal circle leaves most of that uncut.
+                if self.turn(begin, direction) <= self.sweep {
+                    off = off.max(missed(direction));
+                }
+            }
+        }
+        (sweep, Off { plane: off + (radii[1] - radii[0]).abs(), centre: length(shift) })
+    }
+
+    /// The words of the circle between two points in whole units; `None` if none say it.
+    pub(crate) fn fit(&self, start: [i64; 2], end: [i64; 2], grid: Grid) -> Option<Fit> {
+        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.per_mm);
+        let (from, to) = (mm(start), mm(end));
+        let whole = start == end;
+        let mut wanted = self.centre;
+        if !whole {
+            let chord = minus(to, from);
+            let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
+            let along = dot(minus(wanted, middle), chord) / dot(chord, chord);
+            wanted = [wanted[0] - chord[0] * along, wanted[1] - chord[1] * along];
+        }
+        let nearest = wanted.map(|value| (value * grid.per_mm).round());
+        if nearest.iter().any(|units| units.is_nan() || units.abs() > LARGEST) {
+            return None;
+        }
+        let nearest = nearest.map(|units| units as i64);
+        let unequal = |centre: [i64; 2]| {
+            let centre = mm(centre);
+            (length(minus(from, centre)) - length(minus(to, centre))).abs()
+        };
+        let mut centre = nearest;
+        // The first of equals is the nearest.
+        for step in [[0, 1], [1, 0], [0, -1], [-1, 0], [1, 1], [1, -1], [-1, 1], [-1, -1]] {
+            let other = [nearest[0] + step[0], nearest[1] + step[1]];
+            if !whole && unequal(centre) > 0.0 && unequal(other) < 0.5 * unequal(centre) {
+                centre = other;
+            }
+        }
+        if unequal(centre) > grid.radius_tolerance || centre == start {
+            return None;
+        }
+        let (sweep, off) = self.judged([from, to], mm(centre), whole);
+        ((sweep - self.sweep).abs() <= SAME_SWEEP).then_some(Fit { centre, sweep, off })
+    }
+
+    /// The radius that says the same as a centre, in whole units, and how far the circle of its words is off, mm.
+    pub(crate) fn radius(&self, start: [i64; 2], end: [i64; 2], fit: &Fit, grid: Grid) -> Option<(i64, Off)> {
+        let small = fit.sweep.min(TAU - fit.sweep);
+        if !(CLEAR_SWEEP[0]..=CLEAR_SWEEP[1]).contains(&small) {
+            return None;
+        }
+        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.per_mm);
+        let (from, to, centre) = (mm(start), mm(end), mm(fit.centre));
+        let chord = minus(to, from);
+        let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
+        let units = (length(minus(from, centre)) * grid.per_mm).round();
+        let radius = units / grid.per_mm;
+        let height = (radius * radius - 0.25 * dot(chord, chord)).max(0.0).sqrt();
+        let left = [-chord[1] / length(chord), chord[0] / length(chord)];
+        let side = dot(minus(centre, middle), left).signum();
+        let said = [middle[0] + left[0] * height * side, middle[1] + left[1] * height * side];
+        let (_, off) = self.judged([from, to], said, false);
+        let units = units as i64;
+        Some((if fit.sweep > PI { -units } else { units }, off))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    const GRID: Grid = Grid { per_mm: 1000.0, radius_tolerance: 0.00127 };
+
+    fn circle(centre: [f64; 2], radius: f64, from: f64, sweep: f64) -> (Nominal, [i64; 2], [i64; 2]) {
+        let nominal = Nominal { centre, radii: [radius; 2], clockwise: sweep < 0.0, sweep: sweep.abs() };
+        let at = |angle: f64| {
+            [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
+                .map(|value| (value * GRID.per_mm).round() as i64)
+        };
+        (nominal, at(from), at(from + sweep))
+    }
+
+    /// Ends of a whole turn that are rounded apart, square to the way: on the line between them and the centre a loop of some
+    /// thousandths of a millimetre has the same ends and the same sweep, and nowhere leaves the nominal circle.
+    #[test]
+    fn a_whole_turn_is_no_loop_at_its_start() {
+        for radius in [0.05, 2.0, 10.000_5, 80.000_5] {
+            let nominal = Nominal { centre: [0.0; 2], radii: [radius; 2], clockwise: false, sweep: TAU };
+            let units = (radius * 1e3).floor() as i64;
+            for aside in 0..40 {
+                let fit = nominal.fit([units, aside], [units + 1, aside], GRID);
+                let off = fit.map(|fit| (fit.off.plane, length(fit.centre.map(|units| units as f64 / 1e3))));
+                assert!(off.is_none_or(|(off, shift)| off > 0.8 * shift), "{radius} {aside}: {off:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_whole_turn_stays_one_and_nothing_becomes_one() {
+        let (nominal, start, end) = circle([1.0, 2.0], 10.0, 0.3, TAU);
+        let fit = nominal.fit(start, end, GRID).expect("a circle");
+        assert!((fit.sweep - TAU).abs() < 1e-12 && fit.centre == [1000, 2000]);
+        // Nearly a whole turn whose ends round to one point, and to points on the wrong side of each other.
+        let (nominal, start, _) = circle([1.0, 2.0], 10.0, 0.3, TAU - 1e-6);
+        assert!(nominal.fit(start, start, GRID).is_some());
+        let past = [start[0] - 1, start[1] + 1];
+        assert!(nominal.fit(start, past, GRID).is_none(), "a tiny arc instead of a whole turn");
+        // Next to nothing whose ends round to one point, or overtake each other.
+        let (nominal, start, end) = circle([1.0, 2.0], 10.0, 0.3, 1e-5);
+        assert_eq!(start, end);
+        assert!(nominal.fit(start, end, GRID).is_none());
+        assert!(nominal.fit(start, [start[0] + 1, start[1] - 1], GRID).is_none());
+    }
+
+    #[test]
+    fn radii_that_no_words_make_equal_are_none() {
+        let (nominal, start, end) = circle([0.0, 0.0], 0.7, 0.0, 2.4);
+        assert!(nominal.fit(start, end, GRID).is_some());
+        assert!(nominal.fit(start, end, Grid { radius_tolerance: 1e-9, ..GRID }).is_none());
+        assert!(nominal.fit(start, end, Grid { radius_tolerance: 1.0, ..GRID }).is_some());
+    }
+
+    proptest! {
+        /// What a control makes of the words, looked at in many places, is as near to the circle as the fit says.
+        #[test]
+        fn a_fit_is_as_near_as_it_says(
+            centre in prop::array::uniform2(-300.0_f64..300.0),
+            radius in 0.05_f64..400.0,
+            from in 0.0_f64..TAU,
+            sweep in prop_oneof![0.01_f64..TAU, -TAU..-0.01_f64],
+        ) {
+            let (nominal, start, end) = circle(centre, radius, from, sweep);
+            if let Some(fit) = nominal.fit(start, end, GRID) {
+                let [start, end, middle] = [start, end, fit.centre].map(|units| units.map(|units| units as f64 / 1e3));
+                let (first, last) = (minus(start, middle), minus(end, middle));
+                let unequal = (length(first) - length(last)).abs();
+                prop_assert!(unequal <= GRID.radius_tolerance);
+                let begin = first[1].atan2(first[0]);
+                for step in 0..=200 {
+                    let part = f64::from(step) / 200.0;
+                    let angle = begin + sweep.signum() * fit.sweep * part;
+                    let r = length(first) + (length(last) - length(first)) * part;
+                    let point = [middle[0] + r * angle.cos(), middle[1] + r * angle.sin()];
+                    let off = (length(minus(point, centre)) - radius).abs();
+                    prop_assert!(off <= fit.off.plane + 1e-9, "{off} {fit:?}");
+                }
+                let reached = begin + sweep.signum() * fit.sweep;
+                let (x, y) = (middle[0] + length(last) * reached.cos(), middle[1] + length(last) * reached.sin());
+                prop_assert!((x - end[0]).hypot(y - end[1]) < 1e-6, "the sweep leads to the end");
+                if let Some((units, off)) = nominal.radius(
+                    start.map(|value| (value * 1e3).round() as i64),
+                    end.map(|value| (value * 1e3).round() as i64),
+                    &fit,
+                    GRID,
+                ) {
+                    prop_assert_eq!(units < 0, fit.sweep > PI);
+                    // The control's own centre: on the side that sign and sense say.
+                    let r = units.unsigned_abs() as f64 / 1e3;
+                    let chord = minus(end, start);
+                    let height = (r * r - 0.25 * dot(chord, chord)).sqrt();
+                    let side = if (units > 0) == (sweep > 0.0) { 1.0 } else { -1.0 };
+                    let said = [
+                        0.5 * (start[0] + end[0]) - side * height * chord[1] / length(chord),
+                        0.5 * (start[1] + end[1]) + side * height * chord[0] / length(chord),
+                    ];
+                    prop_assert!(length(minus(said, middle)) < 0.1 * radius + 0.01, "{said:?} {middle:?}");
+                    prop_assert!((length(minus(start, said)) - r).abs() < 1e-6);
+                    prop_assert!(off.plane < 1.0);
+                }
+            }
+        }
+
+        /// Arcs that are long enough to have a direction are said by their words within two units.
+        #[test]
+        fn clear_arcs_are_said_within_two_units(
+            centre in prop::array::uniform2(-300.0_f64..300.0),
+            radius in 5.0_f64..100.0,
+            from in 0.0_f64..TAU,
+            sweep in 0.5_f64..5.0,
+        ) {
+            let (nominal, start, end) = circle(centre, radius, from, sweep);
+            let fit = nominal.fit(start, end, GRID);
+            prop_assert!(fit.is_some_and(|fit| fit.off.plane < 0.004), "{fit:?}");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! What the directions of a machine's axes mean for planning: poles, and whether linear axes are square.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use crate::kinematics::{Axis, AxisKind, Joint, Machine, Pose, Side};
+
+use crate::motion::rotary::Rotary;
+
+/// Tool axes within reach that leave the first of two rotaries free: along its direction and against it.
+pub(crate) fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
+    let [first, _] = rotaries else { return Vec::new() };
+    let mut direction = machine.joint(first.index).direction.into_inner();
+    for index in (0..first.index).rev().filter(|&index| M::AXES[index].kind == AxisKind::Rotary) {
+        direction = turned(&machine.joint(index), M::HELD.as_ref()[index], &direction);
+    }
+    let free = |axis: &UnitVector3<f64>| {
+        let pose = Pose { tip: Point3::origin(), axis: *axis };
+        machine.inverse_kinematics(&pose, &M::HELD).iter().any(|solution| solution.singular)
+    };
+    [direction, -direction].map(UnitVector3::new_normalize).into_iter().filter(free).collect()
+}
+
+/// Positions of the solved rotary axes of one side, from the workpiece on.
+pub(crate) fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = usize> {
+    let wanted = move |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side;
+    M::AXES.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(index, _)| index)
+}
+
+/// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.
+pub(crate) fn held_tool_axis<M: Machine>(machine: &M) -> Vector3<f64> {
+    let mut axis = machine.tool_axis().into_inner();
+    for (index, described) in M::AXES.iter().enumerate().rev() {
+        if described.kind == AxisKind::Rotary && described.held && described.side == Side::Tool {
+            axis = turned(&machine.joint(index), M::HELD.as_ref()[index], &axis);
+        }
+    }
+    axis
+}
+
+fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
+    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle) * vector
+}
+
+/// Linear directions that are square to each other and stay so, because no rotary stands between two of them.
+pub(crate) fn orthogonal<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
+    let solved = solved_linear(axes);
+    let square = solved.iter().enumerate().all(|(position, &a)| {
+        solved[position + 1..]
+            .iter()
+            .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
+    });
+    let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
+    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+}
+
+/// X Y Z: along U V W no control counts F in a block that moves one of these.
+pub(crate) fn counted(axes: &[Axis]) -> bool {
+    solved_linear(axes).iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'))
+}
+
+/// Places of X, Y and Z in the chain, if these are the linear axes that are solved.
+pub(crate) fn coordinates(axes: &[Axis]) -> Option<[usize; 3]> {
+    let place = |letter: char| axes.iter().position(|axis| axis.letter == letter && !axis.held);
+    Some([place('X')?, place('Y')?, place('Z')?])
+}
+
+fn solved_linear(axes: &[Axis]) -> Vec<usize> {
+    (0..axes.len()).filter(|&index| axes[index].kind == AxisKind::Linear && !axes[index].held).collect()
+}

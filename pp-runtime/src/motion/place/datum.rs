@@ -1,0 +1,219 @@
+//! What the written words count from.
+//!
+//! Planning counts axis values, for which limits hold. A written rotary word is the axis value minus `rotary_offset`, and
+//! rounding comes first here, too: what whole units of the word cannot hold of the offset is in the axis value. A linear
+//! word counts from the part zero or from the table's reference point, and to the tip or to the gauge line of the tool.
+
+use nalgebra::{Matrix3, Vector3};
+
+use crate::kinematics::{AxisKind, Machine};
+use crate::motion::options::Policy;
+use crate::set_up::{LengthMode, ProgramZero};
+
+use crate::motion::rotary::AngleScale;
+use crate::motion::step::MAX_AXES;
+
+/// Part of a unit of a word that an offset may be off whole units because degrees became radians.
+const NOISE: f64 = 1e-6;
+
+/// From axis values to written words, by position in the chain.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Datum {
+    /// Linear words at the zero position with a tool of no length, mm.
+    zero: [f64; MAX_AXES],
+    /// What 1 mm of gauge length adds to linear words.
+    share: [f64; MAX_AXES],
+    /// What a linear word is more than the axis value, with the tool in the spindle, mm.
+    linear: [f64; MAX_AXES],
+    /// Rotary offsets in units of words.
+    offsets: [f64; MAX_AXES],
+    /// The same in whole units.
+    whole: [i64; MAX_AXES],
+}
+
+impl Datum {
+    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>, scale: AngleScale) -> Self {
+        let (mut offsets, mut whole) = ([0.0; MAX_AXES], [0; MAX_AXES]);
+        for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
+            if let Some(offset) = policy.set_up.rotary_offset.get(&axis.letter) {
+                offsets[index] = offset.to_degrees() * scale.per_degree;
+                whole[index] = offsets[index].round() as i64;
+            }
+        }
+        let zero = match policy.set_up.program_zero {
+            ProgramZero::Part => [0.0; MAX_AXES],
+            ProgramZero::Table => along_axes(machine, &policy.set_up.part_origin.into()),
+        };
+        let share = match policy.set_up.length_mode {
+            LengthMode::Tip => [0.0; MAX_AXES],
+            LengthMode::Gauge => along_axes(machine, &machine.tool_axis()),
+        };
+        Self { zero, share, linear: zero, offsets, whole }
+    }
+
+    /// With another tool in the spindle.
+    pub(crate) fn set_gauge_length(&mut self, length: f64) {
+        self.linear = std::array::from_fn(|index| self.zero[index] + length * self.share[index]);
+    }
+
+    /// What the word of a linear axis is more than its value, mm.
+    #[inline]
+    pub(crate) fn linear(&self, index: usize) -> f64 {
+        self.linear[index]
+    }
+
+    /// What whole units do not hold of the offset of a rotary axis, degrees.
+    pub(crate) fn rest(&self, index: usize, scale: AngleScale) -> f64 {
+        let rest = self.offsets[index] - self.whole[index] as f64;
+        if rest.abs() < NOISE { 0.0 } else { rest / scale.per_degree }
+    }
+
+    /// The words to write for words that count axis values.
+    #[inline]
+    pub(crate) fn written(&self, words: &[i64; MAX_AXES]) -> [i64; MAX_AXES] {
+        std::array::from_fn(|index| words[index] - self.whole[index])
+    }
+}
+
+/// Words of the solved linear axes whose motion together, at the zero position, is a vector; zero for every other axis.
+pub(crate) fn along_axes<M: Machine>(machine: &M, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
+    let linear = |index: &usize| M::AXES[*index].kind == AxisKind::Linear && !M::AXES[*index].held;
+    let solved: Vec<usize> = (0..M::AXES.len().min(MAX_AXES)).filter(linear).collect();
+    // Columns: where each axis moves the tool for a positive word.
+    let column = |&index: &usize| {
+        let joint = machine.joint(index);
+        joint.direction.into_inner() * joint.sign
+    };
+    let columns: Vec<Vector3<f64>> = solved.iter().map(column).collect();
+    let mut words = [0.0; MAX_AXES];
+    if columns.len() == 3
+        && let Some(inverse) = Matrix3::from_columns(&columns).try_inverse()
+    {
+        for (&index, word) in solved.iter().zip((inverse * vector).iter()) {
+            words[index] = *word;
+        }
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Config;
+    use crate::motion::machines::{Cb, Head};
+    use crate::motion::tests::{Run, config, feed, rapid, run, spindle, tool};
+    use crate::set_up::GivenTool;
+
+    /// The axis at `C` and `B` degrees on the C-B table.
+    fn axis(c: f64, b: f64) -> [f64; 3] {
+        let ((sin_c, cos_c), (sin_b, cos_b)) = (c.to_radians().sin_cos(), b.to_radians().sin_cos());
+        [sin_b * cos_c, sin_b * sin_c, cos_b]
+    }
+
+    fn posted(config: &Config, [c, b]: [f64; 2]) -> Run {
+        let (tip, above) = ([10.0, 20.0, 5.0], [10.0, 20.0, 30.0]);
+        run::<Cb>(config, &[tool(1), spindle(), rapid(above, axis(c, b)), feed(tip, axis(c, b))])
+    }
+
+    /// The last word of each axis.
+    fn words(run: &Run) -> [f64; 5] {
+        ['C', 'B', 'X', 'Y', 'Z'].map(|letter| {
+            let words = run.lines.iter().filter(|line| !line.contains("G53")).flat_map(|line| line.split(' '));
+            let last = words.filter_map(|word| word.strip_prefix(letter)).next_back();
+            last.and_then(|word| word.parse().ok()).expect("a word of each axis")
+        })
+    }
+
+    fn shifted(offsets: &[(char, f64)]) -> Config {
+        let mut config = config();
+        config.set_up.rotary_offset = offsets.iter().map(|&(letter, degrees)| (letter, degrees.to_radians())).collect();
+        config
+    }
+
+    #[test]
+    fn a_rotary_word_is_the_axis_value_minus_its_offset() {
+        let (plain, moved) = (posted(&shifted(&[]), [100.0, 30.0]), posted(&shifted(&[('C', 12.5)]), [100.0, 30.0]));
+        assert_eq!(moved.diagnostics, []);
+        let mut expected = words(&plain);
+        expected[0] -= 12.5;
+        assert!(words(&moved).iter().zip(&expected).all(|(word, wanted)| (word - wanted).abs() < 1e-9));
+        assert_eq!(plain.lines.len(), moved.lines.len());
+    }
+
+    #[test]
+    fn what_the_word_cannot_hold_of_an_offset_is_in_the_axis_value() {
+        let [c, b, x, y, z] = words(&posted(&shifted(&[('C', 12.500_03), ('B', -0.000_04)]), [100.0, 30.0]));
+        assert!((c - 87.5).abs() < 1e-9 && (b - 30.0).abs() < 1e-9, "{c} {b}");
+        let machine: Cb = config().set_up.machine().expect("valid");
+        let tip = machine.forward_kinematics(&[(c + 12.500_03).to_radians(), (b - 0.000_04).to_radians(), x, y, z]).tip;
+        assert!((tip - nalgebra::Point3::new(10.0, 20.0, 5.0)).norm() < 0.5e-3 * 3_f64.sqrt());
+        let tip = machine.forward_kinematics(&[c.to_radians(), b.to_radians(), x, y, z]).tip;
+        assert!((tip - nalgebra::Point3::new(10.0, 20.0, 5.0)).norm() > 1.0);
+    }
+
+    #[test]
+    fn limits_hold_for_the_rounded_word_and_its_offset() {
+        assert_eq!(posted(&shifted(&[('B', 20.0)]), [0.0, 110.0]).diagnostics, []);
+        // 99.99997 is written 100, and B would stand at 110.00003.
+        let fault = posted(&shifted(&[('B', 10.000_03)]), [0.0, 110.0]);
+        assert!(fault.error().text.contains("B would have to turn to 110.00003"), "{}", fault.error().text);
+        assert_eq!(posted(&shifted(&[('B', 9.999_97)]), [0.0, 110.0]).diagnostics, []);
+    }
+
+    #[test]
+    fn linear_words_count_from_the_table_if_they_are_to() {
+        let mut config = shifted(&[]);
+        config.set_up.part_origin = [1.5, -2.25, 40.0];
+        let plain = words(&posted(&config, [100.0, 30.0]));
+        config.set_up.program_zero = ProgramZero::Table;
+        let moved = words(&posted(&config, [100.0, 30.0]));
+        let off: Vec<f64> = moved.iter().zip(&plain).map(|(a, b)| ((a - b) * 1e3).round() / 1e3).collect();
+        assert_eq!(off, [0.0, 0.0, 1.5, -2.25, 40.0]);
+        config.output_units = Some(crate::program::Units::Inches);
+        let inches = words(&posted(&config, [100.0, 30.0]));
+        assert!((2..5).all(|axis| (inches[axis] * 25.4 - moved[axis]).abs() < 2e-3), "{inches:?} {moved:?}");
+    }
+
+    #[test]
+    fn words_of_the_gauge_line_need_no_length_offset() {
+        fn both<M: Machine>(axis: [f64; 3], length: f64) -> (Run, Run) {
+            let mut config = config();
+            config.motion.retract.distance = Some(10.0);
+            config.motion.guards.length_guard = Some(false);
+            config.set_up.tools.insert(1, GivenTool { length: Some(length), ..GivenTool::default() });
+            let events = [tool(1), spindle(), rapid([1.0, 2.0, -60.0], axis), feed([1.0, 2.0, -80.0], axis)];
+            let tip = run::<M>(&config, &events);
+            config.set_up.length_mode = LengthMode::Gauge;
+            (tip, run::<M>(&config, &events))
+        }
+        let word = |line: &str, letter: char| -> Option<f64> {
+            line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse().ok())
+        };
+        for (tip, gauge) in [both::<Cb>([0.0, 0.0, 1.0], 80.25), both::<Head>([0.5, 0.0, 0.8], 80.25)] {
+            assert_eq!((tip.diagnostics, &gauge.diagnostics), (vec![], &vec![]));
+            assert!(!gauge.lines.iter().any(|line| line.contains("G43")), "{:?}", gauge.lines);
+            let without: Vec<_> = tip.lines.iter().filter(|line| !line.contains("G43")).collect();
+            assert_eq!(without.len(), gauge.lines.len());
+            for (tip, gauge) in without.into_iter().zip(&gauge.lines).filter(|(tip, _)| !tip.contains("G53")) {
+                let length = |letter| Some(word(gauge, letter)? - word(tip, letter)?);
+                assert!(length('Z').is_none_or(|length| (length - 80.25).abs() < 1e-9), "{tip} {gauge}");
+                assert!(length('X').is_none_or(|length| length.abs() < 1e-9), "{tip} {gauge}");
+            }
+        }
+    }
+
+    #[test]
+    fn words_of_the_gauge_line_need_the_length_of_every_tool() {
+        let mut config = config();
+        config.set_up.length_mode = LengthMode::Gauge;
+        let run = posted(&config, [0.0, 0.0]);
+        assert!(run.error().text.contains("the gauge length of T1 is unknown, and `length_mode"), "{:?}", run.error());
+    }
+
+    #[test]
+    fn parking_is_an_axis_value() {
+        let mut config = shifted(&[('C', 12.5)]);
+        config.motion.park.insert('C', 0.0);
+        assert_eq!(posted(&config, [100.0, 30.0]).lines.last().map(String::as_str), Some("G0 C-12.5"));
+    }
+}

@@ -1,0 +1,318 @@
+//! What the linear words of a block count: axis values, or coordinates of the tip in a frame of the control.
+//!
+//! In mode `tcp` the control moves the axes so that the tip stands at the X Y Z of the block; in mode `plane` it counts
+//! them in a plane that it has tilted. Either way the words are an isometry of the workpiece frame,
+//!
+//! ```text
+//! word = S · R · (p + o) + shift
+//! ```
+//!
+//! `S` being the signs of words that run backwards (with all rotaries at zero the words are those of mode `axes`), `o` the
+//! part zero where words count from the table, and `R` what the frame adds: nothing for a frame that is fixed to the table
+//! as it stands at zero, the table's turn for one that is fixed to it where tip control begins, the plane's for a plane.
+//!
+//! A mirrored control (an odd number of backward words) sees a mirrored part: what is a rotation `R` of the part is
+//! `S·R·S` in its words.
+
+use nalgebra::{Matrix3, Point3, Vector3};
+
+use crate::kinematics::{AxisKind, Machine, MotionBound, Side};
+use crate::motion::options::Policy;
+use crate::motion::options::{Mode, TcpFrame, TcpWords, ToolPosture};
+use crate::set_up::ProgramZero;
+
+use super::chain::rotaries;
+use super::tilted_plane::{PlaneAbility, Tilt};
+use crate::motion::fault::Fault;
+use crate::motion::step::MAX_AXES;
+
+/// What tip control of a control can do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TipAbility {
+    /// In which frame it counts is a setting of the machine.
+    pub frame_is_set: bool,
+    /// It can turn the tool axis in the plane of its ends.
+    pub turns_in_plane: bool,
+    /// It takes the tool axis as a vector.
+    pub takes_vectors: bool,
+}
+
+/// An isometry of the workpiece frame: `word = rotation · p + shift`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct WordMap {
+    pub(crate) rotation: Matrix3<f64>,
+    pub(crate) shift: Vector3<f64>,
+}
+
+impl WordMap {
+    /// The words X Y Z of a tip, mm.
+    pub(crate) fn words(&self, tip: &Point3<f64>) -> Vector3<f64> {
+        self.rotation * tip.coords + self.shift
+    }
+
+    /// The tip of words.
+    pub(crate) fn tip(&self, words: &Vector3<f64>) -> Point3<f64> {
+        Point3::from(self.rotation.transpose() * (words - self.shift))
+    }
+}
+
+/// What linear words count.
+#[derive(Debug, Clone, PartialEq)]
+enum Counting {
+    /// Axis values.
+    Axes,
+    /// The tip, in one frame until the next change.
+    Fixed(WordMap),
+    /// The tip, in a frame that stands still while the table turns.
+    Turning,
+}
+
+/// The frames of one machine and set-up.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct WordFrame {
+    counting: Counting,
+    mode: Mode,
+    tcp_frame: TcpFrame,
+    posture: ToolPosture,
+    /// Signs of the words X Y Z.
+    signs: Matrix3<f64>,
+    /// What the words count from, from the part zero, mm.
+    zero: Vector3<f64>,
+    /// Positions of X Y Z in the chain.
+    letters: [usize; 3],
+}
+
+impl WordFrame {
+    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
+        let position = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter);
+        let letters = ['X', 'Y', 'Z'].map(|letter| position(letter).unwrap_or_default());
+        let sign = letters.map(|index| machine.joint(index).sign);
+        let zero = match policy.set_up.program_zero {
+            ProgramZero::Part => Vector3::zeros(),
+            ProgramZero::Table => policy.set_up.part_origin.into(),
+        };
+        let mut frame = Self {
+            counting: Counting::Axes,
+            mode: policy.options.mode,
+            tcp_frame: policy.options.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
+            posture: policy.options.tip.tool_posture,
+            signs: Matrix3::from_diagonal(&Vector3::from(sign)),
+            zero,
+            letters,
+        };
+        match (frame.mode, frame.tcp_frame) {
+            (Mode::Tcp, TcpFrame::TableAtZero) => frame.fix(&Matrix3::identity(), Vector3::zeros()),
+            (Mode::Tcp, TcpFrame::NotTurning) => frame.counting = Counting::Turning,
+            (Mode::Axes | Mode::Plane, _) | (Mode::Tcp, TcpFrame::TableAtStart) => {}
+        }
+        frame
+    }
+
+    /// Positions of X Y Z in the chain.
+    pub(crate) fn letters(&self) -> [usize; 3] {
+        self.letters
+    }
+
+    /// Words count the tip, not the axes.
+    pub(crate) fn counts_tip(&self) -> bool {
+        self.counting != Counting::Axes
+    }
+
+    /// The control turns the tool axis in the plane of its ends, whatever the rotary axes do for it.
+    pub(crate) fn turns_in_plane(&self) -> bool {
+        self.posture == ToolPosture::Plane
+    }
+
+    /// Whether the frame has to be set where the rotaries have turned.
+    pub(crate) fn is_set_anew(&self) -> bool {
+        self.mode == Mode::Plane || self.mode == Mode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
+    }
+
+    fn fix(&mut self, turn: &Matrix3<f64>, moved: Vector3<f64>) {
+        let rotation = self.signs * turn;
+        let shift = rotation * self.zero + self.signs * moved;
+        self.counting = Counting::Fixed(WordMap { rotation, shift });
+    }
+
+    /// The frame is fixed to the table as it stands.
+    pub(crate) fn start<M: Machine>(&mut self, machine: &M, axes: &M::Axes) {
+        let (turn, moved) = table(machine, axes);
+        // The zero of the table's words turns with it, about the same centre lines.
+        self.fix(&turn, moved - turn * self.zero + self.zero);
+    }
+
+    /// The plane of an orientation in the workpiece frame, as the control will have it.
+    pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<Tilt> {
+        let tilt = ability.tilt(&(self.signs * orientation * self.signs))?;
+        let rotation = tilt.orientation.transpose() * self.signs;
+        self.counting = Counting::Fixed(WordMap { rotation, shift: rotation * self.zero });
+        Some(tilt)
+    }
+
+    /// The map from the workpiece to the words, where words count the tip.
+    #[inline]
+    pub(crate) fn map<M: Machine>(&self, machine: &M, axes: &M::Axes) -> Option<WordMap> {
+        match &self.counting {
+            Counting::Axes => None,
+            Counting::Fixed(map) => Some(*map),
+            Counting::Turning => {
+                let (turn, moved) = table(machine, axes);
+                Some(WordMap { rotation: self.signs * turn, shift: self.signs * (moved + self.zero) })
+            }
+        }
+    }
+
+    /// What is certified of a block: `bound` is for axes that all move evenly.
+    #[inline]
+    pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
+        match (&self.counting, self.posture) {
+            (Counting::Axes | Counting::Turning, _) => bound,
+            (Counting::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
+            (Counting::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
+        }
+    }
+}
+
+/// How the rotary axes of the table have carried the part: a point `p` of the workpiece stands at `turn · p + moved`, counted
+/// from where the part zero is with all axes at zero.
+fn table<M: Machine>(machine: &M, axes: &M::Axes) -> (Matrix3<f64>, Vector3<f64>) {
+    let (mut turn, mut moved) = (Matrix3::identity(), Vector3::zeros());
+    for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
+        if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {
+            let joint = machine.joint(index);
+            let back = rotation(&joint, -axes.as_ref()[index]);
+            let centre = joint.point.coords;
+            turn = back * turn;
+            moved = back * (moved - centre) + centre;
+        }
+    }
+    (turn, moved)
+}
+
+/// How all rotary axes together turn the tool in the workpiece frame.
+pub(crate) fn orientation<M: Machine>(machine: &M, axes: &M::Axes) -> Matrix3<f64> {
+    let rotaries = M::AXES.iter().enumerate().take(MAX_AXES).filter(|(_, axis)| axis.kind == AxisKind::Rotary);
+    rotaries
+        .fold(Matrix3::identity(), |turned, (index, _)| turned * rotation(&machine.joint(index), axes.as_ref()[index]))
+}
+
+fn rotation(joint: &crate::kinematics::Joint, angle: f64) -> Matrix3<f64> {
+    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle).into_inner()
+}
+
+/// Why a machine, its control and a configuration do not suit the mode that is asked for, one sentence each.
+#[must_use]
+pub fn unsuited<M: Machine>(
+    policy: Policy<'_>,
+    control: &str,
+    tip: Option<TipAbility>,
+    plane: Option<PlaneAbility>,
+) -> Vec<String> {
+    let mode = policy.options.mode;
+    if mode == Mode::Axes {
+        return Vec::new();
+    }
+    let Ok(machine) = policy.set_up.machine::<M>() else { return Vec::new() };
+    let mut faults = Vec::new();
+    let mut other = |text: String, instead: &str| faults.push(format!("mode {}: {text}; {instead}", mode.name()));
+    if policy.set_up.length_mode == crate::set_up::LengthMode::Gauge {
+        other("the control needs the length offset for it".to_owned(), "leave `length_mode` at \"tip\"");
+    }
+    if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(&machine, *letter)) {
+        let text =
+            format!("{letter} of this machine does not run along its own direction, and the control counts along it");
+        other(text, "use mode axes");
+    }
+    let offset = policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
+    if let Some((letter, _)) = offset.filter(|_| !policy.options.tip.tcp_confirmed) {
+        let text = format!(
+            "the frame of the control may turn with the entry of {letter} in its work offset, the words count as if it did not"
+        );
+        let instead =
+            "turn the part with `part_rotation` instead of `rotary_offset`, or `tcp_confirmed = true` if it stays";
+        other(text, instead);
+    }
+    match mode {
+        Mode::Tcp => tcp_faults::<M>(policy, control, tip, &mut other),
+        Mode::Plane if plane.is_none() => {
+            other(format!("{control} tilts no plane"), "mode axes works on any control, mode tcp on most");
+        }
+        Mode::Plane if !tool_along_z(&machine) => {
+            other("the tool axis of this machine is not its Z".to_owned(), "use mode axes");
+        }
+        Mode::Plane | Mode::Axes => {}
+    }
+    faults
+}
+
+fn tcp_faults<M: Machine>(
+    policy: Policy<'_>,
+    control: &str,
+    tip: Option<TipAbility>,
+    other: &mut impl FnMut(String, &str),
+) {
+    let Some(tip) = tip else {
+        let text = format!("{control} has no tip control of its own");
+        return other(text, "give the codes that switch it, `[control] tip_control = [on, off]`, or use mode axes");
+    };
+    let table = rotaries::<M>(Side::Workpiece).next().is_some();
+    let head = rotaries::<M>(Side::Tool).next().is_some();
+    if tip.frame_is_set && table && policy.options.tip.tcp_frame.is_none() {
+        let text = "in which frame the tip is counted while the table turns is a parameter of the machine (19696#5)";
+        other(text.to_owned(), "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
+    }
+    if !tip.frame_is_set && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
+        other(format!("{control} counts the tip in the frame of the table at zero"), "leave `tcp_frame` out");
+    }
+    if policy.options.tip.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {
+        other(format!("{control} moves rotary axes evenly"), "leave `tool_posture` at \"axes\"");
+    }
+    if policy.options.tip.tcp_words == TcpWords::Vectors && !tip.takes_vectors {
+        other(format!("{control} takes no tool axis as a vector"), "leave `tcp_words` at \"angles\"");
+    }
+    if policy.options.tip.tcp_words == TcpWords::Vectors && policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning) {
+        let text = "a tool axis as a vector has no meaning in a frame that stands still while the table turns";
+        other(text.to_owned(), "leave `tcp_words` at \"angles\"");
+    }
+    if policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning)
+        && (head || policy.options.tip.tool_posture == ToolPosture::Plane)
+    {
+        let text = "in a frame that does not turn the path is certified for rotary axes of the table that move evenly";
+        other(text.to_owned(), "use mode axes");
+    }
+    if !policy.options.tip.tcp_confirmed && !plain_chain::<M>() {
+        let text = "a held axis, or a linear axis that is not between table and head, may be unknown to the control";
+        other(text.to_owned(), "`tcp_confirmed = true` if it knows this chain, or mode axes");
+    }
+}
+
+/// Nothing is held, and every linear axis stands between the rotaries of the table and those of the head.
+fn plain_chain<M: Machine>() -> bool {
+    let last_of_table = rotaries::<M>(Side::Workpiece).last();
+    let first_of_head = rotaries::<M>(Side::Tool).next();
+    M::AXES.iter().enumerate().all(|(index, axis)| {
+        let between = last_of_table.is_none_or(|last| index > last) && first_of_head.is_none_or(|first| index < first);
+        !axis.held && (axis.kind == AxisKind::Rotary || between)
+    })
+}
+
+/// X along X, whichever way round its word counts.
+fn is_own_direction<M: Machine>(machine: &M, letter: char) -> bool {
+    let index = M::AXES.iter().position(|axis| axis.letter == letter && !axis.held);
+    let own = match letter {
+        'X' => Vector3::x(),
+        'Y' => Vector3::y(),
+        _ => Vector3::z(),
+    };
+    index.is_some_and(|index| (machine.joint(index).direction.into_inner() - own).norm() < 1e-12)
+}
+
+fn tool_along_z<M: Machine>(machine: &M) -> bool {
+    (machine.tool_axis().into_inner() - Vector3::z()).norm() < 1e-12
+}
+
+/// What a control cannot do with a plane, in words.
+pub(crate) fn no_plane() -> Fault {
+    Fault::new("the angles of the tilted plane do not give the orientation of the machine")
+        .help("this is a fault of the postprocessor, not of the CL data: use mode axes")
+}

@@ -1,0 +1,549 @@
+//! Linearisation with a guarantee: blocks whose tip and tool axis are *certified* to stay within tolerance.
+//!
+//! CL data means a straight tip path and a tool axis that turns evenly in the plane of its ends; a control moves every
+//! axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, with the words
+//! as they are written: what rounding takes is taken off the tolerance.
+//!
+//! From the start the longest piece that certifies is taken, then the longest from its end, and so on. The search is a
+//! bisection on the path parameter; because deviations grow with the square of the length, the last one says where to
+//! look next. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand would be a
+//! guess, because axes are not linear in the pose.
+//!
+//! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a turn on the
+//! spot: the rotary that is free at the pole turns there. Its rotary values are stepped from one end to the other, and
+//! the linear axes follow. What does not certify when no rotary word turns by more than one unit is refused.
+//!
+//! Nothing is allocated: a motion is a few places on the stack, however many pieces it has.
+
+use crate::kinematics::{Branch, Machine, MotionBound, Pose, Solution};
+
+use super::refusal;
+use super::{Place, Placer};
+use crate::motion::fault::Fault;
+use crate::motion::geometry::Way;
+use crate::motion::rotary::{OutOfLimits, Rotary};
+use crate::motion::step::MAX_AXES;
+
+/// A piece that uses so much of the tolerance is long enough.
+const LONG_ENOUGH: f64 = 0.97;
+
+/// A longest piece is known to this share of its length.
+const CLOSE: f64 = 0.01;
+
+/// The next try aims at this share of the tolerance's length.
+const AIM: f64 = 0.993;
+
+/// Most tries for one piece: bisection from the whole motion to the last bit takes fewer.
+const TRIES: usize = 120;
+
+/// Cosine of the largest angle between the tool axes of one block; the great circle of a wider one is ill conditioned.
+const WIDEST: f64 = -0.5;
+
+/// How far what is written may leave the motion of the CL data.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Tolerance {
+    /// Of the tip, mm.
+    pub(crate) tip: f64,
+    /// Of the tool axis, rad.
+    pub(crate) axis: f64,
+}
+
+/// A piece with what is certified of it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CertifiedPiece<A> {
+    /// Where it ends.
+    pub(crate) place: Place<A>,
+    /// Largest deviation from the motion of the CL data, rounding of the words included.
+    pub(crate) bound: MotionBound,
+    /// Share of the tolerance that it uses; above 1 it does not certify.
+    share: f64,
+}
+
+/// The pieces of one motion, one after the other.
+#[derive(Debug, Clone)]
+pub(crate) struct Linearised<A> {
+    tolerance: Tolerance,
+    /// Where the last piece ended.
+    from: Place<A>,
+    to: Place<A>,
+    rest: Remaining<A>,
+}
+
+/// What is left of a motion, and how it is travelled.
+#[derive(Debug, Clone, Copy)]
+#[expect(clippy::large_enum_variant, reason = "one on the stack for a motion: nothing is allocated")]
+enum Remaining<A> {
+    /// All of it, in one block if that certifies.
+    Whole,
+    /// Along the path.
+    Path(Path),
+    /// Turning on the spot, and then along the path, if that goes on.
+    Spot(Spot<A>, Path),
+    /// Nothing.
+    Nothing,
+}
+
+/// The straight, evenly turning motion of the CL data.
+#[derive(Debug, Clone, Copy)]
+struct Path {
+    way: Way,
+    /// The branch of both ends; `None` where they have none in common.
+    branch: Option<Branch>,
+    /// Shorter steps of the parameter than this are none: half a unit of the words.
+    resolution: f64,
+    /// Parameter of the last piece's end.
+    at: f64,
+    /// How long the last piece was.
+    stride: f64,
+}
+
+/// A turn of the rotaries while the tool stays in place.
+#[derive(Debug, Clone, Copy)]
+struct Spot<A> {
+    start: Place<A>,
+    target: Place<A>,
+    /// Shorter steps than this turn no word by a unit.
+    resolution: f64,
+    at: f64,
+    stride: f64,
+}
+
+/// What a search for the longest piece has found.
+enum LongestPiece<A> {
+    /// A parameter, and the piece that ends there.
+    EndsAt(f64, CertifiedPiece<A>),
+    /// Not even a piece up to this parameter certifies, and shorter ones are none.
+    Stuck(f64),
+}
+
+impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
+    /// The pieces from one place to another.
+    pub(crate) fn new(from: &Place<A>, to: &Place<A>, tolerance: Tolerance) -> Self {
+        Self { tolerance, from: *from, to: *to, rest: Remaining::Whole }
+    }
+
+    /// The next piece; `None` after the last.
+    ///
+    /// # Errors
+    /// If a part of the path cannot be certified, reached, or turned to inside the limits.
+    pub(crate) fn next<M: Machine<Axes = A>>(
+        &mut self,
+        placer: &Placer<M>,
+    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
+        let certifier = Certifier { placer, allowed: self.tolerance };
+        loop {
+            let piece = match self.rest {
+                Remaining::Nothing => return Ok(None),
+                Remaining::Whole => self.whole(&certifier)?,
+                Remaining::Path(path) => self.along(&certifier, path)?,
+                Remaining::Spot(spot, path) => Some(self.on_spot(&certifier, spot, path)?),
+            };
+            if let Some(piece) = piece {
+                self.from = piece.place;
+                return Ok(Some(piece));
+            }
+        }
+    }
+
+    /// The rest of the motion as one piece, if that certifies.
+    fn rest_in_one<M: Machine<Axes = A>>(&mut self, certifier: &Certifier<'_, M>) -> Option<CertifiedPiece<A>> {
+        let piece = certifier.certify(&self.from, &self.to);
+        (piece.share <= 1.0).then(|| {
+            self.rest = Remaining::Nothing;
+            piece
+        })
+    }
+
+    fn whole<M: Machine<Axes = A>>(
+        &mut self,
+        certifier: &Certifier<'_, M>,
+    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
+        let piece = self.rest_in_one(certifier);
+        if piece.is_none() {
+            self.rest = Remaining::Path(certifier.path(&self.from, &self.to)?);
+        }
+        Ok(piece)
+    }
+
+    /// The next piece along the path; `None` if the tool has to turn on the spot first.
+    fn along<M: Machine<Axes = A>>(
+        &mut self,
+        certifier: &Certifier<'_, M>,
+        path: Path,
+    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
+        // From the start the whole has been tried.
+        if path.at > 0.0
+            && let Some(piece) = self.rest_in_one(certifier)
+        {
+            return Ok(Some(piece));
+        }
+        let (from, to) = (self.from, self.to);
+        let found = longest(path.at, path.stride, path.resolution, |parameter| {
+            let place = certifier.between(&path, (&from, &to), parameter)?;
+            Ok(certifier.certify(&from, &place))
+        })?;
+        match found {
+            LongestPiece::EndsAt(parameter, piece) => {
+                self.rest = Remaining::Path(Path { stride: parameter - path.at, at: parameter, ..path });
+                Ok(Some(piece))
+            }
+            LongestPiece::Stuck(until) => {
+                let target = if until < 1.0 { certifier.between(&path, (&from, &to), until)? } else { to };
+                self.rest = Remaining::Spot(certifier.spot(&from, &target), Path { at: until, ..path });
+                Ok(None)
+            }
+        }
+    }
+
+    /// The next piece of a turn on the spot.
+    fn on_spot<M: Machine<Axes = A>>(
+        &mut self,
+        certifier: &Certifier<'_, M>,
+        spot: Spot<A>,
+        path: Path,
+    ) -> Result<CertifiedPiece<A>, Fault> {
+        let from = self.from;
+        let piece = certifier.certify(&from, &spot.target);
+        if piece.share <= 1.0 {
+            self.rest = if path.at < 1.0 { Remaining::Path(path) } else { Remaining::Nothing };
+            return Ok(piece);
+        }
+        let found = longest(spot.at, spot.stride, spot.resolution, |parameter| {
+            let place = certifier.turned(&spot, parameter)?;
+            Ok(certifier.certify(&from, &place))
+        })?;
+        match found {
+            LongestPiece::EndsAt(parameter, piece) => {
+                let spot = Spot { stride: parameter - spot.at, at: parameter, ..spot };
+                self.rest = Remaining::Spot(spot, path);
+                Ok(piece)
+            }
+            LongestPiece::Stuck(_) => Err(certifier.uncertified(&from, &spot.target)),
+        }
+    }
+}
+
+/// The longest piece that certifies, its end between `at` and 1, where the whole does not.
+fn longest<A: Copy>(
+    at: f64,
+    stride: f64,
+    resolution: f64,
+    mut piece_to: impl FnMut(f64) -> Result<CertifiedPiece<A>, Fault>,
+) -> Result<LongestPiece<A>, Fault> {
+    let (mut good, mut bad) = (at, 1.0);
+    let mut best: Option<CertifiedPiece<A>> = None;
+    let mut next = at + stride;
+    for count in 0..TRIES {
+        let known = good - at;
+        if best.is_some() && bad - good <= CLOSE * known || best.is_none() && bad - at <= resolution {
+            break;
+        }
+        let margin = 0.03 * (bad - good);
+        // Every third try is a plain bisection, whatever the last one promised.
+        if !(next > good + margin && next < bad - margin) || count % 3 == 2 {
+            next = 0.5 * (good + bad);
+        }
+        let piece = piece_to(next)?;
+        let aim = at + (next - at) * AIM / piece.share.sqrt();
+        if piece.share <= 1.0 {
+            (good, best) = (next, Some(piece));
+            if piece.share >= LONG_ENOUGH {
+                break;
+            }
+        } else {
+            bad = next;
+        }
+        next = aim;
+    }
+    Ok(best.map_or(LongestPiece::Stuck(bad), |piece| LongestPiece::EndsAt(good, piece)))
+}
+
+/// Certifies blocks of one machine within a tolerance.
+#[derive(Clone, Copy)]
+struct Certifier<'p, M: Machine> {
+    placer: &'p Placer<M>,
+    allowed: Tolerance,
+}
+
+impl<M: Machine> Certifier<'_, M> {
+    /// What is certified of one block.
+    #[inline]
+    fn certify(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> CertifiedPiece<M::Axes> {
+        let mut bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
+        let (tip_off, axis_off) = (from.rounding.max(to.rounding), self.axis_off(from).max(self.axis_off(to)));
+        if bound.tip > self.allowed.tip - tip_off && bound.axis <= self.allowed.axis - axis_off {
+            bound.tip = self.tip_by_halves(from, to, bound.tip);
+        }
+        let share = (bound.tip / (self.allowed.tip - tip_off)).max(bound.axis / (self.allowed.axis - axis_off));
+        let roomy = self.allowed.tip > tip_off && self.allowed.axis > axis_off;
+        let narrow = from.pose.axis.dot(&to.pose.axis) > WIDEST && !self.placer.rolls_over(from, to);
+        CertifiedPiece {
+            place: *to,
+            bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off },
+            share: if roomy && narrow && share.is_finite() { share } else { f64::INFINITY },
+        }
+    }
+
+    /// A bound of the tip's deviation from its line, mm, that is smaller than `whole` where the path bends to both sides
+    /// of it: each half leaves its own chord by what is certified of it, and the two chords leave the line by no more than
+    /// the point where they meet.
+    fn tip_by_halves(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, whole: f64) -> f64 {
+        let mut middle = from.axes;
+        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            *value = 0.5 * (*value + end);
+        }
+        let (start, line) = (from.pose.tip, to.pose.tip - from.pose.tip);
+        let along = self.placer.machine.forward_kinematics(&middle).tip - start;
+        let length = line.norm_squared();
+        let part = if length > 0.0 { (along.dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
+        // The ends are where the words put them.
+        let off = (along - line * part).norm() + from.rounding.max(to.rounding);
+        if off > 0.5 * whole {
+            return whole;
+        }
+        let halves = [(&from.axes, &middle), (&middle, &to.axes)].map(|(a, b)| self.placer.machine.motion(a, b).tip);
+        whole.min(off + halves[0].max(halves[1]))
+    }
+
+    /// How far the arc between written axes may lie from that between the poses: twice what an end is off, since no block
+    /// is wider than [`WIDEST`]. A place at the pole has the pole for its pose, however far that was from the programmed
+    /// axis: that is a tolerance of its own.
+    #[inline]
+    fn axis_off(&self, place: &Place<M::Axes>) -> f64 {
+        let deviation = if place.pole { 0.0 } else { place.deviation };
+        2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
+    }
+
+    /// The path between two places.
+    #[cold]
+    fn path(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Result<Path, Fault> {
+        let rounding = self.placer.largest_rounding();
+        if rounding >= self.allowed.tip {
+            return Err(Fault::new(format_args!(
+                "the words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone takes \
+                 the tip up to {rounding:.5} mm off",
+                self.allowed.tip
+            ))
+            .help("give a wider `tolerance`, or more decimals"));
+        }
+        let Some(way) = Way::new(&from.pose, &to.pose) else {
+            return Err(Fault::new("the tool axis turns by 180° in one motion: which way, the CL data does not say")
+                .help("give a point in between"));
+        };
+        let half_unit = |unit: f64, way: f64| if way > 0.0 { 0.5 * unit / way } else { 1.0 };
+        let resolution = half_unit(self.placer.unit_mm(), way.length())
+            .min(half_unit(self.placer.rotary.scale.angle(1), way.angle()))
+            .min(1.0);
+        // At the pole both branches meet.
+        let branch = match (from.pole, to.pole) {
+            (true, false) => Some(to.branch),
+            (false, true) => Some(from.branch),
+            _ => (from.branch == to.branch).then_some(from.branch),
+        };
+        Ok(Path { way, branch, resolution, at: 0.0, stride: 0.5 })
+    }
+
+    /// Words of a solution's rotaries, in the turn nearest to some axis values.
+    fn nearest_words(&self, solution: &Solution<M::Axes>, near: &M::Axes) -> [i64; MAX_AXES] {
+        let mut words = [0; MAX_AXES];
+        for rotary in &self.placer.rotary.axes {
+            let word = rotary.word(solution.axes.as_ref()[rotary.index], self.placer.rotary.scale);
+            let wanted = rotary.word(near.as_ref()[rotary.index], self.placer.rotary.scale);
+            let turns = (wanted - word + self.placer.rotary.scale.turn / 2).div_euclid(self.placer.rotary.scale.turn);
+            words[rotary.index] = word + turns * self.placer.rotary.scale.turn;
+        }
+        words
+    }
+
+    /// The place of a pose of the path: on the branch of the ends, or else nearest to the interpolation between them.
+    fn between(
+        &self,
+        path: &Path,
+        (from, to): (&Place<M::Axes>, &Place<M::Axes>),
+        parameter: f64,
+    ) -> Result<Place<M::Axes>, Fault> {
+        let pose = path.way.at(parameter);
+        let mut guess = from.axes;
+        let share = (parameter - path.at) / (1.0 - path.at);
+        for (value, end) in guess.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            *value += (end - *value) * share;
+        }
+        let solutions = self.placer.machine.inverse_kinematics(&pose, &guess);
+        let travel = |solution: &&Solution<M::Axes>| {
+            let words = self.nearest_words(solution, &guess);
+            let guessed = |rotary: &Rotary| rotary.word(guess.as_ref()[rotary.index], self.placer.rotary.scale);
+            self.placer.rotary.axes.iter().map(|rotary| words[rotary.index].abs_diff(guessed(rotary))).sum::<u64>()
+        };
+        let wanted = path.branch.filter(|_| solutions.len() > 1);
+        let chosen = match wanted {
+            Some(branch) => solutions.iter().find(|solution| solution.branch == branch),
+            None => solutions.iter().min_by_key(travel),
+        };
+        let on_the_way = |fault: Fault| fault.context("on the way from the point before");
+        let Some(solution) = chosen else { return Err(on_the_way(refusal::unreachable(self.placer, &pose, &guess))) };
+        // Whole turns: between the ends, wherever near the pole most of the turning is done.
+        let mut middle = from.axes;
+        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            *value = 0.5 * (*value + end);
+        }
+        self.beside(&pose, from, solution, &middle).map_err(on_the_way)
+    }
+
+    /// The place of a solution, in the turn nearest to some axis values.
+    fn beside(
+        &self,
+        pose: &Pose,
+        from: &Place<M::Axes>,
+        solution: &Solution<M::Axes>,
+        near: &M::Axes,
+    ) -> Result<Place<M::Axes>, Fault> {
+        let words = self.nearest_words(solution, near);
+        for rotary in &self.placer.rotary.axes {
+            let word = words[rotary.index];
+            if !rotary.holds(word) {
+                return Err(refusal::outside_limits(self.placer, &[Some(OutOfLimits { rotary: *rotary, word }), None]));
+            }
+        }
+        let mut place = self.placer.at(pose, from, &words);
+        place.deviation = solution.deviation;
+        place.branch = solution.branch;
+        self.placer.hold_indexed(&mut place, from, self.allowed)?;
+        self.placer.set(place)
+    }
+
+    fn spot(&self, start: &Place<M::Axes>, target: &Place<M::Axes>) -> Spot<M::Axes> {
+        let largest =
+            self.placer.rotary.axes.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));
+        let units = largest.max().unwrap_or(0).max(1);
+        Spot { start: *start, target: *target, resolution: 1.0 / units as f64, at: 0.0, stride: 0.5 }
+    }
+
+    /// A place of a turn on the spot.
+    fn turned(&self, spot: &Spot<M::Axes>, parameter: f64) -> Result<Place<M::Axes>, Fault> {
+        let mut words = spot.start.words;
+        for rotary in &self.placer.rotary.axes {
+            let change = (spot.target.words[rotary.index] - words[rotary.index]) as f64;
+            words[rotary.index] += (change * parameter).round() as i64;
+        }
+        let tip = spot.start.pose.tip + (spot.target.pose.tip - spot.start.pose.tip) * parameter;
+        let pose = Pose { tip, axis: spot.target.pose.axis };
+        let mut place = self.placer.at(&pose, &spot.start, &words);
+        let reached = self.placer.machine.forward_kinematics(&place.axes).axis;
+        place.deviation = (reached.into_inner() - pose.axis.into_inner()).norm();
+        self.placer.set(place)
+    }
+
+    /// Why a turn on the spot cannot be cut.
+    #[cold]
+    fn uncertified(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Fault {
+        let turned = self
+            .placer
+            .rotary
+            .axes
+            .iter()
+            .max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
+        let index = turned.map_or(0, |rotary| rotary.index);
+        let shown = |place: &Place<M::Axes>| {
+            turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.placer.rotary.scale))
+        };
+        Fault::new(format_args!(
+            "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
+             of tolerance ({} mm, {:.4}°)",
+            M::AXES[index].letter,
+            shown(from),
+            shown(to),
+            self.allowed.tip,
+            self.allowed.axis.to_degrees(),
+        ))
+        .help("retract before this point and start a new operation, or keep clear of the pole")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Point3;
+
+    use super::*;
+    use crate::config::Config;
+    use crate::motion::machines::Cb;
+    use crate::program::Units;
+
+    const TOLERANCE: Tolerance = Tolerance { tip: 0.01, axis: 0.001_745 };
+
+    fn placer() -> Placer<Cb> {
+        let config = Config::default();
+        Placer::new(config.set_up.machine::<Cb>().expect("valid"), config.policy(), Units::Millimetres)
+    }
+
+    /// The place of rotary angles in degrees.
+    fn place(placer: &Placer<Cb>, tip: [f64; 3], c: f64, b: f64) -> Place<[f64; 5]> {
+        let mut place = placer.zero();
+        place.words[0] = placer.scale().word(c.to_radians());
+        place.words[1] = placer.scale().word(b.to_radians());
+        let axes = [c.to_radians(), b.to_radians(), 0.0, 0.0, 0.0];
+        let axis = placer.machine.forward_kinematics(&axes).axis;
+        let words = place.words;
+        placer.set(placer.at(&Pose { tip: Point3::from(tip), axis }, &place, &words)).expect("a place")
+    }
+
+    fn pieces(
+        placer: &Placer<Cb>,
+        from: &Place<[f64; 5]>,
+        to: &Place<[f64; 5]>,
+    ) -> Result<Vec<CertifiedPiece<[f64; 5]>>, Fault> {
+        let mut pieces = Linearised::new(from, to, TOLERANCE);
+        let mut list = Vec::new();
+        while let Some(piece) = pieces.next(placer)? {
+            list.push(piece);
+        }
+        Ok(list)
+    }
+
+    #[test]
+    fn a_free_axis_turns_at_the_pole_in_steps_of_its_value() {
+        let placer = placer();
+        let tip = [40.0, 10.0, 3.0];
+        let (from, to) = (place(&placer, tip, 0.0, 0.0), place(&placer, tip, 90.0, 0.0));
+        let pieces = pieces(&placer, &from, &to).expect("certified");
+        // Chords of a quarter circle of radius √(40² + 10²) within 0.01 mm less rounding.
+        assert!((36..40).contains(&pieces.len()), "{}", pieces.len());
+        let mut last = from;
+        for piece in &pieces {
+            assert!(piece.bound.tip <= TOLERANCE.tip && piece.bound.axis <= TOLERANCE.axis);
+            assert!(piece.place.words[0] > last.words[0] && piece.place.words[1] == 0);
+            let tip = placer.machine.forward_kinematics(&piece.place.axes).tip;
+            assert!((tip - to.pose.tip).norm() <= piece.place.rounding + 1e-12);
+            last = piece.place;
+        }
+        assert_eq!(last, to);
+    }
+
+    #[test]
+    fn a_whole_turn_away_from_the_pole_is_no_turn_on_the_spot() {
+        let placer = placer();
+        let tip = [40.0, 10.0, 3.0];
+        let (from, to) = (place(&placer, tip, 0.0, 20.0), place(&placer, tip, 360.0, 20.0));
+        let fault = pieces(&placer, &from, &to).expect_err("the tool axis would go round");
+        let text = fault.at(crate::program::Location::default(), crate::diag::Severity::Error).text;
+        assert!(text.contains("to 360° on the spot"), "{text}");
+    }
+
+    #[test]
+    fn points_in_between_are_poses_of_the_path() {
+        let placer = placer();
+        let (from, to) = (place(&placer, [0.0; 3], 0.0, 30.0), place(&placer, [30.0, 40.0, 0.0], 60.0, 50.0));
+        let line = to.pose.tip - from.pose.tip;
+        let normal = from.pose.axis.cross(&to.pose.axis).normalize();
+        let mut before = -1.0;
+        for piece in pieces(&placer, &from, &to).expect("certified") {
+            let pose = placer.machine.forward_kinematics(&piece.place.axes);
+            let along = (pose.tip - from.pose.tip).dot(&line) / line.norm_squared();
+            assert!((from.pose.tip + line * along - pose.tip).norm() < 0.001);
+            assert!(pose.axis.dot(&normal).abs() < 3e-6);
+            let turned = from.pose.axis.angle(&pose.axis) / from.pose.axis.angle(&to.pose.axis);
+            assert!((turned - along).abs() < 1e-4, "the axis turns evenly: {turned} at {along}");
+            assert!(along > before);
+            before = along;
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Why a pose has no place on the machine, in a machinist's words.
+
+use crate::kinematics::{Machine, Pose};
+
+use super::Placer;
+use crate::motion::fault::Fault;
+use crate::motion::rotary::{OutOfLimits, Rotary};
+use crate::motion::step::MAX_AXES;
+
+/// Limits of a rotary axis, in words.
+pub(crate) fn limits_text<M: Machine>(placer: &Placer<M>, index: usize) -> String {
+    placer.limits[index].map_or_else(
+        || "none".to_owned(),
+        |limits| format!("{:.4}° to {:.4}°", limits.lower.to_degrees(), limits.upper.to_degrees()),
+    )
+}
+
+/// No whole turn brings an axis inside its limits.
+#[cold]
+pub(crate) fn outside_limits<M: Machine>(placer: &Placer<M>, outside: &[Option<OutOfLimits>; 2]) -> Fault {
+    let mut text = String::new();
+    for out in outside.iter().flatten() {
+        let letter = M::AXES[out.rotary.index].letter;
+        let value = out.rotary.shown(out.word, placer.rotary.scale);
+        if text.is_empty() {
+            text = format!("{letter} would have to turn to {value}°");
+        } else {
+            text += &format!(", or {letter} to {value}°");
+        }
+        text += &format!(" (limits {})", limits_text(placer, out.rotary.index));
+    }
+    Fault::new(text).help("turn the part on the table, or correct the limits in the configuration")
+}
+
+/// Only a swing of the tool in the cut would keep an axis inside its limits.
+#[cold]
+pub(crate) fn jump<M: Machine>(
+    placer: &Placer<M>,
+    from: &[i64; MAX_AXES],
+    to: &[i64; MAX_AXES],
+    nearest: &[i64; MAX_AXES],
+) -> Fault {
+    let outside = placer.rotary.axes.iter().find(|rotary| !rotary.holds(nearest[rotary.index]));
+    let turned = placer.rotary.axes.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
+    let (Some(limit), Some(turned)) = (outside, turned) else { return outside_limits(placer, &[None; 2]) };
+    let degrees = |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.shown(words[rotary.index], placer.rotary.scale);
+    Fault::new(format_args!(
+        "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
+         tool in the cut",
+        M::AXES[limit.index].letter,
+        degrees(limit, nearest),
+        limits_text(placer, limit.index),
+        M::AXES[turned.index].letter,
+        degrees(turned, from),
+        degrees(turned, to),
+    ))
+    .help("retract before this point and start a new operation, or turn the part on the table")
+}
+
+/// The machine cannot hold a tool axis.
+#[cold]
+pub(crate) fn unreachable<M: Machine>(placer: &Placer<M>, pose: &Pose, held: &M::Axes) -> Fault {
+    match placer.machine.reach(&pose.axis, held) {
+        Err(reason) => Fault::new(reason),
+        Ok(()) => Fault::new(format_args!(
+            "{} has no position for the tool axis ({:.7}, {:.7}, {:.7})",
+            M::NAME,
+            pose.axis.x,
+            pose.axis.y,
+            pose.axis.z
+        )),
+    }
+}

@@ -1,0 +1,217 @@
+//! Tilted planes: three angles of a control for an orientation, and back.
+//!
+//! The columns of an orientation are the X, Y and Z of the plane in the frame that is tilted; Z is the tool axis. Angles are
+//! written in the resolution of the control, and everything that follows counts in the plane as the *control* will have it:
+//! in the orientation of the rounded angles.
+
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+use crate::nc::Decimal;
+
+use crate::motion::geometry::angle_between;
+
+/// Two poses of a plane are one where the second rotary axis stands as far as this from where both meet, rad.
+const SAME_POSE: f64 = 1e-9;
+
+/// How a control describes the orientation of a plane by three angles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PlaneAngles {
+    /// About Z, then about the new X, then about the new Z: `Rz(1)·Rx(2)·Rz(3)`.
+    EulerZxz,
+    /// About X, then about the new Y, then about the new Z: `Rx(1)·Ry(2)·Rz(3)`.
+    MovingXyz,
+    /// About X, then Y, then Z of the frame that is tilted: `Rz(3)·Ry(2)·Rx(1)`.
+    FixedXyz,
+}
+
+impl PlaneAngles {
+    /// The orientation of three angles, rad.
+    #[must_use]
+    pub fn orientation(self, [a, b, c]: [f64; 3]) -> Matrix3<f64> {
+        let about = |axis: &nalgebra::UnitVector3<f64>, angle: f64| Rotation3::from_axis_angle(axis, angle);
+        let (x, y, z) = (Vector3::x_axis(), Vector3::y_axis(), Vector3::z_axis());
+        let turned = match self {
+            Self::EulerZxz => about(&z, a) * about(&x, b) * about(&z, c),
+            Self::MovingXyz => about(&x, a) * about(&y, b) * about(&z, c),
+            Self::FixedXyz => about(&z, c) * about(&y, b) * about(&x, a),
+        };
+        turned.into_inner()
+    }
+
+    /// Angles of an orientation, rad. Where the middle angle leaves only the sum or the difference of the others, one of
+    /// them is zero.
+    #[must_use]
+    pub fn angles(self, r: &Matrix3<f64>) -> [f64; 3] {
+        match self {
+            Self::EulerZxz => {
+                let sine = r[(0, 2)].hypot(r[(1, 2)]);
+                let middle = sine.atan2(r[(2, 2)]);
+                if sine < 1e-12 {
+                    return [r[(1, 0)].atan2(r[(0, 0)]), middle, 0.0];
+                }
+                [r[(0, 2)].atan2(-r[(1, 2)]), middle, r[(2, 0)].atan2(r[(2, 1)])]
+            }
+            Self::MovingXyz => {
+                let cosine = r[(0, 0)].hypot(r[(0, 1)]);
+                let middle = r[(0, 2)].atan2(cosine);
+                if cosine < 1e-12 {
+                    return [r[(2, 1)].atan2(r[(1, 1)]), middle, 0.0];
+                }
+                [(-r[(1, 2)]).atan2(r[(2, 2)]), middle, (-r[(0, 1)]).atan2(r[(0, 0)])]
+            }
+            Self::FixedXyz => {
+                let cosine = r[(0, 0)].hypot(r[(1, 0)]);
+                let middle = (-r[(2, 0)]).atan2(cosine);
+                if cosine < 1e-12 {
+                    return [0.0, middle, (-r[(0, 1)]).atan2(r[(1, 1)])];
+                }
+                [r[(2, 1)].atan2(r[(2, 2)]), middle, r[(1, 0)].atan2(r[(0, 0)])]
+            }
+        }
+    }
+}
+
+/// How a control chooses between the two poses of a plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PoseRule {
+    /// The one that turns the rotary axes least: they stand there already.
+    Nearest,
+    /// By the sign of the rotary axis nearest the tool; without a word the one that turns least.
+    Sign,
+    /// The lower or the higher value of the rotary axis nearest the tool.
+    Side,
+}
+
+/// How a control tilts a plane.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlaneAbility {
+    /// What its angles mean.
+    pub angles: PlaneAngles,
+    /// Decimals of its angles in degrees.
+    pub decimals: u32,
+    /// Which pose it takes.
+    pub pose: PoseRule,
+    /// The plane is given up behind the machine retract; else before it.
+    pub ends_behind_retract: bool,
+}
+
+/// A plane in the words of a control.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tilt {
+    /// The words, degrees.
+    pub words: [Decimal; 3],
+    /// The orientation that these words mean.
+    pub orientation: Matrix3<f64>,
+}
+
+impl PlaneAbility {
+    /// The plane of an orientation; `None` if its words do not mean this orientation within three times half a unit of
+    /// each: then the convention and the orientation do not belong together.
+    #[must_use]
+    pub fn tilt(&self, orientation: &Matrix3<f64>) -> Option<Tilt> {
+        let wanted = self.angles.angles(orientation);
+        let mut words = [Decimal::default(); 3];
+        for (word, angle) in words.iter_mut().zip(wanted) {
+            *word = Decimal::fixed(angle.to_degrees(), self.decimals).ok()?;
+        }
+        let meant = self.angles.orientation(words.map(|word| word.value().to_radians()));
+        let half_unit = 0.5 * 10_f64.powi(-(self.decimals as i32)).to_radians();
+        let off = (0..3).map(|column| {
+            let [is, wanted]: [Vector3<f64>; 2] = [meant, *orientation].map(|r| r.column(column).into_owned());
+            angle_between(&is, &wanted)
+        });
+        (off.fold(0.0, f64::max) <= 3.0 * half_unit + SAME_POSE).then_some(Tilt { words, orientation: meant })
+    }
+}
+
+impl PoseRule {
+    /// What says which pose it is: `true` for plus or higher, `None` where nothing is to be said, because the control takes
+    /// the pose in which the rotary axes stand already. `here` and `others`: the values of the rotary axis nearest the tool
+    /// in this pose and in the others.
+    pub(crate) fn choose(self, here: f64, others: &[f64]) -> Option<bool> {
+        let mut apart = others.iter().filter(|other| (*other - here).abs() > SAME_POSE).peekable();
+        apart.peek()?;
+        match self {
+            Self::Nearest => None,
+            // Without a word the shortest way counts.
+            Self::Sign => apart.all(|other| other * here < 0.0).then_some(here > 0.0),
+            Self::Side => Some(apart.all(|other| *other < here)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [PlaneAngles; 3] = [PlaneAngles::EulerZxz, PlaneAngles::MovingXyz, PlaneAngles::FixedXyz];
+
+    /// Elementary matrices written out, sharing nothing with the library that turns above.
+    fn about(axis: usize, degrees: f64) -> Matrix3<f64> {
+        let (s, c) = degrees.to_radians().sin_cos();
+        match axis {
+            0 => Matrix3::new(1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c),
+            1 => Matrix3::new(c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c),
+            _ => Matrix3::new(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0),
+        }
+    }
+
+    #[test]
+    fn each_convention_is_the_product_it_says() {
+        let [a, b, c] = [20.0, -35.0, 50.0];
+        let products = [
+            about(2, a) * about(0, b) * about(2, c),
+            about(0, a) * about(1, b) * about(2, c),
+            about(2, c) * about(1, b) * about(0, a),
+        ];
+        for (convention, product) in ALL.into_iter().zip(products) {
+            let orientation = convention.orientation([a, b, c].map(f64::to_radians));
+            assert!((orientation - product).abs().max() < 1e-14, "{convention:?}");
+        }
+    }
+
+    #[test]
+    fn angles_and_orientation_are_inverse_also_where_two_angles_become_one() {
+        for convention in ALL {
+            for a in [-180.0, -120.0, -0.001, 0.0, 33.0, 179.0] {
+                for b in [-90.0, -89.999_999, -45.0, -1e-7, 0.0, 30.0, 90.0, 135.0, 180.0] {
+                    for c in [-150.0, 0.0, 60.0, 180.0] {
+                        let orientation = convention.orientation([a, b, c].map(f64::to_radians));
+                        let again = convention.orientation(convention.angles(&orientation));
+                        assert!((again - orientation).abs().max() < 1e-9, "{convention:?} {a} {b} {c}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rounded_words_mean_the_orientation_within_half_a_unit_of_each() {
+        let ability = PlaneAbility {
+            angles: PlaneAngles::EulerZxz,
+            decimals: 3,
+            pose: PoseRule::Nearest,
+            ends_behind_retract: true,
+        };
+        for step in 0..400 {
+            let t = f64::from(step);
+            let orientation = PlaneAngles::FixedXyz.orientation([t * 0.37, (t * 0.71).sin(), t * 1.3]);
+            let tilt = ability.tilt(&orientation).expect("a plane");
+            assert!(tilt.words.iter().all(|word| word.decimals == 3));
+            assert!((tilt.orientation - orientation).abs().max() < 3.0 * 0.5e-3_f64.to_radians());
+        }
+        // A mirror is no orientation.
+        assert_eq!(ability.tilt(&Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0))), None);
+    }
+
+    #[test]
+    fn a_pose_is_named_only_where_the_rule_tells_it_from_the_others() {
+        assert_eq!(PoseRule::Nearest.choose(0.5, &[-0.5]), None);
+        assert_eq!(PoseRule::Sign.choose(-0.5, &[0.5]), Some(false));
+        assert_eq!(PoseRule::Sign.choose(0.5, &[1.5]), None);
+        assert_eq!(PoseRule::Sign.choose(0.0, &[1.0]), None);
+        assert_eq!(PoseRule::Side.choose(0.5, &[1.5]), Some(false));
+        assert_eq!(PoseRule::Side.choose(0.5, &[-0.2]), Some(true));
+        assert_eq!(PoseRule::Side.choose(0.5, &[]), None);
+    }
+}

@@ -1,0 +1,179 @@
+//! Travel of the linear axes, compared after rounding.
+//!
+//! Limits are machine coordinates: `M = machine_zero + q + g`, where `g` is what the gauge length adds to the axis.
+//! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
+
+use crate::kinematics::{AxisKind, Limits, Machine, Side};
+use crate::motion::options::Policy;
+
+use super::chain::rotaries;
+use super::datum::along_axes;
+use crate::motion::fault::Fault;
+use crate::motion::step::MAX_AXES;
+
+/// Noise of floating-point sums that must not turn an inclusive limit into an exclusive one, mm.
+const NOISE: f64 = 1e-6;
+
+/// A gauge length adds nothing to an axis whose share of it is smaller than this.
+const NO_SHARE: f64 = 1e-12;
+
+/// One solved linear axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LinearTravel {
+    /// Position in the chain.
+    pub(crate) index: usize,
+    letter: char,
+    limits: Option<Limits>,
+    zero: Option<f64>,
+    /// `g` for a gauge length of 1.
+    share: f64,
+    /// Smallest and largest `q + g` so far.
+    pub(crate) span: Option<(f64, f64)>,
+    /// A rotary axis of the head turns the tool: its length moves the axis, how far depends on the angles.
+    turned: bool,
+    /// Points that could not be compared because the gauge length is unknown.
+    pub(crate) unknown_length: bool,
+}
+
+/// The travel of all solved linear axes.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Travel {
+    axes: Vec<LinearTravel>,
+    /// Gauge length of the tool, if known, mm.
+    gauge_length: Option<f64>,
+}
+
+impl Travel {
+    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
+        let limits = policy.set_up.travel::<M>().limits;
+        let solved: Vec<usize> = (0..M::AXES.len().min(MAX_AXES))
+            .filter(|&i| M::AXES[i].kind == AxisKind::Linear && !M::AXES[i].held)
+            .collect();
+        let shares = along_axes(machine, &machine.tool_axis());
+        let turned = rotaries::<M>(Side::Tool).next().is_some();
+        let axes = solved
+            .iter()
+            .map(|&index| LinearTravel {
+                index,
+                letter: M::AXES[index].letter,
+                limits: limits[index],
+                zero: policy.set_up.machine_zero.get(&M::AXES[index].letter).copied(),
+                share: shares[index],
+                span: None,
+                turned,
+                unknown_length: false,
+            })
+            .collect();
+        Self { axes, gauge_length: None }
+    }
+
+    pub(crate) fn axes(&self) -> &[LinearTravel] {
+        &self.axes
+    }
+
+    pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
+        self.gauge_length = length;
+    }
+
+    /// Compares a point of the program with the limits; `values` are rounded axis values, mm.
+    pub(crate) fn check(&mut self, values: &[f64]) -> Result<(), Fault> {
+        let length = self.gauge_length;
+        for axis in &mut self.axes {
+            axis.check(values[axis.index], length)?;
+        }
+        Ok(())
+    }
+
+    /// Whether the travel of an axis is declared.
+    pub(crate) fn limited(&self) -> bool {
+        self.axes.iter().any(LinearTravel::limited)
+    }
+
+    /// Compares a machine coordinate with the limits.
+    pub(crate) fn check_machine(&self, index: usize, coordinate: f64) -> Result<(), Fault> {
+        let Some(axis) = self.axes.iter().find(|axis| axis.index == index) else { return Ok(()) };
+        match axis.limits {
+            Some(limits) if !inside(limits, coordinate) => Err(Fault::new(format_args!(
+                "{} would have to go to machine coordinate {coordinate:.3} mm, its limits are {:.3} to {:.3} mm",
+                axis.letter, limits.lower, limits.upper
+            ))
+            .help("correct `retract.position`, `park` or the limits in the configuration")),
+            _ => Ok(()),
+        }
+    }
+
+    /// The axis value at a machine coordinate, if that can be known.
+    pub(crate) fn value_at(&self, index: usize, coordinate: f64) -> Option<f64> {
+        let axis = self.axes.iter().find(|axis| axis.index == index)?;
+        Some(coordinate - axis.zero? - axis.gauge(self.gauge_length)?)
+    }
+}
+
+impl LinearTravel {
+    /// Why its limits could not be compared; `None` if they were.
+    pub(crate) fn unchecked(&self) -> Option<&'static str> {
+        if !self.limited() {
+            Some("no travel declared")
+        } else if !self.placed() {
+            Some("no machine_zero")
+        } else if self.unknown_length {
+            Some("gauge length unknown")
+        } else {
+            None
+        }
+    }
+
+    /// Whether the travel is declared.
+    pub(crate) fn limited(&self) -> bool {
+        self.limits.is_some()
+    }
+
+    /// Whether machine coordinates are known.
+    pub(crate) fn placed(&self) -> bool {
+        self.zero.is_some()
+    }
+
+    pub(crate) fn letter(&self) -> char {
+        self.letter
+    }
+
+    fn gauge(&self, length: Option<f64>) -> Option<f64> {
+        if self.share.abs() < NO_SHARE && !self.turned { Some(0.0) } else { length.map(|length| length * self.share) }
+    }
+
+    fn check(&mut self, value: f64, length: Option<f64>) -> Result<(), Fault> {
+        let Some(limits) = self.limits else { return Ok(()) };
+        let Some(gauge) = self.gauge(length) else {
+            self.unknown_length = true;
+            return Ok(());
+        };
+        let letter = self.letter;
+        if let Some(zero) = self.zero {
+            let coordinate = zero + value + gauge;
+            if inside(limits, coordinate) {
+                return Ok(());
+            }
+            return Err(Fault::new(format_args!(
+                "{letter} would have to go to {coordinate:.3} mm (machine coordinate), its limits are {:.3} to {:.3} mm",
+                limits.lower, limits.upper
+            ))
+            .help("move the part in the machine (`part_origin`, `machine_zero`), or use another tool length"));
+        }
+        let here = value + gauge;
+        let (lowest, highest) = self.span.map_or((here, here), |(low, high)| (low.min(here), high.max(here)));
+        self.span = Some((lowest, highest));
+        let travel = limits.upper - limits.lower;
+        if highest - lowest <= travel + NOISE {
+            return Ok(());
+        }
+        Err(Fault::new(format_args!(
+            "from here on the program needs {:.3} mm of {letter} travel, the machine has {travel:.3} mm",
+            highest - lowest
+        ))
+        .help("split the program, or place the part nearer the rotary centre lines"))
+    }
+}
+
+fn inside(limits: Limits, coordinate: f64) -> bool {
+    (limits.lower - NOISE..=limits.upper + NOISE).contains(&coordinate)
+}

@@ -1,0 +1,323 @@
+//! Arcs by the control where it can say them, else by chords.
+//!
+//! With the rotary axes still, the map from the workpiece to the program's coordinates is affine. An arc is left to the
+//! control if the linear part of that map is orthogonal, if the axis of the circle becomes an axis of the program, and if
+//! what the control makes of the rounded words stays within tolerance of the arc of the CL data: see `motion/circle`.
+//! More turns than one are cut into whole turns and the rest; where these cannot be said, into equal arcs of no more than
+//! half a turn.
+
+use std::f64::consts::TAU;
+
+use crate::kinematics::{Machine, Pose};
+use crate::motion::options::{ArcForm, ArcOutput};
+use crate::nalgebra::Vector3;
+use crate::program::{Arc, Move};
+
+use crate::motion::fault::{Fault, Halt, Planned};
+use crate::motion::geometry::Round;
+use crate::motion::geometry::{Circle, Grid, Nominal, Off, Plane};
+use crate::motion::place::Place;
+use crate::motion::plan::Planner;
+use crate::motion::plan::feed::Stroke;
+use crate::motion::plan::statistics::Statistics;
+use crate::motion::rotary::TurnTarget;
+use crate::motion::source::{Begins, MotionIndex};
+use crate::motion::step::Why;
+use crate::motion::step::{Feed, Sink, Step, Words};
+
+/// More turns than this of one record are a fault of the file.
+const MOST_TURNS: f64 = 1e6;
+
+/// How far rounding moves an end in its plane, units: half the diagonal of a square.
+const ROUNDED: f64 = 0.7072;
+
+/// Turns that are whole but for arithmetic.
+const WHOLE: f64 = 1e-9;
+
+/// Why an arc is not left to the control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum NoArc {
+    /// The configuration wants lines.
+    Configured,
+    /// It is no more than a line in the words of the program.
+    Straight,
+    /// A rotary axis turns, or the program's coordinates are not square.
+    Frame,
+    /// Its plane is none of the program's, or none in which the control has arcs.
+    Plane,
+    /// Its radius is outside what is configured.
+    Radius,
+    /// Rounded words cannot say it within tolerance.
+    Rounding,
+}
+
+impl Statistics {
+    /// An arc that became chords.
+    fn count_chorded(&mut self, why: NoArc) {
+        let count = match why {
+            NoArc::Configured | NoArc::Straight => return,
+            NoArc::Frame => &mut self.chorded.frame,
+            NoArc::Plane => &mut self.chorded.plane,
+            NoArc::Radius => &mut self.chorded.radius,
+            NoArc::Rounding => &mut self.chorded.rounding,
+        };
+        *count += 1;
+    }
+}
+
+/// Where an arc is cut: into whole turns and the rest, or into equal arcs.
+#[derive(Debug, Clone, Copy)]
+struct Cuts {
+    pieces: u32,
+    /// Part of the arc that a piece is; the last one may be less.
+    part: f64,
+}
+
+impl Cuts {
+    /// Both ways to cut an arc, the one to be tried first in front; none where that is too many.
+    fn of(angle: f64) -> Option<[Self; 2]> {
+        let turns = (angle / TAU - WHOLE).ceil().max(1.0);
+        (turns <= MOST_TURNS).then(|| {
+            let (whole, halves) = (turns as u32, 2 * turns as u32);
+            [Self { pieces: whole, part: TAU / angle }, Self { pieces: halves, part: 1.0 / f64::from(halves) }]
+        })
+    }
+
+    /// The part of the arc at which a piece ends, counted from 1.
+    fn end(&self, piece: u32) -> f64 {
+        if piece >= self.pieces { 1.0 } else { self.part * f64::from(piece) }
+    }
+
+    /// The part of the arc that a piece is.
+    fn share(&self, piece: u32) -> f64 {
+        self.end(piece) - self.part * f64::from(piece - 1)
+    }
+}
+
+/// An arc in the coordinates of the program.
+#[derive(Debug, Clone, Copy)]
+struct Framed {
+    plane: Plane,
+    chain: [usize; 3],
+    nominal: Nominal,
+    /// How far the plane of the arc is off that of the program, over the arc, mm.
+    lean: f64,
+}
+
+/// An arc from where the tool is.
+#[cold]
+pub(crate) fn arc<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, arc: &Arc, index: MotionIndex) -> Planned {
+    let round = Round::new(arc);
+    if planner.cutter.is_idle() {
+        ArcRun { planner, arc, round }.run(index)
+    } else {
+        crate::motion::plan::cutter::arc(planner, arc, |planner| ArcRun { planner, arc, round }.run(index))
+    }
+}
+
+/// One arc that is being planned.
+struct ArcRun<'p, 'a, 'r, M: Machine, S> {
+    planner: &'p mut Planner<'a, M, S>,
+    arc: &'r Arc,
+    round: Round<'r>,
+}
+
+impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
+    fn run(&mut self, index: MotionIndex) -> Planned {
+        let arc = self.arc;
+        let motion = Move { pose: arc.end, rapid: false, feed: arc.feed };
+        if index.begins != Begins::Nothing {
+            // The tool has been led to where an arc begins, unless there is none.
+            self.planner.check_state(&motion)?;
+            return Err(Fault::new("nobody knows where this arc begins").into());
+        }
+        self.planner.stop_spindle()?;
+        for part in self.round.extremes(Vector3::z()).chain([1.0]) {
+            let pose = Pose { tip: self.round.tip(part), ..arc.end };
+            self.planner.check_state(&Move { pose, ..motion })?;
+        }
+        let planned = self.planner.changes(&motion, index)?;
+        if self.planner.spindle.take_stopped_by_cycle() {
+            self.planner.turn_spindle(true)?;
+        }
+        let end = self.planner.mover.place(&arc.end, true, planned)?;
+        match self.trace(&end)? {
+            Ok(()) => self.statistics().arcs += 1,
+            Err(why) => {
+                self.statistics().count_chorded(why);
+                self.write_chords(planned)?;
+            }
+        }
+        let position = self.planner.mover.position_mut();
+        for part in self.round.extremes(arc.end.axis.into_inner()).chain([1.0]) {
+            position.cut(&Pose { tip: self.round.tip(part), ..arc.end });
+        }
+        position.forget_lead_out();
+        self.planner.mover.arrive(end);
+        Ok(())
+    }
+
+    fn statistics(&mut self) -> &mut Statistics {
+        self.planner.mover.output_mut().statistics_mut()
+    }
+
+    /// Writes the arc as arcs of the control; nothing is written where one of them cannot be said.
+    fn trace(&mut self, end: &Place<M::Axes>) -> Result<Result<(), NoArc>, Halt> {
+        let framed = match self.framed(end) {
+            Ok(framed) => framed,
+            Err(why) => return Ok(Err(why)),
+        };
+        for cuts in Cuts::of(self.arc.angle).into_iter().flatten() {
+            if self.can_be_said(&framed, cuts)? {
+                self.check_travel()?;
+                return self.write_pieces(&framed, cuts).map(Ok);
+            }
+        }
+        Ok(Err(NoArc::Rounding))
+    }
+
+    /// The arc in the program's coordinates.
+    fn framed(&self, end: &Place<M::Axes>) -> Result<Framed, NoArc> {
+        let (arc, round) = (self.arc, &self.round);
+        let (setup, placer) = (&self.planner.policy.options.arcs, self.planner.mover.placer());
+        if setup.output == ArcOutput::Lines {
+            return Err(NoArc::Configured);
+        }
+        if round.radius() * (1.0 - (0.5 * arc.angle).cos()) < 0.5 * placer.unit_mm() && arc.angle < 1.0 {
+            return Err(NoArc::Straight);
+        }
+        if self.planner.mover.turns(end) {
+            return Err(NoArc::Frame);
+        }
+        let (chain, map) = placer.square_map(end).ok_or(NoArc::Frame)?;
+        // Mirrored coordinates turn the other way round.
+        let normal = map * arc.normal.into_inner() * map.determinant().signum();
+        let square = normal.iamax();
+        let beside = Plane::SQUARE_TO[square].axes();
+        let lean = 2.0 * round.radius() * normal[beside[0]].hypot(normal[beside[1]]);
+        let plane = Plane::SQUARE_TO[square];
+        if lean > self.planner.mover.tolerance().tip || !self.planner.abilities.arc_planes[square] {
+            return Err(NoArc::Plane);
+        }
+        if !(setup.smallest_radius..=setup.largest_radius).contains(&round.radius()) {
+            return Err(NoArc::Radius);
+        }
+        let centre = placer.program_point(&arc.centre, end).ok_or(NoArc::Frame)?;
+        let [first, second, _] = plane.axes();
+        let nominal = Nominal {
+            centre: [centre[first], centre[second]],
+            radii: round.radii,
+            clockwise: normal[square] < 0.0,
+            sweep: arc.angle,
+        };
+        Ok(Framed { plane, chain, nominal, lean })
+    }
+
+    /// Whether all pieces can be said.
+    fn can_be_said(&mut self, framed: &Framed, cuts: Cuts) -> Result<bool, Fault> {
+        let mut from = *self.planner.mover.here();
+        for piece in 1..=cuts.pieces {
+            let to = self.piece_end(cuts.end(piece))?;
+            if self.circle(framed, cuts.share(piece), &from, &to).is_none() {
+                return Ok(false);
+            }
+            from = to;
+        }
+        Ok(true)
+    }
+
+    /// Where a part of the arc ends; the rotary axes are where they are.
+    fn piece_end(&mut self, part: f64) -> Result<Place<M::Axes>, Fault> {
+        let here = *self.planner.mover.here();
+        self.planner.mover.shifted(self.round.tip(part), &here)
+    }
+
+    /// The words of one piece, `share` of the arc, if they say it within tolerance.
+    fn circle(&self, framed: &Framed, share: f64, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Option<Circle> {
+        let (placer, tolerance) = (self.planner.mover.placer(), self.planner.mover.tolerance().tip);
+        let (from, to) = (placer.written(from), placer.written(to));
+        let Framed { plane, chain, nominal, lean } = *framed;
+        let [first, second, square] = plane.axes().map(|axis| chain[axis]);
+        let (start, end) = ([from[first], from[second]], [to[first], to[second]]);
+        let unit = placer.unit_mm();
+        let grid = Grid { per_mm: 1.0 / unit, radius_tolerance: self.planner.abilities.arc_radius_tolerance };
+        let nominal = Nominal { sweep: nominal.sweep * share, ..nominal };
+        let fit = nominal.fit(start, end, grid)?;
+        // Height goes with the angle. Seen from the nominal centre a point leads by what the centre is off, and by as much
+        // more because the ends do not, and by the rounding of these; heights are rounded themselves.
+        let height = |off: Off| lean + 0.5 * unit + self.round.slope().abs() * (2.0 * off.centre + ROUNDED * unit);
+        let within = |off: Off| off.plane.hypot(height(off)) <= tolerance;
+        if !within(fit.off) || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second]) {
+            return None;
+        }
+        let radius = match self.planner.policy.options.arcs.form {
+            ArcForm::Centre => None,
+            ArcForm::Radius => nominal.radius(start, end, &fit, grid).filter(|(_, off)| within(*off)),
+        };
+        Some(Circle {
+            plane,
+            chain,
+            clockwise: nominal.clockwise,
+            start,
+            centre: fit.centre,
+            radius: radius.map(|(units, _)| units),
+            sweep: fit.sweep,
+            rise: to[square] - from[square],
+        })
+    }
+
+    /// Limits of the linear axes where the arc is furthest along each of them.
+    fn check_travel(&mut self) -> Result<(), Fault> {
+        let Some((_, map)) = self.planner.mover.placer().axis_map(self.planner.mover.here()) else { return Ok(()) };
+        let round = self.round;
+        for row in 0..3 {
+            for part in round.extremes(map.row(row).transpose()) {
+                self.piece_end(part)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn write_pieces(&mut self, framed: &Framed, cuts: Cuts) -> Planned {
+        let rate = self.planner.rate(self.arc.feed)?;
+        self.planner.mover.output_mut().because(if cuts.pieces > 1 { Why::SplitArc } else { Why::Record });
+        let mask = framed.chain.iter().fold(0, |mask, axis| mask | 1 << axis);
+        for piece in 1..=cuts.pieces {
+            let share = cuts.share(piece);
+            let length = self.round.length() * share;
+            let mover = &self.planner.mover;
+            let least = mover.placer().least_minutes_of_tip(length, mover.here());
+            let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
+            let pace = mover.feeds().pace(rate, stroke)?;
+            let to = self.piece_end(cuts.end(piece))?;
+            let circle = self.circle(framed, share, self.planner.mover.here(), &to);
+            let (Some(circle), Feed::PerMinute(feed)) = (circle, pace.feed) else {
+                return Err(Fault::new("an arc that could be said cannot be written").into());
+            };
+            let mover = &mut self.planner.mover;
+            mover.output_mut().feed(&pace, None);
+            let words = Words { vector: None, ..mover.placer().words(&to, mask) };
+            mover.write_motion(&Step::Arc { words, circle: &circle, feed }, &to)?;
+            mover.position_mut().go_to(to);
+        }
+        Ok(())
+    }
+
+    /// Writes the arc as chords that leave it by no more than the tolerance.
+    fn write_chords(&mut self, planned: Option<TurnTarget>) -> Planned {
+        self.planner.mover.output_mut().because(Why::Chord);
+        let chords = self.round.chords(self.planner.mover.tolerance().tip)?;
+        for index in 1..=chords {
+            let tip = self.round.tip(f64::from(index) / f64::from(chords));
+            let pose = Pose { tip, axis: self.arc.end.axis };
+            let place = self.planner.mover.place(&pose, true, planned.filter(|_| index == chords))?;
+            let rate = self.planner.rate(self.arc.feed)?;
+            self.planner.mover.feed_to(&place, rate)?;
+            self.planner.mover.position_mut().go_to(place);
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,34 @@
+//! The geometry around the part that the tool has to leave: that of the configuration, or of CLEARP.
+
+use crate::kinematics::Pose;
+use crate::program::{Clearance, Plane};
+
+use crate::motion::geometry::way_out;
+
+/// The clearance geometry in force.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ClearanceGeometry {
+    configured: Option<Clearance>,
+    in_force: Option<Clearance>,
+}
+
+impl ClearanceGeometry {
+    pub(crate) fn new(configured: Option<Clearance>) -> Self {
+        Self { configured, in_force: configured }
+    }
+
+    /// CLEARP.
+    pub(crate) fn set_plane(&mut self, plane: Plane) {
+        self.in_force = Some(Clearance::Plane(plane));
+    }
+
+    /// Another frame: CLEARP was given in the one before.
+    pub(crate) fn change_frame(&mut self) {
+        self.in_force = self.configured;
+    }
+
+    /// mm along the tool axis until the tool is outside; `None` without geometry, or where the axis never leaves it.
+    pub(crate) fn way_out(&self, from: &Pose) -> Option<f64> {
+        self.in_force.and_then(|clearance| way_out(&clearance, &from.tip, &from.axis))
+    }
+}

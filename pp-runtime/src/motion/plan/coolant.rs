@@ -1,0 +1,85 @@
+//! Coolant: what the CL data wants, what the configuration adds, and what has been written.
+
+use std::io;
+
+use crate::motion::options::Policy;
+use crate::program::Coolant as Kind;
+
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::plan::abilities::Abilities;
+use crate::motion::plan::output::Output;
+use crate::motion::plan::tool::LoadedTool;
+use crate::motion::step::{Sink, Step};
+
+/// Coolant while a program is planned.
+#[derive(Debug, Clone)]
+pub(crate) struct CoolantState {
+    request: Kind,
+    /// As written; `None` if unknown.
+    written: Option<Kind>,
+}
+
+impl Default for CoolantState {
+    fn default() -> Self {
+        Self { request: Kind::Off, written: None }
+    }
+}
+
+impl CoolantState {
+    /// COOLNT.
+    pub(crate) fn request(&mut self, kind: Kind) {
+        self.request = kind;
+    }
+
+    /// Its state is unknown.
+    pub(crate) fn lost(&mut self) {
+        self.written = None;
+    }
+
+    /// Brings the coolant to what is wanted.
+    pub(crate) fn turn<S: Sink>(
+        &mut self,
+        tool: Option<LoadedTool>,
+        policy: Policy<'_>,
+        abilities: &Abilities,
+        output: &mut Output<S>,
+    ) -> Planned {
+        let given = tool.and_then(|tool| policy.set_up.tools.get(&tool.number));
+        let kind = match self.request {
+            Kind::On => given.and_then(|tool| tool.coolant).unwrap_or(policy.options.defaults.coolant),
+            kind => kind,
+        };
+        let missing = match kind {
+            Kind::On | Kind::Flood => (!abilities.flood).then_some("flood"),
+            Kind::Mist => (!abilities.mist).then_some("mist"),
+            Kind::Through => (!abilities.through).then_some("coolant through the spindle"),
+            Kind::Air => (!abilities.air).then_some("air"),
+            Kind::Off => None,
+        };
+        if let Some(missing) = missing {
+            return Err(Fault::new(format_args!("this control has no code for {missing}"))
+                .help("give it its codes, on and off: `[control] coolant = { air = [\"M83\", \"M84\"] }`")
+                .into());
+        }
+        if kind == Kind::Off || policy.options.lift.is_some() {
+            return Ok(self.stop(output)?);
+        }
+        if self.written != Some(kind) {
+            if self.written.is_some_and(|before| before != Kind::Off) {
+                output.step(&Step::CoolantOff)?;
+            }
+            self.written = Some(kind);
+            output.step(&Step::Coolant { kind })?;
+        }
+        Ok(())
+    }
+
+    /// Off, unless it is.
+    pub(crate) fn stop<S: Sink>(&mut self, output: &mut Output<S>) -> io::Result<()> {
+        if self.written != Some(Kind::Off) {
+            self.written = Some(Kind::Off);
+            output.step(&Step::CoolantOff)?;
+        }
+        Ok(())
+    }
+}

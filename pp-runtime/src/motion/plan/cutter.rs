@@ -1,0 +1,322 @@
+//! CutterCompensation compensation in the plane by the control: CUTCOM.
+//!
+//! The control shifts the path to its left or right by what the register D holds, in the plane square to Z of the program
+//! (G17), with the rotary axes still and the tool along that Z. It comes on with the first straight feed motion in this plane
+//! behind CUTCOM/LEFT or RIGHT, and goes off with the one behind CUTCOM/OFF; between the two there are only such lines, and
+//! arcs that the control traces itself. A control looks ahead over these blocks, so whatever else stands there is refused.
+//!
+//! In mirrored words left is right. What D holds is said in the configuration: wear where the CL data is the path of the
+//! tool's centre, the radius where it is the contour.
+
+use nalgebra::Vector3;
+
+use crate::kinematics::Machine;
+use crate::motion::options::{ArcOutput, CutterPath, Mode, Policy};
+use crate::program::{Arc, Compensation, CutterSide, Event, Move};
+
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::geometry::SAME_AXIS;
+use crate::motion::place::Place;
+use crate::motion::plan::{Ahead, Planner};
+use crate::motion::source::MotionIndex;
+use crate::motion::step::{Sink, Step};
+
+/// Points of CL data are rounded: a motion is in the plane if it leaves it by no more than this, mm, however fine the words.
+const FLAT: f64 = 5e-4;
+
+/// What CUTCOM asked for last, and what is in force.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct CutterCompensation {
+    /// Wanted from the next line in the plane on, or in force.
+    side: Option<CutterSide>,
+    /// Side of the last CUTCOM/LEFT or RIGHT.
+    last: Option<CutterSide>,
+    /// Register that the CL data named.
+    register: Option<u32>,
+    state: Compensating,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+enum Compensating {
+    #[default]
+    Off,
+    /// Asked for, to begin with the next line in the plane.
+    Begins,
+    On,
+    /// To end with the next motion.
+    Ends,
+}
+
+impl CutterCompensation {
+    /// Nothing is asked for and nothing in force.
+    #[inline]
+    pub(crate) fn is_idle(&self) -> bool {
+        self.state == Compensating::Off
+    }
+
+    fn in_force(&self) -> bool {
+        matches!(self.state, Compensating::On | Compensating::Ends)
+    }
+
+    /// CUTCOM/LEFT, RIGHT or ON.
+    fn begin(&mut self, asked: CutterSide, register: Option<u32>) -> Result<(), Fault> {
+        let side = if asked == CutterSide::On {
+            self.last.ok_or_else(|| Fault::new("CUTCOM/ON without a side").help("give CUTCOM/LEFT or CUTCOM/RIGHT"))?
+        } else {
+            asked
+        };
+        if self.in_force() && self.side != Some(side) {
+            return Err(beside("CUTCOM asks for the other side"));
+        }
+        let register = register.or(self.register.filter(|_| asked == CutterSide::On));
+        let state = if self.in_force() { Compensating::On } else { Compensating::Begins };
+        *self = Self { side: Some(side), last: Some(side), register, state };
+        Ok(())
+    }
+
+    /// CUTCOM/OFF; false if nothing was compensated since it was asked for.
+    fn end(&mut self) -> bool {
+        let began = self.state != Compensating::Begins;
+        self.state = if self.in_force() { Compensating::Ends } else { Compensating::Off };
+        began
+    }
+
+    /// Refuses a record that a control does not look ahead over.
+    pub(crate) fn check_record(&self, event: &Event<'_>) -> Result<(), Fault> {
+        let what = match event {
+            Event::Tool(_) => "a tool is called",
+            Event::Operation(_) | Event::SafeSequence => "another operation begins",
+            Event::Stop | Event::OptionalStop => "the program stops",
+            Event::Frame(_) => "another frame follows",
+            Event::Home => "the machine goes home",
+            Event::From(_) => "FROM places the tool elsewhere",
+            Event::Insert(_) | Event::Code { .. } => "a block follows that the CL data gives as it stands",
+            Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Preselect(_)
+            | Event::Spindle(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::Move(_)
+            | Event::Arc(_)
+            | Event::Spline(_)
+            | Event::Hole(_)
+            | Event::ClearancePlane(_)
+            | Event::Tolerance(_)
+            | Event::Turning(_)
+            | Event::Delay(_)
+            | Event::Message(_) => return Ok(()),
+        };
+        self.check_idle(what)
+    }
+
+    /// Refuses a hole.
+    pub(crate) fn check_hole(&self) -> Result<(), Fault> {
+        self.check_idle("a hole follows")
+    }
+
+    /// Refuses a curve.
+    pub(crate) fn check_curve(&self) -> Result<(), Fault> {
+        self.check_idle("a curve follows, which would be chords")
+    }
+
+    fn check_idle(&self, what: &str) -> Result<(), Fault> {
+        if self.in_force() { Err(beside(what)) } else { Ok(()) }
+    }
+
+    /// The program ends.
+    pub(crate) fn check_end(&self) -> Result<(), Fault> {
+        match self.state {
+            Compensating::Off => Ok(()),
+            Compensating::Begins => {
+                Err(Fault::new("CUTCOM asked for compensation, and no straight feed motion in the plane follows")
+                    .help("leave CUTCOM out, or give it in front of the lead-in"))
+            }
+            Compensating::On | Compensating::Ends => Err(beside("the program ends")),
+        }
+    }
+}
+
+/// What cannot stand between the line that brings compensation on and the one that ends it.
+fn beside(what: &str) -> Fault {
+    Fault::new(format_args!("cutter compensation is in force, and {what}"))
+        .help("put CUTCOM/OFF and a straight feed motion in the plane in front of it")
+}
+
+/// CUTCOM.
+pub(crate) fn request<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, asked: &Compensation) -> Planned {
+    let Compensation { side, register, xy } = *asked;
+    if side == CutterSide::Off {
+        if !planner.cutter.end() {
+            let fault = Fault::new("CUTCOM/OFF, and no straight feed motion in the plane came before it")
+                .help("nothing was compensated: check the side and the lead-in");
+            planner.mover.output_mut().remark(fault);
+        }
+        return Ok(());
+    }
+    check_set_up(planner.policy, xy)?;
+    Ok(planner.cutter.begin(side, register)?)
+}
+
+/// Whether the configuration lets the control compensate.
+fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
+    if policy.options.compensation.is_none() {
+        return Err(Fault::new("CUTCOM asks for cutter compensation by the control").help(
+            "say what D holds: `[compensation] path = \"centre\"` (wear) or `\"contour\"` (the radius); or have the \
+             CAM system leave CUTCOM out",
+        ));
+    }
+    if policy.options.mode == Mode::Tcp {
+        return Err(Fault::new("there is no cutter compensation in the plane under tip control")
+            .help("post this program with mode axes or plane, or leave CUTCOM out"));
+    }
+    if !xy {
+        return Err(Fault::new("cutter compensation is written for the plane of X and Y only")
+            .help("leave CUTCOM out, and have the CAM system compute the path of the tool's centre"));
+    }
+    Ok(())
+}
+
+/// A motion while compensation is asked for, in force, or about to end.
+#[cold]
+pub(crate) fn line<M: Machine, S: Sink>(
+    planner: &mut Planner<'_, M, S>,
+    ahead: Ahead<'_>,
+    index: MotionIndex,
+) -> Planned {
+    let motion = ahead.motion;
+    let from = *planner.mover.here();
+    let step = in_program(planner, &from, motion);
+    let unit = planner.mover.placer().unit_mm();
+    let flat = |step: &Vector3<f64>| step.z.abs() <= (0.5 * unit).max(FLAT);
+    let line = |step: &Vector3<f64>| !motion.rapid && flat(step) && step.x.hypot(step.y) >= unit;
+    match planner.cutter.state {
+        Compensating::Off => {}
+        Compensating::Begins => {
+            // Elsewhere the tool may still be led to where the line begins.
+            if let Ok(step) = step.as_ref()
+                && line(step)
+            {
+                check_length(planner, step.x.hypot(step.y))?;
+                switch(planner, true)?;
+            } else if !motion.rapid {
+                step?;
+            }
+        }
+        Compensating::On if motion.rapid => return Err(beside("a rapid follows").into()),
+        Compensating::On => {
+            if !flat(&step?) {
+                return Err(beside("a motion leaves its plane").into());
+            }
+        }
+        Compensating::Ends => {
+            if !line(&step?) {
+                return Err(Fault::new(
+                    "compensation ends in a straight feed motion in its plane, and another one follows",
+                )
+                .help("let the lead-out be a line in the plane behind CUTCOM/OFF")
+                .into());
+            }
+            switch(planner, false)?;
+        }
+    }
+    let stays = planner.cutter.in_force() || planner.cutter.is_idle();
+    planner.run(ahead, index)?;
+    if stays && planner.mover.placer().rotary_travel(&from.words, &planner.mover.here().words) > 0.0 {
+        return Err(beside("a rotary axis turns").into());
+    }
+    Ok(())
+}
+
+/// An arc while compensation is asked for or in force; `run` plans it.
+#[cold]
+pub(crate) fn arc<'a, M: Machine, S: Sink>(
+    planner: &mut Planner<'a, M, S>,
+    arc: &Arc,
+    run: impl FnOnce(&mut Planner<'a, M, S>) -> Planned,
+) -> Planned {
+    if planner.cutter.state != Compensating::On {
+        let when = if planner.cutter.state == Compensating::Begins { "begins" } else { "ends" };
+        let text = format!("compensation {when} in a straight feed motion in its plane, and an arc follows");
+        return Err(Fault::new(text).help("let lead-in and lead-out be lines").into());
+    }
+    let axis = arc.end.axis.into_inner();
+    let square = axis.cross(&arc.normal).norm() <= SAME_AXIS;
+    let rise = (arc.end.tip - arc.start.tip).dot(&axis).abs();
+    if !square || rise > 0.5 * planner.mover.placer().unit_mm() {
+        return Err(beside("an arc leaves its plane").into());
+    }
+    let (before, words) = (planner.mover.output().statistics().chorded, planner.mover.here().words);
+    run(planner)?;
+    // What is so flat that its chord is it, is not counted.
+    let chorded = planner.mover.output().statistics().chorded != before;
+    if chorded || planner.policy.options.arcs.output == ArcOutput::Lines {
+        return Err(beside("an arc follows that would be chords").into());
+    }
+    if planner.mover.placer().rotary_travel(&words, &planner.mover.here().words) > 0.0 {
+        return Err(beside("a rotary axis turns").into());
+    }
+    Ok(())
+}
+
+/// A motion in the coordinates of the program, mm; the tool has to be along its Z.
+fn in_program<M: Machine, S: Sink>(
+    planner: &Planner<'_, M, S>,
+    from: &Place<M::Axes>,
+    motion: &Move,
+) -> Result<Vector3<f64>, Fault> {
+    let tilted = || {
+        Fault::new("cutter compensation works in the plane of X and Y, and the tool axis is not Z of the program here")
+            .help("post this program with mode plane, or leave CUTCOM out")
+    };
+    let (_, map) = planner.mover.placer().square_map(from).ok_or_else(tilted)?;
+    let along = map * motion.pose.axis.into_inner();
+    if along.z < 0.0 || along.x.hypot(along.y) > SAME_AXIS {
+        return Err(tilted());
+    }
+    Ok(map * (motion.pose.tip - from.pose.tip))
+}
+
+/// Where D holds the radius, a line that is shorter leaves no path to the contour.
+fn check_length<M: Machine, S: Sink>(planner: &Planner<'_, M, S>, length: f64) -> Result<(), Fault> {
+    let policy = planner.policy;
+    let given = planner.tooling.current().and_then(|tool| policy.set_up.tools.get(&tool.number));
+    let diameter = given.and_then(|tool| tool.diameter);
+    let radius = diameter.filter(|_| policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
+    match radius.filter(|radius| length < *radius) {
+        Some(radius) => Err(Fault::new(format_args!(
+            "compensation begins in a line {length:.3} mm long, and the tool has a radius of {radius:.3} mm"
+        ))
+        .help("make the lead-in longer than the radius")),
+        None => Ok(()),
+    }
+}
+
+/// On or off with the next block.
+fn switch<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, on: bool) -> Planned {
+    let register = radius_register(planner)?;
+    let mover = &mut planner.mover;
+    let mirrored = mover.placer().square_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);
+    let left = (planner.cutter.side == Some(CutterSide::Left)) != mirrored;
+    mover.output_mut().step(&Step::Beside { left: on.then_some(left), register })?;
+    planner.cutter.state = if on { Compensating::On } else { Compensating::Off };
+    Ok(())
+}
+
+/// The register of the tool's radius.
+fn radius_register<M: Machine, S: Sink>(planner: &Planner<'_, M, S>) -> Result<u32, Fault> {
+    let number =
+        planner.tooling.current().map(|tool| tool.number).ok_or_else(|| Fault::new("CUTCOM without a tool"))?;
+    let given =
+        planner.policy.set_up.tools.get(&number).and_then(|tool| tool.radius_offset).or(planner.cutter.register);
+    if let Some(given) = given.filter(|given| *given != number && !planner.abilities.radius_registers) {
+        return Err(Fault::new(format_args!(
+            "T{number} is to have the radius of register {given}, and this control takes that of the tool itself"
+        ))
+        .help(format_args!("leave the register out of CUTCOM and `[tools.{number}] radius_offset`")));
+    }
+    Ok(given.unwrap_or(number))
+}
+
+#[cfg(test)]
+mod tests;

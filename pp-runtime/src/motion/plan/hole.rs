@@ -1,0 +1,371 @@
+//! Holes: by a cycle of the control where it means the same, else level by level.
+//!
+//! However it is made, the tool goes over to a hole at its own level or at the clearance level, whichever is higher, comes
+//! down along its axis, and ends at the level where the CL data wants it. A cycle is used where the tool axis is Z of the
+//! program and the control has a cycle for just these steps; what it cannot say (a first step unlike the others, a stated
+//! way back) is written as motions. A thread is never: spindle and feed are in step only in a cycle.
+
+use crate::kinematics::{Machine, Pose};
+use crate::motion::options::{CycleOutput, Mode};
+use crate::nc::Decimal;
+use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
+
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::place::Place;
+use crate::motion::plan::feed::{Feeds, Stroke};
+use crate::motion::plan::{Ahead, Planner, records};
+use crate::motion::source::{Begins, MotionIndex, Next};
+use crate::motion::step::Why;
+use crate::motion::step::{Cycle, CycleKind};
+use crate::motion::step::{Feed, Sink, Step, Words};
+
+/// More steps than this are no drilling.
+const MOST_STEPS: u32 = 10_000;
+
+/// Levels closer than this are the same, mm.
+const SAME_LEVEL: f64 = 1e-9;
+
+/// What a pitch may be off by its rounding, of the whole: 4 µm in a thread 20 mm long.
+const PITCH: f64 = 2e-4;
+
+/// What F of a thread may be off pitch times speed by its rounding, of the whole.
+const THREAD_FEED: f64 = 1e-4;
+
+/// A cycle, and where the tool stands behind it.
+type Found<A> = (Cycle, Place<A>);
+
+/// Why there is no cycle.
+type NoCycle = &'static str;
+
+/// The boxes that the tip fills over a hole and in it, each its lowest and its highest corner, mm.
+pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
+    let between = |low: f64, high: f64| {
+        let (a, b) = (hole.level(low).tip, hole.level(high).tip);
+        [a.inf(&b).into(), a.sup(&b).into()]
+    };
+    [between(hole.clearance, hole.back_to), between(-hole.depth, 0.0)]
+}
+
+/// The depths at which the steps of a hole end, in their order.
+fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
+    let (first, later) = match hole.drilling {
+        Drilling::Peck { first, later } => (first, later),
+        Drilling::ChipBreak { step, .. } => (step, step),
+        Drilling::Drill | Drilling::Ream | Drilling::Tap { .. } => (hole.depth, hole.depth),
+    };
+    if (hole.depth - first) / later > f64::from(MOST_STEPS - 1) {
+        let text = format!("a hole {} mm deep in steps of {later} mm takes more than {MOST_STEPS} steps", hole.depth);
+        return Err(Fault::new(text).help("check the step of the cycle and its unit"));
+    }
+    let depth = hole.depth;
+    // A last step of nothing but rounding is part of the one before.
+    let reached = move |done: f64| if done > depth - SAME_LEVEL { depth } else { done };
+    Ok(std::iter::successors(Some(reached(first)), move |done| (*done < depth).then(|| reached(done + later))))
+}
+
+/// A hole from wherever the tool is.
+#[cold]
+pub(crate) fn hole<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, hole: &Hole, index: MotionIndex) -> Planned {
+    planner.cutter.check_hole()?;
+    HoleRun { planner, hole }.run(index)
+}
+
+/// One hole that is being planned.
+struct HoleRun<'p, 'a, M: Machine, S> {
+    planner: &'p mut Planner<'a, M, S>,
+    hole: &'p Hole,
+}
+
+impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
+    fn run(&mut self, index: MotionIndex) -> Planned {
+        let over = self.hole.way_over();
+        let bottom = Move { pose: self.hole.level(-self.hole.depth), rapid: false, feed: self.hole.feed };
+        let ahead = Ahead { motion: &over, next: Next::Motion(bottom) };
+        if index.begins == Begins::Nothing {
+            self.reach(ahead, index)?;
+        } else {
+            let tooling = &self.planner.tooling;
+            if tooling.current().is_none() && tooling.next().is_none() {
+                self.planner.check_state(&bottom)?;
+            }
+            self.planner.mover.output_mut().because(Why::Record);
+            self.planner.begin(ahead, index)?;
+            if self.planner.selection.is_over() {
+                return Ok(());
+            }
+        }
+        self.planner.mover.output_mut().because(Why::Hole);
+        self.planner.check_state(&bottom)?;
+        match self.cycle()? {
+            Ok((cycle, back)) => self.run_cycle(&cycle, back),
+            Err(why) if matches!(self.hole.drilling, Drilling::Tap { .. }) => {
+                let text =
+                    format!("a thread needs spindle and feed in step, which only a cycle of the control does: {why}");
+                Err(Fault::new(text).help("take the tapping out of the CL data and program it at the control").into())
+            }
+            Err(_) => self.run_by_motions(),
+        }
+    }
+
+    /// Turns the rotary axes for the hole; a tool that is lower than its clearance level is lifted to it.
+    fn reach(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+        let over = ahead.motion;
+        self.planner.stop_spindle()?;
+        self.planner.check_state(over)?;
+        let planned = self.planner.changes(over, index)?;
+        let place = self.planner.mover.place(&over.pose, false, planned)?;
+        if self.planner.mover.turns(&place) {
+            return self.planner.go(ahead, planned);
+        }
+        let lift = self.hole.clearance - self.height();
+        if lift > SAME_LEVEL {
+            let tip = self.planner.mover.position().pose().tip + self.hole.top.axis.into_inner() * lift;
+            return self.go(&Move { pose: Pose { tip, ..over.pose }, ..*over });
+        }
+        Ok(())
+    }
+
+    /// Height of the tool over the top of the hole, mm.
+    fn height(&self) -> f64 {
+        (self.planner.mover.position().pose().tip - self.hole.top.tip).dot(&self.hole.top.axis)
+    }
+
+    /// A motion along the hole, which turns nothing.
+    fn go(&mut self, motion: &Move) -> Planned {
+        self.planner.go(Ahead { motion, next: Next::None }, None)
+    }
+
+    /// A rapid to a level of the hole.
+    fn rapid_to(&mut self, height: f64) -> Planned {
+        self.go(&Move { pose: self.hole.level(height), rapid: true, feed: self.hole.feed })
+    }
+
+    /// A feed motion to a level of the hole.
+    fn feed_to(&mut self, height: f64) -> Planned {
+        self.go(&Move { pose: self.hole.level(height), rapid: false, feed: self.hole.feed })
+    }
+
+    /// The hole, level by level.
+    fn run_by_motions(&mut self) -> Planned {
+        let hole = self.hole;
+        self.rapid_to(self.height().max(hole.clearance))?;
+        self.rapid_to(hole.clearance)?;
+        let mut before: Option<f64> = None;
+        for done in steps(hole)? {
+            if let Some(before) = before {
+                if matches!(hole.drilling, Drilling::Peck { .. }) {
+                    self.rapid_to(hole.clearance)?;
+                }
+                let back = match hole.drilling {
+                    Drilling::ChipBreak { back: Some(back), .. } => back,
+                    Drilling::ChipBreak { back: None, .. }
+                    | Drilling::Peck { .. }
+                    | Drilling::Drill
+                    | Drilling::Ream
+                    | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap,
+                };
+                self.rapid_to((back - before).min(hole.clearance))?;
+            }
+            self.feed_to(-done)?;
+            before = Some(done);
+        }
+        if let Some(dwell) = hole.dwell {
+            records::delay(self.planner, dwell)?;
+        }
+        if hole.drilling == Drilling::Ream {
+            self.feed_to(hole.clearance)?;
+        }
+        self.rapid_to(hole.back_to)
+    }
+
+    /// The cycle of the hole and where it ends, or why there is none.
+    fn cycle(&mut self) -> Result<Result<Found<M::Axes>, NoCycle>, Fault> {
+        let (hole, policy) = (self.hole, self.planner.policy);
+        if policy.options.cycles.output == CycleOutput::Expanded {
+            return Ok(Err("`[cycles]` asks for motions"));
+        }
+        if policy.options.lift.is_some() {
+            return Ok(Err("a dry run has no cycles"));
+        }
+        if policy.options.mode == Mode::Tcp {
+            return Ok(Err("there are no cycles under tip control"));
+        }
+        let here = *self.planner.mover.here();
+        let placer = self.planner.mover.placer();
+        let Some((chain, map)) = placer.square_map(&here) else {
+            return Ok(Err("the program has no square coordinates here"));
+        };
+        let along = map * hole.top.axis.into_inner();
+        let reach = hole.depth + hole.back_to.max(hole.clearance);
+        if along.z < 0.0 || along.x.hypot(along.y) * reach > 0.5 * placer.unit_mm() {
+            return Ok(Err("the tool axis is not Z of the program"));
+        }
+        let kind = match self.kind()? {
+            Ok(kind) => kind,
+            Err(why) => return Ok(Err(why)),
+        };
+        let mut at_level = |height: f64| self.planner.mover.shifted(hole.level(height).tip, &here);
+        let places = [at_level(hole.clearance)?, at_level(-hole.depth)?, at_level(hole.back_to)?];
+        let surface = at_level(0.0)?;
+        let placer = self.planner.mover.placer();
+        let surface = placer.written(&surface);
+        let [clearance, bottom, back] = places.map(|place| placer.written(&place));
+        let [x, y, z] = chain;
+        if [x, y].iter().any(|&axis| clearance[axis] != bottom[axis]) {
+            return Ok(Err("the hole is not along Z in the words of the program"));
+        }
+        let words = Words { units: clearance, mask: 1 << x | 1 << y, vector: None };
+        let [surface, clearance, bottom, back] = [surface, clearance, bottom, back].map(|written| written[z]);
+        let dwell = hole.dwell.map(|dwell| self.planner.spindle.seconds(dwell)).transpose()?;
+        let feed = self.feed(kind, &places[0])?;
+        let cycle = Cycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
+        let unsaid = self.unsaid(&cycle)?;
+        Ok(unsaid.map_or(Ok((cycle, places[2])), Err))
+    }
+
+    /// What the words of a cycle would say otherwise than the hole is.
+    fn unsaid(&self, cycle: &Cycle) -> Result<Option<NoCycle>, Fault> {
+        let can = self.planner.abilities.cycles;
+        if !(cycle.bottom < cycle.surface && cycle.surface <= cycle.clearance && cycle.clearance <= cycle.back) {
+            return Ok(Some("its levels are not in their order"));
+        }
+        if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell)) {
+            return Ok(Some("the wait is too long for it"));
+        }
+        if let CycleKind::Peck { step, gap } | CycleKind::ChipBreak { step, gap } = cycle.kind
+            && can.states_gap
+        {
+            let depth = cycle.surface - cycle.bottom;
+            let as_many = steps(self.hole)?.count() as i64 == (depth + step - 1) / step;
+            let whole = !can.whole_steps || depth % step == 0;
+            let in_hole = gap > 0 && gap <= step + cycle.clearance - cycle.surface;
+            return Ok((!(as_many && whole && in_hole)).then_some("its steps are not those of this control"));
+        }
+        Ok(None)
+    }
+
+    /// What the control's cycle would be, or why it has none that means the same.
+    fn kind(&self) -> Result<Result<CycleKind, NoCycle>, Fault> {
+        let (hole, can) = (self.hole, self.planner.abilities.cycles);
+        let higher = hole.back_to - hole.clearance > SAME_LEVEL;
+        let units = |mm: f64| (mm / self.planner.mover.placer().unit_mm()).round() as i64;
+        let no_dwell = hole.dwell.is_none();
+        let steps_wait = no_dwell || can.steps_dwell;
+        let usual_gap = self.planner.policy.options.defaults.peck_gap;
+        Ok(match hole.drilling {
+            Drilling::Drill if can.drill => Ok(CycleKind::Drill),
+            Drilling::Ream if can.ream && (can.ream_higher || !higher) => Ok(CycleKind::Ream),
+            Drilling::Peck { first, later }
+                if can.peck && steps_wait && units(first) == units(later) && units(later) > 0 =>
+            {
+                Ok(CycleKind::Peck { step: units(later), gap: units(usual_gap) })
+            }
+            Drilling::ChipBreak { step, back }
+                if can.chip_break && steps_wait && units(step) > 0 && (can.states_gap || back.is_none()) =>
+            {
+                Ok(CycleKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
+            }
+            Drilling::Tap { .. } if !can.tap => Err("this control has none here"),
+            Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => {
+                Err("that of this control does not wait at the bottom")
+            }
+            Drilling::Tap { pitch } => Ok(self.thread(pitch)?),
+            Drilling::Drill | Drilling::Ream | Drilling::Peck { .. } | Drilling::ChipBreak { .. } => {
+                Err("no cycle of this control does the same")
+            }
+        })
+    }
+
+    /// A thread at the speed as it is written.
+    fn thread(&self, pitch: Option<f64>) -> Result<CycleKind, Fault> {
+        let Some((turns, rotation)) = self.planner.spindle.turning() else {
+            return Err(Fault::new("a thread with the spindle off").help("give SPINDL/ON before it"));
+        };
+        let stated = match self.hole.feed {
+            Some(Programmed::PerRevolution(pitch)) => Some(pitch),
+            Some(Programmed::PerMinute(feed)) => Some(feed / turns),
+            None => None,
+        };
+        let pitch = pitch.or(stated).filter(|pitch| *pitch > 0.0);
+        let pitch = pitch.ok_or_else(|| {
+            Fault::new("the pitch of this thread is not known").help("give the feed of the cycle per turn (MMPR, IPR)")
+        })?;
+        let too_large = |_| Fault::new("the pitch or the speed of this thread does not fit into a word");
+        let exact = pitch / self.planner.mover.feeds().length_unit();
+        let pitch = Decimal::fixed(exact, self.planner.abilities.cycles.pitch_decimals).map_err(too_large)?;
+        if (pitch.value() / exact - 1.0).abs() > PITCH {
+            let fault = Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word"));
+            return Err(fault.help("`output_units` of the drawing give a pitch that fits"));
+        }
+        Ok(CycleKind::Tap {
+            pitch,
+            left: rotation == Rotation::CounterClockwise,
+            speed: Decimal::fixed(turns, self.planner.policy.formats.speed).map_err(too_large)?,
+        })
+    }
+
+    /// F of a cycle.
+    fn feed(&self, kind: CycleKind, over: &Place<M::Axes>) -> Result<Decimal, Fault> {
+        let (hole, feeds) = (self.hole, self.planner.mover.feeds());
+        let per_minute = match kind {
+            CycleKind::Tap { pitch, speed, .. } => pitch.value() * feeds.length_unit() * speed.value(),
+            CycleKind::Drill | CycleKind::Peck { .. } | CycleKind::ChipBreak { .. } | CycleKind::Ream => {
+                let feed = hole.feed.ok_or_else(|| Fault::new("a hole without feed"))?;
+                Feeds::per_minute(feed, self.planner.spindle.speed())?
+            }
+        };
+        let length = hole.clearance + hole.depth;
+        let least = self.planner.mover.placer().least_minutes_of_tip(length, over);
+        let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
+        let pace = feeds.pace(per_minute, stroke)?;
+        let Feed::PerMinute(word) = pace.feed else { return Err(Fault::new("a cycle has no feed in inverse time")) };
+        if let CycleKind::Tap { .. } = kind
+            && (pace.slowed > 0.0
+                || self.planner.abilities.cycles.tap_feed
+                    && (feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
+        {
+            return Err(Fault::new(format_args!(
+                "a thread needs a feed of {per_minute} mm/min, which cannot be written or is beyond an axis"
+            ))
+            .help("give another spindle speed"));
+        }
+        Ok(word)
+    }
+
+    /// Writes the hole by its cycle.
+    fn run_cycle(&mut self, cycle: &Cycle, back: Place<M::Axes>) -> Planned {
+        let hole = self.hole;
+        let can = self.planner.abilities.cycles;
+        let here = self.planner.mover.placer().written(self.planner.mover.here());
+        let height = self.height().max(hole.clearance);
+        self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance));
+        if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.own_return {
+            // Such a cycle goes back to where it began.
+            self.rapid_to(height)?;
+            self.rapid_to(hole.back_to)?;
+        }
+        let mover = &mut self.planner.mover;
+        let minutes = (hole.clearance + hole.depth) / mover.feeds().mm_per_minute(cycle.feed);
+        let both_ways = matches!(cycle.kind, CycleKind::Ream | CycleKind::Tap { .. });
+        let output = mover.output_mut();
+        output.cancel_inverse_time()?;
+        output.times_mut().cut(if both_ways { 2.0 * minutes } else { minutes });
+        output.times_mut().wait(cycle.dwell.unwrap_or(0.0) / 60.0);
+        output.because(Why::Record);
+        mover.write_motion(&Step::Cycle { cycle }, &back)?;
+        mover.output_mut().statistics_mut().cycles += 1;
+        if let CycleKind::Tap { .. } = cycle.kind {
+            self.planner.spindle.after_thread(can.tap_stops);
+        }
+        let bottom = hole.level(-hole.depth);
+        let position = mover.position_mut();
+        position.cut(&bottom);
+        position.forget_lead_out();
+        position.follow(&bottom, &back.pose);
+        mover.arrive(back);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;

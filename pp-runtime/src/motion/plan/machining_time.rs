@@ -1,0 +1,134 @@
+//! How long a program takes: at the programmed feeds and the largest axis speeds, without acceleration.
+
+use crate::program::Location;
+
+/// Operations whose times are kept one by one.
+const MOST_OPERATIONS: usize = 200;
+
+/// Bytes of an operation's name that are kept.
+const NAME_LENGTH: usize = 60;
+
+/// The time of one operation, minutes.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct OperationTime {
+    /// As the CL data names it; empty if it does not.
+    pub name: Vec<u8>,
+    /// Where it begins.
+    pub at: Location,
+    /// Feed motions.
+    pub cutting: f64,
+    /// Everything.
+    pub total: f64,
+}
+
+/// A turn of a rotary axis in the cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FastestTurn {
+    /// The axis.
+    pub letter: char,
+    /// rad/min.
+    pub speed: f64,
+    /// Where.
+    pub at: Location,
+}
+
+/// Times of a program, minutes.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Times {
+    /// Feed motions.
+    pub cutting: f64,
+    /// Rapids whose axes have known speeds.
+    pub rapid: f64,
+    /// Waits.
+    pub waiting: f64,
+    /// Rapids with an axis whose speed is not known: they count nothing.
+    pub unknown: u64,
+    /// Blocks that are slower than programmed.
+    pub slowed: u64,
+    /// By how much all of them together.
+    pub slowed_by: f64,
+    /// Where the first of them is.
+    pub slowed_first: Location,
+    /// The fastest turn that the CL data asks for, before axis speeds slow it down.
+    pub fastest: Option<FastestTurn>,
+    /// The first operations, in their order.
+    pub operations: Vec<OperationTime>,
+    /// Operations that are not in the list.
+    pub others: u64,
+}
+
+impl Times {
+    /// Everything together.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.cutting + self.rapid + self.waiting
+    }
+
+    pub(crate) fn operation(&mut self, at: Location, name: &[u8]) {
+        if self.operations.len() >= MOST_OPERATIONS {
+            self.others += 1;
+            return;
+        }
+        let name = name[..name.len().min(NAME_LENGTH)].to_vec();
+        self.operations.push(OperationTime { name, at, ..OperationTime::default() });
+    }
+
+    /// Drops everything but the operation that has begun.
+    pub(crate) fn keep_last_operation(&mut self) {
+        let last = self.operations.pop();
+        *self = Self { operations: last.into_iter().collect(), ..Self::default() };
+    }
+
+    /// Drops operations in which nothing has happened.
+    pub(crate) fn forget_empty(&mut self) {
+        self.operations.retain(|operation| operation.total > 0.0);
+    }
+
+    #[inline]
+    fn add(&mut self, minutes: f64, cutting: bool) {
+        if self.others > 0 {
+            return;
+        }
+        if let Some(operation) = self.operations.last_mut() {
+            operation.total += minutes;
+            operation.cutting += if cutting { minutes } else { 0.0 };
+        }
+    }
+
+    #[inline]
+    pub(crate) fn cut(&mut self, minutes: f64) {
+        self.cutting += minutes;
+        self.add(minutes, true);
+    }
+
+    #[inline]
+    pub(crate) fn rapid(&mut self, minutes: Option<f64>) {
+        match minutes {
+            Some(minutes) => {
+                self.rapid += minutes;
+                self.add(minutes, false);
+            }
+            None => self.unknown += 1,
+        }
+    }
+
+    pub(crate) fn wait(&mut self, minutes: f64) {
+        self.waiting += minutes;
+        self.add(minutes, false);
+    }
+
+    #[inline]
+    pub(crate) fn turn(&mut self, letter: char, speed: f64, at: Location) {
+        if self.fastest.is_none_or(|fastest| speed > fastest.speed) {
+            self.fastest = Some(FastestTurn { letter, speed, at });
+        }
+    }
+
+    pub(crate) fn slow(&mut self, at: Location, minutes: f64) {
+        if self.slowed == 0 {
+            self.slowed_first = at;
+        }
+        self.slowed += 1;
+        self.slowed_by += minutes;
+    }
+}

@@ -1,0 +1,397 @@
+//! The planner: items of the program into the steps of one machine.
+//!
+//! What is to be done is decided here, motion by motion and record by record; [`Mover`] does it. Each part of the state has
+//! an owner: position (in the mover), tooling, spindle, coolant, clearance geometry, the course that is followed, cutter
+//! compensation, and the selection of operations. Faults get the location of their item in one place, [`Planner::take`].
+
+mod abilities;
+mod arcs;
+mod clamps;
+mod clearance;
+mod coolant;
+mod cutter;
+mod feed;
+mod hole;
+mod lead_out;
+mod machining_time;
+mod mover;
+mod output;
+mod position;
+mod proof;
+mod records;
+mod rewind;
+mod selection;
+mod sequence;
+mod spindle;
+mod statistics;
+mod tool;
+mod tooling;
+
+use std::io;
+use std::ops::RangeInclusive;
+
+use crate::diag::Diagnostic;
+use crate::kinematics::{Machine, Pose};
+use crate::motion::options::{Policy, Transition};
+use crate::program::Units;
+use crate::program::{self, Location, Move};
+
+use crate::motion::course::{Change, Course, Follower, How};
+use crate::motion::fault::{Fault, Halt, Planned, Stop};
+use crate::motion::geometry::Way;
+use crate::motion::rotary::{TurnTarget, Turns};
+use crate::motion::source::{Action, Begins, Item, MotionIndex, Next, Stage};
+use crate::motion::step::Sink;
+use crate::motion::step::Why;
+
+pub use abilities::{Abilities, Registers};
+pub use clamps::MovingAxes;
+pub(crate) use hole::hole_extent;
+pub use machining_time::{FastestTurn, OperationTime, Times};
+pub use proof::{ProofProgram, Sweep};
+pub use statistics::{Chorded, Statistics};
+
+use clearance::ClearanceGeometry;
+use coolant::CoolantState;
+use cutter::CutterCompensation;
+use feed::Feeds;
+use mover::Mover;
+use output::Output;
+use selection::Selection;
+use spindle::SpindleState;
+use tooling::Tooling;
+
+/// Turns the items of a program into steps.
+pub struct Planner<'a, M: Machine, S> {
+    policy: Policy<'a>,
+    abilities: &'a Abilities,
+    /// Every tool axis of the CL data points into the table, and that is to be refused.
+    upside_down: bool,
+    mover: Mover<'a, M, S>,
+    tooling: Tooling,
+    spindle: SpindleState,
+    coolant: CoolantState,
+    clearance: ClearanceGeometry,
+    course: Follower,
+    cutter: CutterCompensation,
+    selection: Selection,
+}
+
+/// A motion, and the one after it where its approach may depend on that.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ahead<'m> {
+    motion: &'m Move,
+    next: Next,
+}
+
+impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
+    /// A planner at the beginning of a program that is written to `sink` in `units`. `upside_down`: every tool axis of the
+    /// CL data points into the table.
+    pub fn new(
+        machine: M,
+        policy: Policy<'a>,
+        units: Units,
+        abilities: &'a Abilities,
+        upside_down: bool,
+        sink: S,
+    ) -> Self {
+        Self {
+            policy,
+            abilities,
+            upside_down: upside_down && policy.options.guards.table_check,
+            mover: Mover::new(machine, policy, units, abilities, Output::new(sink)),
+            tooling: Tooling::default(),
+            spindle: SpindleState::default(),
+            coolant: CoolantState::default(),
+            clearance: ClearanceGeometry::new(policy.options.retract.clearance),
+            course: Follower::default(),
+            cutter: CutterCompensation::default(),
+            selection: Selection::default(),
+        }
+    }
+
+    /// Follows the course that [`Navigator`](crate::motion::Navigator) has found.
+    #[must_use]
+    pub fn with_course(mut self, course: Course) -> Self {
+        self.course = Follower::new(course);
+        self
+    }
+
+    /// Writes these operations only, counted from 1.
+    #[must_use]
+    pub fn with_operations(mut self, wanted: Option<RangeInclusive<u64>>) -> Self {
+        self.selection = Selection::of(wanted);
+        self.mover.output_mut().show(self.selection.shows());
+        self
+    }
+
+    /// Knows which tool follows which.
+    #[must_use]
+    pub fn with_tools(mut self, order: Vec<u32>) -> Self {
+        self.tooling.know_order(order);
+        self
+    }
+
+    /// Switches clamps as a rehearsal of the same program has found.
+    #[must_use]
+    pub fn with_clamps(mut self, rehearsed: MovingAxes) -> Self {
+        self.mover.set_rehearsed(rehearsed);
+        self
+    }
+
+    /// What a rehearsal has found.
+    #[must_use]
+    pub fn rehearsed(self) -> MovingAxes {
+        self.mover.into_rehearsed()
+    }
+
+    /// What was met so far.
+    #[must_use]
+    pub fn statistics(&self) -> Statistics {
+        *self.mover.output().statistics()
+    }
+
+    /// How long what was planned so far takes.
+    #[must_use]
+    pub fn times(&self) -> &Times {
+        self.mover.output().times()
+    }
+
+    /// Takes the remarks that have come up since the last call.
+    pub fn take_warnings(&mut self) -> Vec<Diagnostic> {
+        self.mover.output_mut().take_remarks()
+    }
+
+    /// Whether there are remarks to take.
+    #[must_use]
+    #[inline]
+    pub fn has_warnings(&self) -> bool {
+        self.mover.output().has_remarks()
+    }
+
+    /// Linear axes whose limits could not be compared: letter and why.
+    #[must_use]
+    pub fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
+        self.mover.placer().unchecked_axes()
+    }
+
+    /// What the steps are written to.
+    pub fn sink(&mut self) -> &mut S {
+        self.mover.output_mut().sink()
+    }
+
+    /// Ends the program after its last record; the end code itself is left to the caller.
+    ///
+    /// # Errors
+    /// [`Stop`] if there is no way to retract, or the output fails.
+    pub fn finish(&mut self, at: Location) -> Result<(), Stop> {
+        self.end(at).map_err(|halt| halt.at(at))
+    }
+
+    /// A straight motion of the CL data.
+    #[inline]
+    fn line(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+        match index.begins {
+            Begins::Nothing if self.cutter.is_idle() => self.run(ahead, index),
+            Begins::Nothing => cutter::line(self, ahead, index),
+            Begins::Linked | Begins::Operation => self.begin(ahead, index),
+        }
+    }
+
+    /// The first motion of an operation.
+    fn begin(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+        if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct {
+            self.prepare_directly(ahead.motion)?;
+        }
+        let planned = self.changes(ahead.motion, index)?;
+        self.spindle.begin_operation();
+        self.mover.position_mut().begin_operation();
+        self.start(ahead, index.operation, planned)
+    }
+
+    /// What must be true before the tool moves to a point of the CL data.
+    #[inline]
+    fn check_state(&self, motion: &Move) -> Result<(), Fault> {
+        if let Some(floor) = self.policy.options.guards.floor
+            && motion.pose.tip.z < floor
+        {
+            let tip = motion.pose.tip.z;
+            return Err(Fault::new(format_args!("the tip goes to Z {tip:.4} mm, below `floor` = {floor:.4} mm")));
+        }
+        if self.tooling.current().is_none() {
+            self.check_without_tool(motion)?;
+        }
+        if self.upside_down {
+            return Err(Fault::new("every tool axis of this program points into the table")
+                .help("is the frame upside down? Turn it in CAM or with `part_rotation`; `table_check = false` posts it as it is"));
+        }
+        if motion.rapid {
+            return Ok(());
+        }
+        if self.spindle.turning().is_none() {
+            return Err(if self.spindle.is_off_requested() {
+                Fault::new("a feed motion with the spindle off").help("give SPINDL/ON before it")
+            } else {
+                Fault::new("a feed motion without spindle speed or direction since the tool was called").help(
+                    "give SPINDL/RPM,..,CLW behind the tool call, or speed and direction of the tool in the configuration",
+                )
+            });
+        }
+        if motion.feed.is_none() {
+            return Err(Fault::new("a feed motion without feed").help("give FEDRAT before it"));
+        }
+        Ok(())
+    }
+
+    fn check_without_tool(&self, motion: &Move) -> Result<(), Fault> {
+        if self.mover.placer().head() {
+            return Err(Fault::new("a motion before the first tool, and this machine turns the tool about its head")
+                .help("call the tool first: LOADTL/1,LENGTH,120"));
+        }
+        if !motion.rapid {
+            return Err(Fault::new("a feed motion before the first tool").help("call a tool: LOADTL/1"));
+        }
+        Ok(())
+    }
+
+    /// The feed of a motion, mm/min.
+    #[inline]
+    fn rate(&self, feed: Option<program::Feed>) -> Result<f64, Fault> {
+        let feed = feed.ok_or_else(|| Fault::new("a feed motion without feed"))?;
+        Feeds::per_minute(feed, self.spindle.speed())
+    }
+
+    /// A motion inside an operation.
+    #[inline]
+    fn run(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+        self.stop_spindle()?;
+        self.check_state(ahead.motion)?;
+        let planned = self.changes(ahead.motion, index)?;
+        self.go(ahead, planned)
+    }
+
+    /// A motion inside an operation of which the course has been asked.
+    #[inline]
+    fn go(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+        let motion = ahead.motion;
+        if !motion.rapid && self.spindle.take_stopped_by_cycle() {
+            self.turn_spindle(true)?;
+        }
+        let place = self.mover.place(&motion.pose, !motion.rapid, planned)?;
+        let before = self.mover.position().pose();
+        if motion.rapid {
+            if self.policy.options.rapids.transition == Transition::Safe && self.mover.indexes(&place)
+                || self.mover.leaves_plane(&place)
+            {
+                return self.index(ahead, planned);
+            }
+            self.mover.watch_plunge(&before, &motion.pose);
+            self.mover.rapid_as_configured(motion, &place)?;
+        } else {
+            self.mover.feed_to(&place, self.rate(motion.feed)?)?;
+            self.mover.position_mut().cut(&motion.pose);
+        }
+        self.mover.position_mut().follow(&before, &motion.pose);
+        self.mover.arrive(place);
+        Ok(())
+    }
+
+    /// Does what the course has before a motion begins, and gives the words in which it ends if the course has these, too.
+    #[inline]
+    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<TurnTarget>, Halt> {
+        let (from, towards, mut planned) = (self.mover.position().pose(), self.course.take_towards(), None);
+        while let Some(Change { how, words, .. }) = self.course.change(index.motion) {
+            match how {
+                How::Take => planned = Some(TurnTarget { words, towards }),
+                How::Rewind => rewind::rewind(self, motion, words)?,
+                How::Turn => self.cut_to(motion, self.mover.position().pose(), words)?,
+                How::Via(part) => {
+                    let Some(way) = Way::new(&from, &motion.pose) else { continue };
+                    self.cut_to(motion, way.at(part), words)?;
+                }
+            }
+        }
+        if towards.is_some() && planned.is_none() {
+            return Err(no_way_round(motion.rapid || index.begins != Begins::Nothing).into());
+        }
+        Ok(planned)
+    }
+
+    /// A cut on the path of a motion, to a pose that the CL data does not name.
+    fn cut_to(&mut self, motion: &Move, pose: Pose, words: Turns) -> Planned {
+        let place = self.mover.place(&pose, true, Some(TurnTarget { words, towards: None }))?;
+        let turned = place.words != self.mover.here().words;
+        self.mover.output_mut().statistics_mut().inserted += u64::from(turned);
+        self.mover.output_mut().because(Why::Course);
+        self.mover.feed_to(&place, self.rate(motion.feed)?)?;
+        self.mover.pass(&pose, place);
+        self.mover.output_mut().because(Why::Record);
+        Ok(())
+    }
+
+    fn turn_spindle(&mut self, again: bool) -> Planned {
+        self.spindle.turn(again, self.tooling.current(), self.policy, self.mover.output_mut())
+    }
+
+    #[inline]
+    fn stop_spindle(&mut self) -> io::Result<()> {
+        self.spindle.stop_if_pending(self.mover.output_mut())
+    }
+
+    fn turn_coolant(&mut self) -> Planned {
+        self.coolant.turn(self.tooling.current(), self.policy, self.abilities, self.mover.output_mut())
+    }
+
+    fn stop_coolant(&mut self) -> io::Result<()> {
+        self.coolant.stop(self.mover.output_mut())
+    }
+}
+
+/// ROTABL/NEXT before a motion that cannot follow it; `air`: the tool is out of the part.
+#[cold]
+fn no_way_round(air: bool) -> Fault {
+    Fault::new(match air {
+        true => "the sense that ROTABL/NEXT asks for leads out of the limits",
+        false => "ROTABL/NEXT stands in front of a cut, which cannot take the long way round",
+    })
+    .help("leave it out, or give it in front of a rapid or of an operation")
+}
+
+impl<M: Machine, S: Sink> Stage for Planner<'_, M, S> {
+    type Stop = Stop;
+
+    /// Plans one item; nothing may be planned after an error.
+    #[inline]
+    fn take(&mut self, item: &Item<'_>) -> Result<(), Stop> {
+        if self.selection.is_over() {
+            return Ok(());
+        }
+        let at = item.at;
+        let planned = match item.action {
+            Action::Line { motion, index, next, chord } => {
+                self.mover.output_mut().serve(at, if chord { Why::Curve } else { Why::Record });
+                let suits = if chord { self.cutter.check_curve() } else { Ok(()) };
+                suits.map_err(Halt::from).and_then(|()| self.line(Ahead { motion, next }, index))
+            }
+            Action::Arc { arc, index } => {
+                self.mover.output_mut().serve(at, Why::Record);
+                arcs::arc(self, arc, index)
+            }
+            Action::Hole { hole, index } => {
+                self.mover.output_mut().serve(at, Why::Hole);
+                hole::hole(self, hole, index)
+            }
+            Action::Record { event, between } => {
+                self.mover.output_mut().serve(at, Why::Record);
+                records::record(self, event, between)
+            }
+        };
+        planned.map_err(|halt| halt.at(at))
+    }
+
+    fn remark(&mut self, remark: Diagnostic) {
+        if !self.selection.is_over() {
+            self.mover.output_mut().add_remark(remark);
+        }
+    }
+}

@@ -1,0 +1,387 @@
+//! The mover: the only one that moves the machine. It knows where the axes are, puts poses into words, and writes each
+//! motion as the blocks it takes.
+//!
+//! What is to be done next is decided by the [`Planner`](crate::motion::plan::Planner); how an axis gets there is decided here: rounding,
+//! linearisation, feed, words within a turn, limits, clamps, and the frame of the control.
+
+mod retract;
+
+use std::io;
+
+use crate::kinematics::{Machine, Pose};
+use crate::motion::options::{Mode, Policy, Rapid};
+use crate::program::Move;
+use crate::program::Units;
+
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::place::{Linearised, Tolerance};
+use crate::motion::place::{Place, Placer};
+use crate::motion::plan::abilities::Abilities;
+use crate::motion::plan::clamps::{Clamps, MovingAxes};
+use crate::motion::plan::feed::{Feeds, Pace, Stroke};
+use crate::motion::plan::output::Output;
+use crate::motion::plan::position::Position;
+use crate::motion::rotary::{Speller, TurnTarget};
+use crate::motion::step::{MAX_AXES, Sink, Step};
+use crate::motion::step::{Standing, Why};
+
+/// Moves the machine.
+pub(crate) struct Mover<'a, M: Machine, S> {
+    policy: Policy<'a>,
+    abilities: &'a Abilities,
+    placer: Placer<M>,
+    feeds: Feeds,
+    speller: Speller,
+    clamps: Clamps,
+    /// How far feed motions may be left.
+    tolerance: Tolerance,
+    position: Position<M::Axes>,
+    output: Output<S>,
+    /// Safety lines so far.
+    restarts: u32,
+}
+
+impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
+    pub(crate) fn new(
+        machine: M,
+        policy: Policy<'a>,
+        units: Units,
+        abilities: &'a Abilities,
+        output: Output<S>,
+    ) -> Self {
+        let placer = Placer::new(machine, policy, units);
+        Self {
+            feeds: Feeds::new(policy, units, placer.unit_mm(), abilities),
+            speller: Speller::new::<M>(policy, placer.rotaries(), placer.scale().turn),
+            clamps: Clamps::new::<M>(policy, placer.rotaries()),
+            tolerance: Tolerance { tip: policy.options.tolerance, axis: policy.options.axis_tolerance_path },
+            position: Position::new(placer.zero()),
+            policy,
+            abilities,
+            placer,
+            output,
+            restarts: 0,
+        }
+    }
+
+    /// Poses into words.
+    #[inline]
+    pub(crate) fn placer(&self) -> &Placer<M> {
+        &self.placer
+    }
+
+    /// How fast blocks run.
+    pub(crate) fn feeds(&self) -> &Feeds {
+        &self.feeds
+    }
+
+    /// How far feed motions may be left.
+    pub(crate) fn tolerance(&self) -> Tolerance {
+        self.tolerance
+    }
+
+    /// LINTOL: how far the tip may leave its path, mm.
+    pub(crate) fn set_tip_tolerance(&mut self, tip: f64) {
+        self.tolerance.tip = tip;
+    }
+
+    /// Where the axes are.
+    #[inline]
+    pub(crate) fn position(&self) -> &Position<M::Axes> {
+        &self.position
+    }
+
+    #[inline]
+    pub(crate) fn position_mut(&mut self) -> &mut Position<M::Axes> {
+        &mut self.position
+    }
+
+    /// The place of the axes.
+    #[inline]
+    pub(crate) fn here(&self) -> &Place<M::Axes> {
+        self.position.place()
+    }
+
+    #[inline]
+    pub(crate) fn output(&self) -> &Output<S> {
+        &self.output
+    }
+
+    #[inline]
+    pub(crate) fn output_mut(&mut self) -> &mut Output<S> {
+        &mut self.output
+    }
+
+    /// Safety lines so far.
+    pub(crate) fn restarts(&self) -> u32 {
+        self.restarts
+    }
+
+    /// A tool of this gauge length, mm, if it is known, is in the spindle.
+    pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
+        self.placer.set_gauge_length(length);
+    }
+
+    /// Clamps are switched as a rehearsal of the same program has found.
+    pub(crate) fn set_rehearsed(&mut self, rehearsed: MovingAxes) {
+        self.clamps.set_rehearsed(rehearsed);
+    }
+
+    /// What a rehearsal has found.
+    pub(crate) fn into_rehearsed(self) -> MovingAxes {
+        self.clamps.into_seen()
+    }
+
+    /// FROM: before the first motion it says where the rotaries count from.
+    pub(crate) fn count_from(&mut self, pose: &Pose) {
+        let placer = &self.placer;
+        self.position.count_from(|from| placer.reference(pose, from));
+    }
+
+    /// The place of a pose from where the axes are: see [`Placer::place`].
+    #[inline]
+    pub(crate) fn place(
+        &mut self,
+        pose: &Pose,
+        feed: bool,
+        planned: Option<TurnTarget>,
+    ) -> Result<Place<M::Axes>, Fault> {
+        self.placer.place(pose, self.position.place(), feed, planned)
+    }
+
+    /// The place of another tip with the rotary axes of `at`.
+    pub(crate) fn shifted(
+        &mut self,
+        tip: crate::nalgebra::Point3<f64>,
+        at: &Place<M::Axes>,
+    ) -> Result<Place<M::Axes>, Fault> {
+        self.placer.shifted(tip, at)
+    }
+
+    /// The axes whose words a block inside an operation may hold: in a tilted plane the control has turned the others.
+    #[inline]
+    pub(crate) fn all(&self) -> u16 {
+        let rotary = if self.policy.options.mode == Mode::Plane { 0 } else { self.placer.rotary_mask() };
+        self.placer.linear_mask() | rotary
+    }
+
+    /// Whether any rotary axis turns on the way to a place.
+    #[inline]
+    pub(crate) fn turns(&self, to: &Place<M::Axes>) -> bool {
+        self.placer.rotary_travel(&self.here().words, &to.words) > 0.0
+    }
+
+    /// Whether a motion turns a rotary axis by more than the index angle.
+    pub(crate) fn indexes(&self, to: &Place<M::Axes>) -> bool {
+        self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle + 1e-9
+    }
+
+    /// Whether rotary axes would turn while the plane is tilted.
+    #[inline]
+    pub(crate) fn leaves_plane(&self, to: &Place<M::Axes>) -> bool {
+        self.policy.options.mode == Mode::Plane && self.turns(to)
+    }
+
+    /// A block of an operation goes from here to a place: clamps of axes that turn have to be off.
+    #[inline]
+    pub(crate) fn note_turns(&mut self, to: &Place<M::Axes>) {
+        self.clamps.note(&self.position.place().words, &to.words);
+    }
+
+    /// How fast a motion at `rate` mm/min runs from here to a place.
+    #[inline]
+    fn pace(&self, rate: f64, to: &Place<M::Axes>) -> Result<Pace, Fault> {
+        let from = self.here();
+        let (linear, degrees) = if self.feeds.counts_path() { self.placer.travelled(from, to) } else { (0.0, 0.0) };
+        let stroke = Stroke {
+            length: (to.pose.tip - from.pose.tip).norm(),
+            turn: self.placer.rotary_travel(&from.words, &to.words),
+            square: self.placer.square(),
+            linear,
+            degrees,
+            least: self.placer.least_minutes(from, to).unwrap_or(0.0),
+        };
+        self.feeds.pace(rate, stroke)
+    }
+
+    /// A feed motion from here at `rate` mm/min; where it ends is left to the caller.
+    #[inline]
+    pub(crate) fn feed_to(&mut self, place: &Place<M::Axes>, rate: f64) -> Planned {
+        if !self.turns(place) {
+            return self.feed_block(place, rate);
+        }
+        if self.leaves_plane(place) {
+            return Err(turns_in_plane().into());
+        }
+        self.feed_in_pieces(place, rate, self.tolerance)
+    }
+
+    /// A feed motion in one block.
+    #[inline]
+    pub(crate) fn feed_block(&mut self, place: &Place<M::Axes>, rate: f64) -> Planned {
+        let pace = self.pace(rate, place)?;
+        self.write_feed(place, &pace, None)
+    }
+
+    /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
+    pub(crate) fn feed_in_pieces(&mut self, place: &Place<M::Axes>, rate: f64, tolerance: Tolerance) -> Planned {
+        let mut pieces = Linearised::new(self.here(), place, tolerance);
+        let mut blocks = 0;
+        while let Some(piece) = pieces.next(&self.placer)? {
+            self.placer.check_travel(&piece.place)?;
+            self.placer.check_between(self.position.place(), &piece.place)?;
+            let pace = self.pace(rate, &piece.place)?;
+            blocks += u64::from(piece.place.words != self.here().words);
+            let inserted = (piece.place.words != place.words).then_some(Why::Tolerance);
+            self.write_feed(&piece.place, &pace, inserted)?;
+            self.position.go_to(piece.place);
+            self.output.statistics_mut().certified(&piece.bound, tolerance.axis.is_finite());
+        }
+        self.output.statistics_mut().inserted += blocks.max(1) - 1;
+        Ok(())
+    }
+
+    #[inline]
+    fn write_feed(&mut self, place: &Place<M::Axes>, pace: &Pace, inserted: Option<Why>) -> Planned {
+        if place.words == self.here().words {
+            return Ok(());
+        }
+        self.check_hidden_turn(place)?;
+        self.note_turns(place);
+        self.output.feed(pace, self.placer.largest_turn(&self.here().words, &place.words));
+        let words = self.placer.words(place, self.all());
+        let words = self.speller.spell(&self.placer.written(self.position.place()), words);
+        let standing = self.placer.standing_at(place);
+        Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, standing, inserted)?)
+    }
+
+    /// Writes a step that the control turns into a motion at a pace, and that ends at a place.
+    pub(crate) fn write_motion(&mut self, step: &Step<'_>, place: &Place<M::Axes>) -> io::Result<()> {
+        let standing = self.placer.standing_at(place);
+        self.output.move_step(step, standing, None)
+    }
+
+    /// A rapid inside an operation, as the configuration wants it written; one that turns a rotary axis by more than the
+    /// index angle is no such rapid, and no path leads to where the course turns it.
+    pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &Place<M::Axes>) -> Planned {
+        self.note_turns(place);
+        match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed) {
+            _ if self.indexes(place) => {}
+            (Rapid::Direct, _) => {}
+            (Rapid::Split, _) => self.split_rapid(motion, place)?,
+            (Rapid::Feed, Some(rate)) => return self.feed_to(place, rate),
+            (Rapid::Feed, None) => return Err(Fault::new("a feed motion without feed").into()),
+        }
+        self.check_hidden_turn(place)?;
+        self.output.cancel_inverse_time()?;
+        self.rapid(place, self.all())
+    }
+
+    /// The first leg of a rapid in two: along the tool axis out, or across before it goes in.
+    fn split_rapid(&mut self, motion: &Move, place: &Place<M::Axes>) -> Planned {
+        let here = *self.here();
+        let step = motion.pose.tip - here.pose.tip;
+        let axis = motion.pose.axis.into_inner();
+        let along = axis * step.dot(&axis);
+        let out = step.dot(&axis) > 0.0;
+        if along.norm() <= self.placer.unit_mm() || (step - along).norm() <= self.placer.unit_mm() {
+            return Ok(());
+        }
+        let (corner, rotaries) = if out { (here.pose.tip + along, here) } else { (motion.pose.tip - along, *place) };
+        let corner = self.placer.shifted(corner, &rotaries)?;
+        self.output.cancel_inverse_time()?;
+        let standing = self.placer.standing_at(&corner);
+        self.rapid_words(&corner, self.all(), standing, Some(Why::Corner))?;
+        self.position.go_to(corner);
+        Ok(())
+    }
+
+    /// A rapid to a place; the axes that are not in the mask are there.
+    pub(crate) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16) -> Planned {
+        self.rapid_words(to, mask, self.placer.standing_at(to), None)
+    }
+
+    /// A rapid of some axes alone.
+    pub(crate) fn rapid_alone(&mut self, to: &Place<M::Axes>, mask: u16) -> Planned {
+        self.rapid_words(to, mask, Standing { pose: None, mask, ..self.placer.standing_at(to) }, None)
+    }
+
+    /// A rapid of the linear axes to a place, which is left to the caller.
+    pub(crate) fn rapid_linear(&mut self, to: &Place<M::Axes>) -> Planned {
+        self.rapid(to, self.placer.linear_mask())
+    }
+
+    /// A rapid to the words of a place in some axes, in as many blocks as words within a turn take.
+    fn rapid_words(
+        &mut self,
+        to: &Place<M::Axes>,
+        mask: u16,
+        standing: Standing<'_>,
+        inserted: Option<Why>,
+    ) -> Planned {
+        let from = self.position.place();
+        self.output.times_mut().rapid(self.placer.least_minutes_of(from, to, mask));
+        let (start, end) = (self.placer.written(from), self.placer.written(to));
+        let mut from = start;
+        let pieces = self.speller.pieces(&start, &end, mask);
+        for piece in 1..=pieces {
+            let mut words = self.placer.words(to, mask);
+            for index in (0..MAX_AXES).filter(|&index| mask & (1 << index) != 0) {
+                words.units[index] = start[index] + (end[index] - start[index]) * piece / pieces;
+            }
+            let reached = words.units;
+            let step = Step::Rapid { words: self.speller.spell(&from, words) };
+            if piece == pieces {
+                self.output.move_step(&step, standing, inserted)?;
+            } else {
+                self.output.step(&step)?;
+            }
+            from = reached;
+        }
+        Ok(())
+    }
+
+    /// What a block does has to be in it: the control would go on with rotary axes that are elsewhere.
+    fn check_hidden_turn(&self, to: &Place<M::Axes>) -> Result<(), Fault> {
+        if !self.placer.hides_turn(self.here(), to, self.policy.options.axis_tolerance_path) {
+            return Ok(());
+        }
+        let (letter, turn) = self.placer.largest_turn(&self.here().words, &to.words).unwrap_or_default();
+        Err(Fault::new(format_args!(
+            "here {letter} has to turn by {:.3}° while the tool axis stays, and a tool axis as a vector cannot say that",
+            turn.to_degrees()
+        ))
+        .help("give `tcp_words = \"angles\"`"))
+    }
+
+    /// Remarks once in an operation that a rapid goes deeper than anything was cut.
+    pub(crate) fn watch_plunge(&mut self, from: &Pose, to: &Pose) {
+        if let Some(depth) = self.position.plunges(from, to) {
+            let text =
+                format!("a rapid goes down along the tool to {depth:.3} mm below anything cut in this operation");
+            self.output.remark(Fault::new(text).help("check whether the material is gone there"));
+        }
+    }
+
+    /// A cut has come to a place that the CL data does not name.
+    pub(crate) fn pass(&mut self, pose: &Pose, place: Place<M::Axes>) {
+        self.position.cut(pose);
+        self.output.count_deviation(&place);
+        self.position.go_to(place);
+    }
+
+    /// A motion of the CL data has ended at a place.
+    #[inline]
+    pub(crate) fn arrive(&mut self, place: Place<M::Axes>) {
+        self.output.statistics_mut().motions += 1;
+        self.output.count_deviation(&place);
+        self.position.arrive(place);
+    }
+}
+
+/// A cut that turns the tool axis, in mode `plane`.
+#[cold]
+fn turns_in_plane() -> Fault {
+    Fault::new("the tool axis turns in this cut, and mode plane holds it still")
+        .help("post this program with mode tcp or axes")
+}

@@ -1,0 +1,136 @@
+//! Between cuts: the machine retract, the way in to an approach point, tip control and planes on and off, and parking.
+
+use crate::kinematics::{AxisKind, Machine};
+use crate::motion::options::Mode;
+
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::place::Place;
+use crate::motion::plan::mover::Mover;
+use crate::motion::step::{Sink, Step, Words};
+
+impl<M: Machine, S: Sink> Mover<'_, M, S> {
+    /// A safety line: the program can be entered here.
+    pub(crate) fn restart(&mut self) -> Planned {
+        self.restarts += 1;
+        self.output.restart(self.restarts)?;
+        self.clamps.forget();
+        self.position.leave_frame();
+        Ok(())
+    }
+
+    /// The retract axis to its machine position, unless it is there; tip control and planes end with it.
+    pub(crate) fn machine_retract(&mut self) -> Planned {
+        if self.position.is_retracted() {
+            return Ok(());
+        }
+        if self.restarts == 0 {
+            self.restart()?;
+        }
+        let words = self.placer.retract_words(self.policy.options.retract.position())?;
+        let off = match (self.policy.options.mode, self.abilities.plane) {
+            _ if !self.position.is_in_frame() => None,
+            (Mode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_behind_retract)),
+            (Mode::Plane, None) | (Mode::Tcp | Mode::Axes, _) => Some((Step::TipControl { on: false }, false)),
+        };
+        if let Some((off, false)) = off {
+            self.output.step(&off)?;
+        }
+        self.output.step(&Step::Machine { words })?;
+        if let Some((off, true)) = off {
+            self.output.step(&off)?;
+        }
+        self.position.retract();
+        Ok(())
+    }
+
+    /// A place in the frame of what follows, where that depends on how the rotary axes are there; nothing has moved yet.
+    pub(crate) fn framed_at(
+        &mut self,
+        place: Place<M::Axes>,
+    ) -> Result<(Place<M::Axes>, Option<Step<'static>>), Fault> {
+        match (self.policy.options.mode, self.abilities.plane) {
+            (Mode::Axes, _) | (Mode::Plane, None) => Ok((place, None)),
+            (Mode::Tcp, _) => Ok((self.placer.in_tip_frame(place)?, Some(Step::TipControl { on: true }))),
+            (Mode::Plane, Some(ability)) => {
+                let (place, tilt) = self.placer.tilted(place, &ability)?;
+                let pose = self.placer.pose_of_plane(&place, ability.pose);
+                Ok((place, Some(Step::Plane { angles: tilt.words, pose })))
+            }
+        }
+    }
+
+    /// Clamps count the approaches of a program.
+    pub(crate) fn begin_approach(&mut self) {
+        self.clamps.approach();
+    }
+
+    /// From the machine retract to the approach point: the rotary axes alone, between their clamps; tip control or the
+    /// plane; the other linear axes; the retract axis. The caller says that the machine is there.
+    pub(crate) fn come_in(&mut self, above: &Place<M::Axes>, frame: Option<Step<'static>>) -> Planned {
+        self.check_below_retract(above)?;
+        let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
+        self.clamps.open(&self.position.place().words, &above.words, &mut self.output)?;
+        self.rapid_alone(above, rotary)?;
+        if let Some(frame) = frame {
+            self.output.step(&frame)?;
+            self.position.enter_frame();
+        }
+        self.clamps.close(&mut self.output)?;
+        let last = match self.policy.options.mode {
+            Mode::Axes => 1 << self.placer.retract_axis(),
+            // Along the tool axis of the plane.
+            Mode::Plane => 1 << self.placer.frame_letters()[2],
+            // The tip goes straight to the approach point, however the table is tilted.
+            Mode::Tcp => linear,
+        };
+        self.rapid_alone(above, linear & !last)?;
+        self.rapid(above, last)
+    }
+
+    fn check_below_retract(&self, above: &Place<M::Axes>) -> Result<(), Fault> {
+        let retract = self.policy.options.retract.position();
+        match self.placer.below_retract(above, retract) {
+            Some(below) if below < -self.placer.unit_mm() => {
+                let axis = M::AXES[self.placer.retract_axis()].letter;
+                Err(Fault::new(format_args!(
+                    "the approach point lies {:.3} mm above the retract position: {axis} = {retract} mm (machine coordinate)",
+                    -below
+                ))
+                .help("set the part lower, or give a smaller `approach.distance` or a higher `retract.position`"))
+            }
+            Some(_) | None => Ok(()),
+        }
+    }
+
+    /// The axes to where the configuration parks them, the retract axis last.
+    pub(crate) fn park(&mut self) -> Planned {
+        let (turned, mask) = self.placer.parked(&self.policy.options.park, self.position.place())?;
+        if mask != 0 {
+            self.clamps.switch(mask, false, &mut self.output)?;
+            self.rapid_alone(&turned, mask)?;
+            self.clamps.switch(mask, true, &mut self.output)?;
+            self.position.park(turned);
+        }
+        let mut others = Words::default();
+        let mut last = None;
+        let linear = M::AXES.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Linear && !axis.held);
+        for (index, coordinate) in
+            linear.filter_map(|(index, axis)| Some((index, *self.policy.options.park.get(&axis.letter)?)))
+        {
+            let words = self.placer.machine_words(index, coordinate)?;
+            if index == self.placer.retract_axis() {
+                last = Some(words);
+            } else {
+                others.mask |= words.mask;
+                others.units[index] = words.units[index];
+            }
+        }
+        if others.mask != 0 {
+            self.output.step(&Step::Machine { words: others })?;
+        }
+        if let Some(words) = last {
+            self.output.step(&Step::Machine { words })?;
+        }
+        Ok(())
+    }
+}

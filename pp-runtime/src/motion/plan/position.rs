@@ -1,0 +1,197 @@
+//! Where the machine is, as far as the program knows.
+//!
+//! At the start of a program, after a tool change, a stop, or NC text of the CL data nothing is known; [`Position::lost`]
+//! says so in one call.
+
+use crate::kinematics::Pose;
+
+use crate::motion::geometry::SAME_AXIS;
+use crate::motion::place::Place;
+use crate::motion::plan::lead_out::LeadOut;
+
+/// A rapid this much below the lowest cut is remarked on, mm.
+const PLUNGE: f64 = 0.001;
+
+/// Where the machine is.
+#[derive(Debug, Clone)]
+pub(crate) struct Position<A> {
+    /// Where the rotary axes are or are taken to be; held axes at their values.
+    place: Place<A>,
+    /// Something has moved: `place` is more than a reference.
+    moved: bool,
+    /// The tool is at `place`.
+    known: bool,
+    /// The retract axis is at its retract position.
+    retracted: bool,
+    /// Linear words count the tip: tip control is on, or a plane is tilted.
+    in_frame: bool,
+    /// How far the CL data has led the tool out along its axis.
+    lead_out: LeadOut,
+    /// Lowest pose of this tool axis that was cut in this operation.
+    lowest: Option<Pose>,
+    plunge_reported: bool,
+}
+
+impl<A: Copy> Position<A> {
+    /// Nothing has moved; the rotary axes count from here.
+    pub(crate) fn new(reference: Place<A>) -> Self {
+        Self {
+            place: reference,
+            moved: false,
+            known: false,
+            retracted: false,
+            in_frame: false,
+            lead_out: LeadOut::default(),
+            lowest: None,
+            plunge_reported: false,
+        }
+    }
+
+    /// Where the axes are, or were when that was known last.
+    #[inline]
+    pub(crate) fn place(&self) -> &Place<A> {
+        &self.place
+    }
+
+    /// Tip and tool axis there.
+    #[inline]
+    pub(crate) fn pose(&self) -> Pose {
+        self.place.pose
+    }
+
+    /// Whether the tool is at its place.
+    pub(crate) fn is_known(&self) -> bool {
+        self.known
+    }
+
+    /// Whether the retract axis is at its retract position.
+    pub(crate) fn is_retracted(&self) -> bool {
+        self.retracted
+    }
+
+    /// Whether linear words count the tip.
+    pub(crate) fn is_in_frame(&self) -> bool {
+        self.in_frame
+    }
+
+    /// mm that the CL data has led the tool out along its axis.
+    pub(crate) fn led_out(&self) -> f64 {
+        self.lead_out.length()
+    }
+
+    /// FROM: as long as nothing has moved, the rotary axes count from here.
+    pub(crate) fn count_from(&mut self, reference: impl FnOnce(&Place<A>) -> Option<Place<A>>) {
+        if !self.moved
+            && let Some(place) = reference(&self.place)
+        {
+            self.place = place;
+        }
+    }
+
+    /// A motion of the CL data has ended here.
+    #[inline]
+    pub(crate) fn arrive(&mut self, place: Place<A>) {
+        self.place = place;
+        self.moved = true;
+        self.known = true;
+        self.retracted = false;
+    }
+
+    /// A block has ended here, within a motion or between two.
+    #[inline]
+    pub(crate) fn go_to(&mut self, place: Place<A>) {
+        self.place = place;
+    }
+
+    /// The rotary axes are parked here; the next turn counts from there.
+    pub(crate) fn park(&mut self, place: Place<A>) {
+        self.place = place;
+        self.moved = true;
+    }
+
+    /// Forgets where the machine is: anything may have moved it.
+    pub(crate) fn lost(&mut self) {
+        self.known = false;
+        self.retracted = false;
+    }
+
+    /// The retract axis may be anywhere.
+    pub(crate) fn lose_retract(&mut self) {
+        self.retracted = false;
+    }
+
+    /// The tool has left the part along its axis.
+    pub(crate) fn leave(&mut self) {
+        self.lead_out = LeadOut::default();
+        self.known = false;
+    }
+
+    /// Whoever enters the program here has seen nothing of what came before.
+    pub(crate) fn enter(&mut self) {
+        self.known = false;
+    }
+
+    /// The retract axis is at its retract position; linear words count axes again.
+    pub(crate) fn retract(&mut self) {
+        self.retracted = true;
+        self.in_frame = false;
+    }
+
+    /// A safety line: linear words count axes.
+    pub(crate) fn leave_frame(&mut self) {
+        self.in_frame = false;
+    }
+
+    /// Tip control is on, or a plane is tilted, which may move the retract axis.
+    pub(crate) fn enter_frame(&mut self) {
+        self.in_frame = true;
+        self.retracted = false;
+    }
+
+    /// A motion of the CL data leads from one pose to another.
+    #[inline]
+    pub(crate) fn follow(&mut self, from: &Pose, to: &Pose) {
+        self.lead_out.follow(from, to);
+    }
+
+    /// What came before leads nowhere.
+    pub(crate) fn forget_lead_out(&mut self) {
+        self.lead_out = LeadOut::default();
+    }
+
+    /// An operation begins: nothing has been cut in it.
+    pub(crate) fn begin_operation(&mut self) {
+        self.lowest = None;
+        self.plunge_reported = false;
+    }
+
+    /// Remembers the lowest level that was cut with this tool axis in this operation.
+    #[inline]
+    pub(crate) fn cut(&mut self, pose: &Pose) {
+        match &mut self.lowest {
+            Some(lowest)
+                if (lowest.axis.into_inner() - pose.axis.into_inner()).norm_squared() < SAME_AXIS * SAME_AXIS =>
+            {
+                if (pose.tip - lowest.tip).dot(&lowest.axis) < 0.0 {
+                    lowest.tip = pose.tip;
+                }
+            }
+            lowest => *lowest = Some(*pose),
+        }
+    }
+
+    /// mm that a rapid along the tool goes below anything cut in this operation; reported once in it.
+    pub(crate) fn plunges(&mut self, from: &Pose, to: &Pose) -> Option<f64> {
+        let lowest = self.lowest?;
+        let step = to.tip - from.tip;
+        let down = -step.dot(&to.axis);
+        let across = (step + to.axis.into_inner() * down).norm();
+        let same = (lowest.axis.into_inner() - to.axis.into_inner()).norm() < SAME_AXIS;
+        let depth = -(to.tip - lowest.tip).dot(&to.axis);
+        if same && down > 0.0 && across <= 1e-3 * down && depth > PLUNGE && !self.plunge_reported {
+            self.plunge_reported = true;
+            return Some(depth);
+        }
+        None
+    }
+}

@@ -1,0 +1,171 @@
+//! The proof of the kinematics at the machine: the tip stays on one point of the part while the rotary axes sweep their
+//! travel, one after the other.
+//!
+//! Nothing of CL data is in it: rotary words run from end to end, and the linear axes follow as they do in every feed
+//! motion, certified within `tolerance`. What a chain, a sign, a pivot or a length is off moves the tip.
+
+use nalgebra::Point3;
+
+use crate::kinematics::{Machine, Pose, Side};
+use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
+
+use crate::motion::fault::{Fault, Halt, Planned, Stop};
+use crate::motion::place::Tolerance;
+use crate::motion::plan::{Ahead, Planner, records};
+use crate::motion::rotary::Rotary;
+use crate::motion::rotary::{TurnTarget, Turns};
+use crate::motion::source::Next;
+use crate::motion::step::Why;
+use crate::motion::step::{Sink, Step};
+
+/// mm/min on the way to the point.
+const FEED: f64 = 300.0;
+
+/// The spindle of a dry run turns on paper only, rev/min.
+const SPEED: f64 = 1.0;
+
+/// One sweep: from one stop to the next only the named axis turns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    /// What turns, and where the other axis stands.
+    pub name: String,
+    stops: Vec<Turns>,
+}
+
+/// Plans the proof program of a machine.
+pub struct ProofProgram<'p, 'a, M: Machine, S> {
+    planner: &'p mut Planner<'a, M, S>,
+}
+
+impl<'p, 'a, M: Machine, S: Sink> ProofProgram<'p, 'a, M, S> {
+    /// The proof program that a planner is to write; nothing else is planned with it.
+    pub fn new(planner: &'p mut Planner<'a, M, S>) -> Self {
+        Self { planner }
+    }
+
+    /// The sweeps of a machine: each rotary axis with the other at zero or as near to it as its travel allows, and the
+    /// first once more with the second at the end of its travel.
+    ///
+    /// # Errors
+    /// [`Stop`] if an axis cannot be swept: its travel is not known, or it stands on steps.
+    pub fn sweeps(&self) -> Result<Vec<Sweep>, Stop> {
+        let rotaries = self.planner.mover.placer().rotaries();
+        let mut rest = [0; 2];
+        for (word, rotary) in rest.iter_mut().zip(rotaries) {
+            *word = rotary.clamped(0);
+        }
+        let mut sweeps = Vec::new();
+        for axis in 0..rotaries.len() {
+            sweeps.push(self.sweep(axis, rest)?);
+        }
+        if let [_, second] = rotaries[..] {
+            let ends = self.ends(second, rest[1])?;
+            // A turn ends where it began: half of it is as far as it goes.
+            let far = match second.endless() {
+                true => rest[1] + self.planner.mover.placer().scale().turn / 2,
+                false => ends.into_iter().max_by_key(|end| (end - rest[1]).abs()).unwrap_or(rest[1]),
+            };
+            sweeps.push(self.sweep(0, [rest[0], far])?);
+        }
+        Ok(sweeps)
+    }
+
+    fn sweep(&self, axis: usize, rest: Turns) -> Result<Sweep, Stop> {
+        let rotaries = self.planner.mover.placer().rotaries();
+        let letter = |axis: usize| M::AXES[rotaries[axis].index].letter;
+        let ends = self.ends(rotaries[axis], rest[axis])?;
+        let shown = |axis: usize, word: i64| rotaries[axis].shown(word, self.planner.mover.placer().scale());
+        let from = if let [_] = ends[..] { rest[axis] } else { ends[0] };
+        let last = ends[ends.len() - 1];
+        let mut name = format!("{} from {} to {} degrees", letter(axis), shown(axis, from), shown(axis, last));
+        if rotaries.len() == 2 {
+            let other = 1 - axis;
+            name += &format!(", {} at {}", letter(other), shown(other, rest[other]));
+        }
+        let at = |word: i64| {
+            let mut words = rest;
+            words[axis] = word;
+            words
+        };
+        let stops = std::iter::once(rest).chain(ends.into_iter().map(at)).chain([rest]).collect();
+        Ok(Sweep { name, stops })
+    }
+
+    /// The ends of an axis, one after the other; of an endless one a turn on.
+    fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, Stop> {
+        let axis = &M::AXES[rotary.index];
+        let letter = axis.letter;
+        let refused = |fault: Fault| Err(Halt::from(fault).at(Location::default()));
+        if self.planner.policy.options.rotaries.grid.contains_key(&letter) {
+            let fault =
+                Fault::new(format_args!("{letter} stands on steps and does not turn in a cut: it cannot be swept"));
+            return refused(fault.help("check such an axis by hand, step by step"));
+        }
+        match (rotary.lower, rotary.upper) {
+            (Some(lower), Some(upper)) => Ok(vec![lower, upper]),
+            _ if axis.side == Side::Tool => {
+                let fault = Fault::new(format_args!("the travel of {letter}, which turns the head, is not known"));
+                refused(fault.help(format_args!("give it in the configuration: `[limits] {letter} = [-90, 90]`")))
+            }
+            _ => Ok(vec![rest + self.planner.mover.placer().scale().turn]),
+        }
+    }
+
+    /// Plans the proof with a tool at a point of the part, mm; the end code is left to the caller.
+    ///
+    /// # Errors
+    /// [`Stop`] if a point of it cannot be reached, or the output fails.
+    pub fn plan(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Result<(), Stop> {
+        let at = Location::default();
+        self.planner.mover.output_mut().serve(at, Why::Record);
+        self.plan_all(tool, tip, sweeps).map_err(|halt| halt.at(at))?;
+        self.planner.finish(at)
+    }
+
+    fn plan_all(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Planned {
+        let planner = &mut *self.planner;
+        records::record(planner, &Event::Tool(ToolCall { number: tool, ..ToolCall::default() }), true)?;
+        let on = Spindle::On { speed: Some(SPEED), rotation: Some(Rotation::Clockwise) };
+        records::record(planner, &Event::Spindle(on), true)?;
+        let Some(words) = sweeps.first().and_then(|sweep| sweep.stops.first()).copied() else {
+            return Err(Fault::new("this machine has no rotary axis: there is nothing to prove").into());
+        };
+        let axis = planner.mover.placer().axis_at(&words);
+        let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };
+        let target = TurnTarget { words, towards: None };
+        planner.start(Ahead { motion: &motion, next: Next::None }, 1, Some(target))?;
+        for sweep in sweeps {
+            let name = format!("SWEEP {}", sweep.name);
+            self.planner.mover.output_mut().step(&Step::Operation { name: name.as_bytes() })?;
+            for words in &sweep.stops {
+                self.sweep_to(words)?;
+            }
+        }
+        self.sweep_to(&words)?;
+        self.lead_out()
+    }
+
+    /// Turns to some words with the tip in place. As in a rewind the tool swings about it: its axis is not held to a path.
+    fn sweep_to(&mut self, words: &Turns) -> Planned {
+        let mover = &mut self.planner.mover;
+        let place = mover.placer().with_turns(&mover.position().pose(), mover.here(), words)?;
+        let swinging = Tolerance { axis: f64::INFINITY, ..mover.tolerance() };
+        mover.feed_in_pieces(&place, FEED, swinging)?;
+        mover.position_mut().go_to(place);
+        Ok(())
+    }
+
+    /// Out along the tool axis, as far as the approach came in.
+    fn lead_out(&mut self) -> Planned {
+        let distance = self.planner.policy.options.approach.distance;
+        let mover = &mut self.planner.mover;
+        let here = *mover.here();
+        let Pose { tip, axis } = here.pose;
+        let out = mover.shifted(tip + axis.into_inner() * distance, &here)?;
+        mover.output_mut().cancel_inverse_time()?;
+        mover.rapid_linear(&out)?;
+        mover.position_mut().follow(&here.pose, &out.pose);
+        mover.position_mut().go_to(out);
+        Ok(())
+    }
+}

@@ -1,0 +1,261 @@
+//! Records that are no motions: what each changes, and what it asks of the machine.
+
+use std::ops::RangeInclusive;
+
+use crate::kinematics::Machine;
+use crate::motion::options::Transition;
+use crate::program::{Dwell, Event, ToolCall, Turning};
+
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::plan::Planner;
+use crate::motion::plan::tool::LoadedTool;
+use crate::motion::step::Why;
+use crate::motion::step::{Sink, Step};
+
+/// A wait that three decimals hold, and that somebody may want, seconds.
+const DWELL: RangeInclusive<f64> = 0.001..=99_999.0;
+
+/// Plans a record that is no motion; `between`: it comes between two operations and speaks of the second.
+#[cold]
+pub(crate) fn record<M: Machine, S: Sink>(
+    planner: &mut Planner<'_, M, S>,
+    event: &Event<'_>,
+    between: bool,
+) -> Planned {
+    planner.cutter.check_record(event)?;
+    Records { planner, between }.take(event)
+}
+
+/// DELAY, and the wait at the bottom of a hole.
+pub(crate) fn delay<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, dwell: Dwell) -> Planned {
+    let seconds = planner.spindle.seconds(dwell)?;
+    if seconds <= 0.0 {
+        return Ok(());
+    }
+    if !DWELL.contains(&seconds) {
+        let (low, high) = (DWELL.start(), DWELL.end());
+        let fault = Fault::new(format_args!("a wait of {seconds} seconds cannot be written"));
+        return Err(fault.help(format_args!("between {low} and {high} seconds can be")).into());
+    }
+    let output = planner.mover.output_mut();
+    output.cancel_inverse_time()?;
+    output.times_mut().wait(seconds / 60.0);
+    Ok(output.step(&Step::Dwell { seconds })?)
+}
+
+/// The planner while it takes a record.
+struct Records<'p, 'a, M: Machine, S> {
+    planner: &'p mut Planner<'a, M, S>,
+    between: bool,
+}
+
+impl<M: Machine, S: Sink> Records<'_, '_, M, S> {
+    fn take(&mut self, event: &Event<'_>) -> Planned {
+        match *event {
+            Event::Spindle(command) => {
+                self.planner.spindle.request(command, self.between);
+                if self.between { Ok(()) } else { self.planner.turn_spindle(false) }
+            }
+            Event::Coolant(kind) => {
+                self.planner.coolant.request(kind);
+                if self.between { Ok(()) } else { self.planner.turn_coolant() }
+            }
+            Event::From(pose) => {
+                self.planner.mover.count_from(&pose);
+                Ok(())
+            }
+            Event::Message(text) if self.between => self.announce(&Step::Message { text }),
+            Event::Message(text) => Ok(self.planner.mover.output_mut().step(&Step::Message { text })?),
+            Event::Name(_) | Event::Preselect(_) => Ok(()),
+            Event::Operation(name) => self.name_operation(name),
+            Event::Tool(call) => self.call_tool(&call),
+            Event::Stop => self.stop(false),
+            Event::OptionalStop => self.stop(true),
+            Event::Delay(dwell) => delay(self.planner, dwell),
+            Event::MachineName(name) => {
+                self.compare_machine(name);
+                Ok(())
+            }
+            Event::SafeSequence => self.leave(),
+            Event::Frame(number) => self.change_frame(number),
+            Event::Home => self.go_home(),
+            Event::ClearancePlane(plane) => {
+                self.planner.clearance.set_plane(plane);
+                Ok(())
+            }
+            Event::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
+            Event::Turning(turning) => self.turn_towards(turning),
+            Event::Insert(text) => self.raw(text),
+            Event::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
+            Event::Tolerance(tolerance) => {
+                self.planner.mover.set_tip_tolerance(tolerance.unwrap_or(self.planner.policy.options.tolerance));
+                Ok(())
+            }
+            // Motions are items of their own.
+            Event::Move(_) | Event::Arc(_) | Event::Spline(_) | Event::Hole(_) => Ok(()),
+        }
+    }
+
+    /// A record between two operations that speaks of the second.
+    fn announce(&mut self, step: &Step<'_>) -> Planned {
+        let (next, now) = (self.planner.selection.shows_next(), self.planner.selection.shows());
+        let output = self.planner.mover.output_mut();
+        output.show(next);
+        output.step(step)?;
+        output.show(now);
+        Ok(())
+    }
+
+    /// The tool leaves the part before what the record asks for.
+    fn leave(&mut self) -> Planned {
+        self.planner.leave()?;
+        self.planner.mover.output_mut().because(Why::Record);
+        Ok(())
+    }
+
+    /// TOOL PATH.
+    fn name_operation(&mut self, name: &[u8]) -> Planned {
+        if self.planner.policy.options.rapids.transition == Transition::Safe {
+            self.leave()?;
+        }
+        let output = self.planner.mover.output_mut();
+        let at = output.location();
+        output.times_mut().operation(at, name);
+        self.announce(&Step::Operation { name })
+    }
+
+    /// A tool record.
+    fn call_tool(&mut self, call: &ToolCall) -> Planned {
+        let tool = self.resolve(call)?;
+        let (next, current) = (self.planner.tooling.next(), self.planner.tooling.current());
+        self.leave()?;
+        if next.or(current).is_none_or(|known| known.number != tool.number) {
+            self.planner.spindle.change_tool(next.is_none());
+        }
+        self.planner.tooling.prepare(tool);
+        Ok(())
+    }
+
+    /// The tool of a record; what is odd about a tool is reported once.
+    fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
+        let planner = &mut *self.planner;
+        let before = planner.tooling.called_before(call.number);
+        let needed = planner.mover.placer().needs_length();
+        let mut remarks = Vec::new();
+        let registers = planner.abilities.registers;
+        let tool = LoadedTool::resolve(call, &before.unwrap_or_default(), planner.policy, needed, registers, |fault| {
+            remarks.push(fault);
+        });
+        if before.is_none() {
+            remarks.into_iter().for_each(|remark| planner.mover.output_mut().remark(remark));
+        }
+        let tool = tool?;
+        planner.tooling.call(call);
+        Ok(tool)
+    }
+
+    /// STOP and OPSTOP.
+    fn stop(&mut self, optional: bool) -> Planned {
+        let planner = &mut *self.planner;
+        let retract = planner.policy.options.stop_retract;
+        // After the stop the retract axis goes up from wherever the tool is: a tilted tool is led out before.
+        if retract || !planner.mover.placer().straight() {
+            planner.leave()?;
+        }
+        planner.mover.output_mut().because(Why::Record);
+        if retract {
+            planner.stop_coolant()?;
+            planner.mover.machine_retract()?;
+            planner.spindle.stop(planner.mover.output_mut())?;
+        }
+        planner.stop_spindle()?;
+        planner.mover.output_mut().step(&Step::Stop { optional })?;
+        // The operator may have done anything.
+        planner.spindle.lost();
+        planner.coolant.lost();
+        planner.mover.position_mut().lost();
+        Ok(())
+    }
+
+    /// MACHIN.
+    fn compare_machine(&mut self, name: &[u8]) {
+        if !name.eq_ignore_ascii_case(M::NAME.as_bytes()) {
+            let name = String::from_utf8_lossy(name);
+            let text = format!("the CL data was made for the machine `{name}`, this is {}", M::NAME);
+            let fault = Fault::new(text).help("nothing in the program depends on that name");
+            self.planner.mover.output_mut().remark(fault);
+        }
+    }
+
+    /// ROTABL.
+    fn turn_towards(&mut self, turning: Turning) -> Planned {
+        let towards = self.planner.mover.placer().towards(turning);
+        self.planner.course.set_towards(towards);
+        if towards.is_none() && turning != Turning::Shortest {
+            let fault = Fault::new("ROTABL/NEXT turns the table, and no rotary axis stands in the table here");
+            return Err(fault.help("leave it out").into());
+        }
+        Ok(())
+    }
+
+    /// A block as it is given: where the machine is after it, and in which state, is unknown.
+    fn raw(&mut self, text: &[u8]) -> Planned {
+        if self.planner.policy.options.lift.is_some() {
+            let fault =
+                Fault::new("a dry run writes no NC text of the CL data: nobody knows what it moves or switches on");
+            return Err(fault.help("`--insert comment`, or take it out").into());
+        }
+        if text.is_empty() || !text.iter().all(|byte| (b' '..=b'~').contains(byte)) {
+            let fault =
+                Fault::new("INSERT is empty or holds bytes that are not ASCII, which controls read differently");
+            let help = "write it in plain letters, digits and signs, or `--insert comment`";
+            return Err(fault.help(help).into());
+        }
+        self.leave()?;
+        let planner = &mut *self.planner;
+        planner.mover.output_mut().cancel_inverse_time()?;
+        if planner.mover.position().is_in_frame() {
+            planner.mover.machine_retract()?;
+        }
+        planner.mover.output_mut().step(&Step::Raw { text })?;
+        planner.spindle.reset();
+        planner.coolant.lost();
+        planner.mover.position_mut().lost();
+        Ok(())
+    }
+
+    /// GOHOME without a point.
+    fn go_home(&mut self) -> Planned {
+        if self.planner.policy.options.park.is_empty() && self.planner.policy.options.retract.position.is_none() {
+            let fault = Fault::new("GOHOME without a point, and neither `park` nor `retract.position` is configured");
+            return Err(fault.help("give one of them, or GOHOME/x,y,z").into());
+        }
+        self.leave()?;
+        self.planner.mover.machine_retract()?;
+        self.planner.mover.park()?;
+        self.planner.mover.position_mut().lost();
+        Ok(())
+    }
+
+    /// A frame with a work offset of its own.
+    fn change_frame(&mut self, number: u32) -> Planned {
+        let policy = self.planner.policy;
+        if self.planner.mover.placer().turning_table() {
+            let fault = Fault::new("the part origin of another frame on a table that turns is not known");
+            return Err(fault.help("`--frames main` maps every frame into the first").into());
+        }
+        let word = match policy.set_up.frames.get(&number) {
+            Some(word) => word,
+            None if number == 1 => &policy.set_up.work_offset,
+            None => {
+                let fault = Fault::new(format_args!("frame {number} of the CL data has no work offset"));
+                return Err(fault.help(format_args!("give it one: `[frames] \"{number}\" = \"G55\"`")).into());
+            }
+        };
+        self.leave()?;
+        self.planner.mover.position_mut().lost();
+        // It was given in the other frame.
+        self.planner.clearance.change_frame();
+        Ok(self.planner.mover.output_mut().step(&Step::WorkOffset { word })?)
+    }
+}

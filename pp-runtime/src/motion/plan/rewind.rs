@@ -1,0 +1,101 @@
+//! Rewinding: where no course of the rotary axes runs through, the tool leaves the part, the axes turn, and it comes back to
+//! the same pose; or the tip stays in place while they turn.
+
+use crate::kinematics::Machine;
+use crate::motion::options::Rewind;
+use crate::program::Move;
+
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::place::Tolerance;
+use crate::motion::plan::Planner;
+use crate::motion::rotary::{TurnTarget, Turns};
+use crate::motion::step::Sink;
+use crate::motion::step::Why;
+
+/// Rewinds as the configuration says, before a motion.
+#[cold]
+pub(crate) fn rewind<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, motion: &Move, words: Turns) -> Planned {
+    let why = reason(planner);
+    planner.mover.output_mut().because(Why::Rewind);
+    let how = match planner.policy.options.retract.rewind {
+        Rewind::Follow => {
+            rewind_in_place(planner, motion, words)?;
+            " with the tip in place, and the tool swings about it"
+        }
+        Rewind::Leave => {
+            rewind_out_of_part(planner, motion, words, &why)?;
+            ", out of the part"
+        }
+    };
+    let output = planner.mover.output_mut();
+    output.statistics_mut().rewinds += 1;
+    output.because(Why::Record);
+    output.remark(Fault::new(format_args!("the rotary axes are rewound here{how}: {why}")));
+    Ok(())
+}
+
+/// Out along the tool axis, machine retract, rotaries, back along the tool axis, and at feed to where the tool was.
+fn rewind_out_of_part<M: Machine, S: Sink>(
+    planner: &mut Planner<'_, M, S>,
+    motion: &Move,
+    words: Turns,
+    why: &str,
+) -> Planned {
+    let here = *planner.mover.here();
+    let out = planner.clearance.way_out(&here.pose);
+    let Some(distance) = planner.policy.options.retract.distance.or(out) else {
+        let text = format!("here the rotary axes have to be rewound out of the part: {why}");
+        let help = "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data";
+        return Err(Fault::new(text).help(help).into());
+    };
+    let turned = planner.mover.place(&here.pose, false, Some(TurnTarget { words, towards: None }))?;
+    let tip = here.pose.tip + here.pose.axis.into_inner() * distance;
+    let context = |fault: Fault| fault.context(format_args!("the retract of {distance} mm to rewind"));
+    let out = planner.mover.shifted(tip, &here).map_err(context)?;
+    planner.mover.output_mut().cancel_inverse_time()?;
+    if planner.policy.options.retract.rewind_dry {
+        planner.stop_coolant()?;
+    }
+    planner.mover.rapid_linear(&out)?;
+    planner.mover.position_mut().lose_retract();
+    planner.mover.machine_retract()?;
+    let (turned, frame) = planner.mover.framed_at(turned)?;
+    let above = planner.mover.shifted(tip, &turned).map_err(context)?;
+    planner.mover.note_turns(&above);
+    planner.mover.come_in(&above, frame)?;
+    planner.turn_coolant()?;
+    planner.mover.position_mut().lose_retract();
+    planner.mover.position_mut().go_to(above);
+    planner.mover.feed_block(&turned, planner.rate(motion.feed)?)?;
+    planner.mover.position_mut().go_to(turned);
+    planner.mover.position_mut().forget_lead_out();
+    Ok(())
+}
+
+/// The rotary axes turn while the linear axes follow: the tip stays where it is, and the tool swings about it.
+fn rewind_in_place<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, motion: &Move, words: Turns) -> Planned {
+    let pose = planner.mover.position().pose();
+    let turned = planner.mover.place(&pose, false, Some(TurnTarget { words, towards: None }))?;
+    planner.mover.note_turns(&turned);
+    let swinging = Tolerance { axis: f64::INFINITY, ..planner.mover.tolerance() };
+    planner.mover.feed_in_pieces(&turned, planner.rate(motion.feed)?, swinging)?;
+    planner.mover.position_mut().go_to(turned);
+    Ok(())
+}
+
+/// Limits of the rotary axes, in words.
+fn reason<M: Machine, S: Sink>(planner: &Planner<'_, M, S>) -> String {
+    let placer = planner.mover.placer();
+    let limited = placer.rotaries().iter().filter(|rotary| !rotary.endless());
+    let limits: Vec<String> = limited
+        .map(|rotary| {
+            format!("{} {}", M::AXES[rotary.index].letter, crate::motion::place::limits_text(placer, rotary.index))
+        })
+        .collect();
+    let how = match (planner.policy.options.course.greedy, placer.wide()) {
+        (true, _) => "not planned ahead",
+        (false, true) => "not avoided by the turns that were looked at",
+        (false, false) => "unavoidable",
+    };
+    format!("{how} within {}", limits.join(", "))
+}

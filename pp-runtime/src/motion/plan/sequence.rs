@@ -1,0 +1,289 @@
+//! The safe sequence: how the tool gets from one cut to the next, one step per block.
+//!
+//! 1. coolant off, inverse time cancelled;
+//! 2. out along the tool axis, then the retract axis to its machine position;
+//! 3. tool, length offset, spindle, dwell;
+//! 4. rotary axes alone, between their clamps;
+//! 5. the other linear axes;
+//! 6. the retract axis down to the approach point;
+//! 7. coolant on;
+//! 8. along the tool axis to the first point.
+//!
+//! "Out" and "in" are along the tool axis. Where the machine is, is never assumed at program start, after a tool change or
+//! after a stop.
+
+use crate::kinematics::{Machine, Pose};
+use crate::motion::options::Transition;
+use crate::program::{Location, Move};
+
+use crate::motion::fault::{Fault, Planned};
+use crate::motion::geometry::SAME_AXIS;
+use crate::motion::plan::tool::LoadedTool;
+use crate::motion::plan::{Ahead, Planner};
+use crate::motion::rotary::TurnTarget;
+use crate::motion::source::Next;
+use crate::motion::step::Why;
+use crate::motion::step::{Sink, Step};
+
+/// A point this near to a line lies on it, mm.
+const ON_LINE: f64 = 0.001;
+
+/// A retreat that falls short by less than this is long enough, mm.
+const ENOUGH: f64 = 1e-6;
+
+impl<M: Machine, S: Sink> Planner<'_, M, S> {
+    /// Step 1 and the first half of 2, if the tool is at the part.
+    pub(crate) fn leave(&mut self) -> Planned {
+        if !self.mover.position().is_known() {
+            return Ok(());
+        }
+        self.mover.output_mut().because(Why::LeadOut);
+        self.stop_coolant()?;
+        self.mover.output_mut().cancel_inverse_time()?;
+        let led_out = self.mover.position().led_out();
+        let here = *self.mover.here();
+        let configured = self.policy.options.retract.distance;
+        let out = self.clearance.way_out(&here.pose);
+        match configured.or_else(|| out.map(|distance| distance + led_out)) {
+            Some(distance) if led_out + ENOUGH < distance => {
+                let (distance, what) = match configured {
+                    Some(distance) => (distance, "`retract.distance` ="),
+                    None => (distance - led_out, "to the clearance geometry,"),
+                };
+                let out = self
+                    .mover
+                    .shifted(here.pose.tip + here.pose.axis.into_inner() * distance, &here)
+                    .map_err(|fault| fault.context(format_args!("the retract {what} {distance} mm")))?;
+                self.mover.rapid_linear(&out)?;
+                self.mover.position_mut().go_to(out);
+            }
+            Some(_) => {}
+            None if self.mover.placer().straight() => {}
+            None if led_out > ENOUGH => self.compare_lead_out(led_out),
+            None => {
+                return Err(Fault::new(
+                    "the tool has to leave the part here, and the CL data before this line does not lead it out along \
+                     its axis",
+                )
+                .help("give `retract.distance` in the configuration, or retract along the tool axis in CAM")
+                .into());
+            }
+        }
+        self.mover.position_mut().leave();
+        Ok(())
+    }
+
+    /// Remarks that the CL data leads the tool out by less than the approach comes in.
+    fn compare_lead_out(&mut self, led_out: f64) {
+        let wanted = self.policy.options.approach.distance;
+        if led_out + ENOUGH < wanted {
+            let text = format!(
+                "before this line the CL data leads the tool out by {led_out:.3} mm only, less than \
+                 `approach.distance` = {wanted} mm"
+            );
+            let fault = Fault::new(text).help("give `retract.distance`, or retract further in CAM");
+            self.mover.output_mut().remark(fault);
+        }
+    }
+
+    /// The operation of this number begins. True if it is the first that is written although it is not the first of the
+    /// program: whoever begins there knows nothing of what came before.
+    fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::Halt> {
+        let opening = self.selection.opening(number);
+        if opening.ends {
+            self.leave()?;
+            self.mover.output_mut().because(Why::End);
+            self.stop_coolant()?;
+            self.mover.output_mut().cancel_inverse_time()?;
+            self.mover.machine_retract()?;
+            self.spindle.stop(self.mover.output_mut())?;
+            self.mover.output_mut().times_mut().forget_empty();
+        }
+        self.selection.begin(number, opening);
+        self.mover.output_mut().show(opening.wanted);
+        if opening.opens {
+            self.mover.position_mut().enter();
+            self.mover.output_mut().forget_hidden();
+        }
+        Ok(opening.opens)
+    }
+
+    /// The first motion of an operation, with everything before it.
+    pub(crate) fn start(&mut self, ahead: Ahead<'_>, operation: u64, planned: Option<TurnTarget>) -> Planned {
+        let opens = self.begin_operation(operation)?;
+        if self.selection.is_over() {
+            return Ok(());
+        }
+        let (wanted, other) = self.tooling.take_next();
+        let change = opens || other;
+        if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct && !change {
+            return self.start_directly(ahead, planned);
+        }
+        self.leave()?;
+        self.mover.output_mut().because(Why::Start);
+        if (self.abilities.length_moves || self.mover.position().is_in_frame()) && self.mover.restarts() > 0 && !opens {
+            // What the safety line cancels must not move the tool down, or turn it in the part.
+            self.mover.machine_retract()?;
+        }
+        // A complete state, the retract included: the program can be entered here.
+        self.mover.restart()?;
+        self.mover.position_mut().lose_retract();
+        // Whoever enters here has seen nothing of what came before.
+        self.coolant.lost();
+        self.stop_coolant()?;
+        self.mover.machine_retract()?;
+        self.stop_spindle()?;
+        if let Some(tool) = wanted.or(self.tooling.current()) {
+            self.load_tool(tool, change)?;
+        }
+        self.turn_spindle(true)?;
+        self.spindle.after_thread(false);
+        self.check_state(ahead.motion)?;
+        self.approach(ahead, planned)
+    }
+
+    /// Step 3 but for the spindle.
+    fn load_tool(&mut self, tool: LoadedTool, change: bool) -> Planned {
+        self.tooling.load(tool, change);
+        self.mover.set_gauge_length(tool.length);
+        let given = self.policy.set_up.tools.get(&tool.number);
+        let spindle = self.spindle.requested().resolve(given, self.policy)?;
+        self.mover.output_mut().step(&Step::Tool {
+            number: tool.number,
+            offset: tool.offset,
+            next: self.tooling.following(tool.number),
+            speed: spindle.map(|(speed, _)| speed),
+            change,
+        })?;
+        if change {
+            // The change may leave every axis anywhere, and the spindle off.
+            self.mover.position_mut().lose_retract();
+            self.spindle.reset();
+            self.mover.machine_retract()?;
+        }
+        if self.mover.placer().gauge_line() {
+            return Ok(());
+        }
+        self.mover.output_mut().step(&Step::Length { offset: tool.offset })?;
+        let guarded = self.policy.options.guards.length_guard.unwrap_or(self.mover.placer().needs_length().is_some());
+        let label = self.mover.restarts();
+        if let Some(length) = tool.length.filter(|_| guarded) {
+            let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance, tool.offset, tool.number);
+            self.mover.output_mut().step(&Step::LengthGuard { label, tool, offset, length, tolerance })?;
+        }
+        Ok(())
+    }
+
+    /// What an operation that goes on where the last one ended wants before the tool moves: the course may have something
+    /// to cut before its first motion.
+    pub(crate) fn prepare_directly(&mut self, first: &Move) -> Planned {
+        self.turn_spindle(false)?;
+        self.stop_spindle()?;
+        self.check_state(first)?;
+        self.turn_coolant()
+    }
+
+    /// An operation that goes on where the last one ended, because the configuration wants it so.
+    fn start_directly(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+        let first = ahead.motion;
+        let place = self.mover.place(&first.pose, !first.rapid, planned)?;
+        if self.mover.leaves_plane(&place) {
+            return self.index(Ahead { next: Next::None, ..ahead }, planned);
+        }
+        let before = self.mover.position().pose();
+        if first.rapid {
+            self.mover.output_mut().cancel_inverse_time()?;
+            self.mover.note_turns(&place);
+            self.mover.rapid(&place, self.mover.all())?;
+        } else {
+            self.mover.feed_to(&place, self.rate(first.feed)?)?;
+            self.mover.position_mut().cut(&first.pose);
+        }
+        self.mover.position_mut().follow(&before, &first.pose);
+        self.mover.arrive(place);
+        Ok(())
+    }
+
+    /// A rapid that turns the table or the head.
+    pub(crate) fn index(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+        self.leave()?;
+        self.mover.output_mut().because(Why::Approach);
+        self.mover.machine_retract()?;
+        self.stop_spindle()?;
+        self.approach(ahead, planned)
+    }
+
+    /// Steps 4 to 8.
+    fn approach(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+        let first = ahead.motion;
+        self.mover.begin_approach();
+        let place = self.mover.place(&first.pose, false, planned)?;
+        let (place, frame) = self.mover.framed_at(place)?;
+        let distance = self.policy.options.approach.distance;
+        let above = if first.rapid && is_straight_down(&first.pose, ahead.next)? {
+            place
+        } else {
+            let Pose { tip, axis } = first.pose;
+            self.mover
+                .shifted(tip + axis.into_inner() * distance, &place)
+                .map_err(|fault| fault.context(format_args!("the approach from {distance} mm")))?
+        };
+        self.mover.output_mut().because(Why::Approach);
+        self.mover.come_in(&above, frame)?;
+        self.mover.output_mut().statistics_mut().sequences += 1;
+        self.turn_coolant()?;
+        self.mover.position_mut().go_to(above);
+        self.mover.output_mut().because(Why::Record);
+        if place.words != above.words {
+            if first.rapid {
+                self.mover.rapid_linear(&place)?;
+            } else {
+                self.mover.feed_block(&place, self.rate(first.feed)?)?;
+            }
+        }
+        if !first.rapid {
+            self.mover.position_mut().cut(&first.pose);
+        }
+        self.mover.position_mut().forget_lead_out();
+        self.mover.arrive(place);
+        Ok(())
+    }
+
+    /// The end of the program up to the end code: coolant off, retract, spindle off, park.
+    pub(crate) fn end(&mut self, at: Location) -> Planned {
+        if self.selection.is_over() {
+            self.mover.output_mut().show(true);
+            self.mover.output_mut().serve(at, Why::End);
+            return self.mover.park();
+        }
+        self.cutter.check_end()?;
+        self.mover.output_mut().serve(at, Why::LeadOut);
+        self.leave()?;
+        self.mover.output_mut().because(Why::End);
+        self.stop_coolant()?;
+        self.mover.output_mut().cancel_inverse_time()?;
+        self.mover.machine_retract()?;
+        self.spindle.stop(self.mover.output_mut())?;
+        self.mover.park()
+    }
+}
+
+/// Whether the next motion leads from `first` along -axis, with the same axis.
+///
+/// # Errors
+/// If too many records come before it.
+fn is_straight_down(first: &Pose, next: Next) -> Result<bool, Fault> {
+    let next = match next {
+        Next::Motion(next) => next.pose,
+        Next::None => return Ok(false),
+        Next::TooFar => {
+            return Err(Fault::new("too many records stand between the first motion of an operation and the next")
+                .help("the approach to a first point depends on the second: move these records behind both"));
+        }
+    };
+    let step = next.tip - first.tip;
+    let along = step.dot(&first.axis);
+    let across = step - first.axis.into_inner() * along;
+    let turn = next.axis.into_inner() - first.axis.into_inner();
+    Ok(along < 0.0 && across.norm() <= ON_LINE && turn.norm() <= SAME_AXIS)
+}

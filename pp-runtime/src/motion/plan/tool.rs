@@ -1,0 +1,138 @@
+//! What is known of a tool: from the configuration, from the CL data, and where the two disagree.
+
+use crate::motion::options::Defaults;
+use crate::motion::options::Policy;
+use crate::nc::Decimal;
+use crate::program::{Rotation, Spindle, ToolCall};
+use crate::set_up::GivenTool as Given;
+
+use crate::motion::fault::Fault;
+use crate::motion::plan::abilities::Registers;
+
+/// Two lengths or diameters of the same tool may differ by this much, mm.
+const SAME: f64 = 0.01;
+
+/// The tool in the spindle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LoadedTool {
+    /// T word.
+    pub(crate) number: u32,
+    /// From gauge line to tip, mm, if known.
+    pub(crate) length: Option<f64>,
+    /// H word.
+    pub(crate) offset: u32,
+}
+
+/// The spindle as the CL data wants it; what is missing comes from the configuration.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct SpindleRequest {
+    /// SPINDL/OFF was the last word.
+    pub(crate) off: bool,
+    pub(crate) speed: Option<f64>,
+    pub(crate) rotation: Option<Rotation>,
+}
+
+impl LoadedTool {
+    /// The tool of a record; remarks go to `warn`.
+    ///
+    /// `before`: length and offset register that earlier records of the same tool gave. `needed`: why the words depend on
+    /// the length, if they do.
+    pub(crate) fn resolve(
+        call: &ToolCall,
+        before: &ToolCall,
+        policy: Policy<'_>,
+        needed: Option<&str>,
+        registers: Registers,
+        mut warn: impl FnMut(Fault),
+    ) -> Result<Self, Fault> {
+        let number = call.number;
+        let given = policy.set_up.tools.get(&number);
+        if let (Some(before), Some(now)) = (before.length, call.length)
+            && (before - now).abs() > SAME
+        {
+            return Err(Fault::new(format_args!("T{number} is called with two lengths, {before} mm and {now} mm")));
+        }
+        let length = match (given.and_then(|tool| tool.length), call.length.or(before.length)) {
+            (Some(ours), Some(theirs)) if (ours - theirs).abs() > SAME => {
+                let fault = Fault::new(format_args!(
+                    "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"
+                ))
+                .help(format_args!("measure it, and correct `[tools.{number}] length` or the CL data"));
+                if needed.is_some() {
+                    return Err(fault);
+                }
+                warn(fault);
+                Some(ours)
+            }
+            (ours, theirs) => ours.or(theirs),
+        };
+        if let Some(why) = needed
+            && length.is_none()
+        {
+            return Err(Fault::new(format_args!("the gauge length of T{number} is unknown, and {why}"))
+                .help(format_args!("give `[tools.{number}] length` in the configuration, or LENGTH in LOADTL")));
+        }
+        if let (Some(ours), Some(theirs)) = (given.and_then(|tool| tool.diameter), call.diameter)
+            && (ours - theirs).abs() > SAME
+        {
+            warn(Fault::new(format_args!(
+                "T{number} has a diameter of {ours} mm in the configuration and {theirs} mm in the CL data"
+            )));
+        }
+        let offset = given.and_then(|tool| tool.offset).or(call.offset).or(before.offset);
+        let offset = registers.of_tool(number, offset).ok_or_else(|| {
+            Fault::new(format_args!(
+                "T{number} is to have the length of a register of its own, and this control takes that of the tool's row"
+            ))
+            .help(format_args!("leave the register out of the CL data, or give `[tools.{number}] offset = {number}`"))
+        })?;
+        Ok(Self { number, length, offset })
+    }
+}
+
+impl SpindleRequest {
+    /// Takes one SPINDL; what it leaves out stays as it was.
+    pub(crate) fn take(&mut self, spindle: Spindle) {
+        self.off = spindle == Spindle::Off;
+        if let Spindle::On { speed, rotation } = spindle {
+            self.speed = speed.or(self.speed);
+            self.rotation = rotation.or(self.rotation);
+        }
+    }
+
+    /// Speed and sense for a tool; `None` if the spindle is not to turn or nothing is known.
+    pub(crate) fn resolve(
+        &self,
+        given: Option<&Given>,
+        policy: Policy<'_>,
+    ) -> Result<Option<(Decimal, Rotation)>, Fault> {
+        let Defaults { speed, rotation, .. } = policy.options.defaults;
+        if self.off {
+            return Ok(None);
+        }
+        let speed = self.speed.or(given.and_then(|tool| tool.speed)).or(speed);
+        let rotation = self.rotation.or(given.and_then(|tool| tool.rotation)).or(rotation);
+        let (Some(speed), Some(rotation)) = (speed, rotation) else { return Ok(None) };
+        if let Some(largest) = policy.options.guards.spindle_max
+            && speed > largest
+        {
+            return Err(Fault::new(format_args!("a spindle speed of {speed} is above `spindle_max` = {largest}")));
+        }
+        let word = Decimal::fixed(speed, policy.formats.speed)
+            .map_err(|_| Fault::new(format_args!("a spindle speed of {speed} does not fit into a word")))?;
+        if word.value() >= 10_f64.powi(policy.formats.speed_whole as i32) {
+            return Err(Fault::new(format_args!(
+                "a spindle speed of {speed} has more digits than S of this control holds"
+            ))
+            .help("`[formats] speed_whole` are its digits before the point"));
+        }
+        if word.units <= 0 {
+            return Err(Fault::new(format_args!("a spindle speed of {speed} rev/min is written as S0 or below")));
+        }
+        if given.is_some_and(|tool| tool.left_handed) && rotation == Rotation::Clockwise {
+            return Err(Fault::new("the tool cuts turning counter-clockwise, and the spindle would turn clockwise")
+                .help("correct SPINDL/..,CCLW, or the tool in the configuration"));
+        }
+        Ok(Some((word, rotation)))
+    }
+}

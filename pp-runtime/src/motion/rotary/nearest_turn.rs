@@ -1,0 +1,323 @@
+//! Which branch, and how many whole turns: the least turning of all rotary axes together.
+//!
+//! Works on whole units of the rotary words, so that limits hold for what is written, ties are ties, and turns are
+//! exact. Nothing looks ahead: the choice is made pose by pose.
+
+use crate::kinematics::Solution;
+
+use crate::motion::step::MAX_AXES;
+
+/// Turns of one axis that are looked at for one pose, nearest to zero first. Of a wider axis those at its ends and those in
+/// which the course stands are looked at besides.
+pub(crate) const MOST_TURNS: i64 = 24;
+
+/// A solved rotary axis and the words it may have.
+///
+/// Words here count axis values: what the written words count from is taken away when they are written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rotary {
+    /// Position in the chain.
+    pub(crate) index: usize,
+    /// Smallest word, inclusive; `None` is endless.
+    pub(crate) lower: Option<i64>,
+    /// Largest word, inclusive; `None` is endless.
+    pub(crate) upper: Option<i64>,
+    /// The axis value at word 0, degrees: what is left of an offset that whole units do not hold.
+    pub(crate) rest: f64,
+}
+
+/// A rotary axis that no whole turn brings inside its limits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OutOfLimits {
+    /// The axis.
+    pub(crate) rotary: Rotary,
+    /// Its word nearest to the previous one, outside the limits.
+    pub(crate) word: i64,
+}
+
+/// The words of one choice.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Choice {
+    /// Which of the solutions.
+    pub(crate) solution: usize,
+    /// Words of the rotary axes, by position in the chain.
+    pub(crate) words: [i64; MAX_AXES],
+}
+
+/// Counts angles in words.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct AngleScale {
+    /// Units in one degree.
+    pub(crate) per_degree: f64,
+    /// Units in a whole turn.
+    pub(crate) turn: i64,
+}
+
+impl AngleScale {
+    pub(crate) fn new(decimals: u32) -> Self {
+        let per_degree = 10_i64.pow(decimals);
+        Self { per_degree: per_degree as f64, turn: 360 * per_degree }
+    }
+
+    /// The nearest word.
+    pub(crate) fn word(self, angle: f64) -> i64 {
+        (angle.to_degrees() * self.per_degree).round() as i64
+    }
+
+    /// The angle between words, rad.
+    pub(crate) fn angle(self, word: i64) -> f64 {
+        self.degrees(word).to_radians()
+    }
+
+    /// The same in degrees.
+    pub(crate) fn degrees(self, word: i64) -> f64 {
+        word as f64 / self.per_degree
+    }
+}
+
+impl Rotary {
+    /// The word nearest to an axis value.
+    pub(crate) fn word(self, angle: f64, scale: AngleScale) -> i64 {
+        ((angle.to_degrees() - self.rest) * scale.per_degree).round() as i64
+    }
+
+    /// The axis value of a word, rad.
+    pub(crate) fn angle(self, word: i64, scale: AngleScale) -> f64 {
+        self.degrees(word, scale).to_radians()
+    }
+
+    /// The axis value of a word for people, degrees.
+    pub(crate) fn shown(self, word: i64, scale: AngleScale) -> f64 {
+        (self.degrees(word, scale) * 1e9).round() / 1e9
+    }
+
+    /// The axis value of a word, degrees.
+    fn degrees(self, word: i64, scale: AngleScale) -> f64 {
+        scale.degrees(word) + self.rest
+    }
+
+    /// Whether whole turns are free.
+    pub(crate) fn endless(self) -> bool {
+        self.lower.is_none() || self.upper.is_none()
+    }
+
+    /// The same axis as if it had no limits.
+    pub(crate) fn without_limits(self) -> Self {
+        Self { lower: None, upper: None, ..self }
+    }
+
+    /// Whether a word lies inside the limits.
+    pub(crate) fn holds(self, word: i64) -> bool {
+        self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
+    }
+
+    /// The smallest word, 0 of an endless axis.
+    pub(crate) fn lower_end(self) -> i64 {
+        self.lower.unwrap_or_default()
+    }
+
+    /// The largest word, 0 of an endless axis.
+    pub(crate) fn upper_end(self) -> i64 {
+        self.upper.unwrap_or_default()
+    }
+
+    /// The word inside the limits that is nearest to this one, whatever the turn.
+    pub(crate) fn clamped(self, word: i64) -> i64 {
+        let word = self.upper.map_or(word, |upper| word.min(upper));
+        self.lower.map_or(word, |lower| word.max(lower))
+    }
+
+    /// Every word inside the limits that is `word` modulo a turn, nearest to zero first, at most `most` of them; of an
+    /// endless axis the one nearest to zero.
+    pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
+        let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
+        let count = if self.endless() { 1 } else { most };
+        let towards = if nearest > 0 { -turn } else { turn };
+        // nearest, one turn towards zero and past it, one away, two towards, ...
+        let all =
+            (0..count).map(move |step| nearest + towards * if step % 2 == 1 { (step + 1) / 2 } else { -step / 2 });
+        all.filter(move |&word| self.holds(word))
+    }
+
+    /// The word that is `word` modulo a turn, inside the limits and nearest to `previous`; at equal distance the one of
+    /// smaller absolute value, then the positive one.
+    pub(crate) fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
+        // Words at or below and above the previous one.
+        let below = word + (previous - word).div_euclid(turn) * turn;
+        let above = below + turn;
+        let near = if (previous - below, below.abs(), -below) <= (above - previous, above.abs(), -above) {
+            below
+        } else {
+            above
+        };
+        let out = OutOfLimits { rotary: self, word: near };
+        let mut choice = near;
+        if let Some(upper) = self.upper
+            && choice > upper
+        {
+            choice -= (choice - upper + turn - 1).div_euclid(turn) * turn;
+        }
+        if let Some(lower) = self.lower
+            && choice < lower
+        {
+            choice += (lower - choice + turn - 1).div_euclid(turn) * turn;
+        }
+        // Both words next to the previous one may be inside on their own side only: the nearer one won above.
+        if self.holds(choice) { Ok(choice) } else { Err(out) }
+    }
+}
+
+/// The solution and turns with the least sum of rotary travel from `previous`; ties go to the first branch.
+///
+/// # Errors
+/// For each solution the rotary that cannot be brought inside its limits.
+pub(crate) fn choose<A: AsRef<[f64]>>(
+    solutions: &[Solution<A>],
+    rotaries: &[Rotary],
+    previous: &[i64; MAX_AXES],
+    scale: AngleScale,
+) -> Result<Choice, [Option<OutOfLimits>; 2]> {
+    let mut best: Option<(i64, Choice)> = None;
+    let mut outside = [None; 2];
+    for (number, solution) in solutions.iter().enumerate() {
+        let mut words = [0; MAX_AXES];
+        let mut travel = 0;
+        let mut fits = true;
+        for rotary in rotaries {
+            let index = rotary.index;
+            match rotary.nearest(rotary.word(solution.axes.as_ref()[index], scale), previous[index], scale.turn) {
+                Ok(word) => {
+                    travel += (word - previous[index]).abs();
+                    words[index] = word;
+                }
+                Err(out) => {
+                    if let Some(place) = outside.get_mut(number) {
+                        *place = Some(out);
+                    }
+                    fits = false;
+                    break;
+                }
+            }
+        }
+        if fits && best.is_none_or(|(least, _)| travel < least) {
+            best = Some((travel, Choice { solution: number, words }));
+        }
+    }
+    best.map(|(_, choice)| choice).ok_or(outside)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::kinematics::Branch;
+
+    const SCALE: AngleScale = AngleScale { per_degree: 10_000.0, turn: 3_600_000 };
+
+    fn solution(degrees: [f64; 2]) -> Solution<[f64; 2]> {
+        Solution { axes: degrees.map(f64::to_radians), branch: Branch::First, singular: false, deviation: 0.0 }
+    }
+
+    fn rotary(index: usize, limits: Option<(f64, f64)>) -> Rotary {
+        let word = |degrees: f64| (degrees * 1e4) as i64;
+        Rotary {
+            index,
+            lower: limits.map(|(lower, _)| word(lower)),
+            upper: limits.map(|(_, upper)| word(upper)),
+            rest: 0.0,
+        }
+    }
+
+    fn chosen(
+        solutions: &[[f64; 2]],
+        limits: [Option<(f64, f64)>; 2],
+        previous: [f64; 2],
+    ) -> Option<(usize, [f64; 2])> {
+        let solutions: Vec<_> = solutions.iter().copied().map(solution).collect();
+        let mut words = [0; MAX_AXES];
+        words[0] = (previous[0] * 1e4) as i64;
+        words[1] = (previous[1] * 1e4) as i64;
+        choose(&solutions, &[rotary(0, limits[0]), rotary(1, limits[1])], &words, SCALE)
+            .ok()
+            .map(|choice| (choice.solution, [SCALE.degrees(choice.words[0]), SCALE.degrees(choice.words[1])]))
+    }
+
+    #[test]
+    fn the_branch_that_turns_least_is_taken() {
+        let branches = [[10.0, 30.0], [-170.0, -30.0]];
+        assert_eq!(chosen(&branches, [None, None], [0.0, 0.0]), Some((0, [10.0, 30.0])));
+        assert_eq!(chosen(&branches, [None, None], [180.0, -20.0]), Some((1, [190.0, -30.0])));
+    }
+
+    #[test]
+    fn a_tie_between_branches_goes_to_the_first() {
+        let branches = [[90.0, 30.0], [-90.0, -30.0]];
+        assert_eq!(chosen(&branches, [None, None], [0.0, 0.0]), Some((0, [90.0, 30.0])));
+    }
+
+    #[test]
+    fn a_tie_between_turns_goes_to_the_smaller_absolute_value() {
+        assert_eq!(chosen(&[[-170.0, 0.0]], [None, None], [10.0, 0.0]), Some((0, [-170.0, 0.0])));
+        assert_eq!(chosen(&[[-170.0, 0.0]], [None, None], [370.0, 0.0]), Some((0, [190.0, 0.0])));
+        assert_eq!(chosen(&[[180.0, 0.0]], [None, None], [0.0, 0.0]), Some((0, [180.0, 0.0])));
+    }
+
+    #[test]
+    fn a_limit_is_inclusive_and_holds_for_the_rounded_word() {
+        let limits = [None, Some((-5.0, 110.0))];
+        assert_eq!(chosen(&[[0.0, 110.000_04]], limits, [0.0, 0.0]), Some((0, [0.0, 110.0])));
+        assert_eq!(chosen(&[[0.0, 110.000_06]], limits, [0.0, 0.0]), None);
+        assert_eq!(chosen(&[[0.0, -5.0]], limits, [0.0, 0.0]), Some((0, [0.0, -5.0])));
+        assert_eq!(chosen(&[[0.0, -5.000_06]], limits, [0.0, 0.0]), None);
+    }
+
+    #[test]
+    fn the_axis_without_a_turn_inside_its_limits_is_named_for_each_branch() {
+        let branches = [solution([0.0, 120.0]), solution([180.0, -120.0])];
+        let rotaries = [rotary(0, None), rotary(1, Some((-5.0, 110.0)))];
+        let outside = choose(&branches, &rotaries, &[0; MAX_AXES], SCALE).expect_err("both are outside");
+        assert_eq!(
+            outside.map(|out| out.map(|out| (out.rotary.index, out.word))),
+            [Some((1, 1_200_000)), Some((1, -1_200_000))]
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn the_chooser_agrees_with_trying_every_turn(
+            angles in proptest::collection::vec((-1800_i64..=1800, -1800_i64..=1800), 1..=2),
+            previous in (-8000_i64..8000, -8000_i64..8000),
+            limits in proptest::collection::vec(proptest::option::of((-5000_i64..5000, 0_i64..8000)), 2),
+        ) {
+            // Tenths of a degree make ties likely.
+            let solutions: Vec<_> =
+                angles.iter().map(|&(a, b)| solution([a as f64 / 10.0, b as f64 / 10.0])).collect();
+            let limit = |i: usize| limits[i].map(|(lower, span)| (lower as f64 / 10.0, (lower + span) as f64 / 10.0));
+            let rotaries = [rotary(0, limit(0)), rotary(1, limit(1))];
+            let mut from = [0; MAX_AXES];
+            from[0] = previous.0 * 1000;
+            from[1] = previous.1 * 1000;
+            let mut best: Option<(i64, usize, i64, i64, [i64; 2])> = None;
+            for (number, &(a, b)) in angles.iter().enumerate() {
+                for i in -5..=5 {
+                    for j in -5..=5 {
+                        let words = [a * 1000 + i * SCALE.turn, b * 1000 + j * SCALE.turn];
+                        let inside = (0..2).all(|axis| {
+                            rotaries[axis].lower.is_none_or(|lower| words[axis] >= lower)
+                                && rotaries[axis].upper.is_none_or(|upper| words[axis] <= upper)
+                        });
+                        let travel = (words[0] - from[0]).abs() + (words[1] - from[1]).abs();
+                        let key = (travel, number, words[0].abs() + words[1].abs(), -words[0] - words[1], words);
+                        if inside && best.is_none_or(|best| key < best) {
+                            best = Some(key);
+                        }
+                    }
+                }
+            }
+            let choice = choose(&solutions, &rotaries, &from, SCALE).ok();
+            prop_assert_eq!(choice.map(|choice| (choice.solution, [choice.words[0], choice.words[1]])),
+                best.map(|(_, number, _, _, words)| (number, words)));
+        }
+    }
+}

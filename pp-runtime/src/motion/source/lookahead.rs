@@ -1,0 +1,186 @@
+//! One motion ahead: the approach to the first point of an operation, and to where a rapid turns the rotary axes, depends
+//! on the point after it.
+//!
+//! Such a motion waits for the next, and the records between the two wait with it, so that everything is handed on in the
+//! order of the CL data. A feed motion inside an operation never waits.
+
+use std::ops::Range;
+
+use crate::program::{Arc, Event, Hole, Location, Move};
+
+use crate::motion::source::operations::{Begins, MotionIndex};
+use crate::motion::source::{Action, Item, Stage};
+
+/// More records than this between two motions are no habit of a CAM system; it bounds the memory.
+const MOST_RECORDS: usize = 10_000;
+
+/// Bytes of text that are kept while records wait.
+const MOST_TEXT: usize = 1 << 20;
+
+/// What comes after a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Next {
+    /// This motion.
+    Motion(Move),
+    /// No straight motion of the same operation.
+    None,
+    /// Unknown: more records than are kept come before it.
+    TooFar,
+}
+
+/// A motion that waits.
+#[derive(Debug, Clone, Copy)]
+struct Waiting {
+    at: Location,
+    motion: Move,
+    index: MotionIndex,
+    chord: bool,
+}
+
+/// A record that waits; texts are kept together.
+#[derive(Debug, Clone)]
+enum WaitingRecord {
+    Plain(Event<'static>),
+    Name(Range<usize>),
+    MachineName(Range<usize>),
+    Message(Range<usize>),
+}
+
+/// The motion that waits, and the records after it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Lookahead {
+    motion: Option<Waiting>,
+    records: Vec<(Location, WaitingRecord, bool)>,
+    texts: Vec<u8>,
+}
+
+impl Lookahead {
+    /// A straight motion; it waits if its approach may depend on the next.
+    #[inline]
+    pub(crate) fn line<S: Stage>(
+        &mut self,
+        at: Location,
+        motion: &Move,
+        index: MotionIndex,
+        chord: bool,
+        to: &mut S,
+    ) -> Result<(), S::Stop> {
+        self.release(Next::Motion(*motion), to)?;
+        if index.begins != Begins::Nothing || motion.rapid {
+            self.motion = Some(Waiting { at, motion: *motion, index, chord });
+            return Ok(());
+        }
+        to.take(&Item { at, action: Action::Line { motion, index, next: Next::None, chord } })
+    }
+
+    pub(crate) fn arc<S: Stage>(
+        &mut self,
+        at: Location,
+        arc: &Arc,
+        index: MotionIndex,
+        to: &mut S,
+    ) -> Result<(), S::Stop> {
+        self.release(Next::None, to)?;
+        to.take(&Item { at, action: Action::Arc { arc, index } })
+    }
+
+    pub(crate) fn hole<S: Stage>(
+        &mut self,
+        at: Location,
+        hole: &Hole,
+        index: MotionIndex,
+        to: &mut S,
+    ) -> Result<(), S::Stop> {
+        self.release(Next::Motion(hole.way_over()), to)?;
+        to.take(&Item { at, action: Action::Hole { hole, index } })
+    }
+
+    /// A record after which another operation begins.
+    pub(crate) fn boundary<S: Stage>(&mut self, at: Location, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
+        self.release(Next::None, to)?;
+        to.take(&Item { at, action: Action::Record { event, between: true } })
+    }
+
+    /// A record that belongs to the motions around it; `between`: to the operation that comes.
+    pub(crate) fn record<S: Stage>(
+        &mut self,
+        at: Location,
+        event: &Event<'_>,
+        between: bool,
+        to: &mut S,
+    ) -> Result<(), S::Stop> {
+        if self.motion.is_some() {
+            if self.records.len() < MOST_RECORDS
+                && self.texts.len() < MOST_TEXT
+                && let Some(kept) = self.keep(event)
+            {
+                self.records.push((at, kept, between));
+                return Ok(());
+            }
+            self.release(Next::TooFar, to)?;
+        }
+        to.take(&Item { at, action: Action::Record { event, between } })
+    }
+
+    /// Hands on what waits, now that it is known what comes after it.
+    #[inline]
+    pub(crate) fn release<S: Stage>(&mut self, next: Next, to: &mut S) -> Result<(), S::Stop> {
+        match self.motion.take() {
+            Some(waiting) => self.release_waiting(waiting, next, to),
+            None => Ok(()),
+        }
+    }
+
+    fn release_waiting<S: Stage>(&mut self, waiting: Waiting, next: Next, to: &mut S) -> Result<(), S::Stop> {
+        let Waiting { at, ref motion, index, chord } = waiting;
+        to.take(&Item { at, action: Action::Line { motion, index, next, chord } })?;
+        for (at, kept, between) in self.records.drain(..) {
+            let text = |range: Range<usize>| &self.texts[range];
+            let event = match kept {
+                WaitingRecord::Plain(event) => event,
+                WaitingRecord::Name(range) => Event::Name(text(range)),
+                WaitingRecord::MachineName(range) => Event::MachineName(text(range)),
+                WaitingRecord::Message(range) => Event::Message(text(range)),
+            };
+            to.take(&Item { at, action: Action::Record { event: &event, between } })?;
+        }
+        self.texts.clear();
+        Ok(())
+    }
+
+    /// The record by itself; `None` of a motion or of what begins an operation.
+    fn keep(&mut self, event: &Event<'_>) -> Option<WaitingRecord> {
+        let mut keep = |text: &[u8]| {
+            let start = self.texts.len();
+            self.texts.extend_from_slice(text);
+            start..self.texts.len()
+        };
+        Some(match *event {
+            Event::Name(text) => WaitingRecord::Name(keep(text)),
+            Event::MachineName(text) => WaitingRecord::MachineName(keep(text)),
+            Event::Message(text) => WaitingRecord::Message(keep(text)),
+            Event::Preselect(number) => WaitingRecord::Plain(Event::Preselect(number)),
+            Event::Spindle(spindle) => WaitingRecord::Plain(Event::Spindle(spindle)),
+            Event::Coolant(coolant) => WaitingRecord::Plain(Event::Coolant(coolant)),
+            Event::Compensation(compensation) => WaitingRecord::Plain(Event::Compensation(compensation)),
+            Event::From(pose) => WaitingRecord::Plain(Event::From(pose)),
+            Event::ClearancePlane(plane) => WaitingRecord::Plain(Event::ClearancePlane(plane)),
+            Event::Tolerance(tolerance) => WaitingRecord::Plain(Event::Tolerance(tolerance)),
+            Event::Turning(turning) => WaitingRecord::Plain(Event::Turning(turning)),
+            Event::Delay(dwell) => WaitingRecord::Plain(Event::Delay(dwell)),
+            Event::Operation(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Tool(_)
+            | Event::Move(_)
+            | Event::Arc(_)
+            | Event::Spline(_)
+            | Event::Hole(_)
+            | Event::Home
+            | Event::OptionalStop
+            | Event::Stop
+            | Event::Insert(_)
+            | Event::Code { .. } => return None,
+        })
+    }
+}

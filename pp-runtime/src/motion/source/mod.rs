@@ -1,0 +1,262 @@
+//! The program as it is run, one item at a time: what every pass over the CL data sees.
+//!
+//! ```text
+//! event → setting     as the part lies on the table, `part_rotation` and the dry run's lift applied
+//!       → operations  the assumed tool called; a rapid before the first tool is FROM; motions numbered
+//!       → curves      splines become chords; an arc after an interruption gets a line to its start
+//!       → lookahead   a motion whose approach may depend on the next one waits for it
+//!       → item
+//! ```
+//!
+//! Survey, course and planner take the items of the same source, so what they count is the same. An operation begins with
+//! the first motion after TOOL PATH, a tool record, or whatever leaves the position of the machine unknown. It is split
+//! into stretches where the tool axis changes in the air.
+
+mod curves;
+mod lookahead;
+mod operations;
+mod setting;
+#[cfg(test)]
+mod tests;
+
+use crate::diag::{Diagnostic, Severity};
+use crate::kinematics::Machine;
+use crate::motion::options::Policy;
+use crate::program::{Arc, Event, Hole, Location, Move, Spline, ToolCall};
+
+use crate::motion::fault::Fault;
+
+pub use lookahead::Next;
+pub use operations::{Begins, MotionIndex};
+pub(crate) use setting::Setting;
+
+use curves::Curves;
+use lookahead::Lookahead;
+use operations::MotionCounter;
+
+/// One thing that the program does, with the record of the CL data that asks for it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Item<'e> {
+    /// The record.
+    pub at: Location,
+    /// What it does.
+    pub action: Action<'e>,
+}
+
+/// What an item does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Action<'e> {
+    /// A straight motion.
+    Line {
+        /// Where to, and how fast.
+        motion: &'e Move,
+        /// Where in the program.
+        index: MotionIndex,
+        /// The motion after it, where the approach may depend on that.
+        next: Next,
+        /// It is a chord of a curve.
+        chord: bool,
+    },
+    /// An arc; the tool is at its start.
+    Arc {
+        /// The arc.
+        arc: &'e Arc,
+        /// Where in the program.
+        index: MotionIndex,
+    },
+    /// A hole.
+    Hole {
+        /// The hole.
+        hole: &'e Hole,
+        /// Where in the program.
+        index: MotionIndex,
+    },
+    /// Anything that is no motion.
+    Record {
+        /// The record, never a motion; the tolerance is the one in force.
+        event: &'e Event<'e>,
+        /// It comes between two operations and speaks of the second.
+        between: bool,
+    },
+}
+
+/// Takes the items of a program.
+pub trait Stage {
+    /// Why it takes no more.
+    type Stop: From<Diagnostic>;
+
+    /// Takes the next item.
+    ///
+    /// # Errors
+    /// Its own.
+    fn take(&mut self, item: &Item<'_>) -> Result<(), Self::Stop>;
+
+    /// Takes a remark on the CL data.
+    fn remark(&mut self, remark: Diagnostic) {
+        let _ = remark;
+    }
+}
+
+/// Turns the events of the CL data into items.
+#[derive(Debug, Clone)]
+pub struct Source {
+    setting: Setting,
+    operations: MotionCounter,
+    curves: Curves,
+    lookahead: Lookahead,
+}
+
+impl Source {
+    /// The source of a program for the machine `M`.
+    #[must_use]
+    pub fn new<M: Machine>(policy: Policy<'_>) -> Self {
+        Self {
+            setting: Setting::new(policy),
+            operations: MotionCounter::new::<M>(policy),
+            curves: Curves::new(policy),
+            lookahead: Lookahead::default(),
+        }
+    }
+
+    /// Hands on what an event of the CL data means.
+    ///
+    /// # Errors
+    /// Those of the stage, and what cannot be expanded faithfully.
+    #[inline]
+    pub fn event<S: Stage>(&mut self, at: Location, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
+        let Self { setting, operations, curves, lookahead } = self;
+        let turned = setting.event(event);
+        let event = turned.as_ref().unwrap_or(event);
+        if let Event::Move(motion) = event
+            && let Some(index) = operations.cut(motion)
+        {
+            return lookahead.line(at, motion, index, false, to);
+        }
+        Expansion { at, operations, curves, lookahead }.event(event, to)
+    }
+
+    /// Hands on what still waits for the next motion: there is none.
+    ///
+    /// # Errors
+    /// Those of the stage.
+    pub fn finish<S: Stage>(&mut self, to: &mut S) -> Result<(), S::Stop> {
+        self.lookahead.release(Next::None, to)
+    }
+}
+
+/// An event on its way from the operations through the curves to the look-ahead.
+struct Expansion<'s> {
+    at: Location,
+    operations: &'s mut MotionCounter,
+    curves: &'s mut Curves,
+    lookahead: &'s mut Lookahead,
+}
+
+impl Expansion<'_> {
+    /// The one place that decides what an event is to the passes over a program.
+    #[cold]
+    fn event<S: Stage>(&mut self, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
+        match event {
+            Event::Move(motion) => {
+                self.call_assumed_tool(to)?;
+                self.line(motion, false, to)
+            }
+            Event::Arc(arc) => {
+                self.call_assumed_tool(to)?;
+                self.lead_to(Move { pose: arc.start, rapid: false, feed: arc.feed }, false, to)?;
+                let index = self.operations.hold(&arc.end);
+                self.lookahead.arc(self.at, arc, index, to)
+            }
+            Event::Spline(spline) => {
+                self.call_assumed_tool(to)?;
+                self.curve(spline, to)
+            }
+            Event::Hole(hole) => {
+                self.call_assumed_tool(to)?;
+                let index = self.operations.hole(hole);
+                self.lookahead.hole(self.at, hole, index, to)
+            }
+            Event::Tolerance(stated) => {
+                if let Err(remark) = self.curves.state_tolerance(*stated) {
+                    to.remark(remark.at(self.at, Severity::Warning));
+                }
+                self.record(&Event::Tolerance(Some(self.curves.tolerance())), to)
+            }
+            Event::Tool(_) => {
+                self.operations.call_tool();
+                self.boundary(event, to)
+            }
+            Event::Operation(_) => {
+                self.operations.name();
+                self.boundary(event, to)
+            }
+            Event::Stop
+            | Event::OptionalStop
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Home
+            | Event::Insert(_)
+            | Event::Code { .. } => {
+                self.operations.interrupt();
+                self.boundary(event, to)
+            }
+            Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Preselect(_)
+            | Event::Spindle(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::From(_)
+            | Event::ClearancePlane(_)
+            | Event::Turning(_)
+            | Event::Delay(_)
+            | Event::Message(_) => self.record(event, to),
+        }
+    }
+
+    /// A straight motion; before the first tool a rapid only says where the rotary axes count from.
+    fn line<S: Stage>(&mut self, motion: &Move, chord: bool, to: &mut S) -> Result<(), S::Stop> {
+        if self.operations.passes_over(motion) {
+            if self.operations.first_passed_over() {
+                let remark = Fault::new("a rapid before the first tool is not written: no length offset is active yet")
+                    .help("call the tool before the first motion: LOADTL/1");
+                to.remark(remark.at(self.at, Severity::Warning));
+            }
+            return self.record(&Event::From(motion.pose), to);
+        }
+        let index = self.operations.line(motion);
+        self.lookahead.line(self.at, motion, index, chord, to)
+    }
+
+    /// A curve, chord by chord.
+    fn curve<S: Stage>(&mut self, spline: &Spline<'_>, to: &mut S) -> Result<(), S::Stop> {
+        let Some(start) = curves::start(spline) else { return Ok(()) };
+        self.lead_to(start, true, to)?;
+        let (at, tolerance) = (self.at, self.curves.tolerance());
+        curves::chords(spline, tolerance, |motion| match motion {
+            Ok(motion) => self.line(&motion, true, to),
+            Err(fault) => Err(fault.at(at, Severity::Error).into()),
+        })
+    }
+
+    /// After a tool change or a stop the tool first comes back to where the path goes on.
+    fn lead_to<S: Stage>(&mut self, start: Move, chord: bool, to: &mut S) -> Result<(), S::Stop> {
+        if self.operations.between() { self.line(&start, chord, to) } else { Ok(()) }
+    }
+
+    /// Calls the tool of the configuration before the first motion of a program that calls none.
+    fn call_assumed_tool<S: Stage>(&mut self, to: &mut S) -> Result<(), S::Stop> {
+        match self.operations.take_assumed_tool() {
+            Some(number) => self.boundary(&Event::Tool(ToolCall { number, ..ToolCall::default() }), to),
+            None => Ok(()),
+        }
+    }
+
+    fn record<S: Stage>(&mut self, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
+        self.lookahead.record(self.at, event, self.operations.between(), to)
+    }
+
+    fn boundary<S: Stage>(&mut self, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
+        self.lookahead.boundary(self.at, event, to)
+    }
+}

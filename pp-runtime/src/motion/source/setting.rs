@@ -1,0 +1,180 @@
+//! How the part lies on the table, and how far from it a dry run stays: the program as the CL data has it into the program
+//! as it is run.
+//!
+//! Tips, axes and every other direction and point are multiplied by `part_rotation` here and nowhere else. After it the
+//! frame of the part is along the table's directions. What the configuration says of the part (`floor`,
+//! `retract.clearance`) counts in that frame, too; what the CL data says (CLEARP) is turned with it. A dry run moves every
+//! point out along its tool axis; the clearance geometry stays where the part is.
+
+use nalgebra::{Point3, Rotation3, UnitVector3};
+
+use crate::kinematics::Pose;
+use crate::program::{Arc, Event, Hole, Move, Plane, Spline};
+
+use crate::motion::options::Policy;
+
+/// Turns the events of a program.
+#[derive(Debug, Clone)]
+pub(crate) struct Setting {
+    rotation: Rotation3<f64>,
+    /// mm along the tool axis.
+    lift: f64,
+    /// Nothing is changed.
+    plain: bool,
+    /// Control points of the curve that is handed on.
+    points: Vec<Point3<f64>>,
+}
+
+impl Setting {
+    pub(crate) fn new(policy: Policy<'_>) -> Self {
+        let rotation = policy.set_up.part_rotation;
+        let lift = policy.options.lift.unwrap_or(0.0);
+        Self {
+            rotation,
+            lift,
+            plain: rotation == Rotation3::identity() && policy.options.lift.is_none(),
+            points: Vec::new(),
+        }
+    }
+
+    /// An event of the CL data as it is run; `None` if nothing changes.
+    #[inline]
+    pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
+        if self.plain { None } else { Some(self.turned(event)) }
+    }
+
+    fn turned<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
+        match *event {
+            Event::Move(motion) => Event::Move(Move { pose: self.pose(&motion.pose), ..motion }),
+            Event::From(pose) => Event::From(self.pose(&pose)),
+            Event::Arc(arc) => Event::Arc(Arc {
+                start: self.pose(&arc.start),
+                end: self.pose(&arc.end),
+                centre: self.tip(&arc.centre, &arc.start.axis),
+                normal: self.direction(&arc.normal),
+                ..arc
+            }),
+            Event::Spline(spline) => {
+                let mut points = std::mem::take(&mut self.points);
+                points.clear();
+                points.extend(spline.points.iter().map(|point| self.tip(point, &spline.axis)));
+                self.points = points;
+                Event::Spline(Spline { points: &self.points, axis: self.direction(&spline.axis), ..spline })
+            }
+            Event::Hole(hole) => Event::Hole(Hole { top: self.pose(&hole.top), ..hole }),
+            Event::ClearancePlane(plane) => {
+                Event::ClearancePlane(Plane { normal: self.direction(&plane.normal), ..plane })
+            }
+            // No point and no direction is in these.
+            Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Operation(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Tool(_)
+            | Event::Preselect(_)
+            | Event::Spindle(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::Home
+            | Event::Tolerance(_)
+            | Event::Turning(_)
+            | Event::Delay(_)
+            | Event::OptionalStop
+            | Event::Stop
+            | Event::Message(_)
+            | Event::Insert(_)
+            | Event::Code { .. } => *event,
+        }
+    }
+
+    fn pose(&self, pose: &Pose) -> Pose {
+        Pose { tip: self.tip(&pose.tip, &pose.axis), axis: self.direction(&pose.axis) }
+    }
+
+    fn tip(&self, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Point3<f64> {
+        self.rotation * (tip + axis.into_inner() * self.lift)
+    }
+
+    fn direction(&self, direction: &UnitVector3<f64>) -> UnitVector3<f64> {
+        self.rotation * direction
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector3;
+
+    use super::*;
+    use crate::config::Config;
+    use crate::program::Drilling;
+
+    fn pose(tip: [f64; 3], axis: [f64; 3]) -> Pose {
+        Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(Vector3::from(axis)) }
+    }
+
+    /// X to Y, Y to Z, Z to X.
+    fn setting() -> Setting {
+        let rotation = Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(0., 0., 1., 1., 0., 0., 0., 1., 0.));
+        let mut config = Config::default();
+        config.set_up.part_rotation = rotation;
+        Setting::new(config.policy())
+    }
+
+    #[test]
+    fn every_point_and_direction_of_an_event_is_turned() {
+        let (here, there) = (pose([1., 2., 3.], [0., 0., 1.]), pose([3., 1., 2.], [1., 0., 0.]));
+        let motion = |pose| Event::Move(Move { pose, rapid: false, feed: None });
+        assert_eq!(setting().event(&motion(here)), Some(motion(there)));
+        assert_eq!(setting().event(&Event::From(here)), Some(Event::From(there)));
+        let arc = |pose: Pose, centre: [f64; 3], normal| {
+            let (centre, angle) = (Point3::from(centre), 1.0);
+            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle, feed: None })
+        };
+        let turned = arc(there, [6., 4., 5.], Vector3::y_axis());
+        assert_eq!(setting().event(&arc(here, [4., 5., 6.], Vector3::x_axis())), Some(turned));
+        let hole = |top| {
+            let drilling = Drilling::Drill;
+            let (depth, clearance, back_to) = (5.0, 1.0, 2.0);
+            Event::Hole(Hole { top, depth, clearance, back_to, drilling, feed: None, dwell: None })
+        };
+        assert_eq!(setting().event(&hole(here)), Some(hole(there)));
+        let plane = |normal| Event::ClearancePlane(Plane { normal, distance: 7.0 });
+        assert_eq!(setting().event(&plane(Vector3::z_axis())), Some(plane(Vector3::x_axis())));
+        let (before, after) = ([here.tip], [there.tip]);
+        let curve = |points, axis| Event::Spline(Spline { knots: &[0.0], points, axis, feed: None });
+        assert_eq!(setting().event(&curve(&before, here.axis)), Some(curve(&after, there.axis)));
+    }
+
+    #[test]
+    fn without_a_set_up_the_cl_data_stays_as_it_is() {
+        let from = Event::From(pose([1., 2., 3.], [0., 0., 1.]));
+        assert_eq!(Setting::new(Config::default().policy()).event(&from), None);
+    }
+
+    #[test]
+    fn a_dry_run_moves_every_point_along_the_tool_axis() {
+        let lifted = |event| {
+            let mut config = Config::default();
+            config.motion.lift = Some(50.0);
+            Setting::new(config.policy()).event(&event) == Some(event)
+        };
+        let axis = [0.6, 0.0, 0.8];
+        let (here, there) = (pose([1., 2., 3.], axis), pose([31., 2., 43.], axis));
+        let mut config = Config::default();
+        config.motion.lift = Some(50.0);
+        let mut setting = Setting::new(config.policy());
+        let motion = |pose| Event::Move(Move { pose, rapid: true, feed: None });
+        assert_eq!(setting.event(&motion(here)), Some(motion(there)));
+        let (before, after) = ([here.tip; 2], [there.tip; 2]);
+        let curve = |points, axis| Event::Spline(Spline { knots: &[0.0], points, axis, feed: None });
+        assert_eq!(setting.event(&curve(&before, here.axis)), Some(curve(&after, here.axis)));
+        let arc = |pose: Pose, centre| {
+            let normal = Vector3::z_axis();
+            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle: 1.0, feed: None })
+        };
+        assert_eq!(setting.event(&arc(here, Point3::origin())), Some(arc(there, Point3::new(30., 0., 40.))));
+        let plane = Plane { normal: Vector3::z_axis(), distance: 7.0 };
+        assert!(lifted(Event::ClearancePlane(plane)), "the geometry stays");
+    }
+}

@@ -1,0 +1,179 @@
+//! What every pass sees of a program: its order, its numbers, and what is decided once for all of them.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use super::*;
+use crate::config::Config;
+use crate::kinematics::Pose;
+use crate::motion::Transition;
+use crate::motion::machines::{Head, Xyz};
+use crate::program::{Coolant, Drilling, Feed, Spindle};
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+const TILTED: [f64; 3] = [0.6, 0.0, 0.8];
+
+fn pose(x: f64, axis: [f64; 3]) -> Pose {
+    Pose { tip: Point3::new(x, 0.0, 0.0), axis: UnitVector3::new_normalize(Vector3::from(axis)) }
+}
+
+fn rapid(x: f64, axis: [f64; 3]) -> Event<'static> {
+    Event::Move(Move { pose: pose(x, axis), rapid: true, feed: None })
+}
+
+fn feed(x: f64, axis: [f64; 3]) -> Event<'static> {
+    Event::Move(Move { pose: pose(x, axis), rapid: false, feed: Some(Feed::PerMinute(100.0)) })
+}
+
+fn hole(x: f64, axis: [f64; 3]) -> Event<'static> {
+    let (drilling, feed) = (Drilling::Drill, Some(Feed::PerMinute(100.0)));
+    let top = pose(x, axis);
+    Event::Hole(Hole { top, depth: 5.0, clearance: 2.0, back_to: 2.0, drilling, feed, dwell: None })
+}
+
+fn tool(number: u32) -> Event<'static> {
+    Event::Tool(ToolCall { number, ..ToolCall::default() })
+}
+
+/// Items in words, and the indices of motions.
+#[derive(Default)]
+struct Seen {
+    items: Vec<String>,
+    indices: Vec<MotionIndex>,
+    remarks: usize,
+}
+
+impl Stage for Seen {
+    type Stop = Diagnostic;
+
+    fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
+        let x = |pose: &Pose| pose.tip.x;
+        self.items.push(match item.action {
+            Action::Line { motion, index, next, .. } => {
+                self.indices.push(index);
+                let next = match next {
+                    Next::Motion(next) => format!("{}", x(&next.pose)),
+                    Next::None => "-".to_owned(),
+                    Next::TooFar => "?".to_owned(),
+                };
+                format!("to {} next {next}", x(&motion.pose))
+            }
+            Action::Arc { .. } => "arc".to_owned(),
+            Action::Hole { hole, index } => {
+                self.indices.push(index);
+                format!("hole at {}", x(&hole.top))
+            }
+            Action::Record { event: Event::Message(text), .. } => String::from_utf8_lossy(text).into_owned(),
+            Action::Record { event: Event::Tool(call), .. } => format!("T{}", call.number),
+            Action::Record { event: Event::From(pose), .. } => format!("from {}", x(pose)),
+            Action::Record { between, .. } => if between { "between" } else { "within" }.to_owned(),
+        });
+        Ok(())
+    }
+
+    fn remark(&mut self, _: Diagnostic) {
+        self.remarks += 1;
+    }
+}
+
+fn seen<M: Machine>(config: &Config, events: &[Event<'_>]) -> Seen {
+    let mut source = Source::new::<M>(config.policy());
+    let mut seen = Seen::default();
+    for (index, event) in events.iter().enumerate() {
+        source.event(Location { line: index as u64 + 1, column: 1 }, event, &mut seen).expect("nothing is refused");
+    }
+    source.finish(&mut seen).expect("nothing is refused");
+    seen
+}
+
+#[test]
+fn a_first_motion_waits_for_the_next_and_the_records_between_them_keep_their_order() {
+    let events = [
+        tool(1),
+        Event::Spindle(Spindle::Off),
+        rapid(1.0, UP),
+        Event::Message(b"A"),
+        Event::Coolant(Coolant::Flood),
+        Event::Message(b"B"),
+        feed(2.0, UP),
+        feed(3.0, UP),
+        rapid(4.0, UP),
+        Event::Operation(b"NEXT"),
+    ];
+    let items = seen::<Xyz>(&Config::default(), &events).items;
+    let expected =
+        ["T1", "between", "to 1 next 2", "A", "within", "B", "to 2 next -", "to 3 next -", "to 4 next -", "between"];
+    assert_eq!(items, expected);
+}
+
+#[test]
+fn the_motion_after_a_first_one_may_be_the_rapid_over_to_a_hole() {
+    let items = seen::<Xyz>(&Config::default(), &[tool(1), rapid(1.0, UP), hole(7.0, UP)]).items;
+    assert_eq!(items, ["T1", "to 1 next 7", "hole at 7"]);
+}
+
+#[test]
+fn more_records_than_are_kept_are_handed_on_and_the_next_motion_is_unknown() {
+    let mut events = vec![tool(1), rapid(1.0, UP)];
+    events.extend(std::iter::repeat_n(Event::Message(b"M"), 20_000));
+    events.push(feed(2.0, UP));
+    let items = seen::<Xyz>(&Config::default(), &events).items;
+    assert_eq!(items.len(), 20_003);
+    assert_eq!([&items[1], &items[20_002]], ["to 1 next ?", "to 2 next -"]);
+}
+
+#[test]
+fn a_rapid_before_the_first_tool_is_from_unless_the_tool_is_in_a_head() {
+    let events = [rapid(1.0, UP), rapid(2.0, UP), tool(1), rapid(3.0, UP)];
+    let table = seen::<Xyz>(&Config::default(), &events);
+    assert_eq!(
+        (&table.items[..], table.remarks),
+        (&["from 1", "from 2", "T1", "to 3 next -"].map(str::to_owned)[..], 1)
+    );
+    let head = seen::<Head>(&Config::default(), &events);
+    assert_eq!((&head.items[0][..], head.remarks), ("to 1 next 2", 0));
+}
+
+#[test]
+fn operations_begin_after_a_boundary_and_are_linked_only_where_nothing_interrupts() {
+    let events = [
+        tool(1),
+        feed(1.0, UP),
+        Event::Operation(b"A"),
+        Event::Operation(b"B"),
+        feed(2.0, UP),
+        Event::Operation(b"C"),
+        Event::OptionalStop,
+        feed(3.0, UP),
+        feed(4.0, UP),
+    ];
+    let mut config = Config::default();
+    let begins = |config: &Config| seen::<Xyz>(config, &events).indices.iter().map(|i| i.begins).collect::<Vec<_>>();
+    assert_eq!(begins(&config), [Begins::Operation, Begins::Operation, Begins::Operation, Begins::Nothing]);
+    config.motion.rapids.transition = Transition::Direct;
+    assert_eq!(begins(&config), [Begins::Operation, Begins::Linked, Begins::Operation, Begins::Nothing]);
+    let counted: Vec<_> = seen::<Xyz>(&config, &events).indices.iter().map(|i| (i.motion, i.operation)).collect();
+    assert_eq!(counted, [(0, 1), (1, 2), (2, 3), (3, 3)]);
+}
+
+#[test]
+fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
+    let events = [
+        tool(1),
+        rapid(1.0, UP),
+        feed(2.0, UP),
+        // In the air: another stretch.
+        rapid(3.0, TILTED),
+        feed(4.0, TILTED),
+        // At feed: the same one, and it turns.
+        feed(5.0, UP),
+        rapid(6.0, UP),
+        hole(7.0, TILTED),
+        hole(8.0, TILTED),
+        Event::Stop,
+        feed(9.0, TILTED),
+    ];
+    let indices = seen::<Xyz>(&Config::default(), &events).indices;
+    let stretches: Vec<_> = indices.iter().map(|index| (index.stretch, index.turns)).collect();
+    let held = |stretch| (stretch, false);
+    assert_eq!(stretches, [held(1), held(1), held(2), held(2), (2, true), held(2), held(3), held(3), held(4)],);
+}
