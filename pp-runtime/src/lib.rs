@@ -30,6 +30,8 @@ pub mod control;
 #[cfg(feature = "std")]
 pub mod diag;
 #[cfg(feature = "std")]
+mod keys;
+#[cfg(feature = "std")]
 pub mod motion;
 #[cfg(feature = "std")]
 pub mod nc;

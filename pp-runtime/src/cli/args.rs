@@ -8,10 +8,10 @@ use clap::builder::PossibleValuesParser;
 use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand, ValueEnum};
 
 use crate::cl::{Dialect, Frames, Insert, Sense, not_inert};
-use crate::config::{AXIS_TOLERANCE, Config, TOLERANCE, preference, preferences};
+use crate::config::Config;
 use crate::control::{self, CONTROLS, Control};
 use crate::kinematics::{Branch, Machine};
-use crate::motion::{Mode, Operations};
+use crate::motion::{CourseOptions, Mode, Operations, Options};
 use crate::program::Units;
 
 /// Turns CL data (APT/CLS) into a program for one machine.
@@ -286,8 +286,9 @@ impl SetUpArgs {
         config.motion.allow_lintol |= self.allow_lintol;
         config.motion.course.start_branch = self.start_branch.map(Into::into).or(config.motion.course.start_branch);
         if let Some(text) = &self.prefer {
-            let help = || format!("--prefer {text} is not known here: {}", preferences::<M>());
-            config.motion.course.prefer = Some(preference::<M>(text).ok_or_else(help)?);
+            let help =
+                || format!("--prefer {text} is not known here: {}", CourseOptions::preferences(M::NAME, M::AXES));
+            config.motion.course.prefer = Some(CourseOptions::preference(M::AXES, text).ok_or_else(help)?);
         }
         config.motion.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
         let named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);
@@ -379,12 +380,12 @@ fn point(text: &str) -> Result<[f64; 3], String> {
 
 /// A tolerance in mm.
 fn tolerance(text: &str) -> Result<f64, String> {
-    within(text, &TOLERANCE, "mm")
+    within(text, &Options::TOLERANCE, "mm")
 }
 
 /// A tolerance in degrees.
 fn axis_tolerance(text: &str) -> Result<f64, String> {
-    within(text, &AXIS_TOLERANCE, "degrees")
+    within(text, &Options::AXIS_TOLERANCE, "degrees")
 }
 
 fn within(text: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {

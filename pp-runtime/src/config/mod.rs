@@ -1,37 +1,28 @@
-//! The set-up of a job: everything that is true of today's part and shop rather than of the machine.
+//! The configuration of a job: the options of every stage, from one file.
 //!
-//! [`Config::default`] is the one place where defaults stand; [`print()`] shows them as a file to edit and
-//! [`Config::read`] reads such a file. Millimetres, radians and mm/min in here; a file states its own unit of length and
-//! writes angles in degrees. Nothing here plans or writes a motion.
+//! Stages declare their options as tables of keys; in here they are read from a file, printed as a sample to edit and
+//! described as a schema, and [`Config`] holds what comes of it for the stages. Millimetres, radians and mm/min in
+//! here; a file states its own unit of length and writes angles in degrees. Nothing here plans or writes a motion.
 
-mod arcs;
-mod axes;
-mod cl;
-mod clearance;
-mod compensation;
-mod control;
-mod course;
-mod cycles;
-mod mode;
 mod print;
 mod read;
 #[cfg(test)]
 pub(crate) mod sample;
 mod schema;
-mod set_up;
 #[cfg(test)]
 mod tests;
-mod value;
 
 use std::collections::BTreeSet;
 
 use crate::cl as reading;
 use crate::control::{Control, Demands, Options as ControlOptions};
+use crate::keys::{OneOf, options};
 use crate::motion::{self, Policy};
 use crate::nc;
 use crate::set_up::SetUp;
 
 pub use crate::control::{ProgramBlocks, Smoothing};
+pub(crate) use crate::keys::{list, nearest};
 pub use crate::motion::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
     Defaults, FeedLimits, GuardOptions, Mode, Operations, PathNorm, Rapid, RapidOptions, Retract, Rewind,
@@ -40,37 +31,37 @@ pub use crate::motion::{
 pub use crate::nc::Formats;
 pub use crate::program::Units;
 pub use crate::set_up::{AxisBounds, GivenTool, LengthMode, ProgramZero, Stock};
-pub(crate) use course::{preference, preferences};
 pub use print::print;
-use read::WORK_OFFSETS;
-pub(crate) use read::{AXIS_TOLERANCE, TOLERANCE};
 pub use schema::schema;
-pub(crate) use value::{list, nearest};
 
-/// Everything a job may set, by the stage that it belongs to.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Config {
-    /// Unit of the CL data where it does not say so itself; `None` (default): it must say so.
-    pub cl_units: Option<Units>,
-    /// Unit of the posted program; `None` (default): that of the CL data.
-    pub output_units: Option<Units>,
-    /// How the CL data is read; its unit is in `cl_units`.
-    pub cl: reading::Options,
-    /// Machine, part and shop.
-    pub set_up: SetUp,
-    /// How motion is planned.
-    pub motion: motion::Options,
-    /// How the control differs from its table.
-    pub control: ControlOptions,
-    /// Digits of the words.
-    pub formats: nc::Formats,
-    /// Lengths came from a file that does not state its unit: mm assumed.
-    pub file_units_assumed: bool,
-    /// What was given rather than assumed: keys as they stand in a file, `part_origin`, `retract.position`.
-    ///
-    /// The keys of a machine's axes, dimensions and tools are not in here: their maps hold only what was given.
-    pub given: BTreeSet<&'static str>,
+options! {
+    /// Everything a job may set, by the stage that it belongs to.
+    pub struct Config {
+        /// Unit of CL data that does not state its own. Without it such data is refused.
+        cl_units: Option<Units> = None, key("cl_units", OneOf(&UNITS), "\"mm\"");
+        /// Unit of the program. Without it that of the CL data.
+        output_units: Option<Units> = None, key("output_units", OneOf(&UNITS), "\"mm\"");
+        /// How the CL data is read; its unit is in `cl_units`.
+        cl: reading::Options = reading::Options::default(), keys();
+        /// Machine, part and shop.
+        set_up: SetUp = SetUp::default(), keys();
+        /// How motion is planned.
+        motion: motion::Options = motion::Options::default(), keys();
+        /// Digits of the words.
+        formats: nc::Formats = nc::Formats::DEFAULT, keys();
+        /// How the control differs from its table.
+        control: ControlOptions = ControlOptions::default(), keys();
+        /// Lengths came from a file that does not state its unit: mm assumed.
+        file_units_assumed: bool = false;
+        /// What was given rather than assumed: keys as they are in a file, `part_origin`, `retract.position`.
+        ///
+        /// The keys of a machine's axes, dimensions and tools are not in here: their maps hold only what was given.
+        given: BTreeSet<&'static str> = BTreeSet::new();
+    }
 }
+
+/// Units of length by their names.
+const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 
 /// The configuration of a control before anything else is said.
 #[must_use]

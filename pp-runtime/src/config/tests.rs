@@ -1,3 +1,5 @@
+mod set_up;
+
 use std::collections::BTreeMap;
 
 use proptest::prelude::*;
@@ -441,4 +443,16 @@ fn words_that_move_something_cannot_be_set_inert() {
         faults("[frames]\n0 = \"G55\""),
         ["2:1: `0` is not the number of a frame | frames count from 1 in the order of the CL data: 2 = \"G55\""]
     );
+}
+
+#[test]
+fn every_key_is_declared_once_and_shows_a_default_or_an_example() {
+    use crate::keys::{KeyList, Printed};
+    let list = KeyList::of(&Config::default(), super::read::scope::<Sample>());
+    let mut paths = BTreeSet::new();
+    for row in list.rows() {
+        assert!(paths.insert(row.path), "`{}` twice", row.path);
+        assert!(!matches!(&row.printed, Printed::Example(text) if text.is_empty()), "`{}` shows nothing", row.path);
+    }
+    assert!(paths.len() > 80, "{paths:?}");
 }

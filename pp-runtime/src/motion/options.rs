@@ -1,16 +1,22 @@
 //! What a job may set about planning: which words, how exact, how fast, how to get to and away from the part.
 //!
-//! Plain data in mm, rad and mm/min; nothing here plans. [`Policy`] is everything of a job that planning may read.
+//! Plain data in mm, rad and mm/min, and the tables of their keys; nothing here plans. [`Policy`] is everything of a
+//! job that planning may read.
 
 mod cutting;
+mod keys;
 mod links;
 mod words;
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
+use crate::keys::{Bound, Measure, OneOf, Truth, options};
 use crate::kinematics::Branch;
 use crate::nc::Formats;
 use crate::set_up::SetUp;
+
+use keys::{PARK, Preference};
 
 pub use cutting::{
     ArcForm, ArcOptions, ArcOutput, CutterPath, CycleOptions, CycleOutput, Defaults, FeedLimits, PathNorm,
@@ -29,119 +35,151 @@ pub struct Policy<'a> {
     pub formats: &'a Formats,
 }
 
-/// How motion is planned. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Options {
-    /// What the words of a motion say; default [`Mode::Axes`].
-    pub mode: Mode,
-    /// Tip control, in mode `tcp`.
-    pub tip: TipOptions,
-    /// How branch and turns of the rotary axes are chosen.
-    pub course: CourseOptions,
-    /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves,
-    /// mm; default 0.01.
-    pub tolerance: f64,
-    /// How far the tool axis may leave its even turn from one point to the next, rad; default 0.1 degree.
-    pub axis_tolerance_path: f64,
-    /// LINTOL may be wider than `tolerance`; default false.
-    pub allow_lintol: bool,
-    /// Arcs of the control.
-    pub arcs: ArcOptions,
-    /// Cycles of the control.
-    pub cycles: CycleOptions,
-    /// What the path under CUTCOM is; `None` (default): CUTCOM is refused.
-    pub compensation: Option<CutterPath>,
-    /// The operations that are posted; default all.
-    pub operations: Option<Operations>,
-    /// Dry run: every point lies this much further out along the tool axis, and the spindle stays off, mm; default none.
-    pub lift: Option<f64>,
-    /// What the CL data may leave out.
-    pub defaults: Defaults,
-    /// How fast blocks may run.
-    pub feed: FeedLimits,
-    /// How to get away from the part.
-    pub retract: Retract,
-    /// How to get to the part.
-    pub approach: Approach,
-    /// Motion between cuts.
-    pub rapids: RapidOptions,
-    /// Where axes go at program end, machine coordinates for linear axes, mm and rad; default none: they stay.
-    pub park: BTreeMap<char, f64>,
-    /// Retract before STOP and OPSTOP; default true.
-    pub stop_retract: bool,
-    /// Wait after the spindle starts, seconds; default 0.
-    pub spindle_dwell: f64,
-    /// Words and clamps of rotary axes.
-    pub rotaries: RotaryOptions,
+options! {
+    /// How motion is planned. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
+    pub struct Options {
+        /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary
+        /// axis moves.
+        tolerance: f64 = 0.01, key("tolerance", Measure::length(Bound::Positive).unless(beyond_words));
+        /// How far the tool axis may leave its even turn from one point to the next.
+        axis_tolerance_path: f64 = 0.1_f64.to_radians(),
+            key("axis_tolerance_path", Measure::angle(Bound::Positive).unless(beyond_axis_words));
+        /// Wait for the spindle, seconds.
+        spindle_dwell: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
+        /// Retract before STOP and OPSTOP.
+        stop_retract: bool = true, key("stop_retract", Truth);
+        /// Where axes go at the end of the program: degrees, and machine coordinates for linear axes. Without it they
+        /// stay.
+        park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);
+        /// What the words of a motion say: where every one of the "axes" goes (works on any control), where the tip
+        /// goes while the control keeps it there ("tcp"), or where it goes in a tilted "plane" (3+2).
+        mode: Mode = Mode::Axes, key("mode", OneOf(&Mode::NAMES));
+        /// Tip control, in mode `tcp`.
+        tip: TipOptions = TipOptions::default(), keys();
+        /// Motion between cuts.
+        rapids: RapidOptions = RapidOptions::default(), keys();
+        /// What is refused or compared.
+        guards: GuardOptions = GuardOptions::default(), keys();
+        /// LINTOL may be wider than `tolerance`.
+        allow_lintol: bool = false, key("cl.allow_lintol", Truth);
+        /// What the CL data may leave out.
+        defaults: Defaults = Defaults::default(), keys();
+        /// How branch and turns of the rotary axes are chosen.
+        course: CourseOptions = CourseOptions::default(), keys();
+        /// How to get away from the part.
+        retract: Retract = Retract::default(), keys();
+        /// Arcs of the control.
+        arcs: ArcOptions = ArcOptions::default(), keys();
+        /// Cycles of the control.
+        cycles: CycleOptions = CycleOptions::default(), keys();
+        /// Cutter compensation by the control (CUTCOM: G41, G42, RL, RR): what the CL data under it is, "centre" (D
+        /// holds wear only) or "contour" (D holds the radius). Without it CUTCOM is refused.
+        compensation: Option<CutterPath> = None, key("compensation.path", OneOf(&CutterPath::NAMES), "\"centre\"");
+        /// How fast blocks may run.
+        feed: FeedLimits = FeedLimits::default(), keys();
+        /// How to get to the part.
+        approach: Approach = Approach::default(), keys();
+        /// Words and clamps of rotary axes.
+        rotaries: RotaryOptions = RotaryOptions::default(), keys();
+        /// The operations that are posted; all of them without it.
+        operations: Option<Operations> = None;
+        /// Dry run: every point is this much further out along the tool axis, and the spindle stays off, mm.
+        lift: Option<f64> = None;
+    }
+}
+
+options! {
+    /// Branch and whole turns of the rotary axes are chosen for the whole program: the fewest rewinds, then these
+    /// wishes, then the least time at the largest axis speeds, then the least travel.
+    pub struct CourseOptions in "course" {
+        /// Operations begin on this branch of `explain` where they can: "first" or "second".
+        start_branch: Option<Branch> = None, key("course.start_branch", OneOf(&START_BRANCHES), "\"first\"");
+        /// Operations begin with this axis on this side of zero where they can.
+        ///
+        /// `true`: at or above zero.
+        prefer: Option<(char, bool)> = None, key("course.prefer", Preference);
+        /// Choose motion by motion, without a view ahead.
+        greedy: bool = false, key("course.greedy", Truth);
+        /// Within this angle of the direction that leaves the first rotary free, the tool axis is put there.
+        ///
+        /// Zero: within what CL data rounds.
+        axis_tolerance: f64 = 0.0,
+            key("course.axis_tolerance", Measure::angle(Bound::NotNegative).unless(another_path));
+    }
+}
+
+options! {
     /// What is refused or compared.
-    pub guards: GuardOptions,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            mode: Mode::Axes,
-            tip: TipOptions::default(),
-            course: CourseOptions::default(),
-            tolerance: 0.01,
-            axis_tolerance_path: 0.1_f64.to_radians(),
-            allow_lintol: false,
-            arcs: ArcOptions::default(),
-            cycles: CycleOptions::default(),
-            compensation: None,
-            operations: None,
-            lift: None,
-            defaults: Defaults::default(),
-            feed: FeedLimits::default(),
-            retract: Retract::default(),
-            approach: Approach::default(),
-            rapids: RapidOptions::default(),
-            park: BTreeMap::new(),
-            stop_retract: true,
-            spindle_dwell: 0.0,
-            rotaries: RotaryOptions::default(),
-            guards: GuardOptions::default(),
-        }
+    pub struct GuardOptions {
+        /// Compare the posted length of a tool with the control's tool table at the tool call, where the control can.
+        /// Without it where a rotary axis in the head makes the length matter.
+        length_guard: Option<bool> = None, key("length_guard", Truth, "true");
+        /// By how much the lengths may differ.
+        length_tolerance: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
+        /// Largest spindle speed. Without it speeds are not checked.
+        spindle_max: Option<f64> = None, key("spindle_max", Measure::plain(Bound::Positive), "12000");
+        /// Lowest Z of the tool tip, in the part as it lies on the table. Without it depths are not checked.
+        floor: Option<f64> = None, key("floor", Measure::length(Bound::Any), "0.0");
+        /// Refuse CL data in which the tool points into the table throughout.
+        table_check: bool = true, key("table_check", Truth);
     }
 }
 
-/// How branch and turns of the rotary axes are chosen.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct CourseOptions {
-    /// Every operation begins on this branch where it can; default none.
-    pub start_branch: Option<Branch>,
-    /// Every operation begins with this rotary axis at or above zero (`true`) or at or below it, where it can; default none.
-    pub prefer: Option<(char, bool)>,
-    /// Branch and turns are chosen motion by motion, without a view ahead; default false.
-    pub greedy: bool,
-    /// Within this angle of the pole the tool axis is put there, rad; default 0: within what CL data rounds.
-    pub axis_tolerance: f64,
+/// Branches by their names.
+pub(crate) const START_BRANCHES: [(&str, Branch); 2] = [("first", Branch::First), ("second", Branch::Second)];
+
+impl Options {
+    /// Tolerances of chords, mm: finer is beyond the words, wider is no path any more.
+    pub(crate) const TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
+
+    /// Tolerances of the tool axis, degrees: finer is beyond the words, wider is no direction any more.
+    pub(crate) const AXIS_TOLERANCE: RangeInclusive<f64> = 0.001..=10.0;
 }
 
-/// What is refused or compared.
-#[derive(Debug, Clone, PartialEq)]
-pub struct GuardOptions {
-    /// The posted length is compared at the tool call, where the control can; default `None`: where a rotary axis in the
-    /// head makes it matter.
-    pub length_guard: Option<bool>,
-    /// By how much the lengths may differ, mm; default 0.01.
-    pub length_tolerance: f64,
-    /// Largest spindle speed, rev/min; default none: unchecked.
-    pub spindle_max: Option<f64>,
-    /// Lowest Z of a tip of the part as it lies, `part_rotation` applied, mm; default none: unchecked.
-    pub floor: Option<f64>,
-    /// Refuse CL data in which every tool axis points into the table; default true.
-    pub table_check: bool,
+/// Finer than the words of the guard, or wider than any tool is measured, mm.
+const LENGTH_TOLERANCE: RangeInclusive<f64> = 0.0001..=1.0;
+
+/// A dwell at the spindle, seconds: what three decimals hold, and what nobody waits for.
+const DWELL: RangeInclusive<f64> = 0.001..=600.0;
+
+/// Largest axis tolerance, rad: wider is another path.
+const LARGEST_AXIS_TOLERANCE: f64 = 5_f64.to_radians();
+
+fn beyond_words(tolerance: f64) -> Option<String> {
+    outside(&Options::TOLERANCE, tolerance)
 }
 
-impl Default for GuardOptions {
-    fn default() -> Self {
-        Self { length_guard: None, length_tolerance: 0.01, spindle_max: None, floor: None, table_check: true }
-    }
+fn unmeasurable(tolerance: f64) -> Option<String> {
+    outside(&LENGTH_TOLERANCE, tolerance)
 }
 
-/// Some operations of a program, counted from 1: they begin at TOOL PATH, tool records, stops and frames, and starts with
-/// no motion between them are one.
+fn outside(range: &RangeInclusive<f64>, tolerance: f64) -> Option<String> {
+    let (low, high) = (range.start(), range.end());
+    (!range.contains(&tolerance)).then(|| format!("a tolerance of {low} to {high} mm is needed here"))
+}
+
+/// The ends of the range are degrees that have been radians in between.
+fn beyond_axis_words(tolerance: f64) -> Option<String> {
+    let range = Options::AXIS_TOLERANCE;
+    let (low, high) = (range.start(), range.end());
+    let within = low * (1.0 - 1e-12)..=high * (1.0 + 1e-12);
+    let outside = !within.contains(&tolerance.to_degrees());
+    outside.then(|| format!("a tolerance of {low} to {high} degrees is needed here"))
+}
+
+fn no_dwell(seconds: f64) -> Option<String> {
+    let (low, high) = (DWELL.start(), DWELL.end());
+    let outside = seconds > 0.0 && !DWELL.contains(&seconds);
+    outside.then(|| format!("a dwell of 0, or of {low} to {high} seconds, is needed here"))
+}
+
+fn another_path(tolerance: f64) -> Option<String> {
+    let largest = LARGEST_AXIS_TOLERANCE.to_degrees();
+    (tolerance > LARGEST_AXIS_TOLERANCE).then(|| format!("an angle of at most {largest} degrees is needed here"))
+}
+
+/// Some operations of a program, counted from 1: they begin at TOOL PATH, tool records, stops and frames, and starts
+/// with no motion between them are one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Operations {
     /// From this one to that, both included; to the last without it.

@@ -1,47 +1,35 @@
 //! How many digits words have.
 
+use crate::keys::{Whole, options};
 use crate::program::Units;
 
-/// Digits of the words.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Formats {
-    /// Decimals of linear words in mm; default 3.
-    pub linear_mm: u32,
-    /// Decimals of linear words in inches; default 4.
-    pub linear_inch: u32,
-    /// Decimals of rotary words in degrees; default 4.
-    pub rotary: u32,
-    /// Decimals of F per minute and per revolution; default 3.
-    pub feed: u32,
-    /// Significant digits of an inverse-time F; default 6.
-    pub inverse_time: u32,
-    /// Decimals of S; default 0.
-    pub speed: u32,
-    /// Digits of linear words before the point; default 9.
-    pub linear_whole: u32,
-    /// Digits of rotary words before the point; default 9.
-    pub rotary_whole: u32,
-    /// Digits of F before the point; default 15.
-    pub feed_whole: u32,
-    /// Digits of S before the point; default 9.
-    pub speed_whole: u32,
+options! {
+    /// Decimals of the words; significant digits for inverse-time feed.
+    pub struct Formats in "formats", const DEFAULT {
+        /// Decimals of linear words in mm.
+        linear_mm: u32 = 3, also("formats.linear_mm", Whole(0..=6));
+        /// Decimals of linear words in inches.
+        linear_inch: u32 = 4, also("formats.linear_inch", Whole(0..=6));
+        /// Decimals of rotary words in degrees.
+        rotary: u32 = 4, also("formats.rotary", Whole(0..=6));
+        /// Decimals of F per minute and per revolution.
+        feed: u32 = 3, also("formats.feed", Whole(0..=6));
+        /// Significant digits of an inverse-time F.
+        inverse_time: u32 = 6, also("formats.inverse_time", Whole(6..=12));
+        /// Decimals of S.
+        speed: u32 = 0, also("formats.speed", Whole(0..=3));
+        /// Digits before the point: a number with more is refused.
+        linear_whole: u32 = 9, key("formats.linear_whole", Whole(1..=9));
+        /// Digits of rotary words before the point.
+        rotary_whole: u32 = 9, also("formats.rotary_whole", Whole(1..=9));
+        /// Digits of F before the point.
+        feed_whole: u32 = 15, also("formats.feed_whole", Whole(1..=15));
+        /// Digits of S before the point.
+        speed_whole: u32 = 9, also("formats.speed_whole", Whole(1..=9));
+    }
 }
 
 impl Formats {
-    /// Digits of a control that sets no bounds.
-    pub const DEFAULT: Self = Self {
-        linear_mm: 3,
-        linear_inch: 4,
-        rotary: 4,
-        feed: 3,
-        inverse_time: 6,
-        speed: 0,
-        linear_whole: 9,
-        rotary_whole: 9,
-        feed_whole: 15,
-        speed_whole: 9,
-    };
-
     /// Decimals of linear words.
     #[must_use]
     pub fn linear(&self, units: Units) -> u32 {
@@ -49,11 +37,5 @@ impl Formats {
             Units::Millimetres => self.linear_mm,
             Units::Inches => self.linear_inch,
         }
-    }
-}
-
-impl Default for Formats {
-    fn default() -> Self {
-        Self::DEFAULT
     }
 }

@@ -1,100 +1,113 @@
-//! What is true of machine, part and shop today, and what several stages read: where the part lies, what words count from,
-//! which tools there are, how the machine differs from its declaration.
+//! What is true of machine, part and shop today, and what several stages read: where the part lies, what words count
+//! from, which tools there are, how the machine differs from its declaration.
 //!
-//! Data only, in mm, rad and mm/min. Nothing here reads a file, plans or writes; whatever a single stage decides by is an
-//! option of that stage.
+//! Data only, in mm, rad and mm/min, and the table of its keys. Nothing here plans or writes; whatever a single stage
+//! decides by is an option of that stage.
 
+mod keys;
 mod machine;
+mod part_rotation;
 
 use std::collections::BTreeMap;
 
 use nalgebra::Rotation3;
 
+use crate::cl::ClPoint;
+use crate::keys::{Bound, LengthPoint, Measure, OneLine, OneOf, Truth, Whole, options};
 use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
+use keys::{
+    BlankCorners, DimensionTable, FrameOffsets, LIMITS, MACHINE_ZERO, OffsetWord, ROTARY_OFFSET, SPEEDS, ToolTable,
+};
+use part_rotation::PartRotation;
+
 pub use machine::AxisBounds;
 
-/// Machine, part and shop of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SetUp {
-    /// Part zero from the table's reference point along the table's directions, mm; default 0, 0, 0.
-    pub part_origin: [f64; 3],
-    /// Turns the CL data before anything else: how the part lies on the table; default not at all.
-    pub part_rotation: Rotation3<f64>,
-    /// The written word of a rotary axis is its value minus this, rad; default none.
-    pub rotary_offset: BTreeMap<char, f64>,
-    /// Where linear words count from; default [`ProgramZero::Part`].
-    pub program_zero: ProgramZero,
-    /// What linear words say of the tool; default [`LengthMode::Tip`].
-    pub length_mode: LengthMode,
-    /// The word of the work offset; default `G54`.
-    pub work_offset: String,
-    /// Work offsets of frames of the CL data other than the first, by number; default none.
-    pub frames: BTreeMap<u32, String>,
-    /// Machine coordinate of linear axes at the zero position without tool, mm; default none: linear limits unchecked.
-    pub machine_zero: BTreeMap<char, f64>,
-    /// Tools by number; default none.
-    pub tools: BTreeMap<u32, GivenTool>,
-    /// The blank as it lies on the table; default none: a box around all cuts.
-    pub stock: Option<Stock>,
-    /// Dimensions of the machine that differ from its declaration, mm or rad; default none.
-    pub dimensions: BTreeMap<String, f64>,
-    /// Travel that differs from the machine's declaration, mm or rad, `None` for an endless axis; default none.
-    pub limits: BTreeMap<char, Option<Limits>>,
-    /// Largest axis speeds that differ from the machine's declaration, mm/min or rad/min; default none.
-    pub speeds: BTreeMap<char, f64>,
-}
-
-impl Default for SetUp {
-    fn default() -> Self {
-        Self {
-            part_origin: [0.0; 3],
-            part_rotation: Rotation3::identity(),
-            rotary_offset: BTreeMap::new(),
-            program_zero: ProgramZero::Part,
-            length_mode: LengthMode::Tip,
-            work_offset: "G54".to_owned(),
-            frames: BTreeMap::new(),
-            machine_zero: BTreeMap::new(),
-            tools: BTreeMap::new(),
-            stock: None,
-            dimensions: BTreeMap::new(),
-            limits: BTreeMap::new(),
-            speeds: BTreeMap::new(),
-        }
+options! {
+    /// Machine, part and shop of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
+    pub struct SetUp {
+        /// Part zero from the table's reference point, along the table's directions.
+        part_origin: [f64; 3] = [0.0; 3], key("part_origin", LengthPoint);
+        /// How the part lies on the table: the CL data is turned by `[rx, ry, rz]` degrees about X, then Y, then Z of
+        /// the table, or by the rows of a matrix. `floor`, `retract.clearance` and the tips in the header count in the
+        /// part as it lies.
+        part_rotation: Rotation3<f64> = Rotation3::identity(), key("part_rotation", PartRotation);
+        /// The written word of a rotary axis is its value minus this; limits hold for the value. The other rotary
+        /// entries of the work offset must be zero.
+        rotary_offset: BTreeMap<char, f64> = BTreeMap::new(), key("rotary_offset", ROTARY_OFFSET);
+        /// Linear words count from the "part" zero, or from the reference point of the "table".
+        program_zero: ProgramZero = ProgramZero::Part, key("program_zero", OneOf(&ProgramZero::NAMES));
+        /// Linear words say where the "tip" is with all rotary axes at zero and the length offset active, or where the
+        /// "gauge" line is, without length offset.
+        length_mode: LengthMode = LengthMode::Tip, key("length_mode", OneOf(&LengthMode::NAMES));
+        /// Work offset of the control: "G54", and "G59.1" (LinuxCNC), "G54.1 P3" (Fanuc), "G154 P3" (Haas), "G505"
+        /// (Siemens) or the row of the datum table, "3" (Heidenhain; G54 to G59 are rows 1 to 6).
+        work_offset: String = "G54".to_owned(), key("work_offset", OffsetWord);
+        /// Machine coordinate of each linear axis at the zero position, without tool. Without it linear limits are not
+        /// checked.
+        machine_zero: BTreeMap<char, f64> = BTreeMap::new(), key("machine_zero", MACHINE_ZERO);
+        /// Work offsets of frames other than the first, with frames = "offset".
+        frames: BTreeMap<u32, String> = BTreeMap::new(), key("frames", FrameOffsets);
+        /// Corners of the blank as it lies on the table, for the pictures of a Heidenhain control (BLK FORM). Without
+        /// them a box around all cuts.
+        stock: Option<Stock> = None, key("stock", BlankCorners);
+        /// Tools by number. `length` is from the gauge line to the tip, `offset` and `radius_offset` the registers of
+        /// length and radius where they are not the tool's number; `speed`, `direction` and `coolant` as in
+        /// `[defaults]`.
+        tools: BTreeMap<u32, GivenTool> = BTreeMap::new(), key("tools", ToolTable);
+        /// Dimensions of the machine where they differ from its declaration.
+        dimensions: BTreeMap<String, f64> = BTreeMap::new(), key("dimensions", DimensionTable);
+        /// Travel of the axes where it differs from the machine's declaration: `[lowest, highest]`, or "free" for an
+        /// endless axis. Linear axes in machine coordinates.
+        limits: BTreeMap<char, Option<Limits>> = BTreeMap::new(), key("limits", LIMITS);
+        /// Largest speeds of the axes where they differ from the machine's declaration.
+        speeds: BTreeMap<char, f64> = BTreeMap::new(), key("speeds", SPEEDS);
     }
 }
+
+options! {
+    /// What is known about one tool besides the CL data; everything defaults to unknown.
+    pub struct GivenTool {
+        /// From gauge line to tip.
+        length: Option<f64> = None, key("length", Measure::length(Bound::NotNegative), "148.32");
+        /// Cutting diameter; only compared with the CL data.
+        diameter: Option<f64> = None, key("diameter", Measure::length(Bound::Positive), "10.0");
+        /// Length offset register (H), where it is not the tool's number or what the CL data says.
+        offset: Option<u32> = None, key("offset", Whole(1..=LARGEST_TOOL), "12");
+        /// Register of its radius (D), where it is not what CUTCOM says or the tool's number.
+        radius_offset: Option<u32> = None, key("radius_offset", Whole(1..=LARGEST_TOOL), "12");
+        /// Name for header and comments.
+        name: Option<String> = None, key("name", OneLine, "\"ball 10\"");
+        /// Cuts turning counter-clockwise.
+        left_handed: bool = false, key("left_handed", Truth);
+        /// Spindle speed where the CL data gives none, rev/min.
+        speed: Option<f64> = None, key("speed", Measure::plain(Bound::Positive), "8000");
+        /// Sense of rotation where the CL data gives none: CLW (M3) or CCLW (M4).
+        rotation: Option<Rotation> = None, key("direction", OneOf(&ROTATIONS), "\"CLW\"");
+        /// The kind that COOLNT/ON means for this tool.
+        coolant: Option<Coolant> = None, key("coolant", OneOf(&COOLANTS), "\"flood\"");
+        /// The point that the CL data programs, for this tool: "tip", or "centre" of the corner radius.
+        cl_point: Option<ClPoint> = None, key("cl_point", OneOf(&ClPoint::NAMES), "\"tip\"");
+    }
+}
+
+/// Senses of the spindle by their names.
+pub(crate) const ROTATIONS: [(&str, Rotation); 2] =
+    [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
+
+/// Kinds of coolant by their names.
+pub(crate) const COOLANTS: [(&str, Coolant); 4] =
+    [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
+
+/// Largest number of a tool or of its offset register.
+pub(crate) const LARGEST_TOOL: u32 = 99_999;
 
 impl SetUp {
     /// `[rx, ry, rz]` of `part_rotation`, degrees, to nine decimals.
     pub(crate) fn part_angles(&self) -> [f64; 3] {
-        let (x, y, z) = self.part_rotation.euler_angles();
-        [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)
+        part_rotation::angles(&self.part_rotation)
     }
-}
-
-/// What is known about one tool besides the CL data; everything defaults to unknown.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct GivenTool {
-    /// From gauge line to tip, mm.
-    pub length: Option<f64>,
-    /// Cutting diameter, mm; only compared with the CL data.
-    pub diameter: Option<f64>,
-    /// Length offset register (H); default: the tool's number or what the CL data says.
-    pub offset: Option<u32>,
-    /// Register of its radius (D); default: what CUTCOM says or the tool's number.
-    pub radius_offset: Option<u32>,
-    /// Spindle speed where the CL data gives none, rev/min.
-    pub speed: Option<f64>,
-    /// Sense of rotation where the CL data gives none.
-    pub rotation: Option<Rotation>,
-    /// Cuts turning counter-clockwise; default false.
-    pub left_handed: bool,
-    /// The kind that COOLNT/ON means for this tool.
-    pub coolant: Option<Coolant>,
-    /// Name for header and comments.
-    pub name: Option<String>,
 }
 
 /// A box around the blank, for the pictures of a control, mm.
@@ -122,4 +135,12 @@ pub enum LengthMode {
     Tip,
     /// Where its gauge line is; no length offset is active.
     Gauge,
+}
+
+impl ProgramZero {
+    const NAMES: [(&'static str, Self); 2] = [("part", Self::Part), ("table", Self::Table)];
+}
+
+impl LengthMode {
+    const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("gauge", Self::Gauge)];
 }

@@ -1,10 +1,16 @@
 //! What the caller knows about a file, or wants of it: command line and `[cl]` of the configuration.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+use serde_json::{Map, Value as Json, json};
 
 use super::holes::CycleArg;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::CycleKind;
+use crate::cl::record::{CycleKind, not_inert};
+use crate::keys::{
+    KeyKind, KeyReader, KeyScope, KeyTable, ListOf, OneLine, OneOf, Printed, TomlValue, Truth, Whole, options,
+};
 use crate::program::Units;
 
 /// Sense of a circle about its axis.
@@ -28,6 +34,10 @@ pub enum Frames {
     Offset,
 }
 
+impl Frames {
+    const NAMES: [(&'static str, Self); 3] = [("refuse", Self::Refuse), ("main", Self::Main), ("offset", Self::Offset)];
+}
+
 /// What to do with INSERT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Insert {
@@ -38,6 +48,11 @@ pub enum Insert {
     Comment,
     /// Write it as NC text.
     Write,
+}
+
+impl Insert {
+    const NAMES: [(&'static str, Self); 3] =
+        [("refuse", Self::Refuse), ("comment", Self::Comment), ("write", Self::Write)];
 }
 
 /// Meaning of a feed labelled MMPM or MMPR in a file in inches.
@@ -52,6 +67,11 @@ pub enum FeedLabel {
     FileUnits,
 }
 
+impl FeedLabel {
+    const NAMES: [(&'static str, Self); 3] =
+        [("refuse", Self::Refuse), ("trust", Self::Trust), ("file-units", Self::FileUnits)];
+}
+
 /// The point of the tool that the CL data programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ClPoint {
@@ -62,37 +82,120 @@ pub enum ClPoint {
     Centre,
 }
 
-/// What the caller knows about the file, or wants of it.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Options {
-    /// Unit of a file that does not state one (`--units`).
-    pub units: Option<Units>,
-    /// The CAM system, whatever the evidence in the file (`--dialect`).
-    pub dialect: Option<Dialect>,
-    /// Columns of a line that count (`--columns`); default: all.
-    pub columns: Option<u32>,
-    /// Words that are passed over (`--inert`).
-    pub inert: Vec<String>,
-    /// Frames other than the first (`--frames`).
-    pub frames: Frames,
-    /// Sense of every CIRCLE about its axis, whatever its form (`--circle-sense`).
-    pub circle_sense: Option<Sense>,
-    /// INSERT (`--insert comment`, `--allow-insert`).
-    pub insert: Insert,
-    /// `INSERT/STOP ..` is STOP.
-    pub insert_stop: bool,
-    /// Codes that AUXFUN may write.
-    pub auxfun: Vec<u32>,
-    /// Codes that PREFUN may write.
-    pub prefun: Vec<u32>,
-    /// Feeds labelled in mm in a file in inches.
-    pub feed_label: FeedLabel,
-    /// FROM is written as the first approach (`--from move`).
-    pub from_move: bool,
-    /// The point that the CL data programs.
-    pub cl_point: ClPoint,
-    /// The same for single tools.
-    pub cl_point_of: BTreeMap<u32, ClPoint>,
-    /// Meaning of the numbers without words in a CYCLE.
-    pub cycle_args: Vec<(CycleKind, Vec<CycleArg>)>,
+impl ClPoint {
+    /// Both, by their names.
+    pub(crate) const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("centre", Self::Centre)];
+}
+
+options! {
+    /// How the CL data is read; `explain --cl` lists its words.
+    pub struct Options in "cl" {
+        /// Unit of CL data that does not state its own (`--units`). Without it such data is refused.
+        units: Option<Units> = None;
+        /// The point that the CL data programs: "tip", or "centre" of the corner radius.
+        cl_point: ClPoint = ClPoint::Tip, key("cl_point", OneOf(&ClPoint::NAMES));
+        /// The same for single tools.
+        cl_point_of: BTreeMap<u32, ClPoint> = BTreeMap::new();
+        /// CAM system where the file does not tell, or tells wrongly: "nx", "catia", "creo", "solidworks" or "iso".
+        dialect: Option<Dialect> = None, key("cl.dialect", OneOf(&Dialect::NAMES), "\"nx\"");
+        /// Columns of a line that count, for cards with numbers behind them. Without it all of them.
+        columns: Option<u32> = None, key("cl.columns", Whole(COLUMNS), "72");
+        /// Words that are passed over.
+        inert: Vec<String> = Vec::new(), key("cl.inert", ListOf(InertWord));
+        /// A second frame: "refuse", "main" (mapped into the first) or "offset" (a work offset of its own, see
+        /// `[frames]`).
+        frames: Frames = Frames::Refuse, key("cl.frames", OneOf(&Frames::NAMES));
+        /// Sense of every CIRCLE about its axis, whatever its form says: "cw" or "ccw".
+        circle_sense: Option<Sense> = None, key("cl.circle_sense", OneOf(&SENSES), "\"ccw\"");
+        /// INSERT: "refuse", "comment" or "write" (as NC text that nobody checks).
+        insert: Insert = Insert::Refuse, key("cl.insert", OneOf(&Insert::NAMES));
+        /// INSERT/STOP is STOP.
+        insert_stop: bool = false, key("cl.insert_stop", Truth);
+        /// Codes that AUXFUN and PREFUN may write.
+        auxfun: Vec<u32> = Vec::new(), key("cl.auxfun", ListOf(Whole(0..=LARGEST_CODE)));
+        /// Codes that PREFUN may write.
+        prefun: Vec<u32> = Vec::new(), also("cl.prefun", ListOf(Whole(0..=LARGEST_CODE)));
+        /// A feed labelled in mm in a file in inches: "refuse", "trust" or "file-units".
+        feed_label: FeedLabel = FeedLabel::Refuse, key("cl.feed_label", OneOf(&FeedLabel::NAMES));
+        /// FROM: "reference" (nothing moves) or "move".
+        ///
+        /// `true`: it is written as the first approach.
+        from_move: bool = false, key("cl.from", OneOf(&FROMS));
+        /// Numbers of a CYCLE that have no word: depth, clearance, return, step, dwell, pitch, feed.
+        cycle_args: Vec<(CycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
+    }
+}
+
+const SENSES: [(&str, Sense); 2] = [("cw", Sense::Clockwise), ("ccw", Sense::CounterClockwise)];
+const FROMS: [(&str, bool); 2] = [("reference", false), ("move", true)];
+
+/// Columns of a line that may count.
+const COLUMNS: RangeInclusive<u32> = 8..=4096;
+
+/// Largest number of a code.
+const LARGEST_CODE: u32 = 9999;
+
+/// A word that moves nothing.
+#[derive(Debug, Clone, Copy)]
+struct InertWord;
+
+impl KeyKind for InertWord {
+    type Value = String;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<String> {
+        let name = r.line(value)?;
+        if let Some(why) = not_inert(&name) {
+            r.fault(value.span(), why, None);
+            return None;
+        }
+        Some(name.to_ascii_uppercase())
+    }
+
+    fn print(&self, value: &String) -> String {
+        OneLine.print(value)
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        OneLine.schema(scope)
+    }
+}
+
+/// `TAP.args = ["depth", "pitch"]`.
+#[derive(Debug, Clone, Copy)]
+struct CycleNumbers;
+
+impl KeyKind for CycleNumbers {
+    type Value = Vec<(CycleKind, Vec<CycleArg>)>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
+        let mut read = Vec::new();
+        for (key, span, value) in r.entries(value) {
+            let Some((_, kind)) = CycleKind::WORDS.iter().find(|(word, _)| *word == key) else {
+                r.fault(span, format!("`{key}` is not a kind of CYCLE"), None);
+                continue;
+            };
+            let mut table = KeyTable::of(r, format!("cl.cycle.{key}"), Some(value));
+            if let Some(args) = table.get("args", r) {
+                read.extend(ListOf(OneOf(&CycleArg::NAMES)).read(r, args).map(|args| (*kind, args)));
+            }
+            table.close(r);
+        }
+        Some(read)
+    }
+
+    fn print(&self, _value: &Self::Value) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        let args = ListOf(OneOf(&CycleArg::NAMES)).schema(scope);
+        let kind = json!({ "type": "object", "properties": { "args": args }, "additionalProperties": false });
+        let kinds: Map<String, Json> =
+            CycleKind::WORDS.iter().map(|(word, _)| ((*word).to_owned(), kind.clone())).collect();
+        json!({ "type": "object", "properties": kinds, "additionalProperties": false })
+    }
+
+    fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
+        Some(Printed::Example("{ TAP = { args = [\"depth\", \"pitch\"] } }".to_owned()))
+    }
 }

@@ -1,6 +1,8 @@
 //! Motion in cuts: arcs, cycles, cutter compensation, feeds, and what the CL data may leave out.
 
+use crate::keys::{Bound, Measure, OneOf, Truth, Whole, options};
 use crate::program::{Coolant, Rotation};
+use crate::set_up::{COOLANTS, LARGEST_TOOL, ROTATIONS};
 
 /// What becomes of arcs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,6 +11,10 @@ pub enum ArcOutput {
     Native,
     /// Lines.
     Lines,
+}
+
+impl ArcOutput {
+    const NAMES: [(&'static str, Self); 2] = [("native", Self::Native), ("lines", Self::Lines)];
 }
 
 /// What says where the centre is.
@@ -20,22 +26,23 @@ pub enum ArcForm {
     Radius,
 }
 
-/// Arcs of the control.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ArcOptions {
-    /// What becomes of them; default [`ArcOutput::Native`].
-    pub output: ArcOutput,
-    /// What says where the centre is; default [`ArcForm::Centre`].
-    pub form: ArcForm,
-    /// Smaller ones become lines, mm; default 0.01.
-    pub smallest_radius: f64,
-    /// Larger ones become lines, mm; default 10 000.
-    pub largest_radius: f64,
+impl ArcForm {
+    const NAMES: [(&'static str, Self); 2] = [("centre", Self::Centre), ("radius", Self::Radius)];
 }
 
-impl Default for ArcOptions {
-    fn default() -> Self {
-        Self { output: ArcOutput::Native, form: ArcForm::Centre, smallest_radius: 0.01, largest_radius: 10_000.0 }
+options! {
+    /// Arcs of the control: where the rotary axes stand still, in a plane of the program, within `tolerance` of the CL
+    /// data.
+    pub struct ArcOptions in "arcs" {
+        /// "native", or "lines" throughout.
+        output: ArcOutput = ArcOutput::Native, key("arcs.output", OneOf(&ArcOutput::NAMES));
+        /// What says where the centre is: "centre", or "radius" (whole turns and arcs close to half a turn have their
+        /// centre still).
+        form: ArcForm = ArcForm::Centre, key("arcs.form", OneOf(&ArcForm::NAMES));
+        /// Arcs that are smaller or larger become lines.
+        smallest_radius: f64 = 0.01, key("arcs.smallest_radius", Measure::length(Bound::Positive));
+        /// Larger arcs become lines.
+        largest_radius: f64 = 10_000.0, also("arcs.largest_radius", Measure::length(Bound::Positive));
     }
 }
 
@@ -48,18 +55,17 @@ pub enum CycleOutput {
     Expanded,
 }
 
-/// Cycles of the control.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CycleOptions {
-    /// What becomes of holes; default [`CycleOutput::Native`].
-    pub output: CycleOutput,
-    /// Threads are cut with the spindle under control of its angle, where that has a code; default true.
-    pub rigid: bool,
+impl CycleOutput {
+    const NAMES: [(&'static str, Self); 2] = [("native", Self::Native), ("expanded", Self::Expanded)];
 }
 
-impl Default for CycleOptions {
-    fn default() -> Self {
-        Self { output: CycleOutput::Native, rigid: true }
+options! {
+    /// Cycles of the control: where the tool axis is Z of the program and a cycle means just what the CL data says.
+    pub struct CycleOptions in "cycles" {
+        /// "native", or "expanded" into single motions throughout; a thread is never expanded.
+        output: CycleOutput = CycleOutput::Native, key("cycles.output", OneOf(&CycleOutput::NAMES));
+        /// Threads with the spindle under control of its angle, where that has a code of its own (M29 of Fanuc).
+        rigid: bool = true, key("cycles.rigid", Truth);
     }
 }
 
@@ -70,6 +76,10 @@ pub enum CutterPath {
     Centre,
     /// The contour: the register holds the radius.
     Contour,
+}
+
+impl CutterPath {
+    pub(crate) const NAMES: [(&'static str, Self); 2] = [("centre", Self::Centre), ("contour", Self::Contour)];
 }
 
 /// What F counts along in a block in which a rotary axis moves.
@@ -85,40 +95,32 @@ pub enum PathNorm {
     G93Seconds,
 }
 
-/// What the CL data may leave out.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Defaults {
-    /// Spindle speed, rev/min; default none.
-    pub speed: Option<f64>,
-    /// Sense of rotation; default none.
-    pub rotation: Option<Rotation>,
-    /// The kind that COOLNT/ON means; default [`Coolant::Flood`]. Never `On` or `Off`.
-    pub coolant: Coolant,
-    /// The tool of CL data that calls none before it moves; default none.
-    pub tool: Option<u32>,
-    /// How far above the bottom a rapid ends in a hole that is drilled in steps, mm; default 0.5.
-    pub peck_gap: f64,
-}
-
-/// How fast blocks may run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FeedLimits {
-    /// Blocks in which an axis would be faster than it can run longer; default true.
-    pub keep_speeds: bool,
-    /// Largest F of the control, mm/min; default none.
-    pub largest: Option<f64>,
-    /// Shortest time of a block, seconds; default 0.
-    pub shortest_block: f64,
-}
-
-impl Default for Defaults {
-    fn default() -> Self {
-        Self { speed: None, rotation: None, coolant: Coolant::Flood, tool: None, peck_gap: 0.5 }
+options! {
+    /// What the CL data may leave out.
+    pub struct Defaults in "defaults" {
+        /// Spindle speed.
+        speed: Option<f64> = None, also("defaults.speed", Measure::plain(Bound::Positive), "8000");
+        /// CLW (M3) or CCLW (M4).
+        rotation: Option<Rotation> = None, key("defaults.direction", OneOf(&ROTATIONS), "\"CLW\"");
+        /// What COOLNT/ON means: "flood", "mist", "through" or "air".
+        ///
+        /// Never [`Coolant::On`] or [`Coolant::Off`].
+        coolant: Coolant = Coolant::Flood, key("defaults.coolant", OneOf(&COOLANTS));
+        /// The tool of CL data that calls none before it moves. Without it such data is refused.
+        tool: Option<u32> = None, key("defaults.tool", Whole(1..=LARGEST_TOOL), "1");
+        /// How far above the bottom a rapid ends in a hole that is drilled in steps.
+        peck_gap: f64 = 0.5, key("defaults.peck_gap", Measure::length(Bound::Positive));
     }
 }
 
-impl Default for FeedLimits {
-    fn default() -> Self {
-        Self { keep_speeds: true, largest: None, shortest_block: 0.0 }
+options! {
+    /// How fast blocks may run.
+    pub struct FeedLimits in "feed" {
+        /// Blocks in which an axis would be faster than its speed run longer.
+        keep_speeds: bool = true, key("feed.keep_speeds", Truth);
+        /// Largest F of the control. Without it none.
+        largest: Option<f64> = None, key("feed.largest", Measure::length(Bound::Positive), "20000.0");
+        /// Shortest time of a block, seconds.
+        shortest_block: f64 = 0.0, key("feed.shortest_block", Measure::plain(Bound::NotNegative));
     }
 }

@@ -1,31 +1,52 @@
 //! Motion between cuts: rapids, transitions, the ways to the part and away from it.
 
+use crate::keys::{Assumed, Bound, Measure, OneOf, Truth, options};
 use crate::program::Clearance;
 
-/// Motion between cuts.
-#[derive(Debug, Clone, PartialEq)]
-pub struct RapidOptions {
-    /// How to get from one operation to the next; default [`Transition::Safe`].
-    pub transition: Transition,
-    /// Largest turn of a rotary axis in a rapid that does not go through the safe sequence, rad; default 1 degree.
-    pub index_angle: f64,
-    /// How rapids inside an operation are written; default [`Rapid::Direct`].
-    pub rapid: Rapid,
-    /// Feed of a rapid that is written as a feed motion, mm/min; default none.
-    pub rapid_feed: Option<f64>,
-    /// Speed of rotary axes in moves that only turn the tool or the table, rad/min; default 1800 degrees/min.
-    pub reorient_speed: f64,
+use super::keys::Geometry;
+
+options! {
+    /// Motion between cuts.
+    pub struct RapidOptions {
+        /// Transition between operations: "safe" (retract, turn, approach) or "direct" (as the CL data has it).
+        transition: Transition = Transition::Safe, key("transition", OneOf(&Transition::NAMES));
+        /// Rapids in which a rotary axis turns more than this go through the safe sequence.
+        index_angle: f64 = 1_f64.to_radians(), key("index_angle", Measure::angle(Bound::NotNegative));
+        /// Rapids inside an operation: "direct" (one block), "split" (out along the tool, across, in along the tool) or
+        /// "feed" (a feed motion at `rapid_feed`, on a certified path).
+        rapid: Rapid = Rapid::Direct, key("rapid", OneOf(&Rapid::NAMES));
+        /// Feed of a rapid that is written as a feed motion.
+        rapid_feed: Option<f64> = None, also("rapid_feed", Measure::length(Bound::Positive), "10000.0");
+        /// Speed of rotary axes where only the direction of the tool changes.
+        reorient_speed: f64 = 1800_f64.to_radians(), key("reorient_speed", Measure::angle(Bound::Positive));
+    }
 }
 
-impl Default for RapidOptions {
-    fn default() -> Self {
-        Self {
-            transition: Transition::Safe,
-            index_angle: 1_f64.to_radians(),
-            rapid: Rapid::Direct,
-            rapid_feed: None,
-            reorient_speed: 1800_f64.to_radians(),
-        }
+options! {
+    /// How to get away from the part.
+    pub struct Retract in "retract" {
+        /// Machine coordinate of the retract axis.
+        position: Option<f64> = None,
+            key("retract.position", Assumed(Measure::length(Bound::Any), Self::POSITION));
+        /// Distance along the tool axis. Without it to the clearance geometry of the CL data.
+        distance: Option<f64> = None, key("retract.distance", Measure::length(Bound::Positive), "100.0");
+        /// Or, in the part as it lies on the table, a plane above, a box or a cylinder around the part that the tool
+        /// has to leave.
+        clearance: Option<Clearance> = None,
+            key("retract.clearance", Geometry, "{ cylinder = { radius = 120.0, lower = -50.0, upper = 80.0 } }");
+        /// Where rotary axes have to be rewound in a cut: "leave" (out along the tool axis and back), or "follow" (the
+        /// tip stays in place, and the tool swings about it in the part).
+        rewind: Rewind = Rewind::Leave, key("retract.rewind", OneOf(&Rewind::NAMES));
+        /// Coolant off while the rotary axes are rewound out of the part.
+        rewind_dry: bool = false, key("retract.rewind_dry", Truth);
+    }
+}
+
+options! {
+    /// How to get to the part.
+    pub struct Approach in "approach" {
+        /// The approach point lies this far from the first point along the tool axis.
+        distance: f64 = 50.0, key("approach.distance", Measure::length(Bound::Positive));
     }
 }
 
@@ -40,6 +61,10 @@ pub enum Rapid {
     Feed,
 }
 
+impl Rapid {
+    const NAMES: [(&'static str, Self); 3] = [("direct", Self::Direct), ("split", Self::Split), ("feed", Self::Feed)];
+}
+
 /// How to get from one operation to the next.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Transition {
@@ -49,19 +74,8 @@ pub enum Transition {
     Direct,
 }
 
-/// How to get away from the part.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Retract {
-    /// Machine coordinate of the retract axis, mm; default [`Retract::POSITION`].
-    pub position: Option<f64>,
-    /// Distance along the tool axis, mm; default none: to the clearance geometry of the CL data.
-    pub distance: Option<f64>,
-    /// Geometry around the part that the tool has to leave, if no distance is given; default none.
-    pub clearance: Option<Clearance>,
-    /// How rotary axes are rewound in a cut; default [`Rewind::Leave`].
-    pub rewind: Rewind,
-    /// Coolant is off while the rotary axes are rewound; default false.
-    pub rewind_dry: bool,
+impl Transition {
+    const NAMES: [(&'static str, Self); 2] = [("safe", Self::Safe), ("direct", Self::Direct)];
 }
 
 /// How rotary axes are rewound where no course runs through.
@@ -73,17 +87,8 @@ pub enum Rewind {
     Follow,
 }
 
-/// How to get to the part.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Approach {
-    /// Distance of the approach point from the first tip along the tool axis, mm; default 50.
-    pub distance: f64,
-}
-
-impl Default for Retract {
-    fn default() -> Self {
-        Self { position: None, distance: None, clearance: None, rewind: Rewind::Leave, rewind_dry: false }
-    }
+impl Rewind {
+    const NAMES: [(&'static str, Self); 2] = [("leave", Self::Leave), ("follow", Self::Follow)];
 }
 
 impl Retract {
@@ -94,11 +99,5 @@ impl Retract {
     #[must_use]
     pub fn position(&self) -> f64 {
         self.position.unwrap_or(Self::POSITION)
-    }
-}
-
-impl Default for Approach {
-    fn default() -> Self {
-        Self { distance: 50.0 }
     }
 }

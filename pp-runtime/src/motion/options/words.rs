@@ -1,6 +1,11 @@
-//! What words of a motion say: axis values, tip coordinates or coordinates in a tilted plane, and the words of rotary axes.
+//! What words of a motion say: axis values, tip coordinates or coordinates in a tilted plane, and the words of rotary
+//! axes.
 
 use std::collections::BTreeMap;
+
+use crate::keys::{OneOf, Truth, options};
+
+use super::keys::{CLAMP, GRID, WRAP};
 
 /// What the words of a motion say.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -40,6 +45,14 @@ pub enum TcpFrame {
     NotTurning,
 }
 
+impl TcpFrame {
+    const NAMES: [(&'static str, Self); 3] = [
+        ("table_at_zero", Self::TableAtZero),
+        ("table_at_start", Self::TableAtStart),
+        ("not_turning", Self::NotTurning),
+    ];
+}
+
 /// How a control moves the tool axis from one block to the next while it keeps the tip on its path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ToolPosture {
@@ -48,6 +61,10 @@ pub enum ToolPosture {
     Axes,
     /// The tool axis turns in the plane of its ends.
     Plane,
+}
+
+impl ToolPosture {
+    const NAMES: [(&'static str, Self); 2] = [("axes", Self::Axes), ("plane", Self::Plane)];
 }
 
 /// How a block of mode `tcp` says where the tool axis goes.
@@ -59,34 +76,41 @@ pub enum TcpWords {
     Vectors,
 }
 
-/// Tip control, in mode `tcp`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct TipOptions {
-    /// The frame of tip coordinates; default none: where a control has only one, that one.
-    pub tcp_frame: Option<TcpFrame>,
-    /// How blocks say where the tool axis goes; default [`TcpWords::Angles`].
-    pub tcp_words: TcpWords,
-    /// How the control moves the tool axis; default [`ToolPosture::Axes`].
-    pub tool_posture: ToolPosture,
-    /// The control knows held axes and linear axes between rotary ones; default false.
-    pub tcp_confirmed: bool,
+impl TcpWords {
+    const NAMES: [(&'static str, Self); 2] = [("angles", Self::Angles), ("vectors", Self::Vectors)];
 }
 
-impl Default for TipOptions {
-    fn default() -> Self {
-        Self { tcp_frame: None, tcp_words: TcpWords::Angles, tool_posture: ToolPosture::Axes, tcp_confirmed: false }
+options! {
+    /// Tip control, in mode `tcp`.
+    pub struct TipOptions {
+        /// The frame of tip coordinates where a table turns under them: fixed to the table as it stands at zero
+        /// ("table_at_zero"), or where tip control begins ("table_at_start"), or standing still ("not_turning"). Fanuc:
+        /// parameter 19696#5.
+        ///
+        /// Without it where a control has only one, that one.
+        tcp_frame: Option<TcpFrame> = None, key("tcp_frame", OneOf(&TcpFrame::NAMES), "\"table_at_zero\"");
+        /// Blocks of mode "tcp" hold the "angles" of the rotary axes, or the tool axis as "vectors" and the control
+        /// chooses the angles.
+        tcp_words: TcpWords = TcpWords::Angles, key("tcp_words", OneOf(&TcpWords::NAMES));
+        /// How the control moves the tool axis in mode "tcp": rotary "axes" evenly, or in the "plane" of its ends.
+        tool_posture: ToolPosture = ToolPosture::Axes, key("tool_posture", OneOf(&ToolPosture::NAMES));
+        /// In mode "tcp" the control knows held axes and linear axes between rotary ones; in modes "tcp" and "plane"
+        /// its frame stays where `rotary_offset` has entries in the work offset.
+        tcp_confirmed: bool = false, key("tcp_confirmed", Truth);
     }
 }
 
-/// Words and clamps of rotary axes.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct RotaryOptions {
-    /// How the words of endless axes stay within a turn; default none: they count turns.
-    pub wrap: BTreeMap<char, Wrap>,
-    /// Steps of indexed axes, rad; default none: they turn continuously.
-    pub grid: BTreeMap<char, f64>,
-    /// Codes of the clamps; default none.
-    pub clamp: BTreeMap<char, ClampCodes>,
+options! {
+    /// Words and clamps of rotary axes.
+    pub struct RotaryOptions {
+        /// Words of endless rotary axes: "none" (370 is ten degrees past a turn), "0..360" or "+-180" (the control goes
+        /// the short way), "sign" (0..360, the sense of the motion as sign).
+        wrap: BTreeMap<char, Wrap> = BTreeMap::new(), key("wrap", WRAP);
+        /// Steps of indexed rotary axes (Hirth): they turn between cuts only, and to these angles only.
+        grid: BTreeMap<char, f64> = BTreeMap::new(), key("grid", GRID);
+        /// Codes that hold a rotary axis where it stays still between two approaches, and that let it turn.
+        clamp: BTreeMap<char, ClampCodes> = BTreeMap::new(), key("clamp", CLAMP);
+    }
 }
 
 /// How the words of a rotary axis stay within a turn; without it they show as many turns as there are.
@@ -98,6 +122,16 @@ pub enum Wrap {
     Symmetric,
     /// From 0 up to 360 with the sense of the motion as sign; a whole turn stands for a zero that is reached backwards.
     Sign,
+}
+
+impl Wrap {
+    /// Every word of a file; the first is none of them.
+    pub(crate) const NAMES: [(&'static str, Option<Self>); 4] = [
+        ("none", None),
+        ("0..360", Some(Self::Positive)),
+        ("+-180", Some(Self::Symmetric)),
+        ("sign", Some(Self::Sign)),
+    ];
 }
 
 /// What switches the clamp of a rotary axis.

@@ -1,6 +1,6 @@
-//! Values and keys of a configuration file, each fault with the place it stands at.
+//! Values of a configuration file, each fault with its place in the text.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::ops::{Range, RangeInclusive};
 
@@ -8,19 +8,20 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::diag::{Diagnostic, Severity};
-use crate::program::Location;
+use crate::kinematics::{Axis, Limits};
+use crate::program::{Location, Units};
 
-use super::Units;
+use super::KeyScope;
 
 /// A value with its place in the text.
-pub(super) type Value<'a> = &'a Spanned<DeValue<'a>>;
+pub(crate) type TomlValue<'a> = &'a Spanned<DeValue<'a>>;
 
 /// Longest length that is taken for one, mm. A typing error, or inches in place of millimetres, shows up here.
 const LONGEST_MM: f64 = 1e5;
 
 /// Which numbers make sense.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Bound {
+pub(crate) enum Bound {
     /// Every finite number.
     Any,
     /// Zero or more.
@@ -31,7 +32,7 @@ pub(super) enum Bound {
 
 /// What a number measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Quantity {
+pub(crate) enum Quantity {
     /// As it stands: rev/min, seconds.
     Plain,
     /// The file's unit of length, or that per minute.
@@ -40,81 +41,146 @@ pub(super) enum Quantity {
     Angle,
 }
 
-/// What a value has to be.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Shape {
-    /// A number.
-    Number(Bound),
-    /// A whole number.
-    Whole(RangeInclusive<u32>),
-    /// True or false.
-    Boolean,
-    /// A line of text.
-    Text,
-    /// One of a few words.
-    Choice(Vec<&'static str>),
-    /// A table of these keys, with values that are alike.
-    Names(Vec<String>),
-    /// A table whose keys are numbers, with values that are alike.
-    Numbered,
-    /// As this JSON schema says.
-    Schema(&'static str),
+/// A key that nothing asked for.
+#[derive(Debug, Clone)]
+pub(crate) struct UnknownKey {
+    /// The table that it is in, empty for the file.
+    pub(crate) table: String,
+    /// The key.
+    pub(crate) name: String,
+    /// Its place.
+    pub(crate) span: Range<usize>,
+    /// What is asked for there.
+    pub(crate) known: Vec<&'static str>,
 }
 
-/// What was asked for while a file was read: the place of a value in the text and what it has to be, and all keys there are,
-/// with their tables.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Notes {
-    pub(super) shapes: BTreeMap<usize, Shape>,
-    pub(super) keys: Vec<(String, &'static str)>,
-}
-
-/// Collects faults while values are read.
-pub(super) struct Reader<'t> {
+/// Reads values and collects what is wrong with them.
+pub(crate) struct KeyReader<'t> {
     text: &'t str,
+    scope: KeyScope,
     /// Unit of the file.
-    pub(super) units: Units,
+    units: Units,
     /// A length was read.
-    pub(super) lengths: bool,
+    lengths: bool,
     faults: Vec<Diagnostic>,
-    top: Vec<&'static str>,
-    /// What was asked for, where that is wanted.
-    notes: Option<Notes>,
+    /// Paths of the keys that the file has.
+    given: BTreeSet<&'static str>,
+    /// Keys of the file that nothing asked for.
+    unknown: Vec<UnknownKey>,
+    /// Travel of axes that the file states.
+    travel: BTreeMap<char, Option<Limits>>,
+    /// Every key that was asked for, with its table.
+    #[cfg(test)]
+    known: Vec<(String, &'static str)>,
 }
 
-impl<'t> Reader<'t> {
-    pub(super) fn new(text: &'t str) -> Self {
-        Self { text, units: Units::Millimetres, lengths: false, faults: Vec::new(), top: Vec::new(), notes: None }
-    }
-
-    /// A reader that also notes what each value has to be.
-    pub(super) fn noting(text: &'t str) -> Self {
-        Self { notes: Some(Notes::default()), ..Self::new(text) }
-    }
-
-    /// What has been noted.
-    pub(super) fn into_notes(self) -> Notes {
-        self.notes.unwrap_or_default()
-    }
-
-    /// Notes what a value has to be; the last note about it counts.
-    pub(super) fn note(&mut self, value: Value<'_>, shape: impl FnOnce() -> Shape) {
-        if let Some(notes) = &mut self.notes {
-            notes.shapes.insert(value.span().start, shape());
+impl<'t> KeyReader<'t> {
+    /// A reader of values of this file, in millimetres.
+    pub(crate) fn new(text: &'t str, scope: KeyScope) -> Self {
+        Self {
+            text,
+            scope,
+            units: Units::Millimetres,
+            lengths: false,
+            faults: Vec::new(),
+            given: BTreeSet::new(),
+            unknown: Vec::new(),
+            travel: BTreeMap::new(),
+            #[cfg(test)]
+            known: Vec::new(),
         }
     }
 
-    pub(super) fn has_faults(&self) -> bool {
+    #[cfg(test)]
+    pub(crate) fn note_known(&mut self, table: &str, keys: &[&'static str]) {
+        self.known.extend(keys.iter().map(|key| (table.to_owned(), *key)));
+    }
+
+    /// Every key that was asked for, with its table.
+    #[cfg(test)]
+    pub(crate) fn known(&self) -> &[(String, &'static str)] {
+        &self.known
+    }
+
+    /// What keys depend on.
+    pub(crate) fn scope(&self) -> KeyScope {
+        self.scope
+    }
+
+    /// Unit of the file.
+    pub(crate) fn units(&self) -> Units {
+        self.units
+    }
+
+    /// Every length from here on counts in these.
+    pub(crate) fn count_in(&mut self, units: Units) {
+        self.units = units;
+    }
+
+    /// A length was read, in whatever unit.
+    pub(crate) fn has_lengths(&self) -> bool {
+        self.lengths
+    }
+
+    /// The file has this key.
+    pub(crate) fn give(&mut self, path: &'static str) {
+        self.given.insert(path);
+    }
+
+    /// The file had this key.
+    pub(crate) fn is_given(&self, path: &str) -> bool {
+        self.given.contains(path)
+    }
+
+    /// The keys that the file had.
+    pub(crate) fn given(&self) -> &BTreeSet<&'static str> {
+        &self.given
+    }
+
+    /// The file has a key that nothing asked for.
+    pub(crate) fn leave(&mut self, key: UnknownKey) {
+        self.unknown.push(key);
+    }
+
+    /// Reports the keys that nothing asked for. `above`: those of the file's first level, for the remark that a key is
+    /// below the wrong header.
+    pub(crate) fn report_unknown(&mut self, above: &[&str]) {
+        for UnknownKey { table, name, span, known } in std::mem::take(&mut self.unknown) {
+            let dot = if table.is_empty() { "" } else { "." };
+            let path = format!("{table}{dot}{name}");
+            if !table.is_empty() && above.contains(&name.as_str()) {
+                let help = format!("`{name}` belongs above the first [header] of the file");
+                self.fault(span, format!("unknown key `{path}`"), Some(help));
+            } else if let Some(near) = nearest(&name, known.iter().copied()) {
+                self.fault(span, format!("unknown key `{path}`; did you mean `{near}`?"), None);
+            } else {
+                let help = format!("known here are {}", list(known.iter().copied(), '`'));
+                self.fault(span, format!("unknown key `{path}`"), Some(help));
+            }
+        }
+    }
+
+    /// The file states the travel of an axis; keys that come after it are held against it.
+    pub(crate) fn state_travel(&mut self, axis: char, limits: Option<Limits>) {
+        self.travel.insert(axis, limits);
+    }
+
+    /// Travel of an axis: as the file states it, else as declared.
+    pub(crate) fn travel_of(&self, axis: &Axis) -> Option<Limits> {
+        self.travel.get(&axis.letter).copied().unwrap_or(axis.limits)
+    }
+
+    pub(crate) fn has_faults(&self) -> bool {
         !self.faults.is_empty()
     }
 
     /// All faults in the order of the text.
-    pub(super) fn into_faults(mut self) -> Vec<Diagnostic> {
+    pub(crate) fn into_faults(mut self) -> Vec<Diagnostic> {
         self.faults.sort_by_key(|fault| fault.location);
         self.faults
     }
 
-    pub(super) fn fault(&mut self, span: Range<usize>, text: impl Into<String>, help: Option<String>) {
+    pub(crate) fn fault(&mut self, span: Range<usize>, text: impl Into<String>, help: Option<String>) {
         let bytes = self.text.as_bytes();
         let start = span.start.min(bytes.len());
         let line_start = bytes[..start].iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
@@ -131,7 +197,7 @@ impl<'t> Reader<'t> {
         });
     }
 
-    fn wrong_type(&mut self, value: Value<'_>, wanted: &str) {
+    fn wrong_type(&mut self, value: TomlValue<'_>, wanted: &str) {
         let found = match value.get_ref() {
             DeValue::String(_) => "text in quotes",
             DeValue::Integer(_) => "a whole number",
@@ -145,8 +211,7 @@ impl<'t> Reader<'t> {
     }
 
     /// A finite number in mm, rad, or as it stands.
-    pub(super) fn number(&mut self, value: Value<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
-        self.note(value, || Shape::Number(bound));
+    pub(crate) fn number(&mut self, value: TomlValue<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
         let read = match value.get_ref() {
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
             DeValue::Float(float) => float.as_str().parse::<f64>().ok(),
@@ -179,7 +244,7 @@ impl<'t> Reader<'t> {
     }
 
     /// A length in mm that a machine shop can have.
-    pub(super) fn length(&mut self, value: Value<'_>, bound: Bound) -> Option<f64> {
+    pub(crate) fn length(&mut self, value: TomlValue<'_>, bound: Bound) -> Option<f64> {
         let length = self.number(value, Quantity::Length, bound)?;
         if length.abs() > LONGEST_MM {
             let metres = length.abs() / 1000.0;
@@ -191,8 +256,7 @@ impl<'t> Reader<'t> {
     }
 
     /// A whole number within `range`.
-    pub(super) fn whole(&mut self, value: Value<'_>, range: RangeInclusive<u32>) -> Option<u32> {
-        self.note(value, || Shape::Whole(range.clone()));
+    pub(crate) fn whole(&mut self, value: TomlValue<'_>, range: RangeInclusive<u32>) -> Option<u32> {
         let DeValue::Integer(integer) = value.get_ref() else {
             self.wrong_type(value, "a whole number");
             return None;
@@ -205,8 +269,7 @@ impl<'t> Reader<'t> {
         read
     }
 
-    pub(super) fn boolean(&mut self, value: Value<'_>) -> Option<bool> {
-        self.note(value, || Shape::Boolean);
+    pub(crate) fn boolean(&mut self, value: TomlValue<'_>) -> Option<bool> {
         let read = value.get_ref().as_bool();
         if read.is_none() {
             self.wrong_type(value, "true or false");
@@ -215,8 +278,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Text of one line without control characters.
-    pub(super) fn line(&mut self, value: Value<'_>) -> Option<String> {
-        self.note(value, || Shape::Text);
+    pub(crate) fn line(&mut self, value: TomlValue<'_>) -> Option<String> {
         let Some(text) = value.get_ref().as_str() else {
             self.wrong_type(value, "text in quotes");
             return None;
@@ -229,8 +291,7 @@ impl<'t> Reader<'t> {
     }
 
     /// One of a few words.
-    pub(super) fn choice<T: Copy>(&mut self, value: Value<'_>, choices: &[(&'static str, T)]) -> Option<T> {
-        self.note(value, || Shape::Choice(choices.iter().map(|(name, _)| *name).collect()));
+    pub(crate) fn choice<T: Copy>(&mut self, value: TomlValue<'_>, choices: &[(&'static str, T)]) -> Option<T> {
         let Some(text) = value.get_ref().as_str() else {
             self.wrong_type(value, "text in quotes");
             return None;
@@ -248,7 +309,7 @@ impl<'t> Reader<'t> {
     }
 
     /// The elements of a list.
-    pub(super) fn list<'a>(&mut self, value: Value<'a>) -> Option<Vec<Value<'a>>> {
+    pub(crate) fn list<'a>(&mut self, value: TomlValue<'a>) -> Option<Vec<TomlValue<'a>>> {
         let read = value.get_ref().as_array();
         if read.is_none() {
             self.wrong_type(value, "a list in brackets");
@@ -257,7 +318,7 @@ impl<'t> Reader<'t> {
     }
 
     /// A table of free keys, in the order of the text.
-    pub(super) fn entries<'a>(&mut self, value: Value<'a>) -> Vec<(&'a str, Range<usize>, Value<'a>)> {
+    pub(crate) fn entries<'a>(&mut self, value: TomlValue<'a>) -> Vec<(&'a str, Range<usize>, TomlValue<'a>)> {
         let Some(table) = value.get_ref().as_table() else {
             self.wrong_type(value, "a table");
             return Vec::new();
@@ -268,66 +329,13 @@ impl<'t> Reader<'t> {
         entries
     }
 
-    /// Remembers the keys of the file's first level, for the remark that a key stands below the wrong header.
-    pub(super) fn remember_top(&mut self, section: &Section<'_>) {
-        self.top.clone_from(&section.known);
-    }
-}
-
-/// A table of fixed keys: whatever is never asked for is unknown.
-pub(super) struct Section<'a> {
-    name: String,
-    table: Option<&'a DeTable<'a>>,
-    known: Vec<&'static str>,
-}
-
-impl<'a> Section<'a> {
-    /// The file itself, `name` empty, or a table in it.
-    pub(super) fn new(name: impl Into<String>, table: &'a DeTable<'a>) -> Self {
-        Self { name: name.into(), table: Some(table), known: Vec::new() }
-    }
-
-    /// The table in `value`; a section without keys if there is none.
-    pub(super) fn of(reader: &mut Reader<'_>, name: impl Into<String>, value: Option<Value<'a>>) -> Self {
-        let table = value.and_then(|value| {
-            let table = value.get_ref().as_table();
-            if table.is_none() {
-                reader.wrong_type(value, "a table");
-            }
-            table
-        });
-        Self { name: name.into(), table, known: Vec::new() }
-    }
-
-    /// The value of a key, the last part of `path`.
-    pub(super) fn get(&mut self, path: &'static str) -> Option<Value<'a>> {
-        let key = path.rsplit('.').next().unwrap_or(path);
-        self.known.push(key);
-        self.table?.get(key)
-    }
-
-    /// Reports every key that was never asked for.
-    pub(super) fn finish(self, reader: &mut Reader<'_>) {
-        if let Some(notes) = &mut reader.notes {
-            notes.keys.extend(self.known.iter().map(|key| (self.name.clone(), *key)));
+    /// The table in a value.
+    pub(crate) fn table<'a>(&mut self, value: TomlValue<'a>) -> Option<&'a DeTable<'a>> {
+        let table = value.get_ref().as_table();
+        if table.is_none() {
+            self.wrong_type(value, "a table");
         }
-        for (key, _) in self.table.into_iter().flat_map(DeTable::iter) {
-            let (name, span) = (key.get_ref().as_ref(), key.span());
-            if self.known.contains(&name) {
-                continue;
-            }
-            let dot = if self.name.is_empty() { "" } else { "." };
-            let path = format!("{}{dot}{name}", self.name);
-            if reader.top.contains(&name) {
-                let help = format!("`{name}` belongs above the first [header] of the file");
-                reader.fault(span, format!("unknown key `{path}`"), Some(help));
-            } else if let Some(near) = nearest(name, self.known.iter().copied()) {
-                reader.fault(span, format!("unknown key `{path}`; did you mean `{near}`?"), None);
-            } else {
-                let help = format!("known here are {}", list(self.known.iter().copied(), '`'));
-                reader.fault(span, format!("unknown key `{path}`"), Some(help));
-            }
-        }
+        table
     }
 }
 

@@ -1,0 +1,139 @@
+//! Tables whose keys are axes of the machine.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::kinematics::{Axis, AxisKind};
+
+use super::list::{Printed, printed_degrees, printed_number};
+use super::reader::{Bound, KeyReader, Quantity, TomlValue};
+use super::{KeyKind, KeyScope};
+
+/// Which axes a table may name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AxisSet {
+    /// Every axis of the machine.
+    All,
+    /// Rotary axes that are solved.
+    Solved,
+}
+
+/// A value of a table whose keys are axes.
+#[derive(Debug, Clone)]
+pub(crate) struct AxisEntry<'a> {
+    /// The axis.
+    pub(crate) axis: &'static Axis,
+    /// Place of its letter.
+    pub(crate) span: Range<usize>,
+    /// What the table says of it.
+    pub(crate) value: TomlValue<'a>,
+}
+
+/// A table with a value for each of some axes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PerAxis<V> {
+    /// The axes that it may name.
+    pub(crate) axes: AxisSet,
+    /// It is printed as a section of its own.
+    pub(crate) section: bool,
+    /// Reads one value.
+    pub(crate) read: fn(&mut KeyReader<'_>, &AxisEntry<'_>) -> Option<V>,
+    /// How an axis is printed; `None`: not at all.
+    pub(crate) printed: fn(&KeyScope, &Axis) -> Option<Printed>,
+    /// The JSON schema of one value.
+    pub(crate) schema: fn() -> Json,
+}
+
+impl<V> KeyKind for PerAxis<V> {
+    type Value = BTreeMap<char, V>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<char, V>> {
+        let mut read = BTreeMap::new();
+        for entry in entries(r, self.axes, value) {
+            read.extend((self.read)(r, &entry).map(|value| (entry.axis.letter, value)));
+        }
+        Some(read)
+    }
+
+    fn print(&self, _value: &BTreeMap<char, V>) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        let mut properties = Map::new();
+        for axis in scope.axes.iter().filter(|axis| self.axes == AxisSet::All || solved(axis)) {
+            properties.insert(axis.letter.to_string(), (self.schema)());
+        }
+        json!({ "type": "object", "properties": properties, "additionalProperties": false })
+    }
+
+    fn printed(&self, scope: &KeyScope) -> Option<Printed> {
+        let printed = |axis: &Axis| Some((axis.letter.to_string(), (self.printed)(scope, axis)?));
+        let mut entries: Vec<(String, Printed)> = scope.axes.iter().filter_map(printed).collect();
+        if self.section {
+            return Some(Printed::Section(entries));
+        }
+        if entries.is_empty() {
+            let zero = |axis: &Axis| (axis.letter.to_string(), Printed::Example("0.0".to_owned()));
+            entries = scope.axes.iter().map(zero).collect();
+        }
+        let inline = entries.into_iter().filter_map(|(letter, printed)| match printed {
+            Printed::Default(text) | Printed::Example(text) => Some(format!("{letter} = {text}")),
+            Printed::Section(_) => None,
+        });
+        Some(Printed::Example(format!("{{ {} }}", inline.collect::<Vec<_>>().join(", "))))
+    }
+
+    fn counts(&self) -> bool {
+        false
+    }
+}
+
+/// The entries of a table whose keys are axes; others are faults.
+fn entries<'a>(r: &mut KeyReader<'_>, set: AxisSet, value: TomlValue<'a>) -> Vec<AxisEntry<'a>> {
+    let KeyScope { machine, axes, .. } = r.scope();
+    let mut read = Vec::new();
+    for (key, span, value) in r.entries(value) {
+        match axes.iter().find(|axis| axis.letter.to_string() == key) {
+            Some(axis) if set == AxisSet::Solved && !solved(axis) => {
+                let help = format!("these are {}", letters(axes, solved));
+                r.fault(value.span(), format!("{} is no rotary axis that is solved", axis.letter), Some(help));
+            }
+            Some(axis) => read.push(AxisEntry { axis, span, value }),
+            None => {
+                let help = format!("its axes are {}", letters(axes, |_| true));
+                r.fault(span, format!("`{key}` is not an axis of {machine}"), Some(help));
+            }
+        }
+    }
+    read
+}
+
+/// A rotary axis whose angle follows from the tool axis.
+pub(crate) fn solved(axis: &Axis) -> bool {
+    axis.kind == AxisKind::Rotary && !axis.held
+}
+
+/// `X Y Z`.
+pub(crate) fn letters(axes: &[Axis], wanted: impl Fn(&Axis) -> bool) -> String {
+    let letters: Vec<String> = axes.iter().filter(|axis| wanted(axis)).map(|axis| axis.letter.to_string()).collect();
+    letters.join(" ")
+}
+
+/// A position or speed of an axis, mm or rad.
+pub(crate) fn along(r: &mut KeyReader<'_>, axis: &Axis, value: TomlValue<'_>, bound: Bound) -> Option<f64> {
+    match axis.kind {
+        AxisKind::Linear => r.number(value, Quantity::Length, bound),
+        AxisKind::Rotary => r.number(value, Quantity::Angle, bound),
+    }
+}
+
+/// A position or speed of an axis as TOML.
+pub(crate) fn printed_along(axis: &Axis, value: f64) -> String {
+    match axis.kind {
+        AxisKind::Linear => printed_number(value),
+        AxisKind::Rotary => printed_degrees(value),
+    }
+}

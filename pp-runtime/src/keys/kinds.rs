@@ -1,0 +1,225 @@
+//! Kinds of values that keys of several stages have.
+
+use std::ops::RangeInclusive;
+
+use serde_json::{Value as Json, json};
+
+use super::list::{printed_degrees, printed_number};
+use super::reader::{Bound, KeyReader, Quantity, TomlValue};
+use super::{KeyKind, KeyScope};
+
+/// A number with a unit: mm, rad or as it is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Measure {
+    quantity: Quantity,
+    bound: Bound,
+    /// What else is wrong with a number.
+    fault: fn(f64) -> Option<String>,
+}
+
+impl Measure {
+    /// A length or a speed: mm, mm/min.
+    pub(crate) const fn length(bound: Bound) -> Self {
+        Self { quantity: Quantity::Length, bound, fault: |_| None }
+    }
+
+    /// An angle or a rotary speed: rad, rad/min; degrees in a file.
+    pub(crate) const fn angle(bound: Bound) -> Self {
+        Self { quantity: Quantity::Angle, bound, fault: |_| None }
+    }
+
+    /// As it is: rev/min, seconds.
+    pub(crate) const fn plain(bound: Bound) -> Self {
+        Self { quantity: Quantity::Plain, bound, fault: |_| None }
+    }
+
+    /// With a rule of its own: what is wrong with a number.
+    pub(crate) const fn unless(self, fault: fn(f64) -> Option<String>) -> Self {
+        Self { fault, ..self }
+    }
+}
+
+impl KeyKind for Measure {
+    type Value = f64;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<f64> {
+        let number = match self.quantity {
+            Quantity::Length => r.length(value, self.bound),
+            Quantity::Angle | Quantity::Plain => r.number(value, self.quantity, self.bound),
+        };
+        if let Some(fault) = number.and_then(self.fault) {
+            r.fault(value.span(), fault, None);
+        }
+        number
+    }
+
+    fn print(&self, value: &f64) -> String {
+        match self.quantity {
+            Quantity::Length | Quantity::Plain => printed_number(*value),
+            Quantity::Angle => printed_degrees(*value),
+        }
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        match self.bound {
+            Bound::Any => json!({ "type": "number" }),
+            Bound::NotNegative => json!({ "type": "number", "minimum": 0 }),
+            Bound::Positive => json!({ "type": "number", "exclusiveMinimum": 0 }),
+        }
+    }
+}
+
+/// A whole number within a range.
+#[derive(Debug, Clone)]
+pub(crate) struct Whole(pub(crate) RangeInclusive<u32>);
+
+impl KeyKind for Whole {
+    type Value = u32;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<u32> {
+        r.whole(value, self.0.clone())
+    }
+
+    fn print(&self, value: &u32) -> String {
+        value.to_string()
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        json!({ "type": "integer", "minimum": self.0.start(), "maximum": self.0.end() })
+    }
+}
+
+/// True or false.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Truth;
+
+impl KeyKind for Truth {
+    type Value = bool;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<bool> {
+        r.boolean(value)
+    }
+
+    fn print(&self, value: &bool) -> String {
+        value.to_string()
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        json!({ "type": "boolean" })
+    }
+}
+
+/// Text of one line without control characters.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OneLine;
+
+impl KeyKind for OneLine {
+    type Value = String;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<String> {
+        r.line(value)
+    }
+
+    fn print(&self, value: &String) -> String {
+        format!("\"{value}\"")
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        json!({ "type": "string" })
+    }
+}
+
+/// One of a few words, each with what it means.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OneOf<T: 'static>(pub(crate) &'static [(&'static str, T)]);
+
+impl<T: Copy + PartialEq> KeyKind for OneOf<T> {
+    type Value = T;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<T> {
+        r.choice(value, self.0)
+    }
+
+    fn print(&self, value: &T) -> String {
+        let word = self.0.iter().find(|(_, known)| known == value).map_or("", |(word, _)| word);
+        format!("\"{word}\"")
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        json!({ "enum": self.0.iter().map(|(word, _)| *word).collect::<Vec<_>>() })
+    }
+}
+
+/// A list of values that are alike.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ListOf<K>(pub(crate) K);
+
+impl<K: KeyKind> KeyKind for ListOf<K> {
+    type Value = Vec<K::Value>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Vec<K::Value>> {
+        let values = r.list(value)?;
+        Some(values.into_iter().filter_map(|value| self.0.read(r, value)).collect())
+    }
+
+    fn print(&self, value: &Vec<K::Value>) -> String {
+        let values: Vec<String> = value.iter().map(|value| self.0.print(value)).collect();
+        format!("[{}]", values.join(", "))
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        json!({ "type": "array", "items": self.0.schema(scope) })
+    }
+}
+
+/// Three lengths: X, Y and Z.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LengthPoint;
+
+impl KeyKind for LengthPoint {
+    type Value = [f64; 3];
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<[f64; 3]> {
+        let numbers = r.list(value)?;
+        let &[x, y, z] = numbers.as_slice() else {
+            let text = format!("three numbers [x, y, z] are needed here, found {}", numbers.len());
+            r.fault(value.span(), text, None);
+            return None;
+        };
+        // All three are looked at before giving up, so that each fault is reported.
+        let [x, y, z] = [x, y, z].map(|number| r.length(number, Bound::Any));
+        Some([x?, y?, z?])
+    }
+
+    fn print(&self, value: &[f64; 3]) -> String {
+        format!("[{}]", value.map(printed_number).join(", "))
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        json!({ "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 })
+    }
+}
+
+/// A value that is assumed where none is given, and told from one that is.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Assumed<K, V>(pub(crate) K, pub(crate) V);
+
+impl<K: KeyKind<Value = V>, V: Clone> KeyKind for Assumed<K, V> {
+    type Value = V;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<V> {
+        self.0.read(r, value)
+    }
+
+    fn print(&self, value: &V) -> String {
+        self.0.print(value)
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        self.0.schema(scope)
+    }
+
+    fn assumed(&self) -> Option<V> {
+        Some(self.1.clone())
+    }
+}

@@ -1,0 +1,289 @@
+//! Keys of planning that are tables by axis or have a form of their own.
+
+use nalgebra::{Point3, Vector3};
+use serde_json::{Value as Json, json};
+
+use crate::keys::{
+    AxisEntry, AxisSet, Bound, KeyKind, KeyReader, KeyScope, KeyTable, LengthPoint, PerAxis, Printed, Quantity,
+    TomlValue, along, solved,
+};
+use crate::kinematics::{Axis, AxisKind, Limits};
+use crate::program::{Clearance, Plane, Units};
+
+use super::{ClampCodes, CourseOptions, Wrap};
+
+const FORMS: &str = "write `{ plane = 80 }`, `{ box = [[-60, -60, -40], [60, 60, 30]] }` or \
+                     `{ cylinder = { radius = 90, lower = -40, upper = 30 } }`";
+
+const SCHEMA: &str = r#"{
+    "type": "object", "minProperties": 1, "maxProperties": 1, "additionalProperties": false,
+    "properties": {
+        "plane": { "type": "number" },
+        "box": {
+            "type": "array", "minItems": 2, "maxItems": 2,
+            "items": { "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3 }
+        },
+        "cylinder": {
+            "type": "object", "additionalProperties": false, "required": ["radius", "lower", "upper"],
+            "properties": {
+                "radius": { "type": "number", "exclusiveMinimum": 0 },
+                "lower": { "type": "number" },
+                "upper": { "type": "number" },
+                "centre": { "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 }
+            }
+        }
+    }
+}"#;
+
+const CLAMP_FORM: &str = "write `C = { on = \"M10\", off = \"M11\" }`";
+
+/// A plane, a box or a cylinder around the part.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Geometry;
+
+impl KeyKind for Geometry {
+    type Value = Clearance;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
+        geometry(r, value)
+    }
+
+    fn print(&self, _value: &Clearance) -> String {
+        String::new()
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        serde_json::from_str(SCHEMA).unwrap_or_default()
+    }
+}
+
+/// `B+`: a rotary axis, and the side of zero on which operations are to begin.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Preference;
+
+impl KeyKind for Preference {
+    type Value = (char, bool);
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<(char, bool)> {
+        let text = r.line(value)?;
+        let KeyScope { machine, axes, .. } = r.scope();
+        let preference = CourseOptions::preference(axes, &text);
+        if preference.is_none() {
+            r.fault(
+                value.span(),
+                format!("\"{text}\" is not known here"),
+                Some(CourseOptions::preferences(machine, axes)),
+            );
+        }
+        preference
+    }
+
+    fn print(&self, &(letter, positive): &(char, bool)) -> String {
+        format!("\"{letter}{}\"", if positive { '+' } else { '-' })
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        json!({ "type": "string" })
+    }
+
+    fn printed(&self, scope: &KeyScope) -> Option<Printed> {
+        let rotary = scope.axes.iter().rev().find(|axis| solved(axis));
+        Some(Printed::Example(self.print(&(rotary.map_or('B', |axis| axis.letter), true))))
+    }
+}
+
+impl CourseOptions {
+    /// `B+`: a rotary axis of the machine, and the side of zero on which operations are to begin.
+    pub(crate) fn preference(axes: &[Axis], text: &str) -> Option<(char, bool)> {
+        let positive = [('+', true), ('-', false)];
+        positive.into_iter().find_map(|(sign, positive)| {
+            let letter = text.strip_suffix(sign)?.trim();
+            let named = |axis: &&Axis| solved(axis) && letter.eq_ignore_ascii_case(&axis.letter.to_string());
+            axes.iter().find(named).map(|axis| (axis.letter, positive))
+        })
+    }
+
+    /// What may be preferred on a machine, as a help.
+    pub(crate) fn preferences(machine: &str, axes: &[Axis]) -> String {
+        let rotaries = axes.iter().filter(|axis| solved(axis));
+        let all: Vec<String> =
+            rotaries.flat_map(|axis| ['+', '-'].map(|sign| format!("\"{}{sign}\"", axis.letter))).collect();
+        match all.is_empty() {
+            true => format!("{machine} has no rotary axis to choose for"),
+            false => format!("write one of {}", all.join(", ")),
+        }
+    }
+}
+
+/// Where axes stay at the end.
+pub(crate) const PARK: PerAxis<f64> = PerAxis {
+    axes: AxisSet::All,
+    section: false,
+    read: |r, &AxisEntry { axis, value, .. }| {
+        let position = along(r, axis, value, Bound::Any)?;
+        // Angles come from degrees: a limit itself must pass.
+        let slack = 1e-9;
+        if let Some(limits) = r.travel_of(axis)
+            && !(limits.lower - slack..=limits.upper + slack).contains(&position)
+        {
+            let travel = show_limits(axis, limits, r.units());
+            r.fault(value.span(), format!("{} cannot stand there: its travel is {travel}", axis.letter), None);
+        }
+        Some(position)
+    },
+    printed: |_, axis| (axis.kind == AxisKind::Rotary).then(|| Printed::Example("0.0".to_owned())),
+    schema: || json!({ "type": "number" }),
+};
+
+/// How endless axes roll over.
+pub(crate) const WRAP: PerAxis<Wrap> = PerAxis {
+    axes: AxisSet::All,
+    section: true,
+    read: |r, AxisEntry { axis, span, value }| {
+        let wrap = r.choice(value, &Wrap::NAMES)?;
+        if !solved(axis) || r.travel_of(axis).is_some() {
+            let text = format!("{} is no endless rotary axis: it cannot roll over", axis.letter);
+            r.fault(span.clone(), text, Some(format!("`[limits] {} = \"free\"` if it is endless", axis.letter)));
+            return None;
+        }
+        wrap
+    },
+    printed: |_, axis| (solved(axis) && axis.limits.is_none()).then(|| Printed::Default("\"none\"".to_owned())),
+    schema: || json!({ "enum": Wrap::NAMES.map(|(word, _)| word) }),
+};
+
+/// Steps that divide a turn.
+pub(crate) const GRID: PerAxis<f64> = PerAxis {
+    axes: AxisSet::Solved,
+    section: true,
+    read: |r, entry| {
+        let step = r.number(entry.value, Quantity::Angle, Bound::Positive)?;
+        let steps = std::f64::consts::TAU / step;
+        if (steps - steps.round()).abs() > 1e-9 * steps || steps < 2.0 {
+            let help = "e.g. 1, 2.5 or 5 degrees".to_owned();
+            r.fault(entry.value.span(), "the steps of an indexed axis divide a turn", Some(help));
+            return None;
+        }
+        Some(step)
+    },
+    printed: |_, axis| solved(axis).then(|| Printed::Example("1.0".to_owned())),
+    schema: || json!({ "type": "number", "exclusiveMinimum": 0 }),
+};
+
+/// Codes that switch clamps.
+pub(crate) const CLAMP: PerAxis<ClampCodes> = PerAxis {
+    axes: AxisSet::Solved,
+    section: true,
+    read: clamp_codes,
+    printed: |_, axis| solved(axis).then(|| Printed::Example("{ on = \"M10\", off = \"M11\" }".to_owned())),
+    schema: || {
+        let code = json!({ "type": "string" });
+        json!({
+            "type": "object",
+            "properties": { "on": code.clone(), "off": code },
+            "additionalProperties": false
+        })
+    },
+};
+
+fn clamp_codes(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>) -> Option<ClampCodes> {
+    let mut table = KeyTable::of(r, format!("clamp.{}", entry.axis.letter), Some(entry.value));
+    let codes = ["on", "off"].map(|key| table.get(key, r));
+    let codes = codes.map(|value| value.and_then(|value| clamp_code(r, value)));
+    table.close(r);
+    match codes {
+        [Some(on), Some(off)] if on != off => Some(ClampCodes { on, off }),
+        _ => {
+            r.fault(entry.value.span(), "two different codes are needed here", Some(CLAMP_FORM.to_owned()));
+            None
+        }
+    }
+}
+
+/// An M code, perhaps with parameters that move nothing.
+fn clamp_code(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<String> {
+    let code = r.line(value)?;
+    let number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let mut words = code.split(' ');
+    let first = words.next().and_then(|word| word.strip_prefix('M')).is_some_and(number);
+    if first && words.all(|word| word.strip_prefix(['P', 'Q', 'L', 'E']).is_some_and(number)) {
+        return Some(code);
+    }
+    r.fault(value.span(), format!("\"{code}\" is not an M code"), Some(CLAMP_FORM.to_owned()));
+    None
+}
+
+fn show_limits(axis: &Axis, limits: Limits, units: Units) -> String {
+    match axis.kind {
+        AxisKind::Linear => {
+            format!("{:.3} to {:.3} {}", limits.lower / units.in_mm(), limits.upper / units.in_mm(), units.name())
+        }
+        AxisKind::Rotary => format!("{:.4} to {:.4} degrees", limits.lower.to_degrees(), limits.upper.to_degrees()),
+    }
+}
+
+/// Reads one geometry; what is wrong with it is told.
+fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
+    let entries = r.entries(value);
+    let [(kind, span, value)] = &entries[..] else {
+        if value.get_ref().as_table().is_some() {
+            r.fault(value.span(), "one geometry is needed here", Some(FORMS.to_owned()));
+        }
+        return None;
+    };
+    match *kind {
+        "plane" => {
+            let distance = r.length(value, Bound::Any)?;
+            Some(Clearance::Plane(Plane { normal: Vector3::z_axis(), distance }))
+        }
+        "box" => read_box(r, value),
+        "cylinder" => read_cylinder(r, value),
+        other => {
+            r.fault(span.clone(), format!("`{other}` is not known here"), Some(FORMS.to_owned()));
+            None
+        }
+    }
+}
+
+fn read_box(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
+    let corners = r.list(value)?;
+    let [lower, upper] = corners[..] else {
+        r.fault(value.span(), "two corners are needed here", Some(FORMS.to_owned()));
+        return None;
+    };
+    let [lower, upper] = [LengthPoint.read(r, lower)?, LengthPoint.read(r, upper)?];
+    if (0..3).any(|i| lower[i] >= upper[i]) {
+        r.fault(value.span(), "the box is empty: the lower corner comes first", None);
+        return None;
+    }
+    Some(Clearance::Box { lower: Point3::from(lower), upper: Point3::from(upper) })
+}
+
+fn read_cylinder(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
+    let (mut radius, mut lower, mut upper, mut centre) = (None, None, None, [0.0; 2]);
+    for (key, span, value) in r.entries(value) {
+        match key {
+            "radius" => radius = r.length(value, Bound::Positive),
+            "lower" => lower = r.length(value, Bound::Any),
+            "upper" => upper = r.length(value, Bound::Any),
+            "centre" => {
+                let numbers = r.list(value)?;
+                let [x, y] = numbers[..] else {
+                    r.fault(value.span(), "X and Y are needed here", None);
+                    return None;
+                };
+                centre = [r.length(x, Bound::Any)?, r.length(y, Bound::Any)?];
+            }
+            other => r.fault(span, format!("`{other}` is not known here"), Some(FORMS.to_owned())),
+        }
+    }
+    match (radius, lower, upper) {
+        (Some(radius), Some(lower), Some(upper)) if lower < upper => {
+            Some(Clearance::Cylinder { centre, radius, lower, upper })
+        }
+        _ => {
+            r.fault(value.span(), "radius, lower and a higher upper end are needed here", Some(FORMS.to_owned()));
+            None
+        }
+    }
+}

@@ -1,0 +1,334 @@
+//! Keys of the set-up that are tables by axis, tool or frame, or have a form of their own.
+
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+use serde_json::{Map, Value as Json, json};
+
+use crate::keys::{
+    AxisEntry, AxisSet, Bound, KeyKind, KeyList, KeyReader, KeyScope, KeyTable, Keys, LengthPoint, PerAxis, Printed,
+    Quantity, TomlValue, along, example_entries, letters, list, nearest, printed_along, printed_degrees,
+    printed_number, solved,
+};
+use crate::kinematics::{AxisKind, Dimension, DimensionKind, Limits};
+
+use super::{GivenTool, LARGEST_TOOL, Stock};
+
+/// Work offsets that every file may name, for the help.
+const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
+
+/// A whole turn more or less is none, rad.
+const LARGEST_OFFSET: f64 = std::f64::consts::TAU * (1.0 + 1e-12);
+
+/// A work offset that one of the controls has; which one has it is seen when it is chosen.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OffsetWord;
+
+impl KeyKind for OffsetWord {
+    type Value = String;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<String> {
+        if let Some(text) = value.get_ref().as_str()
+            && (r.scope().is_work_offset)(text)
+        {
+            return Some(text.to_owned());
+        }
+        r.choice(value, &WORK_OFFSETS.map(|word| (word, word))).map(str::to_owned)
+    }
+
+    fn print(&self, value: &String) -> String {
+        format!("\"{value}\"")
+    }
+
+    fn schema(&self, _scope: &KeyScope) -> Json {
+        json!({ "type": "string" })
+    }
+}
+
+/// Work offsets of frames by their numbers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FrameOffsets;
+
+impl KeyKind for FrameOffsets {
+    type Value = BTreeMap<u32, String>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<u32, String>> {
+        let help = "frames count from 1 in the order of the CL data: 2 = \"G55\"";
+        let mut frames = BTreeMap::new();
+        for (key, span, value) in r.entries(value) {
+            match number(key, 1..=u32::MAX) {
+                Some(number) => frames.extend(OffsetWord.read(r, value).map(|word| (number, word))),
+                None => r.fault(span, format!("`{key}` is not the number of a frame"), Some(help.to_owned())),
+            }
+        }
+        Some(frames)
+    }
+
+    fn print(&self, _value: &BTreeMap<u32, String>) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        numbered(&OffsetWord.schema(scope))
+    }
+
+    fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
+        Some(Printed::Section(vec![("2".to_owned(), Printed::Example("\"G55\"".to_owned()))]))
+    }
+
+    fn counts(&self) -> bool {
+        false
+    }
+}
+
+/// Tools by their numbers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ToolTable;
+
+impl KeyKind for ToolTable {
+    type Value = BTreeMap<u32, GivenTool>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<u32, GivenTool>> {
+        let mut tools = BTreeMap::new();
+        for (key, span, value) in r.entries(value) {
+            // Leading zeros would let one tool stand in two tables.
+            let Some(number) = number(key, 1..=LARGEST_TOOL) else {
+                let help = format!("tools are tables with a number from 1 to {LARGEST_TOOL}: [tools.12]");
+                r.fault(span, format!("`{key}` is not the number of a tool"), Some(help));
+                continue;
+            };
+            let mut table = KeyTable::of(r, format!("tools.{number}"), Some(value));
+            let mut tool = GivenTool::default();
+            tool.read(&mut table, r);
+            table.close(r);
+            tools.insert(number, tool);
+        }
+        Some(tools)
+    }
+
+    fn print(&self, _value: &BTreeMap<u32, GivenTool>) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        numbered(&Json::Object(KeyList::of(&GivenTool::default(), *scope).schema()))
+    }
+
+    fn printed(&self, scope: &KeyScope) -> Option<Printed> {
+        let example = example_entries(KeyList::of(&GivenTool::default(), *scope).rows());
+        Some(Printed::Section(vec![("12".to_owned(), Printed::Example(example))]))
+    }
+
+    fn counts(&self) -> bool {
+        false
+    }
+}
+
+/// Corners of the blank: both, or none.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BlankCorners;
+
+impl KeyKind for BlankCorners {
+    type Value = Stock;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Stock> {
+        let mut table = KeyTable::of(r, "stock", Some(value));
+        let [lower, upper] = ["lower", "upper"].map(|key| table.get(key, r));
+        table.close(r);
+        let corners = [lower, upper].map(|corner| corner.and_then(|corner| LengthPoint.read(r, corner)));
+        let [Some(lower), Some(upper)] = corners else {
+            if lower.is_some() != upper.is_some() {
+                let help = "lower = [-50, -40, -30] and upper = [50, 40, 0]".to_owned();
+                r.fault(value.span(), "both corners of the blank are needed", Some(help));
+            }
+            return None;
+        };
+        if (0..3).any(|index| lower[index] >= upper[index]) {
+            r.fault(value.span(), "this blank is empty: `lower` is its lowest corner", None);
+            return None;
+        }
+        Some(Stock { lower, upper })
+    }
+
+    fn print(&self, _value: &Stock) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        let corner = LengthPoint.schema(scope);
+        json!({
+            "type": "object",
+            "properties": { "lower": corner.clone(), "upper": corner },
+            "additionalProperties": false
+        })
+    }
+
+    fn printed(&self, _scope: &KeyScope) -> Option<Printed> {
+        let corners = [("lower", "[-50.0, -40.0, -30.0]"), ("upper", "[50.0, 40.0, 0.0]")];
+        let corners = corners.map(|(key, corner)| (key.to_owned(), Printed::Example(corner.to_owned())));
+        Some(Printed::Section(corners.to_vec()))
+    }
+
+    fn counts(&self) -> bool {
+        false
+    }
+}
+
+/// Dimensions of the machine.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct DimensionTable;
+
+impl KeyKind for DimensionTable {
+    type Value = BTreeMap<String, f64>;
+
+    fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<String, f64>> {
+        let KeyScope { machine, dimensions, .. } = r.scope();
+        let mut read = BTreeMap::new();
+        for (key, span, value) in r.entries(value) {
+            let Some(dimension) = dimensions.iter().find(|dimension| dimension.name == key) else {
+                let names = dimensions.iter().map(|dimension| dimension.name);
+                let help = match nearest(key, names.clone()) {
+                    Some(near) => format!("did you mean `{near}`?"),
+                    None if dimensions.is_empty() => format!("{machine} has no dimensions"),
+                    None => format!("its dimensions are {}", list(names, '`')),
+                };
+                r.fault(span, format!("`{key}` is not a dimension of {machine}"), Some(help));
+                continue;
+            };
+            let number = match dimension.kind {
+                DimensionKind::Length => r.length(value, Bound::Any),
+                DimensionKind::Angle => r.number(value, Quantity::Angle, Bound::Any),
+            };
+            read.extend(number.map(|number| (key.to_owned(), number)));
+        }
+        Some(read)
+    }
+
+    fn print(&self, _value: &BTreeMap<String, f64>) -> String {
+        "{}".to_owned()
+    }
+
+    fn schema(&self, scope: &KeyScope) -> Json {
+        let number = |dimension: &Dimension| (dimension.name.to_owned(), json!({ "type": "number" }));
+        let properties: Map<String, Json> = scope.dimensions.iter().map(number).collect();
+        json!({ "type": "object", "properties": properties, "additionalProperties": false })
+    }
+
+    fn printed(&self, scope: &KeyScope) -> Option<Printed> {
+        let printed = |dimension: &Dimension| {
+            let value = match dimension.kind {
+                DimensionKind::Length => printed_number(dimension.default),
+                DimensionKind::Angle => printed_degrees(dimension.default),
+            };
+            (dimension.name.to_owned(), Printed::Default(value))
+        };
+        Some(Printed::Section(scope.dimensions.iter().map(printed).collect()))
+    }
+
+    fn counts(&self) -> bool {
+        false
+    }
+}
+
+/// What the words of rotary axes count from.
+pub(crate) const ROTARY_OFFSET: PerAxis<f64> = PerAxis {
+    axes: AxisSet::Solved,
+    section: false,
+    read: |r, entry| {
+        let offset = r.number(entry.value, Quantity::Angle, Bound::Any)?;
+        if offset.abs() > LARGEST_OFFSET {
+            r.fault(entry.value.span(), "an offset of at most 360 degrees is needed here", None);
+        }
+        Some(offset)
+    },
+    printed: |_, axis| solved(axis).then(|| Printed::Example("0.0".to_owned())),
+    schema: any_number,
+};
+
+/// Machine coordinates of linear axes at zero.
+pub(crate) const MACHINE_ZERO: PerAxis<f64> = PerAxis {
+    axes: AxisSet::All,
+    section: false,
+    read: |r, AxisEntry { axis, span, value }| {
+        if axis.kind == AxisKind::Rotary {
+            let linear = letters(r.scope().axes, |axis| axis.kind == AxisKind::Linear);
+            let text = format!("{} turns; `machine_zero` is for linear axes", axis.letter);
+            r.fault(span.clone(), text, Some(format!("linear axes are {linear}")));
+            return None;
+        }
+        r.length(value, Bound::Any)
+    },
+    printed: |_, axis| (axis.kind == AxisKind::Linear).then(|| Printed::Example("0.0".to_owned())),
+    schema: any_number,
+};
+
+/// Travel: `[lowest, highest]`, or `"free"`.
+pub(crate) const LIMITS: PerAxis<Option<Limits>> = PerAxis {
+    axes: AxisSet::All,
+    section: true,
+    read: |r, entry| {
+        let limits = read_limits(r, entry)?;
+        r.state_travel(entry.axis.letter, limits);
+        Some(limits)
+    },
+    printed: |_, axis| {
+        let shown = |limits: Limits| {
+            let [lower, upper] = [limits.lower, limits.upper].map(|value| printed_along(axis, value));
+            format!("[{lower}, {upper}]")
+        };
+        Some(Printed::Default(axis.limits.map_or_else(|| "\"free\"".to_owned(), shown)))
+    },
+    schema: || {
+        let range = json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
+        json!({ "anyOf": [{ "const": "free" }, range] })
+    },
+};
+
+/// Largest speeds.
+pub(crate) const SPEEDS: PerAxis<f64> = PerAxis {
+    axes: AxisSet::All,
+    section: true,
+    read: |r, entry| along(r, entry.axis, entry.value, Bound::Positive),
+    printed: |_, axis| {
+        Some(match (axis.speed, axis.kind) {
+            (Some(speed), _) => Printed::Default(printed_along(axis, speed)),
+            (None, AxisKind::Linear) => Printed::Example("20000.0".to_owned()),
+            (None, AxisKind::Rotary) => Printed::Example("3600.0".to_owned()),
+        })
+    },
+    schema: || json!({ "type": "number", "exclusiveMinimum": 0 }),
+};
+
+fn any_number() -> Json {
+    json!({ "type": "number" })
+}
+
+/// A table whose keys are numbers.
+fn numbered(value: &Json) -> Json {
+    json!({ "type": "object", "patternProperties": { "^[1-9][0-9]*$": value }, "additionalProperties": false })
+}
+
+/// A number in a range, written without leading zeros.
+fn number(key: &str, range: RangeInclusive<u32>) -> Option<u32> {
+    key.parse().ok().filter(|number: &u32| range.contains(number) && number.to_string() == key)
+}
+
+fn read_limits(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>) -> Option<Option<Limits>> {
+    let &AxisEntry { axis, value, .. } = entry;
+    if value.get_ref().is_str() {
+        return r.choice(value, &[("free", None)]);
+    }
+    let numbers = r.list(value)?;
+    let &[lower, upper] = numbers.as_slice() else {
+        r.fault(value.span(), "a travel is [lowest, highest] or \"free\"", None);
+        return None;
+    };
+    let [lower, upper] = [lower, upper].map(|number| along(r, axis, number, Bound::Any));
+    let (lower, upper) = (lower?, upper?);
+    if lower > upper {
+        let help = "the lowest value comes first".to_owned();
+        r.fault(value.span(), format!("this travel of {} is empty", axis.letter), Some(help));
+        return None;
+    }
+    Some(Some(Limits { lower, upper }))
+}
