@@ -51,7 +51,7 @@ impl<M: Machine> StateFinder<M> {
                 )
             };
             let mut push = |words: Turns| out.push(RotaryState { branch: solution.branch, words });
-            match &self.placer.rotaries()[..] {
+            match self.placer.rotaries() {
                 [first, second] => {
                     for a in turns(first) {
                         turns(second).for_each(|b| push([a, b]));

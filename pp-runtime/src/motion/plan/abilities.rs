@@ -1,6 +1,6 @@
 //! What a control can do, as far as planning has to know.
 
-use crate::config::PathNorm;
+use crate::motion::options::PathNorm;
 
 use crate::motion::place::PlaneAbility;
 use crate::motion::place::TipAbility;
