@@ -299,7 +299,27 @@ impl<'a> Follow<'a> {
                     stated.filter(|stated| self.config.motion.allow_lintol || *stated <= self.config.motion.tolerance);
                 self.wanted.tolerance = stated.unwrap_or(self.config.motion.tolerance);
             }
-            _ => self.plain(at, event),
+            Event::Move(_)
+            | Event::Operation(_)
+            | Event::SafeSequence
+            | Event::Frame(_)
+            | Event::Tool(_)
+            | Event::Spindle(_)
+            | Event::Coolant(_)
+            | Event::Compensation(_)
+            | Event::From(_)
+            | Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Preselect(_)
+            | Event::Home
+            | Event::ClearancePlane(_)
+            | Event::Turning(_)
+            | Event::Delay(_)
+            | Event::OptionalStop
+            | Event::Stop
+            | Event::Message(_)
+            | Event::Insert(_)
+            | Event::Code { .. } => self.plain(at, event),
         }
     }
 
@@ -345,7 +365,17 @@ impl<'a> Follow<'a> {
                 self.wanted.frame = number;
                 self.wanted.clearance = self.config.motion.retract.clearance;
             }
-            _ => {}
+            // Nothing of a program follows from these, or they have been unfolded.
+            Event::From(_)
+            | Event::Name(_)
+            | Event::MachineName(_)
+            | Event::Preselect(_)
+            | Event::Turning(_)
+            | Event::Message(_)
+            | Event::Arc(_)
+            | Event::Spline(_)
+            | Event::Hole(_)
+            | Event::Tolerance(_) => {}
         }
     }
 
