@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::kinematics::Machine;
 
 /// Writes what is known about the kinematics of `M` as text.
-pub(super) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}: derivation of the kinematics; formulas in millimetres and radians", M::NAME)?;
     for (title, section) in M::EXPLANATION.sections() {
         if section.text.is_empty() {
@@ -41,7 +41,7 @@ const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 ";
 
 /// Writes the same as a complete LaTeX document.
-pub(super) fn latex<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn latex<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
     let name = M::NAME.replace('_', r"\_");
     writeln!(out, "{PREAMBLE}\\begin{{document}}\n")?;
     writeln!(out, "{{\\Large {name}: derivation of the kinematics}}\n")?;

@@ -12,10 +12,11 @@ use crate::program::Location;
 
 use super::args::{BlockName, ExplainBlockArgs, MessageFormat};
 use super::excerpt::excerpts;
+use super::inputs::{open, read_config};
 use super::map::{MapLine, axis_values, branch_number};
 use super::messages::Messages;
+use super::outcome::{Failure, Status, Streams, print};
 use super::posting::{Post, Run};
-use super::{Failure, Status, Streams, open, print, read_config};
 
 /// Where the program is written to.
 const TEMPORARY: &str = "a temporary file";
@@ -24,12 +25,12 @@ const TEMPORARY: &str = "a temporary file";
 const MOST: usize = 20;
 
 /// A line that was asked for, and where the machine stands behind it.
-struct Found {
+struct FoundLine {
     origin: Origin<'static>,
     stand: Option<Stand>,
 }
 
-impl Found {
+impl FoundLine {
     fn of(origin: &Origin<'_>) -> Self {
         Self {
             origin: Origin { standing: None, ..*origin },
@@ -43,9 +44,9 @@ impl Found {
 }
 
 /// Looks for a block among the lines of a program.
-struct Search {
+struct BlockSearch {
     wanted: BlockName,
-    found: Vec<Found>,
+    found: Vec<FoundLine>,
     /// Blocks that are meant.
     count: usize,
     lines: u64,
@@ -53,7 +54,7 @@ struct Search {
     numbered: bool,
 }
 
-impl Account for Search {
+impl Account for BlockSearch {
     fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
         self.lines = origin.line;
         let is_it = match self.wanted {
@@ -63,14 +64,14 @@ impl Account for Search {
         if is_it {
             self.count += 1;
             if self.found.len() < MOST {
-                self.found.push(Found::of(origin));
+                self.found.push(FoundLine::of(origin));
             }
         }
         Ok(())
     }
 }
 
-impl Search {
+impl BlockSearch {
     /// Why there is nothing to explain.
     fn missing(&self) -> String {
         let has = format!("the program has {} lines", self.lines);
@@ -85,7 +86,7 @@ impl Search {
     }
 }
 
-pub(super) fn run<M: Machine>(
+pub(crate) fn run<M: Machine>(
     args: &ExplainBlockArgs,
     streams: &mut Streams<'_>,
     post: Post<'_>,
@@ -95,7 +96,7 @@ pub(super) fn run<M: Machine>(
     let mut source = open(&args.input, streams.input)?;
     let (name, control) = (source.name().to_owned(), args.set_up.control());
     let numbered = config.control.program.line_numbers.is_some() || control.spellings().counted;
-    let mut search = Search { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
+    let mut search = BlockSearch { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
     let no_room = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
     let mut program = tempfile::tempfile().map_err(no_room)?;
     // How many lines tell of the check is only known behind it.
@@ -115,8 +116,8 @@ pub(super) fn run<M: Machine>(
     }
     program.rewind().map_err(no_room)?;
     source.rewind().map_err(unreadable)?;
-    let in_program = |found: &Found| (Location { line: found.origin.line, column: 1 }, 1);
-    let in_cl = |found: &Found| found.origin.at.filter(|at| at.line > 0).map(|at| (at, 1));
+    let in_program = |found: &FoundLine| (Location { line: found.origin.line, column: 1 }, 1);
+    let in_cl = |found: &FoundLine| found.origin.at.filter(|at| at.line > 0).map(|at| (at, 1));
     let blocks = excerpts(&mut program, search.found.iter().map(in_program)).map_err(no_room)?;
     let records = excerpts(&mut source, search.found.iter().filter_map(in_cl)).map_err(unreadable)?;
     print(streams, |out| {

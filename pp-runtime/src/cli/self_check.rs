@@ -14,15 +14,15 @@ use crate::control::Control;
 use crate::kinematics::Machine;
 
 use super::check::findings;
+use super::cl_source::ClSource;
 use super::messages::{Messages, headline};
-use super::source::Source;
 
 /// Bytes of a piece, and pieces on their way at most.
 const PIECE: usize = 1 << 16;
 const PIECES: usize = 16;
 
 /// A check that runs.
-pub(super) struct SelfCheck {
+pub(crate) struct SelfCheck {
     sender: Option<SyncSender<Vec<u8>>>,
     piece: Vec<u8>,
     thread: JoinHandle<Result<Checked, CheckError>>,
@@ -30,16 +30,16 @@ pub(super) struct SelfCheck {
 
 impl SelfCheck {
     /// Begins to check what will be written.
-    pub(super) fn start<M: Machine>(
+    pub(crate) fn start<M: Machine>(
         config: &Config,
         control: &'static dyn Control,
-        source: &Source,
+        source: &ClSource,
     ) -> io::Result<Self> {
         let (sender, receiver) = sync_channel(PIECES);
         let (config, input) = (config.clone(), source.again()?);
         let body = move || {
             let job = Job { config: &config, control, units: config.cl_units };
-            check::<M>(&job, input, Pieces { receiver, piece: Vec::new(), at: 0 })
+            check::<M>(&job, input, PieceReader { receiver, piece: Vec::new(), at: 0 })
         };
         let thread = thread::Builder::new().name("check".to_owned()).spawn(body)?;
         Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE), thread })
@@ -73,10 +73,10 @@ impl SelfCheck {
 }
 
 /// Why the program may not be handed over, if its check has found anything; everything found is told.
-pub(super) fn against(
+pub(crate) fn against(
     checked: Option<&Checked>,
     name: &str,
-    source: &mut Source,
+    source: &mut ClSource,
     messages: &mut Messages<'_>,
 ) -> Option<String> {
     let checked = checked?;
@@ -90,13 +90,13 @@ pub(super) fn against(
 }
 
 /// The pieces as a stream.
-struct Pieces {
+struct PieceReader {
     receiver: Receiver<Vec<u8>>,
     piece: Vec<u8>,
     at: usize,
 }
 
-impl Read for Pieces {
+impl Read for PieceReader {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         while self.at >= self.piece.len() {
             let Ok(piece) = self.receiver.recv() else { return Ok(0) };
@@ -110,7 +110,7 @@ impl Read for Pieces {
 }
 
 /// Writes to the output and to the check, where there is one.
-pub(super) struct Checking<'a> {
+pub(crate) struct Checking<'a> {
     out: &'a mut dyn Write,
     check: Option<SelfCheck>,
     /// Lines that the program ends with.
@@ -121,23 +121,23 @@ pub(super) struct Checking<'a> {
 
 impl<'a> Checking<'a> {
     /// `lines`: the end code and what stands behind it.
-    pub(super) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, lines: usize) -> Self {
+    pub(crate) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, lines: usize) -> Self {
         Self { out, check, lines, held: Vec::new() }
     }
 
     /// What has become of the check, once everything is written; `None` without one.
-    pub(super) fn verdict(&mut self) -> Option<Result<Checked, CheckError>> {
+    pub(crate) fn verdict(&mut self) -> Option<Result<Checked, CheckError>> {
         self.check.take().map(SelfCheck::finish)
     }
 
     /// Writes what was held back.
-    pub(super) fn close(mut self) -> io::Result<()> {
+    pub(crate) fn close(mut self) -> io::Result<()> {
         self.out.write_all(&std::mem::take(&mut self.held))?;
         self.out.flush()
     }
 
     /// Writes comments in the place of the end.
-    pub(super) fn close_with(self, comments: &[Vec<u8>]) -> io::Result<()> {
+    pub(crate) fn close_with(self, comments: &[Vec<u8>]) -> io::Result<()> {
         let kept = self.without_end();
         self.out.write_all(&self.held[..kept])?;
         comments.iter().try_for_each(|comment| write_line(self.out, None, comment))?;
@@ -145,7 +145,7 @@ impl<'a> Checking<'a> {
     }
 
     /// Writes comments in front of the end; `counted`: every line has its number, one more than that of the line before.
-    pub(super) fn close_behind(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
+    pub(crate) fn close_behind(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
         let kept = self.without_end();
         self.out.write_all(&self.held[..kept])?;
         let mut number = if counted { numbered(&self.held[kept..]).map(|(number, _)| number) } else { None };
