@@ -21,7 +21,7 @@ const CHUNK: usize = 64 * 1024;
 pub(crate) struct Excerpt {
     /// The line as it can be shown: control characters visible, bytes that are not text replaced.
     pub(crate) text: String,
-    /// Characters of `text` in front of the column.
+    /// Characters of `text` before the column.
     pub(crate) indent: usize,
     /// Characters of `text` from the column that the diagnostic speaks of, at least 1.
     pub(crate) marked: usize,
@@ -33,7 +33,7 @@ struct Window {
     bytes: Vec<u8>,
     /// Offset in the line of the first byte kept.
     start: u64,
-    /// The line goes on behind what is kept.
+    /// The line goes on after what is kept.
     cut: bool,
 }
 
@@ -119,7 +119,7 @@ fn show((location, length): (Location, u32), window: &Window) -> Excerpt {
         if window.start > 0 { window.bytes.iter().take_while(|&&byte| byte & 0xC0 == 0x80).count() } else { 0 };
     let cells = cells(&window.bytes[skipped..], skipped);
     let first = cells.iter().position(|(at, _)| *at >= column).unwrap_or(cells.len());
-    let behind = cells.iter().position(|(at, _)| *at >= marked_end).unwrap_or(cells.len());
+    let after = cells.iter().position(|(at, _)| *at >= marked_end).unwrap_or(cells.len());
     let (from, to) = if cells.len() <= WIDTH && window.start == 0 && !window.cut {
         (0, cells.len())
     } else {
@@ -132,7 +132,7 @@ fn show((location, length): (Location, u32), window: &Window) -> Excerpt {
     text.extend(cut_left.then_some('…'));
     text.extend(cells[from..to].iter().map(|(_, shown)| shown));
     text.extend(cut_right.then_some('…'));
-    Excerpt { text, indent: first - from + usize::from(cut_left), marked: behind.min(to).saturating_sub(first).max(1) }
+    Excerpt { text, indent: first - from + usize::from(cut_left), marked: after.min(to).saturating_sub(first).max(1) }
 }
 
 /// Each character with the offset of its first byte.

@@ -23,7 +23,7 @@ pub(crate) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Formulas stand in paragraphs, so that TeX breaks long ones at a sign.
+/// Formulas are paragraphs, so that TeX breaks long ones at a sign.
 const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}

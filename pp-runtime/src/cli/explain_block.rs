@@ -21,10 +21,10 @@ use super::posting::{Post, Run};
 /// Where the program is written to.
 const TEMPORARY: &str = "a temporary file";
 
-/// Block numbers start again behind the last one: so many blocks of one number are told.
+/// Block numbers start again after the last one: at most this many blocks of one number are listed.
 const MOST: usize = 20;
 
-/// A line that was asked for, and where the machine stands behind it.
+/// A line that was asked for, and the position of the machine after it.
 struct FoundLine {
     origin: Origin<'static>,
     stand: Option<Stand>,
@@ -99,15 +99,15 @@ pub(crate) fn run<M: Machine>(
     let mut search = BlockSearch { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
     let no_room = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
     let mut program = tempfile::tempfile().map_err(no_room)?;
-    // How many lines tell of the check is only known behind it.
+    // The number of lines about the check is known only after it.
     let (output, no_check) = (Path::new(TEMPORARY), !config.control.program.checked);
     let run = Run { input: &args.input, output, no_check, config: &config, control, post };
-    // What there is to say of the whole program was said when it was posted.
+    // Messages about the whole program were written when it was posted.
     let mut said = Vec::new();
     let mut unheard = Messages::new(&mut said, format);
     let written = run.write::<M>(&mut source, &mut program, Some(&mut search), &mut unheard)?;
     if written.is_err() {
-        // Where standard error is closed there is nobody to tell.
+        // Where standard error is closed the message is lost.
         let _ = streams.errors.write_all(&said);
     }
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
@@ -132,7 +132,9 @@ pub(crate) fn run<M: Machine>(
             }
             let block = blocks.get(&in_program(found)).map_or("", |excerpt| &excerpt.text);
             let record = in_cl(found).and_then(|place| Some((place.0.line, &records.get(&place)?.text)));
-            out.write_all(told(&origin, M::AXES, block, record.map(|(line, text)| (&*name, line, &**text))).as_bytes())
+            out.write_all(
+                explanation(&origin, M::AXES, block, record.map(|(line, text)| (&*name, line, &**text))).as_bytes(),
+            )
         })
     })?;
     let more = search.count - search.found.len();
@@ -142,8 +144,8 @@ pub(crate) fn run<M: Machine>(
     Ok(if written.is_err() { Status::Rejected } else { Status::Done })
 }
 
-/// What is told of a block, for people. `record`: file, line and text.
-fn told(origin: &Origin<'_>, axes: &[Axis], block: &str, record: Option<(&str, u64, &str)>) -> String {
+/// The explanation of a block, for people. `record`: file, line and text.
+fn explanation(origin: &Origin<'_>, axes: &[Axis], block: &str, record: Option<(&str, u64, &str)>) -> String {
     let mut text = format!("line {} of the program ({}):\n    {block}\n", origin.line, origin.step);
     // A string takes everything.
     let _ = writeln!(text, "{}", origin.why.text());

@@ -1,5 +1,5 @@
 //! `post --map FILE.json`: which record of the CL data each line of the program serves, why it is there, and where the
-//! machine stands behind it. One object per line, written while the program is.
+//! machine is after it. One object per line, written while the program is.
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -148,7 +148,7 @@ impl<'a> Tail<'a> {
         Self { account, end: Vec::new() }
     }
 
-    /// Hands them on. `inserted` lines stand in front of the `last` ones; `counted`: every line has a number of its own.
+    /// Hands them on. `inserted` lines come before the `last` ones; `counted`: every line has a number of its own.
     pub(crate) fn end(self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
         let Self { account, end } = self;
         let later = |origin: &Origin<'static>, lines: u32| Origin {
@@ -156,14 +156,14 @@ impl<'a> Tail<'a> {
             number: origin.number.map(|number| if counted { number + lines } else { number }),
             ..*origin
         };
-        let (before, behind) = end.split_at(end.len().saturating_sub(last));
+        let (before, after) = end.split_at(end.len().saturating_sub(last));
         before.iter().try_for_each(|origin| account.line(origin))?;
         let more = u32::try_from(inserted).unwrap_or_default();
-        if let Some(first) = behind.first() {
+        if let Some(first) = after.first() {
             let first = Origin { step: "check", number: first.number.filter(|_| counted), ..*first };
             (0..more).try_for_each(|index| account.line(&later(&first, index)))?;
         }
-        behind.iter().try_for_each(|origin| account.line(&later(origin, more)))
+        after.iter().try_for_each(|origin| account.line(&later(origin, more)))
     }
 }
 
@@ -177,7 +177,7 @@ impl Account for Tail<'_> {
     }
 }
 
-/// The file of a map: under its name stands the map of the program that was written with it, or nothing.
+/// The file of a map: its name holds the map of the program that was written with it, or nothing.
 pub(crate) struct MapFile {
     path: PathBuf,
     target: OutputFile,

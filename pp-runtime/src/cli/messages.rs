@@ -1,6 +1,6 @@
-//! What is said on standard error: diagnostics with the lines they speak of, remarks, and faults without a place.
+//! Messages on standard error: diagnostics with the lines they refer to, remarks, and faults without a place.
 //!
-//! Nothing here fails: where standard error is closed there is nobody to tell.
+//! Nothing here fails: where standard error is closed the message is lost.
 
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
@@ -30,7 +30,7 @@ struct JsonMessage<'a> {
     severity: &'a str,
     text: &'a str,
     help: Option<&'a str>,
-    /// How many it stands for.
+    /// Number of messages that it represents.
     count: u64,
 }
 
@@ -94,7 +94,7 @@ impl<'a> Messages<'a> {
             kind.last_line = diagnostic.location.line;
         }
         let places = shown.iter().map(|diagnostic| (diagnostic.location, diagnostic.length));
-        // Without the lines the messages still say what is wrong.
+        // Without the lines the messages are still complete sentences.
         let excerpts = excerpts(source, places).unwrap_or_default();
         for diagnostic in &shown {
             self.show(file, diagnostic, excerpts.get(&(diagnostic.location, diagnostic.length)));

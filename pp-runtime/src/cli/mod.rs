@@ -1,6 +1,6 @@
 //! The command line of a machine's binary: arguments, files, streams and exit status.
 //!
-//! Status 0: done. 1: the CL data has errors; nothing stands under the final name. 2: could not run; a closed pipe is
+//! Status 0: done. 1: the CL data has errors; there is no file of the final name. 2: could not run; a closed pipe is
 //! status 2 without a message. The program goes to standard output or a file, everything else to standard error.
 
 mod args;
@@ -83,7 +83,7 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
 fn usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
     let text = error.render().to_string();
     if error.use_stderr() {
-        // Where standard error is closed there is nobody to tell.
+        // Where standard error is closed the message is lost.
         let _ = streams.errors.write_all(text.as_bytes());
         return Status::NotRun;
     }

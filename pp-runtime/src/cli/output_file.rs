@@ -1,6 +1,6 @@
-//! The program's file: under its final name stands a complete program or nothing.
+//! The program's file: its final name holds a complete program, or does not exist.
 //!
-//! The program is written to a temporary file beside the final name and renamed when it is done. A program that was
+//! The program is written to a temporary file next to the final name and renamed when it is done. A program that was
 //! cut short goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is removed: nobody
 //! shall run yesterday's program because today's failed.
 
@@ -27,7 +27,7 @@ enum Destination {
 /// What became of a program that was cut short.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Rejected {
-    /// Where it stands; `None` if it went to a device.
+    /// Its file; `None` if it went to a device.
     pub(crate) path: Option<PathBuf>,
     /// An earlier program under the final name was removed.
     pub(crate) removed: bool,
@@ -77,7 +77,7 @@ impl OutputFile {
         Ok(first_line(&rejected).is_ok_and(|line| is_rejected(&line)) && fs::remove_file(rejected).is_ok())
     }
 
-    /// Removes what stands under the final name; whether there was anything.
+    /// Removes the file of the final name; whether there was one.
     fn remove(&self) -> io::Result<bool> {
         if let Destination::Direct(_) = self.destination {
             return Ok(false);
@@ -94,7 +94,7 @@ impl OutputFile {
         self.remove().map(drop)
     }
 
-    /// Puts the program beside the final name with `reason` as its first line, and removes what stands there.
+    /// Puts the program next to the final name with `reason` as its first line, and removes the file of the final name.
     pub(crate) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
         let removed = self.remove()?;
         let Destination::Renamed(mut file) = self.destination else { return Ok(Rejected { path: None, removed }) };
@@ -140,7 +140,7 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
 }
 
 fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
-    // A disk or a share that is full says so here at the latest.
+    // A full disk or share is an error here at the latest.
     file.as_file().sync_all()?;
     file.persist(path).map(drop).map_err(|error| error.error)
 }

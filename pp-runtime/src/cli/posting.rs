@@ -27,7 +27,7 @@ pub(crate) type ProgramSink<'a> = BufWriter<&'a mut dyn Write>;
 pub(crate) type Post<'a> =
     &'a dyn Fn(&Job<'_>, &mut ClSource, &mut ProgramSink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError>;
 
-/// How it went: what there is to tell, or why the program is not to be run.
+/// Remarks about a program, or why it must not be run.
 type Written = Result<Vec<String>, String>;
 
 pub(crate) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
@@ -53,8 +53,8 @@ pub(crate) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
     let mut map = map_file.as_mut().map(|file| file.begin::<M>(&cl_name(&args.input), control)).transpose()?;
     let written = run.write::<M>(&mut source, out, map.as_mut().map(|map| map as &mut dyn Account), &mut messages)?;
     let ended = map.map_or(Ok(()), MapWriter::end);
-    let told = match written {
-        Ok(told) => told,
+    let remarks = match written {
+        Ok(remarks) => remarks,
         Err(reason) => {
             reject(args, target, &reason, &mut messages)?;
             // Nobody shall look into the map of yesterday's program.
@@ -63,7 +63,7 @@ pub(crate) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
         }
     };
     ended.map_err(|error| Failure::unwritable(args.map.as_deref().unwrap_or(&args.output), error))?;
-    told.iter().for_each(|line| messages.note(line));
+    remarks.iter().for_each(|line| messages.note(line));
     map_file.as_ref().map_or(Ok(()), MapFile::clear)?;
     if let Some(target) = target {
         let removed = target.finish(|line| is_rejected(control, line)).map_err(unwritable)?;
@@ -126,13 +126,13 @@ impl Run<'_> {
         }
         let verdict = verdict(checked.as_ref());
         let footer = if config.control.program.checked { comments(control, &verdict) } else { Vec::new() };
-        checking.close_behind(&footer, counted).map_err(unwritable)?;
+        checking.close_before_end(&footer, counted).map_err(unwritable)?;
         account_for(tail, footer.len())?;
         let assumed = "assumed: lengths of the configuration file are in mm (`units` is not set there)";
-        let mut told: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
-        told.append(&mut report.summary());
-        told.push(verdict);
-        Ok(Ok(told))
+        let mut remarks: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
+        remarks.append(&mut report.summary());
+        remarks.push(verdict);
+        Ok(Ok(remarks))
     }
 
     /// The posting itself.
@@ -165,7 +165,7 @@ impl Run<'_> {
     }
 }
 
-/// Why a program with an error in its CL data is not handed over, whatever the report says.
+/// Why a program with an error in its CL data is not handed over, whatever the report states.
 fn refused(report: &Report, name: &str) -> Option<String> {
     let errors = report.diagnostics.iter().filter(|found| found.severity == Severity::Error);
     let first: Option<&Diagnostic> = errors.min_by_key(|found| found.location);
@@ -178,7 +178,7 @@ fn verdict(checked: Option<&Checked>) -> String {
     checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary())
 }
 
-/// Says where the program went that was cut short, and sees to it that nothing stands under the final name.
+/// Reports the file of a program that was cut short; the final name does not exist afterwards.
 fn reject(
     args: &PostArgs,
     target: Option<OutputFile>,

@@ -2,7 +2,7 @@
 //!
 //! Bytes go to the output and, in pieces over a bounded channel, to the check, which reads the CL data on its own. The
 //! last lines, in which the program ends, are held back until the check has passed: a program that did not pass has no
-//! end code, and one that did may say so in front of it.
+//! end code, and one that did may state it before the end code.
 
 use std::io::{self, Read, Seek as _, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -17,7 +17,7 @@ use super::check::findings;
 use super::cl_source::ClSource;
 use super::messages::{Messages, headline};
 
-/// Bytes of a piece, and pieces on their way at most.
+/// Bytes of a piece, and pieces in the channel at most.
 const PIECE: usize = 1 << 16;
 const PIECES: usize = 16;
 
@@ -52,7 +52,7 @@ impl SelfCheck {
         }
     }
 
-    /// Hands a piece over; a check that has ended early says why when it is asked.
+    /// Hands a piece over; a check that has ended early reports why when it is joined.
     fn send(&mut self) {
         let piece = std::mem::replace(&mut self.piece, Vec::with_capacity(PIECE));
         if self.sender.as_ref().is_some_and(|sender| sender.send(piece).is_err()) {
@@ -72,7 +72,7 @@ impl SelfCheck {
     }
 }
 
-/// Why the program may not be handed over, if its check has found anything; everything found is told.
+/// Why the program may not be handed over, if its check has found anything; all findings are written.
 pub(crate) fn against(
     checked: Option<&Checked>,
     name: &str,
@@ -120,7 +120,7 @@ pub(crate) struct Checking<'a> {
 }
 
 impl<'a> Checking<'a> {
-    /// `lines`: the end code and what stands behind it.
+    /// `lines`: the end code and the lines after it.
     pub(crate) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, lines: usize) -> Self {
         Self { out, check, lines, held: Vec::new() }
     }
@@ -144,8 +144,8 @@ impl<'a> Checking<'a> {
         self.out.flush()
     }
 
-    /// Writes comments in front of the end; `counted`: every line has its number, one more than that of the line before.
-    pub(crate) fn close_behind(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
+    /// Writes comments before the end; `counted`: every line has its number, one more than that of the line before.
+    pub(crate) fn close_before_end(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
         let kept = self.without_end();
         self.out.write_all(&self.held[..kept])?;
         let mut number = if counted { numbered(&self.held[kept..]).map(|(number, _)| number) } else { None };
@@ -166,7 +166,7 @@ impl<'a> Checking<'a> {
         self.out.flush()
     }
 
-    /// How many of the bytes held back stand before the end.
+    /// Number of the bytes held back that come before the end.
     fn without_end(&self) -> usize {
         let body = self.held.len() - usize::from(self.held.last() == Some(&b'\n'));
         let mut ends = memchr::memrchr_iter(b'\n', &self.held[..body]);
@@ -201,7 +201,7 @@ fn write_line(out: &mut dyn Write, number: Option<u64>, text: &[u8]) -> io::Resu
     out.write_all(b"\n")
 }
 
-/// The number that a line begins with, and what stands behind it.
+/// The number that a line begins with, and the text after it.
 fn numbered(line: &[u8]) -> Option<(u64, &[u8])> {
     let blank = line.iter().position(|byte| *byte == b' ')?;
     let number = str::from_utf8(&line[..blank]).ok()?.parse().ok()?;

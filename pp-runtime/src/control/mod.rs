@@ -21,10 +21,8 @@ use std::ops::RangeInclusive;
 
 use crate::program::Units;
 
-pub use dialects::{
-    ArcCentre, Arcs, CONTROLS, Comments, CycleCodes, CycleDefinitions, CycleForm, Cycles, Fanuc, Haas, Heidenhain,
-    LengthCall, LengthCodes, LinuxCnc, Siemens, Spellings, Thread, Tilting, Tip, Vectors,
-};
+// Every control by its name, and the types of their tables.
+pub use dialects::*;
 pub use encode::Encoder;
 pub(crate) use encode::{legible, lines_of};
 pub use fit::{abilities, unfit};

@@ -176,49 +176,49 @@ pub(crate) struct SetUpArgs {
     pub(crate) tolerance: Option<f64>,
     /// How far the tool axis may leave its even turn from one point to the next, degrees
     #[arg(long, value_name = "DEG", value_parser = axis_tolerance)]
-    pub(crate) axis_tolerance_path: Option<f64>,
+    axis_tolerance_path: Option<f64>,
     /// LINTOL of the CL data may be wider than the tolerance
     #[arg(long)]
-    pub(crate) allow_lintol: bool,
+    allow_lintol: bool,
     /// CAM system that wrote the CL data where it does not tell, or tells wrongly
     #[arg(long, value_enum)]
-    pub(crate) dialect: Option<DialectName>,
+    dialect: Option<DialectName>,
     /// Columns of a line that count
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=4096))]
-    pub(crate) columns: Option<u32>,
+    columns: Option<u32>,
     /// Pass this word of the CL data over; may be repeated
     #[arg(long, value_name = "WORD", value_parser = inert)]
     pub(crate) inert: Vec<String>,
     /// What to do with a frame that differs from the first
     #[arg(long, value_enum)]
-    pub(crate) frames: Option<FramesName>,
+    frames: Option<FramesName>,
     /// Sense of every CIRCLE about its axis, whatever its form says
     #[arg(long, value_enum)]
-    pub(crate) circle_sense: Option<SenseName>,
+    circle_sense: Option<SenseName>,
     /// What to do with INSERT
     #[arg(long, value_enum)]
-    pub(crate) insert: Option<InsertName>,
+    insert: Option<InsertName>,
     /// Write INSERT as NC text that nobody checks
     #[arg(long, conflicts_with = "insert")]
-    pub(crate) allow_insert: bool,
+    allow_insert: bool,
     /// Write FROM as the first approach
     #[arg(long, value_enum)]
     pub(crate) from: Option<FromName>,
     /// Branch on which operations begin where they can
     #[arg(long, value_enum)]
-    pub(crate) start_branch: Option<BranchName>,
+    start_branch: Option<BranchName>,
     /// Side of zero on which operations begin where they can: `B+`
     #[arg(long, value_name = "AXIS±", allow_hyphen_values = true)]
-    pub(crate) prefer: Option<String>,
+    prefer: Option<String>,
     /// Choose branch and turns motion by motion, without a view ahead
     #[arg(long)]
-    pub(crate) greedy: bool,
+    greedy: bool,
     /// Angle to the pole within which the tool axis is put there, degrees
     #[arg(long, value_name = "DEGREES", value_parser = pole_tolerance)]
     pub(crate) axis_tolerance: Option<f64>,
     /// What the words of a motion say: axis values, tip coordinates, or coordinates in a tilted plane
     #[arg(long, value_name = "MODE", value_parser = PossibleValuesParser::new(Mode::NAMES.map(|(name, _)| name)))]
-    pub(crate) mode: Option<String>,
+    mode: Option<String>,
     /// Dry run: move every point out along the tool axis by so many mm, with the spindle off
     #[arg(long, value_name = "MM", value_parser = lift)]
     pub(crate) lift: Option<f64>,
@@ -227,7 +227,7 @@ pub(crate) struct SetUpArgs {
     pub(crate) ops: Option<Operations>,
     /// Post from this operation on
     #[arg(long, value_name = "NAME", conflicts_with = "ops")]
-    pub(crate) from_op: Option<String>,
+    from_op: Option<String>,
     /// Number the blocks
     #[arg(long)]
     pub(crate) line_numbers: bool,
@@ -242,10 +242,10 @@ impl SetUpArgs {
         named(&self.control)
     }
 
-    /// Puts what the command line says on top of what the configuration file says.
+    /// Puts the arguments on top of the configuration file.
     ///
     /// # Errors
-    /// A sentence about what does not fit the machine.
+    /// A sentence about an argument that does not fit the machine.
     pub(crate) fn apply<M: Machine>(&self, config: &mut Config) -> Result<(), String> {
         if let Some(units) = self.units {
             config.cl_units = Some(units.into());

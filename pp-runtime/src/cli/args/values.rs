@@ -222,7 +222,7 @@ pub(crate) enum MessageFormat {
 /// Which block is meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BlockName {
-    /// By the number that stands in it.
+    /// By its block number.
     Number(u32),
     /// By its place in the program, from 1.
     Line(u64),

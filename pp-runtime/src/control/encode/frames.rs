@@ -12,14 +12,14 @@ use super::modal_writer::ModalWriter;
 
 /// Writes what switches the frame, with the blocks that the configuration has in the place of the control's.
 #[derive(Debug)]
-pub(crate) struct Frames {
+pub(crate) struct FrameWriter {
     mode: Mode,
     tip_control: Option<[String; 2]>,
     safety: Option<Vec<String>>,
     tool_change: Option<Vec<String>>,
 }
 
-impl Frames {
+impl FrameWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self {
             mode: layout.mode,

@@ -1,7 +1,7 @@
 //! Steps of the planner into blocks of a control.
 //!
 //! [`Encoder`] gives each step to the owner of what it changes: [`ModalWriter`] (motions, and every modal word), [`Holes`]
-//! (the cycle in force), [`Frames`] (tip control, tilted planes, restart points, tool changes) and [`SpindleCoolant`]. All
+//! (the cycle in force), [`FrameWriter`] (tip control, tilted planes, restart points, tool changes) and [`SpindleCoolant`]. All
 //! of them write through the `ModalWriter`, which owns the modal state. A new [`Step`] does not compile before
 //! [`Encoder::encode`] knows it.
 
@@ -23,7 +23,7 @@ use crate::set_up::Stock;
 use super::options::ProgramBlocks;
 use super::{Control, Layout, LengthGuard, Spellings};
 
-use frames::Frames;
+use frames::FrameWriter;
 use holes::Holes;
 use modal_state::After;
 use modal_writer::ModalWriter;
@@ -37,7 +37,7 @@ pub struct Encoder<'a, W: Write> {
     codes: &'static Spellings,
     out: ModalWriter<W>,
     holes: Holes,
-    frames: Frames,
+    frames: FrameWriter,
     spindle_coolant: SpindleCoolant,
     /// The tool after the next is called up.
     preselect: bool,
@@ -60,7 +60,7 @@ impl<'a, W: Write> Encoder<'a, W> {
             codes,
             out: ModalWriter::new(control, layout, out),
             holes: Holes::new(layout),
-            frames: Frames::new(layout),
+            frames: FrameWriter::new(layout),
             spindle_coolant: SpindleCoolant::new(layout),
             preselect: layout.setup.preselect.unwrap_or(codes.preselect),
             file_header: layout.setup.file_header,
