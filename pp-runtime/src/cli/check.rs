@@ -11,8 +11,9 @@ use crate::diag::Diagnostic;
 use crate::kinematics::Machine;
 
 use super::args::{CheckArgs, MessageFormat};
+use super::inputs::{open, read_config};
 use super::messages::Messages;
-use super::{Failure, Status, Streams, is_standard, open, print, read_config};
+use super::outcome::{Failure, Status, Streams, is_standard, print};
 
 /// The figures for programs.
 #[derive(Serialize)]
@@ -27,7 +28,7 @@ struct Figures {
     outside_limits: u64,
 }
 
-pub(super) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+pub(crate) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
     let config = read_config::<M>(&args.set_up, &mut messages)?;
     let mut source = open(&args.input, streams.input)?;
@@ -37,7 +38,7 @@ pub(super) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Re
             return Err(Failure::Argument("CL data and program cannot both come from standard input".to_owned()));
         }
         (true, false) => Box::new(&mut *streams.input),
-        _ => Box::new(File::open(&args.program).map_err(|error| Failure::unreadable(&args.program, error))?),
+        (false, _) => Box::new(File::open(&args.program).map_err(|error| Failure::unreadable(&args.program, error))?),
     };
     let job = Job { config: &config, control: args.set_up.control(), units: config.cl_units };
     let checked = check::<M>(&job, &mut source, program).map_err(|error| failure(error, &name, &args.program))?;
@@ -62,7 +63,7 @@ pub(super) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Re
 }
 
 /// Why there is no comparison.
-pub(super) fn failure(error: CheckError, name: &str, program: &Path) -> Failure {
+pub(crate) fn failure(error: CheckError, name: &str, program: &Path) -> Failure {
     match error {
         CheckError::Input(error) => Failure::Unreadable(name.to_owned(), error),
         CheckError::Program(error) => Failure::unreadable(program, error),
@@ -71,7 +72,7 @@ pub(super) fn failure(error: CheckError, name: &str, program: &Path) -> Failure 
 }
 
 /// Everything that speaks against a program.
-pub(super) fn findings(checked: &Checked) -> Vec<Diagnostic> {
+pub(crate) fn findings(checked: &Checked) -> Vec<Diagnostic> {
     checked.fault.iter().chain(&checked.outcome.findings).cloned().collect()
 }
 

@@ -8,7 +8,7 @@ use memchr::memchr2;
 use crate::program::Location;
 
 /// Characters of a line that are shown.
-pub(super) const WIDTH: usize = 100;
+pub(crate) const WIDTH: usize = 100;
 
 /// Bytes kept on each side of a column: four bytes a character at most.
 const REACH: u64 = 4 * WIDTH as u64;
@@ -18,13 +18,13 @@ const CHUNK: usize = 64 * 1024;
 
 /// The part of a line around a column.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub(super) struct Excerpt {
+pub(crate) struct Excerpt {
     /// The line as it can be shown: control characters visible, bytes that are not text replaced.
-    pub(super) text: String,
-    /// Characters of `text` in front of the column.
-    pub(super) indent: usize,
+    pub(crate) text: String,
+    /// Characters of `text` before the column.
+    pub(crate) indent: usize,
     /// Characters of `text` from the column that the diagnostic speaks of, at least 1.
-    pub(super) marked: usize,
+    pub(crate) marked: usize,
 }
 
 /// Bytes of a line around a column, while they are collected.
@@ -33,19 +33,19 @@ struct Window {
     bytes: Vec<u8>,
     /// Offset in the line of the first byte kept.
     start: u64,
-    /// The line goes on behind what is kept.
+    /// The line goes on after what is kept.
     cut: bool,
 }
 
 /// The text around each place (first byte and number of bytes); a place that the text does not have is left out.
 ///
 /// Lines end in LF, CRLF or a lone CR, as they do for the reader of CL data.
-pub(super) fn excerpts(
+pub(crate) fn excerpts(
     input: &mut dyn Read,
     places: impl Iterator<Item = (Location, u32)>,
 ) -> io::Result<BTreeMap<(Location, u32), Excerpt>> {
     let mut windows: BTreeMap<(Location, u32), Window> = places.map(|place| (place, Window::default())).collect();
-    let mut scan = Scan { line: 1, offset: 0, after_cr: false };
+    let mut scan = LineScan { line: 1, offset: 0, after_cr: false };
     let last = windows.keys().next_back().map_or(0, |(location, _)| location.line);
     let mut buffer = vec![0; CHUNK];
     while scan.line <= last {
@@ -62,14 +62,14 @@ pub(super) fn excerpts(
     Ok(windows.into_iter().map(|(place, window)| (place, show(place, &window))).collect())
 }
 
-struct Scan {
+struct LineScan {
     line: u64,
     /// Offset in the line of the next byte.
     offset: u64,
     after_cr: bool,
 }
 
-impl Scan {
+impl LineScan {
     fn chunk(&mut self, mut bytes: &[u8], windows: &mut BTreeMap<(Location, u32), Window>) {
         if self.after_cr && bytes.first() == Some(&b'\n') {
             bytes = &bytes[1..];
@@ -119,7 +119,7 @@ fn show((location, length): (Location, u32), window: &Window) -> Excerpt {
         if window.start > 0 { window.bytes.iter().take_while(|&&byte| byte & 0xC0 == 0x80).count() } else { 0 };
     let cells = cells(&window.bytes[skipped..], skipped);
     let first = cells.iter().position(|(at, _)| *at >= column).unwrap_or(cells.len());
-    let behind = cells.iter().position(|(at, _)| *at >= marked_end).unwrap_or(cells.len());
+    let after = cells.iter().position(|(at, _)| *at >= marked_end).unwrap_or(cells.len());
     let (from, to) = if cells.len() <= WIDTH && window.start == 0 && !window.cut {
         (0, cells.len())
     } else {
@@ -132,7 +132,7 @@ fn show((location, length): (Location, u32), window: &Window) -> Excerpt {
     text.extend(cut_left.then_some('…'));
     text.extend(cells[from..to].iter().map(|(_, shown)| shown));
     text.extend(cut_right.then_some('…'));
-    Excerpt { text, indent: first - from + usize::from(cut_left), marked: behind.min(to).saturating_sub(first).max(1) }
+    Excerpt { text, indent: first - from + usize::from(cut_left), marked: after.min(to).saturating_sub(first).max(1) }
 }
 
 /// Each character with the offset of its first byte.
@@ -152,7 +152,7 @@ fn cells(bytes: &[u8], mut at: usize) -> Vec<(usize, char)> {
 }
 
 /// A character that occupies one cell and commands no terminal.
-pub(super) fn visible(character: char) -> char {
+pub(crate) fn visible(character: char) -> char {
     match character {
         '\0'..='\u{1f}' => char::from_u32(0x2400 + u32::from(character)).unwrap_or(char::REPLACEMENT_CHARACTER),
         '\u{7f}' => '\u{2421}',

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::kinematics::Machine;
 
 /// Writes what is known about the kinematics of `M` as text.
-pub(super) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}: derivation of the kinematics; formulas in millimetres and radians", M::NAME)?;
     for (title, section) in M::EXPLANATION.sections() {
         if section.text.is_empty() {
@@ -23,7 +23,7 @@ pub(super) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Formulas stand in paragraphs, so that TeX breaks long ones at a sign.
+/// Formulas are paragraphs, so that TeX breaks long ones at a sign.
 const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
@@ -41,7 +41,7 @@ const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 ";
 
 /// Writes the same as a complete LaTeX document.
-pub(super) fn latex<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn latex<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
     let name = M::NAME.replace('_', r"\_");
     writeln!(out, "{PREAMBLE}\\begin{{document}}\n")?;
     writeln!(out, "{{\\Large {name}: derivation of the kinematics}}\n")?;

@@ -12,24 +12,25 @@ use crate::program::Location;
 
 use super::args::{BlockName, ExplainBlockArgs, MessageFormat};
 use super::excerpt::excerpts;
+use super::inputs::{open, read_config};
 use super::map::{MapLine, axis_values, branch_number};
 use super::messages::Messages;
+use super::outcome::{Failure, Status, Streams, print};
 use super::posting::{Post, Run};
-use super::{Failure, Status, Streams, open, print, read_config};
 
 /// Where the program is written to.
 const TEMPORARY: &str = "a temporary file";
 
-/// Block numbers start again behind the last one: so many blocks of one number are told.
+/// Block numbers start again after the last one: at most this many blocks of one number are listed.
 const MOST: usize = 20;
 
-/// A line that was asked for, and where the machine stands behind it.
-struct Found {
+/// A line that was asked for, and the position of the machine after it.
+struct FoundLine {
     origin: Origin<'static>,
     stand: Option<Stand>,
 }
 
-impl Found {
+impl FoundLine {
     fn of(origin: &Origin<'_>) -> Self {
         Self {
             origin: Origin { standing: None, ..*origin },
@@ -43,9 +44,9 @@ impl Found {
 }
 
 /// Looks for a block among the lines of a program.
-struct Search {
+struct BlockSearch {
     wanted: BlockName,
-    found: Vec<Found>,
+    found: Vec<FoundLine>,
     /// Blocks that are meant.
     count: usize,
     lines: u64,
@@ -53,7 +54,7 @@ struct Search {
     numbered: bool,
 }
 
-impl Account for Search {
+impl Account for BlockSearch {
     fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
         self.lines = origin.line;
         let is_it = match self.wanted {
@@ -63,14 +64,14 @@ impl Account for Search {
         if is_it {
             self.count += 1;
             if self.found.len() < MOST {
-                self.found.push(Found::of(origin));
+                self.found.push(FoundLine::of(origin));
             }
         }
         Ok(())
     }
 }
 
-impl Search {
+impl BlockSearch {
     /// Why there is nothing to explain.
     fn missing(&self) -> String {
         let has = format!("the program has {} lines", self.lines);
@@ -85,7 +86,7 @@ impl Search {
     }
 }
 
-pub(super) fn run<M: Machine>(
+pub(crate) fn run<M: Machine>(
     args: &ExplainBlockArgs,
     streams: &mut Streams<'_>,
     post: Post<'_>,
@@ -95,18 +96,18 @@ pub(super) fn run<M: Machine>(
     let mut source = open(&args.input, streams.input)?;
     let (name, control) = (source.name().to_owned(), args.set_up.control());
     let numbered = config.control.program.line_numbers.is_some() || control.spellings().counted;
-    let mut search = Search { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
+    let mut search = BlockSearch { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
     let no_room = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
     let mut program = tempfile::tempfile().map_err(no_room)?;
-    // How many lines tell of the check is only known behind it.
+    // The number of lines about the check is known only after it.
     let (output, no_check) = (Path::new(TEMPORARY), !config.control.program.checked);
     let run = Run { input: &args.input, output, no_check, config: &config, control, post };
-    // What there is to say of the whole program was said when it was posted.
+    // Messages about the whole program were written when it was posted.
     let mut said = Vec::new();
     let mut unheard = Messages::new(&mut said, format);
     let written = run.write::<M>(&mut source, &mut program, Some(&mut search), &mut unheard)?;
     if written.is_err() {
-        // Where standard error is closed there is nobody to tell.
+        // Where standard error is closed the message is lost.
         let _ = streams.errors.write_all(&said);
     }
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
@@ -115,8 +116,8 @@ pub(super) fn run<M: Machine>(
     }
     program.rewind().map_err(no_room)?;
     source.rewind().map_err(unreadable)?;
-    let in_program = |found: &Found| (Location { line: found.origin.line, column: 1 }, 1);
-    let in_cl = |found: &Found| found.origin.at.filter(|at| at.line > 0).map(|at| (at, 1));
+    let in_program = |found: &FoundLine| (Location { line: found.origin.line, column: 1 }, 1);
+    let in_cl = |found: &FoundLine| found.origin.at.filter(|at| at.line > 0).map(|at| (at, 1));
     let blocks = excerpts(&mut program, search.found.iter().map(in_program)).map_err(no_room)?;
     let records = excerpts(&mut source, search.found.iter().filter_map(in_cl)).map_err(unreadable)?;
     print(streams, |out| {
@@ -131,7 +132,9 @@ pub(super) fn run<M: Machine>(
             }
             let block = blocks.get(&in_program(found)).map_or("", |excerpt| &excerpt.text);
             let record = in_cl(found).and_then(|place| Some((place.0.line, &records.get(&place)?.text)));
-            out.write_all(told(&origin, M::AXES, block, record.map(|(line, text)| (&*name, line, &**text))).as_bytes())
+            out.write_all(
+                explanation(&origin, M::AXES, block, record.map(|(line, text)| (&*name, line, &**text))).as_bytes(),
+            )
         })
     })?;
     let more = search.count - search.found.len();
@@ -141,8 +144,8 @@ pub(super) fn run<M: Machine>(
     Ok(if written.is_err() { Status::Rejected } else { Status::Done })
 }
 
-/// What is told of a block, for people. `record`: file, line and text.
-fn told(origin: &Origin<'_>, axes: &[Axis], block: &str, record: Option<(&str, u64, &str)>) -> String {
+/// The explanation of a block, for people. `record`: file, line and text.
+fn explanation(origin: &Origin<'_>, axes: &[Axis], block: &str, record: Option<(&str, u64, &str)>) -> String {
     let mut text = format!("line {} of the program ({}):\n    {block}\n", origin.line, origin.step);
     // A string takes everything.
     let _ = writeln!(text, "{}", origin.why.text());

@@ -1,5 +1,5 @@
 //! `post --map FILE.json`: which record of the CL data each line of the program serves, why it is there, and where the
-//! machine stands behind it. One object per line, written while the program is.
+//! machine is after it. One object per line, written while the program is.
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -12,8 +12,8 @@ use crate::kinematics::{Axis, AxisKind, Branch, Machine};
 use crate::motion::Standing;
 use crate::post::{Account, Origin};
 
-use super::Failure;
-use super::target::Target;
+use super::outcome::Failure;
+use super::output_file::OutputFile;
 
 /// Lengths and angles have no more digits than these: 1/10⁶ mm and degree.
 const FINE: f64 = 1e6;
@@ -23,7 +23,7 @@ const FINE_AXIS: f64 = 1e9;
 
 /// One line of a program for programs.
 #[derive(Serialize)]
-pub(super) struct MapLine<'a> {
+pub(crate) struct MapLine<'a> {
     line: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     number: Option<u32>,
@@ -58,7 +58,7 @@ impl Serialize for Axes<'_> {
 }
 
 /// Letters and values of the axes that are known, mm and degrees.
-pub(super) fn axis_values<'a>(axes: &'a [Axis], standing: &'a Standing<'_>) -> impl Iterator<Item = (char, f64)> + 'a {
+pub(crate) fn axis_values<'a>(axes: &'a [Axis], standing: &'a Standing<'_>) -> impl Iterator<Item = (char, f64)> + 'a {
     let known = axes.iter().zip(standing.axes).enumerate().filter(|(index, _)| standing.mask & (1 << index) != 0);
     known.map(|(_, (axis, value))| {
         let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { *value };
@@ -72,7 +72,7 @@ fn rounded(value: f64, fine: f64) -> f64 {
 }
 
 /// `explain` numbers them from 1.
-pub(super) fn branch_number(branch: Branch) -> u8 {
+pub(crate) fn branch_number(branch: Branch) -> u8 {
     match branch {
         Branch::First => 1,
         Branch::Second => 2,
@@ -81,7 +81,7 @@ pub(super) fn branch_number(branch: Branch) -> u8 {
 
 impl<'a> MapLine<'a> {
     /// The line of an origin, for a machine with these axes.
-    pub(super) fn new(origin: &Origin<'a>, axes: &'a [Axis]) -> Self {
+    pub(crate) fn new(origin: &Origin<'a>, axes: &'a [Axis]) -> Self {
         let pose = origin.standing.and_then(|standing| standing.pose);
         Self {
             line: origin.line,
@@ -101,15 +101,15 @@ impl<'a> MapLine<'a> {
 }
 
 /// Writes a map line by line.
-pub(super) struct Map<'a, W> {
+pub(crate) struct MapWriter<'a, W> {
     out: W,
     axes: &'a [Axis],
     begun: bool,
 }
 
-impl<W: Write> Map<'_, W> {
+impl<W: Write> MapWriter<'_, W> {
     /// Begins the map of a program.
-    pub(super) fn begin<M: Machine>(mut out: W, cl: &str, control: &dyn Control) -> io::Result<Self> {
+    pub(crate) fn begin<M: Machine>(mut out: W, cl: &str, control: &dyn Control) -> io::Result<Self> {
         let text = |text: &str| serde_json::to_string(text).map_err(io::Error::from);
         let [cl, machine, control] = [text(cl)?, text(M::NAME)?, text(control.spellings().name)?];
         writeln!(
@@ -120,13 +120,13 @@ impl<W: Write> Map<'_, W> {
     }
 
     /// Ends it.
-    pub(super) fn end(mut self) -> io::Result<()> {
+    pub(crate) fn end(mut self) -> io::Result<()> {
         self.out.write_all(b"\n]}\n")?;
         self.out.flush()
     }
 }
 
-impl<W: Write> Account for Map<'_, W> {
+impl<W: Write> Account for MapWriter<'_, W> {
     fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
         if self.begun {
             self.out.write_all(b",\n")?;
@@ -138,32 +138,32 @@ impl<W: Write> Account for Map<'_, W> {
 }
 
 /// Keeps the last lines of an account back: before these something may be written that the posting does not know of.
-pub(super) struct Tail<'a> {
+pub(crate) struct Tail<'a> {
     account: &'a mut dyn Account,
     end: Vec<Origin<'static>>,
 }
 
 impl<'a> Tail<'a> {
-    pub(super) fn new(account: &'a mut dyn Account) -> Self {
+    pub(crate) fn new(account: &'a mut dyn Account) -> Self {
         Self { account, end: Vec::new() }
     }
 
-    /// Hands them on. `inserted` lines stand in front of the `last` ones; `counted`: every line has a number of its own.
-    pub(super) fn end(self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
+    /// Hands them on. `inserted` lines come before the `last` ones; `counted`: every line has a number of its own.
+    pub(crate) fn end(self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
         let Self { account, end } = self;
         let later = |origin: &Origin<'static>, lines: u32| Origin {
             line: origin.line + u64::from(lines),
             number: origin.number.map(|number| if counted { number + lines } else { number }),
             ..*origin
         };
-        let (before, behind) = end.split_at(end.len().saturating_sub(last));
+        let (before, after) = end.split_at(end.len().saturating_sub(last));
         before.iter().try_for_each(|origin| account.line(origin))?;
         let more = u32::try_from(inserted).unwrap_or_default();
-        if let Some(first) = behind.first() {
+        if let Some(first) = after.first() {
             let first = Origin { step: "check", number: first.number.filter(|_| counted), ..*first };
             (0..more).try_for_each(|index| account.line(&later(&first, index)))?;
         }
-        behind.iter().try_for_each(|origin| account.line(&later(origin, more)))
+        after.iter().try_for_each(|origin| account.line(&later(origin, more)))
     }
 }
 
@@ -177,33 +177,33 @@ impl Account for Tail<'_> {
     }
 }
 
-/// The file of a map: under its name stands the map of the program that was written with it, or nothing.
-pub(super) struct MapFile {
+/// The file of a map: its name holds the map of the program that was written with it, or nothing.
+pub(crate) struct MapFile {
     path: PathBuf,
-    target: Target,
+    target: OutputFile,
 }
 
 impl MapFile {
-    pub(super) fn create(path: &Path) -> Result<Self, Failure> {
-        let target = Target::create(path).map_err(|error| Failure::unwritable(path, error))?;
+    pub(crate) fn create(path: &Path) -> Result<Self, Failure> {
+        let target = OutputFile::create(path).map_err(|error| Failure::unwritable(path, error))?;
         Ok(Self { path: path.to_owned(), target })
     }
 
-    pub(super) fn begin<M: Machine>(
+    pub(crate) fn begin<M: Machine>(
         &mut self,
         cl: &str,
         control: &dyn Control,
-    ) -> Result<Map<'static, BufWriter<&mut dyn Write>>, Failure> {
+    ) -> Result<MapWriter<'static, BufWriter<&mut dyn Write>>, Failure> {
         let out = BufWriter::new(self.target.writer());
-        Map::begin::<M>(out, cl, control).map_err(|error| Failure::unwritable(&self.path, error))
+        MapWriter::begin::<M>(out, cl, control).map_err(|error| Failure::unwritable(&self.path, error))
     }
 
     /// Takes the map of an earlier program away, before there is another program.
-    pub(super) fn clear(&self) -> Result<(), Failure> {
+    pub(crate) fn clear(&self) -> Result<(), Failure> {
         self.target.clear().map_err(|error| Failure::unwritable(&self.path, error))
     }
 
-    pub(super) fn finish(self) -> Result<(), Failure> {
+    pub(crate) fn finish(self) -> Result<(), Failure> {
         self.target.finish(|_| false).map(drop).map_err(|error| Failure::unwritable(&self.path, error))
     }
 }

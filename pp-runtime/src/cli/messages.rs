@@ -1,6 +1,6 @@
-//! What is said on standard error: diagnostics with the lines they speak of, remarks, and faults without a place.
+//! Messages on standard error: diagnostics with the lines they refer to, remarks, and faults without a place.
 //!
-//! Nothing here fails: where standard error is closed there is nobody to tell.
+//! Nothing here fails: where standard error is closed the message is lost.
 
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
@@ -15,7 +15,7 @@ use super::args::MessageFormat;
 use super::excerpt::{Excerpt, WIDTH, excerpts, visible};
 
 /// Writes messages in the format asked for.
-pub(super) struct Messages<'a> {
+pub(crate) struct Messages<'a> {
     out: &'a mut dyn Write,
     format: MessageFormat,
 }
@@ -30,22 +30,22 @@ struct JsonMessage<'a> {
     severity: &'a str,
     text: &'a str,
     help: Option<&'a str>,
-    /// How many it stands for.
+    /// Number of messages that it represents.
     count: u64,
 }
 
 impl<'a> Messages<'a> {
-    pub(super) fn new(out: &'a mut dyn Write, format: MessageFormat) -> Self {
+    pub(crate) fn new(out: &'a mut dyn Write, format: MessageFormat) -> Self {
         Self { out, format }
     }
 
     /// A fault of the run, not of a line.
-    pub(super) fn error(&mut self, text: &str) {
+    pub(crate) fn error(&mut self, text: &str) {
         self.without_place("error", &format!("error: {text}"), text);
     }
 
     /// A remark.
-    pub(super) fn note(&mut self, text: &str) {
+    pub(crate) fn note(&mut self, text: &str) {
         self.without_place("note", text, text);
     }
 
@@ -60,7 +60,7 @@ impl<'a> Messages<'a> {
     }
 
     /// Diagnostics about the text `file`, in its order. `source` is read once more for the lines to show.
-    pub(super) fn diagnostics(&mut self, file: &str, source: &mut dyn Read, diagnostics: &[Diagnostic]) {
+    pub(crate) fn diagnostics(&mut self, file: &str, source: &mut dyn Read, diagnostics: &[Diagnostic]) {
         let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
         ordered.sort_by_key(|diagnostic| diagnostic.location);
         match self.format {
@@ -83,7 +83,7 @@ impl<'a> Messages<'a> {
     }
 
     fn for_people(&mut self, file: &str, source: &mut dyn Read, ordered: &[&Diagnostic]) {
-        let mut kinds: BTreeMap<String, Kind> = BTreeMap::new();
+        let mut kinds: BTreeMap<String, KindCount> = BTreeMap::new();
         let mut shown = Vec::new();
         for diagnostic in ordered {
             let kind = kinds.entry(format!("{}: {}", name(diagnostic.severity), diagnostic.kind())).or_default();
@@ -94,7 +94,7 @@ impl<'a> Messages<'a> {
             kind.last_line = diagnostic.location.line;
         }
         let places = shown.iter().map(|diagnostic| (diagnostic.location, diagnostic.length));
-        // Without the lines the messages still say what is wrong.
+        // Without the lines the messages are still complete sentences.
         let excerpts = excerpts(source, places).unwrap_or_default();
         for diagnostic in &shown {
             self.show(file, diagnostic, excerpts.get(&(diagnostic.location, diagnostic.length)));
@@ -163,13 +163,13 @@ fn render(group: Group<'_>) -> String {
 
 /// How often something was found.
 #[derive(Default)]
-struct Kind {
+struct KindCount {
     count: u64,
     last_line: u64,
 }
 
 /// `part.cls:12:5: error: text`.
-pub(super) fn headline(file: &str, diagnostic: &Diagnostic) -> String {
+pub(crate) fn headline(file: &str, diagnostic: &Diagnostic) -> String {
     let Location { line, column } = diagnostic.location;
     format!("{file}:{line}:{column}: {}: {}", name(diagnostic.severity), diagnostic.text)
 }

@@ -1,39 +1,38 @@
 //! The command line of a machine's binary: arguments, files, streams and exit status.
 //!
-//! Status 0: done. 1: the CL data has errors; nothing stands under the final name. 2: could not run; a closed pipe is
+//! Status 0: done. 1: the CL data has errors; there is no file of the final name. 2: could not run; a closed pipe is
 //! status 2 without a message. The program goes to standard output or a file, everything else to standard error.
 
 mod args;
 mod check;
+mod cl_source;
 mod excerpt;
 mod explain;
 mod explain_block;
+mod inputs;
 mod map;
 mod messages;
+mod outcome;
+mod output_file;
 mod posting;
 mod self_check;
-mod source;
-mod target;
 #[cfg(test)]
 mod tests;
 
-use std::borrow::Cow;
 use std::ffi::OsString;
-use std::fs;
-use std::io::{self, BufWriter, IsTerminal as _, Read, Write};
-use std::path::Path;
+use std::io::{self, IsTerminal as _};
 use std::process::ExitCode;
 
 use crate::cl;
-use crate::config::{self, Config};
-use crate::control::{self, Control};
+use crate::config;
 use crate::kinematics::Machine;
 use crate::post::{Proof, post_with_account, prove};
 
-use args::{Command, MessageFormat, ProofArgs, SetUpArgs};
+use args::{Command, MessageFormat, ProofArgs};
+use inputs::{fit, read_file};
 use messages::Messages;
+use outcome::{Failure, Status, Streams, print};
 use posting::Post;
-use source::Source;
 
 /// Runs the command line of the machine `M`: the whole of a machine's `main`.
 #[must_use]
@@ -45,58 +44,6 @@ pub fn run<M: Machine>() -> ExitCode {
     let status =
         execute::<M>(&args, streams, &|job, source, sink, account| post_with_account::<M>(job, source, sink, account));
     ExitCode::from(status as u8)
-}
-
-/// How a run ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[repr(u8)]
-enum Status {
-    Done = 0,
-    Rejected = 1,
-    NotRun = 2,
-}
-
-/// The standard streams.
-struct Streams<'a> {
-    input: &'a mut dyn Read,
-    output: &'a mut dyn Write,
-    errors: &'a mut dyn Write,
-    /// `errors` is a terminal.
-    terminal: bool,
-}
-
-/// Why there is no result.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error("cannot read {0}: {1}")]
-    Unreadable(String, io::Error),
-    #[error("cannot write {0}: {1}")]
-    Unwritable(String, io::Error),
-    #[error("{0} {1}: post it again")]
-    Disturbed(String, &'static str),
-    #[error("{0} would overwrite {1}")]
-    Overwrites(String, String),
-    #[error("{0}")]
-    Argument(String),
-    /// Everything has been said.
-    #[error("")]
-    Said,
-}
-
-impl Failure {
-    fn unreadable(path: &Path, error: io::Error) -> Self {
-        let name = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
-        Self::Unreadable(name, error)
-    }
-
-    fn unwritable(path: &Path, error: io::Error) -> Self {
-        // Whoever closed the pipe does not want to hear about it.
-        if error.kind() == io::ErrorKind::BrokenPipe {
-            return Self::Said;
-        }
-        let name = if is_standard(path) { "standard output".to_owned() } else { path.display().to_string() };
-        Self::Unwritable(name, error)
-    }
 }
 
 fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'_>) -> Status {
@@ -136,7 +83,7 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
 fn usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
     let text = error.render().to_string();
     if error.use_stderr() {
-        // Where standard error is closed there is nobody to tell.
+        // Where standard error is closed the message is lost.
         let _ = streams.errors.write_all(text.as_bytes());
         return Status::NotRun;
     }
@@ -144,12 +91,6 @@ fn usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
         Ok(()) => Status::Done,
         Err(_) => Status::NotRun,
     }
-}
-
-fn print(streams: &mut Streams<'_>, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Status, Failure> {
-    let mut out = BufWriter::new(&mut *streams.output);
-    write(&mut out).and_then(|()| out.flush()).map_err(|error| Failure::unwritable(Path::new("-"), error))?;
-    Ok(Status::Done)
 }
 
 /// Writes the program that proves the kinematics at the machine; nothing of it where it cannot be planned.
@@ -160,57 +101,4 @@ fn prove_machine<M: Machine>(args: &ProofArgs, streams: &mut Streams<'_>) -> Res
     let proof = Proof { config: &config, control: args.control(), tool: args.tool, point: args.point };
     let text = prove::<M>(&proof).map_err(Failure::Argument)?;
     print(streams, |out| out.write_all(&text))
-}
-
-fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
-    let mut config = read_file::<M>(args.config.as_deref(), args.control(), messages)?;
-    args.apply::<M>(&mut config).map_err(Failure::Argument)?;
-    fit::<M>(args.control(), &config)?;
-    Ok(config)
-}
-
-/// Whether the control can do what the configuration asks for.
-fn fit<M: Machine>(control: &dyn Control, config: &Config) -> Result<(), Failure> {
-    let unfit = control::unfit::<M>(control, config.demands());
-    if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
-}
-
-/// The configuration of a file on top of the defaults of a control.
-fn read_file<M: Machine>(
-    path: Option<&Path>,
-    control: &dyn Control,
-    messages: &mut Messages<'_>,
-) -> Result<Config, Failure> {
-    let start = config::starting_point(control);
-    match path {
-        None => Ok(start),
-        Some(path) => {
-            let bytes = fs::read(path).map_err(|error| Failure::unreadable(path, error))?;
-            let text = String::from_utf8(bytes).map_err(|error| {
-                let kind = io::ErrorKind::InvalidData;
-                Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
-            })?;
-            start.read_over::<M>(&text).map_err(|faults| {
-                messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
-                Failure::Said
-            })
-        }
-    }
-}
-
-/// The CL data; a stream is kept so that it can be read twice.
-fn open(path: &Path, input: &mut dyn Read) -> Result<Source, Failure> {
-    let source = if is_standard(path) { Source::spool(input, "<stdin>") } else { Source::open(path) };
-    source.map_err(|error| Failure::unreadable(path, error))
-}
-
-/// What the head of a program calls its CL data: the file and not the folder, so that the same data gives the same program
-/// anywhere.
-fn cl_name(path: &Path) -> Cow<'_, str> {
-    if is_standard(path) { "standard input".into() } else { path.file_name().unwrap_or_default().to_string_lossy() }
-}
-
-/// `-` is standard input or output.
-fn is_standard(path: &Path) -> bool {
-    path.as_os_str() == "-"
 }

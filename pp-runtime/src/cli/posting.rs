@@ -11,24 +11,26 @@ use crate::kinematics::Machine;
 use crate::post::{Account, Job, PostError, Report};
 
 use super::args::{MessageFormat, PostArgs};
-use super::map::{Map, MapFile, Tail};
+use super::check;
+use super::cl_source::{ClSource, same_file};
+use super::inputs::{cl_name, open, read_config};
+use super::map::{MapFile, MapWriter, Tail};
 use super::messages::{Messages, headline};
+use super::outcome::{Failure, Status, Streams, is_standard};
+use super::output_file::{OutputFile, Rejected, rejected_path};
 use super::self_check::{self, Checking, SelfCheck};
-use super::source::{Source, same_file};
-use super::target::{Rejected, Target, rejected_path};
-use super::{Failure, Status, Streams, check, cl_name, is_standard, open, read_config};
 
 /// Where a program is written to.
-pub(super) type Sink<'a> = BufWriter<&'a mut dyn Write>;
+pub(crate) type ProgramSink<'a> = BufWriter<&'a mut dyn Write>;
 
 /// The posting, so that tests can put their own in its place.
-pub(super) type Post<'a> =
-    &'a dyn Fn(&Job<'_>, &mut Source, &mut Sink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError>;
+pub(crate) type Post<'a> =
+    &'a dyn Fn(&Job<'_>, &mut ClSource, &mut ProgramSink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError>;
 
-/// How it went: what there is to tell, or why the program is not to be run.
+/// Remarks about a program, or why it must not be run.
 type Written = Result<Vec<String>, String>;
 
-pub(super) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
+pub(crate) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.set_up.message_format);
     let config = read_config::<M>(&args.set_up, &mut messages)?;
     refuse_overwriting(args)?;
@@ -36,7 +38,7 @@ pub(super) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
     let unwritable = |error| Failure::unwritable(&args.output, error);
     let mut target = match is_standard(&args.output) {
         true => None,
-        false => Some(Target::create(&args.output).map_err(unwritable)?),
+        false => Some(OutputFile::create(&args.output).map_err(unwritable)?),
     };
     let mut map_file = args.map.as_deref().map(MapFile::create).transpose()?;
     if streams.terminal && args.set_up.message_format == MessageFormat::Human {
@@ -50,9 +52,9 @@ pub(super) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
     let run = Run { input: &args.input, output: &args.output, no_check: args.no_check, config: &config, control, post };
     let mut map = map_file.as_mut().map(|file| file.begin::<M>(&cl_name(&args.input), control)).transpose()?;
     let written = run.write::<M>(&mut source, out, map.as_mut().map(|map| map as &mut dyn Account), &mut messages)?;
-    let ended = map.map_or(Ok(()), Map::end);
-    let told = match written {
-        Ok(told) => told,
+    let ended = map.map_or(Ok(()), MapWriter::end);
+    let remarks = match written {
+        Ok(remarks) => remarks,
         Err(reason) => {
             reject(args, target, &reason, &mut messages)?;
             // Nobody shall look into the map of yesterday's program.
@@ -61,7 +63,7 @@ pub(super) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
         }
     };
     ended.map_err(|error| Failure::unwritable(args.map.as_deref().unwrap_or(&args.output), error))?;
-    told.iter().for_each(|line| messages.note(line));
+    remarks.iter().for_each(|line| messages.note(line));
     map_file.as_ref().map_or(Ok(()), MapFile::clear)?;
     if let Some(target) = target {
         let removed = target.finish(|line| is_rejected(control, line)).map_err(unwritable)?;
@@ -75,21 +77,21 @@ pub(super) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
 }
 
 /// One run of the posting.
-pub(super) struct Run<'a> {
-    pub(super) input: &'a Path,
+pub(crate) struct Run<'a> {
+    pub(crate) input: &'a Path,
     /// As messages name it.
-    pub(super) output: &'a Path,
-    pub(super) no_check: bool,
-    pub(super) config: &'a Config,
-    pub(super) control: &'static dyn Control,
-    pub(super) post: Post<'a>,
+    pub(crate) output: &'a Path,
+    pub(crate) no_check: bool,
+    pub(crate) config: &'a Config,
+    pub(crate) control: &'static dyn Control,
+    pub(crate) post: Post<'a>,
 }
 
 impl Run<'_> {
     /// Posts, checks, and closes the program: with its end code, or with why it has none.
-    pub(super) fn write<M: Machine>(
+    pub(crate) fn write<M: Machine>(
         &self,
-        source: &mut Source,
+        source: &mut ClSource,
         out: &mut dyn Write,
         account: Option<&mut dyn Account>,
         messages: &mut Messages<'_>,
@@ -124,26 +126,26 @@ impl Run<'_> {
         }
         let verdict = verdict(checked.as_ref());
         let footer = if config.control.program.checked { comments(control, &verdict) } else { Vec::new() };
-        checking.close_behind(&footer, counted).map_err(unwritable)?;
+        checking.close_before_end(&footer, counted).map_err(unwritable)?;
         account_for(tail, footer.len())?;
         let assumed = "assumed: lengths of the configuration file are in mm (`units` is not set there)";
-        let mut told: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
-        told.append(&mut report.summary());
-        told.push(verdict);
-        Ok(Ok(told))
+        let mut remarks: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
+        remarks.append(&mut report.summary());
+        remarks.push(verdict);
+        Ok(Ok(remarks))
     }
 
     /// The posting itself.
     fn report(
         &self,
-        source: &mut Source,
+        source: &mut ClSource,
         checking: &mut Checking<'_>,
         account: Option<&mut dyn Account>,
     ) -> Result<Report, Failure> {
         let cl_name = cl_name(self.input);
         let unwritable = |error| Failure::unwritable(self.output, error);
         let job = Job { cl_name: &cl_name, config: self.config, control: self.control, units: self.config.cl_units };
-        let mut sink = Sink::new(checking);
+        let mut sink = ProgramSink::new(checking);
         let posted = (self.post)(&job, source, &mut sink, account);
         let written = sink.flush();
         // What could not be written is not tried again.
@@ -163,7 +165,7 @@ impl Run<'_> {
     }
 }
 
-/// Why a program with an error in its CL data is not handed over, whatever the report says.
+/// Why a program with an error in its CL data is not handed over, whatever the report states.
 fn refused(report: &Report, name: &str) -> Option<String> {
     let errors = report.diagnostics.iter().filter(|found| found.severity == Severity::Error);
     let first: Option<&Diagnostic> = errors.min_by_key(|found| found.location);
@@ -176,8 +178,13 @@ fn verdict(checked: Option<&Checked>) -> String {
     checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary())
 }
 
-/// Says where the program went that was cut short, and sees to it that nothing stands under the final name.
-fn reject(args: &PostArgs, target: Option<Target>, reason: &str, messages: &mut Messages<'_>) -> Result<(), Failure> {
+/// Reports the file of a program that was cut short; the final name does not exist afterwards.
+fn reject(
+    args: &PostArgs,
+    target: Option<OutputFile>,
+    reason: &str,
+    messages: &mut Messages<'_>,
+) -> Result<(), Failure> {
     let Some(target) = target else {
         messages.note("rejected: the program on standard output is not complete and must not be run");
         return Ok(());

@@ -2,7 +2,7 @@
 //!
 //! Bytes go to the output and, in pieces over a bounded channel, to the check, which reads the CL data on its own. The
 //! last lines, in which the program ends, are held back until the check has passed: a program that did not pass has no
-//! end code, and one that did may say so in front of it.
+//! end code, and one that did may state it before the end code.
 
 use std::io::{self, Read, Seek as _, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -14,15 +14,15 @@ use crate::control::Control;
 use crate::kinematics::Machine;
 
 use super::check::findings;
+use super::cl_source::ClSource;
 use super::messages::{Messages, headline};
-use super::source::Source;
 
-/// Bytes of a piece, and pieces on their way at most.
+/// Bytes of a piece, and pieces in the channel at most.
 const PIECE: usize = 1 << 16;
 const PIECES: usize = 16;
 
 /// A check that runs.
-pub(super) struct SelfCheck {
+pub(crate) struct SelfCheck {
     sender: Option<SyncSender<Vec<u8>>>,
     piece: Vec<u8>,
     thread: JoinHandle<Result<Checked, CheckError>>,
@@ -30,16 +30,16 @@ pub(super) struct SelfCheck {
 
 impl SelfCheck {
     /// Begins to check what will be written.
-    pub(super) fn start<M: Machine>(
+    pub(crate) fn start<M: Machine>(
         config: &Config,
         control: &'static dyn Control,
-        source: &Source,
+        source: &ClSource,
     ) -> io::Result<Self> {
         let (sender, receiver) = sync_channel(PIECES);
         let (config, input) = (config.clone(), source.again()?);
         let body = move || {
             let job = Job { config: &config, control, units: config.cl_units };
-            check::<M>(&job, input, Pieces { receiver, piece: Vec::new(), at: 0 })
+            check::<M>(&job, input, PieceReader { receiver, piece: Vec::new(), at: 0 })
         };
         let thread = thread::Builder::new().name("check".to_owned()).spawn(body)?;
         Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE), thread })
@@ -52,7 +52,7 @@ impl SelfCheck {
         }
     }
 
-    /// Hands a piece over; a check that has ended early says why when it is asked.
+    /// Hands a piece over; a check that has ended early reports why when it is joined.
     fn send(&mut self) {
         let piece = std::mem::replace(&mut self.piece, Vec::with_capacity(PIECE));
         if self.sender.as_ref().is_some_and(|sender| sender.send(piece).is_err()) {
@@ -72,11 +72,11 @@ impl SelfCheck {
     }
 }
 
-/// Why the program may not be handed over, if its check has found anything; everything found is told.
-pub(super) fn against(
+/// Why the program may not be handed over, if its check has found anything; all findings are written.
+pub(crate) fn against(
     checked: Option<&Checked>,
     name: &str,
-    source: &mut Source,
+    source: &mut ClSource,
     messages: &mut Messages<'_>,
 ) -> Option<String> {
     let checked = checked?;
@@ -90,13 +90,13 @@ pub(super) fn against(
 }
 
 /// The pieces as a stream.
-struct Pieces {
+struct PieceReader {
     receiver: Receiver<Vec<u8>>,
     piece: Vec<u8>,
     at: usize,
 }
 
-impl Read for Pieces {
+impl Read for PieceReader {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         while self.at >= self.piece.len() {
             let Ok(piece) = self.receiver.recv() else { return Ok(0) };
@@ -110,7 +110,7 @@ impl Read for Pieces {
 }
 
 /// Writes to the output and to the check, where there is one.
-pub(super) struct Checking<'a> {
+pub(crate) struct Checking<'a> {
     out: &'a mut dyn Write,
     check: Option<SelfCheck>,
     /// Lines that the program ends with.
@@ -120,32 +120,32 @@ pub(super) struct Checking<'a> {
 }
 
 impl<'a> Checking<'a> {
-    /// `lines`: the end code and what stands behind it.
-    pub(super) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, lines: usize) -> Self {
+    /// `lines`: the end code and the lines after it.
+    pub(crate) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, lines: usize) -> Self {
         Self { out, check, lines, held: Vec::new() }
     }
 
     /// What has become of the check, once everything is written; `None` without one.
-    pub(super) fn verdict(&mut self) -> Option<Result<Checked, CheckError>> {
+    pub(crate) fn verdict(&mut self) -> Option<Result<Checked, CheckError>> {
         self.check.take().map(SelfCheck::finish)
     }
 
     /// Writes what was held back.
-    pub(super) fn close(mut self) -> io::Result<()> {
+    pub(crate) fn close(mut self) -> io::Result<()> {
         self.out.write_all(&std::mem::take(&mut self.held))?;
         self.out.flush()
     }
 
     /// Writes comments in the place of the end.
-    pub(super) fn close_with(self, comments: &[Vec<u8>]) -> io::Result<()> {
+    pub(crate) fn close_with(self, comments: &[Vec<u8>]) -> io::Result<()> {
         let kept = self.without_end();
         self.out.write_all(&self.held[..kept])?;
         comments.iter().try_for_each(|comment| write_line(self.out, None, comment))?;
         self.out.flush()
     }
 
-    /// Writes comments in front of the end; `counted`: every line has its number, one more than that of the line before.
-    pub(super) fn close_behind(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
+    /// Writes comments before the end; `counted`: every line has its number, one more than that of the line before.
+    pub(crate) fn close_before_end(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
         let kept = self.without_end();
         self.out.write_all(&self.held[..kept])?;
         let mut number = if counted { numbered(&self.held[kept..]).map(|(number, _)| number) } else { None };
@@ -166,7 +166,7 @@ impl<'a> Checking<'a> {
         self.out.flush()
     }
 
-    /// How many of the bytes held back stand before the end.
+    /// Number of the bytes held back that come before the end.
     fn without_end(&self) -> usize {
         let body = self.held.len() - usize::from(self.held.last() == Some(&b'\n'));
         let mut ends = memchr::memrchr_iter(b'\n', &self.held[..body]);
@@ -201,7 +201,7 @@ fn write_line(out: &mut dyn Write, number: Option<u64>, text: &[u8]) -> io::Resu
     out.write_all(b"\n")
 }
 
-/// The number that a line begins with, and what stands behind it.
+/// The number that a line begins with, and the text after it.
 fn numbered(line: &[u8]) -> Option<(u64, &[u8])> {
     let blank = line.iter().position(|byte| *byte == b' ')?;
     let number = str::from_utf8(&line[..blank]).ok()?.parse().ok()?;

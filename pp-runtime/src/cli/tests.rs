@@ -6,13 +6,15 @@ mod streams;
 
 use std::cell::RefCell;
 use std::fs;
-use std::io::Seek as _;
-use std::path::PathBuf;
+use std::io::{Read, Seek as _, Write};
+use std::path::{Path, PathBuf};
 
 use tempfile::TempDir;
 
-use super::posting::Sink;
+use super::cl_source::ClSource;
+use super::posting::ProgramSink;
 use super::*;
+use crate::config::Config;
 use crate::config::sample::Sample;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
@@ -44,8 +46,8 @@ fn run_on<M: Machine>(args: &[&str], input: &[u8], post: Post<'_>) -> Outcome {
 /// Reads the text twice, as the posting does, and writes it behind a `;`.
 fn echo(
     _job: &Job<'_>,
-    source: &mut Source,
-    sink: &mut Sink<'_>,
+    source: &mut ClSource,
+    sink: &mut ProgramSink<'_>,
     _: Option<&mut dyn Account>,
 ) -> Result<Report, PostError> {
     let (mut first, mut second) = (Vec::new(), Vec::new());
@@ -65,8 +67,8 @@ fn finding(severity: Severity, line: u64, column: u32, length: u32, text: &str, 
 /// Writes one block and then finds an error in line 2.
 fn stumble(
     _job: &Job<'_>,
-    _source: &mut Source,
-    sink: &mut Sink<'_>,
+    _source: &mut ClSource,
+    sink: &mut ProgramSink<'_>,
     _: Option<&mut dyn Account>,
 ) -> Result<Report, PostError> {
     sink.write_all(b"G0 X0\n(error)\n").map_err(PostError::Output)?;
@@ -76,8 +78,8 @@ fn stumble(
 
 fn never(
     _job: &Job<'_>,
-    _source: &mut Source,
-    _sink: &mut Sink<'_>,
+    _source: &mut ClSource,
+    _sink: &mut ProgramSink<'_>,
     _: Option<&mut dyn Account>,
 ) -> Result<Report, PostError> {
     panic!("there is nothing to post")

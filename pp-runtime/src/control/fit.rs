@@ -9,7 +9,8 @@ use crate::program::Coolant;
 use crate::set_up::LengthMode;
 
 use super::Control;
-use super::spellings::{ArcCentre, LengthCall, coolant_index};
+use super::dialects::coolant_index;
+use super::{ArcCentre, LengthCall};
 
 /// What of the configuration the control cannot do, and why machine, control and configuration do not suit the mode that is
 /// asked for: one sentence each, none if a program can be written.
@@ -69,7 +70,7 @@ fn beyond(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     faults
 }
 
-/// Tip control as the control has it, or as the configuration says that it is switched.
+/// Tip control as the control has it, or as the configuration switches it.
 fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility> {
     let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
         frame_is_set: tip.frame_is_set,
@@ -101,12 +102,12 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         mist: has(Coolant::Mist),
         through: has(Coolant::Through),
         air: has(Coolant::Air),
-        length_moves: codes.length.call == super::LengthCall::WithZ,
+        length_moves: codes.length.call == LengthCall::WithZ,
         registers: codes.length.registers,
         path_norm: demands.options.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
         cycles: codes.cycles.as_ref().map_or_else(CycleAbilities::default, |cycles| cycles.can),
-        radius_registers: codes.beside[1].contains("{radius}"),
+        radius_registers: codes.compensation[1].contains("{radius}"),
         arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_is_axis(control, demands)),
         arc_radius_tolerance: codes.arcs.radius_tolerance,
         tip: tip_ability(control, demands),

@@ -1,4 +1,4 @@
-//! What an encoder needs to know of the job.
+//! The job as an encoder sees it: axes and decimals, units, mode, and what the configuration sets of the control.
 
 use super::options::Demands;
 use super::options::{Options, ProgramBlocks};
@@ -21,9 +21,9 @@ pub struct Layout {
     pub path_tolerance: f64,
     /// Name of the program in the CL data.
     pub name: Vec<u8>,
-    /// Rotary axes go the short way.
+    /// Rotary axes take the shortest path.
     pub shortest: bool,
-    /// What the words of a motion say.
+    /// The coordinates of the words of a motion.
     pub mode: Mode,
     /// How the tool axis moves under tip control.
     pub posture: ToolPosture,
@@ -31,7 +31,7 @@ pub struct Layout {
     pub vectors: bool,
     /// Threads are cut with the spindle under control of its angle.
     pub rigid: bool,
-    /// What the configuration says of the control.
+    /// What the configuration sets of the control.
     pub setup: Options,
     /// Blocks around the program.
     pub program: ProgramBlocks,

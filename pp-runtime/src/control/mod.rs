@@ -1,19 +1,18 @@
 //! How each control spells what the planner asks for: a table of spellings, and hooks where tables end.
 //!
-//! Controls know steps and words, nothing of CL data, and plan nothing. A new control is a new table in a file of its
-//! own and a line in [`CONTROLS`].
+//! Controls know steps and words, nothing of CL data, and plan nothing.
+//!
+//! - `dialects`: the table of each control, on [`Spellings::ISO`] where it writes ISO blocks, and the list [`CONTROLS`].
+//! - [`template`]: blocks with named fields, as tables and configurations hold them.
+//! - [`Options`]: what a job sets; [`unfit`] and [`abilities`]: whether it fits the control, and what the planner may use;
+//!   [`Layout`]: what of it the encoder reads.
+//! - [`Encoder`]: steps into blocks.
 
-mod belief;
-mod encoder;
-mod fanuc;
+mod dialects;
+mod encode;
 mod fit;
-mod haas;
-mod heidenhain;
 mod layout;
-mod linuxcnc;
 mod options;
-mod siemens;
-mod spellings;
 pub mod template;
 #[cfg(test)]
 mod tests;
@@ -22,23 +21,13 @@ use std::ops::RangeInclusive;
 
 use crate::program::Units;
 
-pub use encoder::Encoder;
-pub(crate) use encoder::{legible, lines_of};
-pub use fanuc::Fanuc;
+// Every control by its name, and the types of their tables.
+pub use dialects::*;
+pub use encode::Encoder;
+pub(crate) use encode::{legible, lines_of};
 pub use fit::{abilities, unfit};
-pub use haas::Haas;
-pub use heidenhain::Heidenhain;
 pub use layout::Layout;
-pub use linuxcnc::LinuxCnc;
 pub use options::{Demands, Options, ProgramBlocks, Smoothing};
-pub use siemens::Siemens;
-pub use spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleDefinitions, CycleForm, Cycles, Length, LengthCall, Spellings, Thread,
-    Tilting, Tip, Vectors,
-};
-
-/// Every control there is, the default first.
-pub const CONTROLS: &[&dyn Control] = &[&LinuxCnc, &Fanuc, &Siemens, &Heidenhain, &Haas];
 
 /// The control of that name, as on the command line.
 #[must_use]
@@ -46,7 +35,7 @@ pub fn by_name(name: &str) -> Option<&'static dyn Control> {
     CONTROLS.iter().copied().find(|control| control.spellings().name.eq_ignore_ascii_case(name))
 }
 
-/// A CNC: its spellings, and what tables cannot say.
+/// A CNC: its spellings, and what tables cannot hold.
 pub trait Control: Sync {
     /// The codes.
     fn spellings(&self) -> &'static Spellings;
@@ -56,7 +45,7 @@ pub trait Control: Sync {
         self.plain_comment(text, line);
     }
 
-    /// A comment whose text is no order to the control.
+    /// A comment whose text is no command to the control.
     fn plain_comment(&self, text: &[u8], line: &mut Vec<u8>) {
         let comment = &self.spellings().comment;
         line.extend_from_slice(comment.marks[0].as_bytes());
@@ -64,7 +53,7 @@ pub trait Control: Sync {
         line.extend_from_slice(comment.marks[1].as_bytes());
     }
 
-    /// What becomes of a byte in the name of an operation that is no comment.
+    /// The byte that is written for one of the name of an operation, where that is no comment.
     fn message(&self, byte: u8) -> u8 {
         (self.spellings().comment.byte)(byte)
     }
@@ -72,7 +61,7 @@ pub trait Control: Sync {
     /// How a work offset of the configuration is written; `None` if the control does not have it.
     fn work_offset(&self, word: &str) -> Option<String>;
 
-    /// What stands before the number of an axis of this name; `None` if the control cannot have an axis of this name.
+    /// The letters before the number of an axis of this name; `None` if the control cannot have an axis of this name.
     fn axis_word(&self, name: &str) -> Option<String> {
         (name.len() == 1 && name.as_bytes()[0].is_ascii_uppercase()).then(|| name.to_owned())
     }
@@ -83,13 +72,13 @@ pub trait Control: Sync {
         Vec::new()
     }
 
-    /// Lines about the box of the blank for the pictures of the control; corners as words X Y Z.
+    /// Lines with the box of the blank for the graphics of the control; corners as words X Y Z.
     fn blank(&self, _lower: &str, _upper: &str) -> Vec<String> {
         Vec::new()
     }
 
-    /// Blocks that stop the program with a message where the length of the tool in the spindle, as the control knows it,
-    /// is off the posted one by more than a tolerance. None where a control cannot compare.
+    /// Blocks that stop the program with a message where the length of the tool in the spindle, as the control has it,
+    /// differs from the posted one by more than a tolerance. None where a control cannot compare.
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String>;
 }
 
@@ -104,7 +93,7 @@ pub struct LengthGuard {
     pub offset: u32,
     /// Posted gauge length, mm.
     pub length: f64,
-    /// By how much it may differ, mm.
+    /// Largest difference, mm.
     pub tolerance: f64,
     /// Unit of the program.
     pub units: Units,

@@ -1,79 +1,100 @@
 //! Blocks with named fields: `T{tool} M6`.
 //!
 //! The tables of the controls and the blocks of a configuration are written in them. A word whose field has no value is
-//! left out; a block that speaks of a tool that does not exist is left out as a whole.
+//! left out; a block that names a tool that does not exist is left out as a whole.
 
 use std::fmt;
 
-/// What a block can hold.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Field {
+/// The table of fields: each with its meaning and its name between braces.
+macro_rules! fields {
+    ($($(#[$doc:meta])* $field:ident = $name:literal,)*) => {
+        /// What a block can hold.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum Field {
+            $($(#[$doc])* $field,)*
+        }
+
+        impl Field {
+            const ALL: &[Self] = &[$(Self::$field),*];
+
+            /// Its name between braces.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$field => $name,)*
+                }
+            }
+        }
+    };
+}
+
+fields! {
     /// Name of the program, in the characters of the control.
-    Name,
+    Name = "name",
     /// Number of the program, with leading zeros.
-    Number,
+    Number = "number",
     /// Code or word of the unit of length.
-    Units,
+    Units = "units",
     /// Work offset as the control spells it.
-    WorkOffset,
-    /// How far the control may leave the path, in the unit of the program.
-    PathTolerance,
+    WorkOffset = "work_offset",
+    /// Path tolerance of the control, in the unit of the program.
+    PathTolerance = "path_tolerance",
     /// Number of the tool.
-    Tool,
+    Tool = "tool",
     /// Number of the next tool.
-    Next,
+    Next = "next",
     /// Length offset of the tool.
-    Offset,
+    Offset = "offset",
     /// Register of the radius.
-    Radius,
+    Radius = "radius",
     /// Spindle speed, rev/min.
-    Speed,
+    Speed = "speed",
     /// A time in seconds.
-    Seconds,
+    Seconds = "seconds",
     /// A time in milliseconds.
-    Milliseconds,
-    /// Largest turn of the tool axis while the control smooths, degrees.
-    Angle,
-    /// Whether rotary axes go the short way.
-    Turning,
+    Milliseconds = "milliseconds",
+    /// Largest deviation of the tool axis while the control smooths, degrees.
+    Angle = "angle",
+    /// Code by which rotary axes take the shortest path, or do not.
+    Turning = "turning",
     /// How the tool axis moves under tip control.
-    Posture,
+    Posture = "posture",
     /// Angles of a tilted plane, in the order of the control.
-    First,
+    First = "first",
     /// The second of them.
-    Second,
+    Second = "second",
     /// The third of them.
-    Third,
+    Third = "third",
     /// Pose of the rotary axes in a tilted plane.
-    Pose,
+    Pose = "pose",
     /// Name of the swivel data, between quotation marks.
-    SwivelData,
+    SwivelData = "swivel_data",
     /// The top of a hole as a word of Z.
-    Surface,
+    Surface = "surface",
     /// From the top of a hole up to where feed begins.
-    Clearance,
+    Clearance = "clearance",
     /// The bottom of a hole as a word of Z.
-    Bottom,
+    Bottom = "bottom",
     /// From the top of a hole to its bottom, negative.
-    Depth,
-    /// Where the tool stands behind a hole, as a word of Z.
-    Back,
-    /// From the top of a hole up to where the tool stands behind it.
-    Higher,
-    /// What the depth of a hole grows by at a time.
-    Step,
-    /// How many times that is.
-    Steps,
-    /// How far the tool goes back to break chips, or how far it comes near after a retreat.
-    Gap,
+    Depth = "depth",
+    /// Level of the tool after a hole, as a word of Z.
+    Back = "back",
+    /// From the top of a hole up to the level of the tool after it.
+    Higher = "higher",
+    /// Depth of a step of a hole.
+    Step = "step",
+    /// Number of steps.
+    Steps = "steps",
+    /// Retract that breaks chips, or the gap at which feed begins again after a retract.
+    Gap = "gap",
     /// Feed in a hole.
-    Feed,
+    Feed = "feed",
     /// Pitch of a thread, negative for a left-hand one.
-    Pitch,
-    /// What a pitch counts in: 1 for millimetres, 3 for inches.
-    PitchUnit,
+    Pitch = "pitch",
+    /// Unit of a pitch: 1 for millimetres, 3 for inches.
+    PitchUnit = "pitch_unit",
     /// Sense of the spindle, as the number of its M code.
-    Rotation,
+    Rotation = "rotation",
 }
 
 /// Fields of a whole program.
@@ -111,84 +132,6 @@ pub const OF_CYCLE: &[Field] = &[
     Field::Speed,
 ];
 
-impl Field {
-    const ALL: [Self; 33] = [
-        Self::Name,
-        Self::Number,
-        Self::Units,
-        Self::WorkOffset,
-        Self::PathTolerance,
-        Self::Tool,
-        Self::Next,
-        Self::Offset,
-        Self::Radius,
-        Self::Speed,
-        Self::Seconds,
-        Self::Milliseconds,
-        Self::Angle,
-        Self::Turning,
-        Self::Posture,
-        Self::First,
-        Self::Second,
-        Self::Third,
-        Self::Pose,
-        Self::SwivelData,
-        Self::Surface,
-        Self::Clearance,
-        Self::Bottom,
-        Self::Depth,
-        Self::Back,
-        Self::Higher,
-        Self::Step,
-        Self::Steps,
-        Self::Gap,
-        Self::Feed,
-        Self::Pitch,
-        Self::PitchUnit,
-        Self::Rotation,
-    ];
-
-    /// Its name between braces.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Name => "name",
-            Self::Number => "number",
-            Self::Units => "units",
-            Self::WorkOffset => "work_offset",
-            Self::PathTolerance => "path_tolerance",
-            Self::Tool => "tool",
-            Self::Next => "next",
-            Self::Offset => "offset",
-            Self::Radius => "radius",
-            Self::Speed => "speed",
-            Self::Seconds => "seconds",
-            Self::Milliseconds => "milliseconds",
-            Self::Angle => "angle",
-            Self::Turning => "turning",
-            Self::Posture => "posture",
-            Self::First => "first",
-            Self::Second => "second",
-            Self::Third => "third",
-            Self::Pose => "pose",
-            Self::SwivelData => "swivel_data",
-            Self::Surface => "surface",
-            Self::Clearance => "clearance",
-            Self::Bottom => "bottom",
-            Self::Depth => "depth",
-            Self::Back => "back",
-            Self::Higher => "higher",
-            Self::Step => "step",
-            Self::Steps => "steps",
-            Self::Gap => "gap",
-            Self::Feed => "feed",
-            Self::Pitch => "pitch",
-            Self::PitchUnit => "pitch_unit",
-            Self::Rotation => "rotation",
-        }
-    }
-}
-
 /// What is wrong with a template.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum BadTemplate {
@@ -207,11 +150,11 @@ impl fmt::Display for BadTemplate {
     }
 }
 
-/// The next field of a text: what stands before it, its name, what stands behind it.
+/// The next field of a text: the text before it, its name, the text after it.
 fn split(text: &str) -> Option<(&str, &str, &str)> {
     let (before, rest) = text.split_once('{')?;
-    let (name, behind) = rest.split_once('}')?;
-    Some((before, name, behind))
+    let (name, after) = rest.split_once('}')?;
+    Some((before, name, after))
 }
 
 /// Whether a text is a template that holds only the fields `allowed`.
@@ -220,33 +163,33 @@ fn split(text: &str) -> Option<(&str, &str, &str)> {
 /// The first thing that is wrong.
 pub fn check(text: &str, allowed: &[Field]) -> Result<(), BadTemplate> {
     let mut rest = text;
-    while let Some((before, name, behind)) = split(rest) {
+    while let Some((before, name, after)) = split(rest) {
         if before.contains('}') || name.contains('{') {
             return Err(BadTemplate::Brace);
         }
         if !allowed.iter().any(|field| field.name() == name) {
             return Err(BadTemplate::Field(name.to_owned()));
         }
-        rest = behind;
+        rest = after;
     }
     if rest.contains(['{', '}']) { Err(BadTemplate::Brace) } else { Ok(()) }
 }
 
 /// The block of a template; `None` if nothing of it is left, or the next tool is named and there is none.
-pub(super) fn fill(text: &str, value: impl Fn(Field) -> Option<String>) -> Option<String> {
+pub(crate) fn fill(text: &str, value: impl Fn(Field) -> Option<String>) -> Option<String> {
     let mut words = Vec::new();
     for word in text.split(' ') {
         let (mut rest, mut written) = (word, String::new());
         let mut missing = false;
-        while let Some((before, name, behind)) = split(rest) {
+        while let Some((before, name, after)) = split(rest) {
             written.push_str(before);
-            let field = Field::ALL.into_iter().find(|field| field.name() == name);
+            let field = Field::ALL.iter().copied().find(|field| field.name() == name);
             match field.and_then(&value).filter(|value| !value.is_empty()) {
                 Some(value) => written.push_str(&value),
                 None if field == Some(Field::Next) => return None,
                 None => missing = true,
             }
-            rest = behind;
+            rest = after;
         }
         if !missing {
             written.push_str(rest);

@@ -105,6 +105,16 @@ fn edges(setup: Options) -> Layout {
 }
 
 #[test]
+fn every_control_states_what_no_two_of_them_share() {
+    for control in CONTROLS {
+        let Spellings { name, title, line_length, rotary_note, .. } = control.spellings();
+        assert!(!name.is_empty() && !title.is_empty() && *line_length > 0 && !rotary_note.is_empty(), "{name}");
+        let others = CONTROLS.iter().filter(|other| other.spellings().name.eq_ignore_ascii_case(name));
+        assert_eq!(others.count(), 1, "{name} is the name of one control");
+    }
+}
+
+#[test]
 fn fanuc_writes_points_calls_the_length_with_z_and_cancels_it_with_z() {
     assert_eq!(
         whole(&Fanuc, &layout()),

@@ -1,5 +1,5 @@
 //! Numbers of words: whole units of the last decimal, written without zeros at their end, never as `-0`, never with an
-//! exponent. [`Numerals`] says what a control wants besides: a point in every number, a sign before every number.
+//! exponent. [`Numerals`] states what a control wants besides: a point in every number, a sign before every number.
 
 /// Largest number of whole units of a word: all integers up to here are exact in an `f64`.
 const LARGEST: f64 = 9_007_199_254_740_992.0;
@@ -95,7 +95,7 @@ impl Decimal {
     }
 }
 
-/// Writes a number: no zeros behind the last digit, no point without decimals, no `-0`.
+/// Writes a number: no zeros after the last digit, no point without decimals, no `-0`.
 #[inline]
 pub fn write_decimal(out: &mut Vec<u8>, number: Decimal) {
     let mut digits = [0_u8; 40];

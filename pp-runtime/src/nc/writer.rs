@@ -27,7 +27,7 @@ pub enum Numbering {
 pub struct Line {
     /// Its place in the program, from 1.
     pub line: u64,
-    /// The number that stands in it.
+    /// Its block number.
     pub number: Option<u32>,
 }
 
@@ -57,7 +57,7 @@ struct Journal {
 }
 
 impl Journal {
-    /// A block may stand in several lines; its number stands in the first.
+    /// A block may take several lines; its number is in the first.
     fn add(&mut self, text: &[u8], number: Option<u32>) {
         let ends = text.iter().filter(|&&byte| byte == b'\n').count();
         for index in 0..ends {
@@ -88,7 +88,7 @@ impl<W: Write> Writer<W> {
         self.single_number = Some(number);
     }
 
-    /// A blank behind a word, the number at the beginning of a block.
+    /// A blank after a word, the number at the beginning of a block.
     fn separate(&mut self) {
         if self.buffer.len() > self.block {
             self.buffer.push(b' ');
@@ -123,7 +123,7 @@ impl<W: Write> Writer<W> {
         self.buffer.push(b' ');
     }
 
-    /// A code that stands for itself: `G1`, `M30`.
+    /// A code without a number of its own: `G1`, `M30`.
     pub fn code(&mut self, code: &str) {
         if !code.is_empty() {
             self.separate();
@@ -138,7 +138,7 @@ impl<W: Write> Writer<W> {
         write_number(&mut self.buffer, number, numerals);
     }
 
-    /// Ends the block; a block without words leaves nothing behind.
+    /// Ends the block; a block without words leaves no line.
     ///
     /// # Errors
     /// Those of the output.

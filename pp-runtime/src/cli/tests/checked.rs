@@ -11,7 +11,7 @@ const PART: &str = "UNITS/MM\nTOOL PATH/FACE,TOOL,MILL\nLOADTL/1\nSPINDL/RPM,300
 fn tampered(
     from: &'static str,
     to: &'static str,
-) -> impl Fn(&Job<'_>, &mut Source, &mut Sink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError> {
+) -> impl Fn(&Job<'_>, &mut ClSource, &mut ProgramSink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError> {
     move |job, source, sink, _| {
         let mut program = Vec::new();
         let report = crate::post::post::<Cb>(job, source, &mut program)?;

@@ -1,6 +1,6 @@
 //! The table of a control: what its codes look like.
 //!
-//! Texts with braces are [templates](super::template).
+//! Texts with braces are [templates](crate::control::template).
 
 use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
@@ -25,13 +25,13 @@ pub struct Spellings {
     pub counted: bool,
     /// Comments.
     pub comment: Comments,
-    /// What the name of an operation stands between, where that is no comment.
+    /// Before and after the name of an operation, where that is no comment.
     pub operation: Option<[&'static str; 2]>,
     /// Lines before everything else.
     pub opening: &'static [&'static str],
     /// Last block.
     pub end: &'static str,
-    /// Lines behind the last block.
+    /// Lines after the last block.
     pub closing: &'static [&'static str],
     /// Digits of the program number; 0: programs have none.
     pub number_digits: usize,
@@ -43,17 +43,17 @@ pub struct Spellings {
     pub safety: &'static [&'static str],
     /// Feed per minute.
     pub per_minute: &'static str,
-    /// What people call a work offset, before its word.
+    /// Title of a work offset for people, before its word.
     pub offset_title: &'static str,
     /// Inverse time, F in 1/min; `None` if the control has none.
     pub inverse_time: Option<&'static str>,
-    /// What F counts along where a rotary axis moves.
+    /// The path along which F counts where a rotary axis moves.
     pub path_norm: PathNorm,
     /// Units of F in one unit of length of an inch program.
     pub feed_per_inch: f64,
     /// Rapid.
     pub rapid: &'static str,
-    /// Behind the words of a rapid.
+    /// After the words of a rapid.
     pub rapid_end: &'static str,
     /// Feed.
     pub feed: &'static str,
@@ -63,18 +63,18 @@ pub struct Spellings {
     pub cycles: Option<Cycles>,
     /// The motion code stays in force.
     pub motion_modal: bool,
-    /// Path without compensation of the radius, behind the axis words; stays in force.
-    pub centre: &'static str,
-    /// Cutter left and right of its path, as templates, and on it again.
-    pub beside: [&'static str; 3],
+    /// Path without cutter compensation, after the axis words; stays in force.
+    pub no_compensation: &'static str,
+    /// Cutter compensation left, right and off, as templates.
+    pub compensation: [&'static str; 3],
     /// Around the words of a rapid in machine coordinates.
     pub machine: [&'static str; 2],
     /// Tool call, and the tool after it.
     pub tool_change: &'static [&'static str],
-    /// The tool after it is called up unless the configuration says otherwise.
+    /// The tool after it is called up unless the configuration sets otherwise.
     pub preselect: bool,
     /// Length offset.
-    pub length: Length,
+    pub length: LengthCodes,
     /// Speed in a block of its own, where that of the spindle cannot hold it.
     pub speed: Option<&'static str>,
     /// Spindle clockwise and counter-clockwise.
@@ -95,13 +95,13 @@ pub struct Spellings {
     pub smoothing: [&'static [&'static str]; 3],
     /// Smoothing off.
     pub smoothing_off: &'static [&'static str],
-    /// Whether rotary axes turn as their words say, or the short way.
+    /// Rotary axes rotate as their words state, or by the shortest path.
     pub turning: [&'static str; 2],
-    /// Tip control; `None` if only the configuration can say how it is switched.
+    /// Tip control; `None` if only the configuration can state how it is switched.
     pub tip: Option<Tip>,
     /// Tilted planes.
     pub plane: Option<Tilting>,
-    /// What words beyond 360° take for granted about the rotary axes of this control.
+    /// Assumption about the rotary axes of this control where words go beyond 360°.
     pub rotary_note: &'static str,
 }
 
@@ -110,26 +110,26 @@ pub struct Spellings {
 pub struct Arcs {
     /// Clockwise and counter-clockwise.
     pub senses: [&'static str; 2],
-    /// The planes square to X, to Y and to Z, stated before an arc and in force from there on; `None`: no arcs in it.
+    /// The planes perpendicular to X, to Y and to Z, stated before an arc and in force from there on; `None`: no arcs in it.
     pub planes: [Option<&'static str>; 3],
-    /// Where the centre stands.
+    /// How the centre is written.
     pub centre: ArcCentre,
-    /// What stands before a radius that says the same.
+    /// Address of a radius in the place of the centre.
     pub radius: &'static str,
-    /// By how much the distances of both ends from the centre may differ, mm.
+    /// Largest difference of the distances of both ends from the centre, mm.
     pub radius_tolerance: f64,
 }
 
 /// How cycles of holes look.
 #[derive(Debug)]
 pub struct Cycles {
-    /// What the planner may ask for.
+    /// Cycles that the planner may use.
     pub can: CycleAbilities,
-    /// What they are made of.
+    /// How they are written.
     pub form: CycleForm,
 }
 
-/// What a cycle is made of.
+/// How a cycle is written.
 #[derive(Debug)]
 pub enum CycleForm {
     /// A code with X Y Z R and what belongs to it, in force until it is cancelled.
@@ -159,20 +159,6 @@ pub struct CycleCodes {
     pub end: &'static str,
 }
 
-impl CycleCodes {
-    /// What controls with these codes agree on; threads are their own.
-    pub const USUAL: Self = Self {
-        returns: ["G99", "G98"],
-        drill: ["G81", "G82"],
-        peck: "G83",
-        chip_break: "G73",
-        ream: ["G85", "G89"],
-        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "" },
-        dwell: "P{seconds}",
-        end: "G80",
-    };
-}
-
 /// A cycle by blocks that are templates.
 #[derive(Debug)]
 pub struct CycleDefinitions {
@@ -188,7 +174,7 @@ pub struct CycleDefinitions {
     pub ream: &'static [&'static str],
     /// A thread.
     pub thread: &'static [&'static str],
-    /// Behind the words of a place, where each calls the cycle by itself and the definition outlives other motions.
+    /// After the words of a place, where each calls the cycle by itself and the definition outlives other motions.
     pub call: &'static str,
     /// Ends it, where every motion calls it.
     pub end: &'static str,
@@ -204,11 +190,11 @@ pub enum Thread {
         /// Brings the spindle under control of its angle, as a template.
         rigid: &'static str,
     },
-    /// By a motion with the pitch as K, which comes back to where it began.
+    /// By a motion with the pitch as K, which returns to its start.
     Motion(&'static str),
 }
 
-/// Where the centre of an arc stands.
+/// How the centre of an arc is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArcCentre {
     /// In the block, as I J K counted from the start.
@@ -220,26 +206,26 @@ pub enum ArcCentre {
 /// How comments look.
 #[derive(Debug)]
 pub struct Comments {
-    /// Before and behind the text.
+    /// Before and after the text.
     pub marks: [&'static str; 2],
     /// Most bytes of text in one line.
     pub length: usize,
-    /// What becomes of a byte.
+    /// The byte that is written for one of the text.
     pub byte: fn(u8) -> u8,
 }
 
-/// How a length offset is called.
+/// How a length offset is called and cancelled.
 #[derive(Debug)]
-pub struct Length {
+pub struct LengthCodes {
     /// The code.
     pub code: &'static str,
-    /// Where it stands.
+    /// The block in which it is called.
     pub call: LengthCall,
     /// Cancels it in a block of machine coordinates.
     pub off: &'static str,
     /// A block of machine coordinates ends it.
     pub machine_ends: bool,
-    /// What the register means.
+    /// The meaning of the register.
     pub registers: Registers,
     /// Address of the register, for people.
     pub address: &'static str,
@@ -258,28 +244,28 @@ pub struct Tip {
     pub reset: &'static [&'static str],
     /// It goes together with the length offset, which has to be called again.
     pub ends_length: bool,
-    /// Words for a tool axis that follows the rotary axes, and for one that turns in the plane of its ends.
+    /// Words for a tool axis that follows the rotary axes, and for one that rotates in the plane of its ends.
     pub posture: [&'static str; 2],
     /// How it takes the tool axis as a vector, if it does.
     pub vectors: Option<Vectors>,
-    /// In which frame it counts is a setting of the machine.
+    /// The frame in which it counts is a setting of the machine.
     pub frame_is_set: bool,
-    /// It can turn the tool axis in the plane of its ends.
+    /// It can rotate the tool axis in the plane of its ends.
     pub turns_in_plane: bool,
-    /// What it takes for granted.
+    /// Its assumption about the machine.
     pub note: &'static str,
 }
 
 /// How a tool axis is written as a vector.
 #[derive(Debug)]
 pub struct Vectors {
-    /// What stands before its components.
+    /// Addresses of its components.
     pub words: [&'static str; 3],
     /// The code in the place of the length offset.
     pub with_length: Option<&'static str>,
     /// Codes of a straight motion that holds one, rapid and at feed, where they are codes of their own.
     pub motion: Option<&'static str>,
-    /// What ends a rapid that holds one.
+    /// The end of a rapid that holds one.
     pub rapid_end: &'static str,
     /// As [`Tip::posture`].
     pub posture: [&'static str; 2],
@@ -292,25 +278,25 @@ pub struct Tilting {
     pub on: &'static [&'static str],
     /// The length offset is called before it.
     pub length_first: bool,
-    /// Blocks that give it up.
+    /// Blocks that cancel it.
     pub off: &'static [&'static str],
     /// Blocks of a restart point besides those of `safety`.
     pub reset: &'static [&'static str],
     /// Words for the pose with the lower, and with the higher angle.
     pub poses: [&'static str; 2],
-    /// What its words mean.
+    /// The meaning of its words.
     pub angles: PlaneAngles,
     /// Decimals of its angles; `None`: as many as rotary words have.
     pub decimals: Option<u32>,
     /// How the control chooses its pose.
     pub pose: PoseRule,
-    /// It is given up behind the machine retract.
+    /// It is cancelled after the machine retract.
     pub ends_behind_retract: bool,
-    /// What it takes for granted.
+    /// Its assumption about the machine.
     pub note: &'static str,
 }
 
-/// Where a length offset is called.
+/// The block in which a length offset is called.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthCall {
     /// In a block of its own: it moves nothing.
@@ -321,8 +307,8 @@ pub enum LengthCall {
     WithTool,
 }
 
-/// The place of a kind of coolant in a table.
-pub(super) fn coolant_index(coolant: Coolant) -> Option<usize> {
+/// The index of a kind of coolant in a table.
+pub(crate) fn coolant_index(coolant: Coolant) -> Option<usize> {
     match coolant {
         Coolant::On | Coolant::Flood => Some(0),
         Coolant::Mist => Some(1),
@@ -344,7 +330,7 @@ impl Spellings {
 }
 
 /// A printable byte of ASCII that closes no comment in brackets.
-pub(super) fn ascii_in_brackets(byte: u8) -> u8 {
+pub(crate) fn ascii_in_brackets(byte: u8) -> u8 {
     match byte {
         b'(' => b'[',
         b')' => b']',
@@ -354,7 +340,7 @@ pub(super) fn ascii_in_brackets(byte: u8) -> u8 {
 }
 
 /// A printable byte of ASCII.
-pub(super) fn printable(byte: u8) -> u8 {
+pub(crate) fn printable(byte: u8) -> u8 {
     match byte {
         b'\t' => b' ',
         0x20..=0x7e => byte,

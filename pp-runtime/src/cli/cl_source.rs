@@ -15,11 +15,11 @@ const LONG_INPUT: u64 = 8 << 20;
 const PASSES: u64 = 2;
 
 /// CL data, open for reading.
-pub(super) struct Source {
+pub(crate) struct ClSource {
     file: File,
     name: String,
     /// Path and state of a regular file when it was opened; a spooled stream has none.
-    watched: Option<(PathBuf, State)>,
+    watched: Option<(PathBuf, FileState)>,
     /// Where a stream is kept.
     spooled: Option<NamedTempFile>,
     progress: ProgressBar,
@@ -27,21 +27,21 @@ pub(super) struct Source {
 
 /// What a file looks like from outside; a file that changes looks different.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct State {
+struct FileState {
     length: u64,
     modified: Option<SystemTime>,
     identity: Option<(u64, u64)>,
 }
 
-impl State {
+impl FileState {
     fn of(metadata: &Metadata) -> Self {
         Self { length: metadata.len(), modified: metadata.modified().ok(), identity: identity(metadata) }
     }
 }
 
-impl Source {
+impl ClSource {
     /// Opens `path`; what is not a regular file is spooled to a temporary file.
-    pub(super) fn open(path: &Path) -> io::Result<Self> {
+    pub(crate) fn open(path: &Path) -> io::Result<Self> {
         let mut file = File::open(path)?;
         let metadata = file.metadata()?;
         let name = path.display().to_string();
@@ -51,12 +51,12 @@ impl Source {
         if !metadata.is_file() {
             return Self::spool(&mut file, name);
         }
-        let watched = Some((path.to_owned(), State::of(&metadata)));
+        let watched = Some((path.to_owned(), FileState::of(&metadata)));
         Ok(Self { file, name, watched, spooled: None, progress: ProgressBar::hidden() })
     }
 
     /// Keeps a stream in a temporary file.
-    pub(super) fn spool(stream: &mut dyn Read, name: impl Into<String>) -> io::Result<Self> {
+    pub(crate) fn spool(stream: &mut dyn Read, name: impl Into<String>) -> io::Result<Self> {
         let mut spooled = NamedTempFile::new()?;
         io::copy(stream, &mut spooled)?;
         let file = spooled.reopen()?;
@@ -65,7 +65,7 @@ impl Source {
     }
 
     /// The same data from its beginning, read on its own.
-    pub(super) fn again(&self) -> io::Result<File> {
+    pub(crate) fn again(&self) -> io::Result<File> {
         match (&self.spooled, &self.watched) {
             (Some(spooled), _) => spooled.reopen(),
             (None, Some((path, _))) => File::open(path),
@@ -74,12 +74,12 @@ impl Source {
     }
 
     /// The name that messages use.
-    pub(super) fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
     /// Shows a progress bar from here on if the input is long.
-    pub(super) fn show_progress(&mut self) {
+    pub(crate) fn show_progress(&mut self) {
         let length = self.file.metadata().map_or(0, |metadata| metadata.len());
         if length > LONG_INPUT {
             let style = ProgressStyle::with_template("{bar:40} {percent}% {binary_bytes_per_sec} {eta}");
@@ -89,23 +89,23 @@ impl Source {
     }
 
     /// Takes the progress bar away.
-    pub(super) fn hide_progress(&mut self) {
+    pub(crate) fn hide_progress(&mut self) {
         self.progress.finish_and_clear();
         self.progress = ProgressBar::hidden();
     }
 
     /// Says what happened to the file since it was opened, if anything did.
-    pub(super) fn disturbed(&self) -> Option<&'static str> {
+    pub(crate) fn disturbed(&self) -> Option<&'static str> {
         let (path, state) = self.watched.as_ref()?;
         match fs::metadata(path) {
-            Ok(now) if State::of(&now) == *state => None,
+            Ok(now) if FileState::of(&now) == *state => None,
             Ok(_) => Some("changed while it was read"),
             Err(_) => Some("vanished while it was read"),
         }
     }
 }
 
-impl Read for Source {
+impl Read for ClSource {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let count = self.file.read(buffer)?;
         self.progress.inc(count as u64);
@@ -113,14 +113,14 @@ impl Read for Source {
     }
 }
 
-impl Seek for Source {
+impl Seek for ClSource {
     fn seek(&mut self, position: SeekFrom) -> io::Result<u64> {
         self.file.seek(position)
     }
 }
 
 /// Whether two paths lead to one file, by whatever names.
-pub(super) fn same_file(one: &Path, other: &Path) -> bool {
+pub(crate) fn same_file(one: &Path, other: &Path) -> bool {
     if let (Ok(first), Ok(second)) = (fs::metadata(one), fs::metadata(other))
         && let (Some(first), Some(second)) = (identity(&first), identity(&second))
     {
@@ -129,7 +129,7 @@ pub(super) fn same_file(one: &Path, other: &Path) -> bool {
     matches!((place(one), place(other)), (Ok(one), Ok(other)) if one == other)
 }
 
-/// Where a file stands or would stand, whatever its folder is called.
+/// The path of a file that exists or could, by whatever name its folder is called.
 fn place(path: &Path) -> io::Result<PathBuf> {
     fs::canonicalize(path).or_else(|_| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));

@@ -2,35 +2,33 @@
 //!
 //! A name that ends in a digit is parted from its number by `=` (`C1=30`). The length belongs to the cutting edge D of
 //! the tool; `D0` in a block of machine coordinates takes it away, so it is called again before the next motion. `G4 F`
-//! counts seconds and leaves the feed alone. `TRAFOOF` stands before the work offset, which it may clear.
+//! counts seconds and leaves the feed alone. `TRAFOOF` comes before the work offset, which it may clear.
 //!
 //! Length guard: `$P_TOOLL[1]` is the first length of the active edge with wear and adapter, whatever number the tool
 //! management has given the tool; with `G710` and `G700` a program reads it in its own unit (Basic Functions 6FC5397-0BP40,
-//! G2, 7.3). `M0` holds with the message in sight, and `M30` behind it leaves no way on. Alarms of `SETAL` would need texts
+//! G2, 7.3). `M0` holds with the message in sight, and `M30` after it ends the program. Alarms of `SETAL` would need texts
 //! of the machine.
 //!
-//! `TRAORI` controls the tip in the frame of the table at zero; behind it the work offset is called again. `CYCLE800` in
+//! `TRAORI` controls the tip in the frame of the table at zero; after it the work offset is called again. `CYCLE800` in
 //! mode 57 turns about X, the new Y and the new Z. Its direction -1 or 1 takes the pose with the lower or the higher value
 //! of the axis that is the direction reference of the swivel data (828D operating manual, 10.6).
 //!
-//! Behind `MCALL CYCLE81(..)` each motion ends with the cycle until `MCALL` alone. Arguments (840D Cycles PGZ, 2.1, and 840D
+//! After `MCALL CYCLE81(..)` each motion ends with the cycle until `MCALL` alone. Arguments (840D Cycles PGZ, 2.1, and 840D
 //! sl, which adds those from `_AXN` on): RTP, RFP, SDIS, DP are the levels it comes back to, top, height of the clearance over
 //! it, bottom. `CYCLE82` adds DPR, DTB; `CYCLE83` DPR, FDEP, FDPR (depth of a step), DAM (0: all alike), DTB, DTS, FRF, VARI
 //! (1 out of the hole, 0 chips broken), _AXN, _MDEP, _VRT (how far back), _DTD (wait at the bottom), _DIS1 (how near it comes
 //! again); `CYCLE85` DPR, DTB, FFR, RFF; `CYCLE84` DPR, DTB, SDAC (sense of the spindle afterwards), MPIT, PIT (negative:
 //! left-hand), POSS, SST, SST1, _AXN, _PITA (1 mm, 3 inches). What is left for the last two steps of `CYCLE83` is halved, so
-//! only whole steps are said by it.
+//! only whole steps are written with it.
 
-use crate::motion::PathNorm;
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
-use crate::nc::Numerals;
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleDefinitions, CycleForm, Cycles, Length, LengthCall, Spellings, Tilting, Tip,
-    Vectors, printable,
+    Arcs, Comments, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Tilting, Tip, Vectors,
+    printable,
 };
-use super::{Control, LengthGuard, numbered};
+use crate::control::{Control, LengthGuard, numbered};
 
 /// The Siemens dialect.
 #[derive(Debug, Clone, Copy)]
@@ -40,35 +38,19 @@ static SPELLINGS: Spellings = Spellings {
     name: "siemens",
     title: "Siemens 840D",
     formats: Formats { linear_whole: 6, rotary_whole: 6, feed_whole: 9, speed_whole: 6, ..Formats::DEFAULT },
-    numerals: Numerals { point: false, plus: false },
     line_length: 512,
-    counted: false,
     comment: Comments { marks: ["; ", ""], length: 200, byte: printable },
     operation: Some(["MSG(\"", "\")"]),
-    opening: &[],
-    end: "M30",
-    closing: &[],
-    number_digits: 0,
-    plain_name: false,
     units: ["G710", "G700"],
     safety: &["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"],
-    per_minute: "G94",
-    offset_title: "",
-    inverse_time: Some("G93"),
-    path_norm: PathNorm::G93Minutes,
-    feed_per_inch: 1.0,
-    rapid: "G0",
-    rapid_end: "",
-    feed: "G1",
     arcs: Arcs {
-        senses: ["G2", "G3"],
-        // In another plane the length of the tool counts along X or Y, at once, unless SD42940 says that it stays
+        // In another plane the length of the tool counts along X or Y, at once, unless SD42940 keeps it
         // (6FC5398-1BP10-2BA0, 8.17.4).
         planes: [None, None, Some("G17")],
-        centre: ArcCentre::Offsets,
         radius: "CR=",
         // MD21000, as delivered.
         radius_tolerance: 0.01,
+        ..Arcs::ISO
     },
     cycles: Some(Cycles {
         can: CycleAbilities {
@@ -99,13 +81,10 @@ static SPELLINGS: Spellings = Spellings {
             end: "MCALL",
         }),
     }),
-    motion_modal: true,
-    centre: "",
-    beside: ["G41", "G42", "G40"],
+    compensation: ["G41", "G42", "G40"],
     machine: ["SUPA G0", "D0"],
     tool_change: &["T{tool}", "M6", "T{next}"],
-    preselect: true,
-    length: Length {
+    length: LengthCodes {
         code: "D{offset}",
         call: LengthCall::Alone,
         off: "",
@@ -113,21 +92,13 @@ static SPELLINGS: Spellings = Spellings {
         registers: Registers::Edges,
         address: "D",
     },
-    speed: None,
-    spindle: ["S{speed} M3", "S{speed} M4"],
-    spindle_off: "M5",
-    coolant_off: "M9",
-    coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
-    stop: ["M0", "M1"],
     dwell: &["G4 F{seconds}"],
-    longest_dwell: 99_999_000,
     smoothing: [
         &["CYCLE832({path_tolerance},3)"],
         &["CYCLE832({path_tolerance},2)"],
         &["CYCLE832({path_tolerance},1)"],
     ],
     smoothing_off: &["CYCLE832()"],
-    turning: ["", ""],
     tip: Some(Tip {
         on: &["TRAORI", "{posture}", "{work_offset}"],
         with_length: None,
@@ -160,6 +131,7 @@ static SPELLINGS: Spellings = Spellings {
         note: "the direction reference of the swivel data must be the rotary axis nearest the tool",
     }),
     rotary_note: "the axes must not be modulo axes (MD30310 = 0)",
+    ..Spellings::ISO
 };
 
 impl Control for Siemens {

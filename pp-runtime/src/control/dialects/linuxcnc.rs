@@ -2,18 +2,16 @@
 //!
 //! The program ends with M2 and has no `%` frame: a file that lost its end has no M2 and is refused by the control.
 //! `G43 H` moves nothing, `G4 P` counts seconds, `G93` wants an F in every G1 block, and F in `G94` counts along X Y Z
-//! wherever one of them moves. `#5403` is what the tool table says of the tool in the spindle, whatever H is in force, in
-//! the unit of the machine and not in that of the program. Without a P behind `G64` it would round corners as far as speed demands.
+//! wherever one of them moves. `#5403` is the length that the tool table has for the tool in the spindle, whatever H is in force, in
+//! the unit of the machine and not in that of the program. Without a P after `G64` it would round corners as far as speed
+//! demands. Tip control and tilted planes are switched by codes of the configuration, if at all.
 
-use crate::motion::PathNorm;
-use crate::motion::{CycleAbilities, Registers};
-use crate::nc::Formats;
-use crate::nc::Numerals;
+use crate::motion::CycleAbilities;
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, Length, LengthCall, Spellings, Thread, ascii_in_brackets,
+    Arcs, Comments, CycleCodes, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Thread, ascii_in_brackets,
 };
-use super::{Control, LengthGuard, numbered};
+use crate::control::{Control, LengthGuard, numbered};
 
 /// The LinuxCNC dialect.
 #[derive(Debug, Clone, Copy)]
@@ -22,68 +20,25 @@ pub struct LinuxCnc;
 static SPELLINGS: Spellings = Spellings {
     name: "linuxcnc",
     title: "LinuxCNC",
-    formats: Formats::DEFAULT,
-    numerals: Numerals { point: false, plus: false },
     line_length: 254,
-    counted: false,
-    // Two brackets and the dash.
+    // Of 254 bytes: two brackets, and the "- " before a text that would be an order.
     comment: Comments { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
-    operation: None,
-    opening: &[],
     end: "M2",
-    closing: &[],
-    number_digits: 0,
-    plain_name: false,
-    units: ["G21", "G20"],
     safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
-    per_minute: "G94",
-    offset_title: "",
-    inverse_time: Some("G93"),
-    path_norm: PathNorm::G93Minutes,
-    feed_per_inch: 1.0,
-    rapid: "G0",
-    rapid_end: "",
-    feed: "G1",
     arcs: Arcs {
-        senses: ["G2", "G3"],
-        planes: [Some("G19"), Some("G18"), Some("G17")],
-        centre: ArcCentre::Offsets,
-        radius: "R",
         // Where the radii differ by more the interpreter of 2.9 looks at their ratio, too.
         radius_tolerance: 0.001_27,
+        ..Arcs::ISO
     },
     cycles: Some(Cycles {
         can: CycleAbilities::CODES,
-        form: CycleForm::Codes(CycleCodes { thread: Thread::Motion("G33.1"), ..CycleCodes::USUAL }),
+        form: CycleForm::Codes(CycleCodes { thread: Thread::Motion("G33.1"), ..CycleCodes::ISO }),
     }),
-    motion_modal: true,
-    centre: "",
-    beside: ["G41 D{radius}", "G42 D{radius}", "G40"],
-    machine: ["G53 G0", ""],
-    tool_change: &["T{tool} M6", "T{next}"],
     preselect: false,
-    length: Length {
-        code: "G43 H{offset}",
-        call: LengthCall::Alone,
-        off: "",
-        machine_ends: false,
-        registers: Registers::Shared,
-        address: "H",
-    },
-    speed: None,
-    spindle: ["S{speed} M3", "S{speed} M4"],
-    spindle_off: "M5",
-    coolant_off: "M9",
-    coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
-    stop: ["M0", "M1"],
-    dwell: &["G4 P{seconds}"],
-    longest_dwell: 99_999_000,
-    smoothing: [&[], &[], &[]],
-    smoothing_off: &[],
-    turning: ["", ""],
-    tip: None,
-    plane: None,
+    // G43 moves nothing, and G53 leaves it in force.
+    length: LengthCodes { call: LengthCall::Alone, off: "", machine_ends: false, ..LengthCodes::ISO },
     rotary_note: "the axes must not be wrapped",
+    ..Spellings::ISO
 };
 
 impl Control for LinuxCnc {
@@ -102,7 +57,7 @@ impl Control for LinuxCnc {
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
         let LengthGuard { label, tool, .. } = *guard;
         if guard.offset != tool {
-            // The table says nothing about the register of another tool.
+            // The table holds nothing about the register of another tool.
             return Vec::new();
         }
         let [length, tolerance] = guard.in_millimetres();

@@ -1,6 +1,6 @@
 //! Haas NGC.
 //!
-//! Codes have two digits, as Haas writes them. As on Fanuc a number needs its point and `G43` stands with Z; the dwell
+//! Codes have two digits, as Haas writes them. As on Fanuc a number needs its point and `G43` is written with Z; the dwell
 //! is in seconds because its P has a point. Coolant through the spindle has an off code of its own.
 //!
 //! Length guard of the NGC with macros: `#2000+H` is the length in the offset page, `#2200+H` its wear, for H1 to H200, in
@@ -10,16 +10,11 @@
 //! `G234 H` controls the tip in the frame of the table at zero. `G268` tilts a plane, with the length offset active before
 //! it, and `G253` turns the axes; `Q123` is the order of its angles.
 
-use crate::motion::PathNorm;
-use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
-use crate::nc::Formats;
-use crate::nc::Numerals;
+use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
+use crate::nc::{Formats, Numerals};
 
-use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, Length, LengthCall, Spellings, Tilting, Tip,
-    ascii_in_brackets,
-};
-use super::{Control, LengthGuard, numbered};
+use super::spellings::{Arcs, Comments, CycleCodes, CycleForm, Cycles, Spellings, Tilting, Tip, ascii_in_brackets};
+use crate::control::{Control, LengthGuard, numbered};
 
 /// The Haas dialect.
 #[derive(Debug, Clone, Copy)]
@@ -39,61 +34,27 @@ static SPELLINGS: Spellings = Spellings {
     },
     numerals: Numerals { point: true, plus: false },
     line_length: 254,
-    counted: false,
     comment: Comments { marks: ["(", ")"], length: 76, byte: ascii_in_brackets },
-    operation: None,
     opening: &["%", "O{number} ({name})"],
-    end: "M30",
     closing: &["%"],
     number_digits: 5,
-    plain_name: false,
-    units: ["G21", "G20"],
-    safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset}"],
-    per_minute: "G94",
-    offset_title: "",
-    inverse_time: Some("G93"),
-    path_norm: PathNorm::G93Minutes,
-    feed_per_inch: 1.0,
     rapid: "G00",
-    rapid_end: "",
     feed: "G01",
-    arcs: Arcs {
-        senses: ["G02", "G03"],
-        planes: [Some("G19"), Some("G18"), Some("G17")],
-        centre: ArcCentre::Offsets,
-        radius: "R",
-        // Less than the control lets pass.
-        radius_tolerance: 0.002,
-    },
+    arcs: Arcs { senses: ["G02", "G03"], ..Arcs::ISO },
     cycles: Some(Cycles {
         can: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
-        form: CycleForm::Codes(CycleCodes::USUAL),
+        form: CycleForm::Codes(CycleCodes::ISO),
     }),
-    motion_modal: true,
-    centre: "",
-    beside: ["G41 D{radius}", "G42 D{radius}", "G40"],
     machine: ["G53 G00", ""],
     tool_change: &["T{tool} M06", "T{next}"],
-    preselect: true,
-    length: Length {
-        code: "G43 H{offset}",
-        call: LengthCall::WithZ,
-        off: "G49",
-        machine_ends: true,
-        registers: Registers::Shared,
-        address: "H",
-    },
-    speed: None,
     spindle: ["S{speed} M03", "S{speed} M04"],
     spindle_off: "M05",
     coolant_off: "M09",
     coolant: [Some(["M08", "M09"]), None, Some(["M88", "M89"]), None],
     stop: ["M00", "M01"],
     dwell: &["G04 P{seconds}"],
-    longest_dwell: 99_999_000,
     smoothing: [&["G187 P1 E{path_tolerance}"], &["G187 P2 E{path_tolerance}"], &["G187 P3 E{path_tolerance}"]],
     smoothing_off: &["G187"],
-    turning: ["", ""],
     tip: Some(Tip {
         on: &[],
         with_length: Some("G234 H{offset}"),
@@ -120,6 +81,7 @@ static SPELLINGS: Spellings = Spellings {
                pose where the axes stand",
     }),
     rotary_note: "the axes must not take the shortest way to an angle of another turn",
+    ..Spellings::ISO
 };
 
 impl Control for Haas {

@@ -1,7 +1,7 @@
 //! Fanuc 30i, 31i and their kin.
 //!
 //! A number without a point counts least increments, so every axis and feed word has one; `G4 P` counts milliseconds.
-//! `G43` and `G49` may move Z by the length of the tool. `G43 H` therefore stands in the block that moves Z to the
+//! `G43` and `G49` may move Z by the length of the tool. `G43 H` is therefore written in the block that moves Z to the
 //! approach point, and `G49` in the block that moves Z to its machine position.
 //!
 //! Length guard of the 30i and 31i with offset memory B or C and custom macros: `#10000+H` and `#11000+H` are the two
@@ -13,16 +13,13 @@
 //! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` turns the axes. Of several poses it takes the
 //! one that turns the master axis least (B-63784EN, tool axis direction control), so they are turned there before.
 
-use crate::motion::PathNorm;
-use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
-use crate::nc::Formats;
-use crate::nc::Numerals;
+use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
+use crate::nc::{Formats, Numerals};
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, Length, LengthCall, Spellings, Thread, Tilting, Tip,
-    Vectors, ascii_in_brackets,
+    Arcs, Comments, CycleCodes, CycleForm, Cycles, Spellings, Thread, Tilting, Tip, Vectors, ascii_in_brackets,
 };
-use super::{Control, LengthGuard, numbered};
+use crate::control::{Control, LengthGuard, numbered};
 
 /// The Fanuc dialect.
 #[derive(Debug, Clone, Copy)]
@@ -42,31 +39,14 @@ static SPELLINGS: Spellings = Spellings {
     },
     numerals: Numerals { point: true, plus: false },
     line_length: 132,
-    counted: false,
     comment: Comments { marks: ["(", ")"], length: 72, byte: printed },
-    operation: None,
     opening: &["%", "O{number} ({name})"],
-    end: "M30",
     closing: &["%"],
     number_digits: 4,
-    plain_name: false,
-    units: ["G21", "G20"],
-    safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset}"],
-    per_minute: "G94",
-    offset_title: "",
-    inverse_time: Some("G93"),
-    path_norm: PathNorm::G93Minutes,
-    feed_per_inch: 1.0,
-    rapid: "G0",
-    rapid_end: "",
-    feed: "G1",
     arcs: Arcs {
-        senses: ["G2", "G3"],
-        planes: [Some("G19"), Some("G18"), Some("G17")],
-        centre: ArcCentre::Offsets,
-        radius: "R",
         // Parameter 3410 is 0.01 mm or more on machines in use; a word is off by less than this.
         radius_tolerance: 0.002,
+        ..Arcs::ISO
     },
     cycles: Some(Cycles {
         can: CycleAbilities {
@@ -79,34 +59,12 @@ static SPELLINGS: Spellings = Spellings {
         form: CycleForm::Codes(CycleCodes {
             thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
             dwell: "P{milliseconds}",
-            ..CycleCodes::USUAL
+            ..CycleCodes::ISO
         }),
     }),
-    motion_modal: true,
-    centre: "",
-    beside: ["G41 D{radius}", "G42 D{radius}", "G40"],
-    machine: ["G53 G0", ""],
-    tool_change: &["T{tool} M6", "T{next}"],
-    preselect: true,
-    length: Length {
-        code: "G43 H{offset}",
-        call: LengthCall::WithZ,
-        off: "G49",
-        machine_ends: true,
-        registers: Registers::Shared,
-        address: "H",
-    },
-    speed: None,
-    spindle: ["S{speed} M3", "S{speed} M4"],
-    spindle_off: "M5",
-    coolant_off: "M9",
-    coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
-    stop: ["M0", "M1"],
     dwell: &["G4 P{milliseconds}"],
-    longest_dwell: 99_999_000,
     smoothing: [&["G05.1 Q1"], &["G05.1 Q1"], &["G05.1 Q1"]],
     smoothing_off: &["G05.1 Q0"],
-    turning: ["", ""],
     tip: Some(Tip {
         on: &[],
         with_length: Some("G43.4 H{offset} P{posture}"),
@@ -138,6 +96,7 @@ static SPELLINGS: Spellings = Spellings {
         note: "G53.1 must take the pose that turns the rotary axes least: they stand there already",
     }),
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
+    ..Spellings::ISO
 };
 
 /// Capitals, digits and signs that every model prints.

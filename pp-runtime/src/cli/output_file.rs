@@ -1,6 +1,6 @@
-//! The program's file: under its final name stands a complete program or nothing.
+//! The program's file: its final name holds a complete program, or does not exist.
 //!
-//! The program is written to a temporary file beside the final name and renamed when it is done. A program that was
+//! The program is written to a temporary file next to the final name and renamed when it is done. A program that was
 //! cut short goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is removed: nobody
 //! shall run yesterday's program because today's failed.
 
@@ -12,12 +12,12 @@ use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
 /// A program in the making.
-pub(super) struct Target {
+pub(crate) struct OutputFile {
     path: PathBuf,
-    kind: Kind,
+    destination: Destination,
 }
 
-enum Kind {
+enum Destination {
     /// A regular file to be.
     Renamed(NamedTempFile),
     /// A device or a pipe, which cannot be replaced: written as standard output is.
@@ -26,23 +26,23 @@ enum Kind {
 
 /// What became of a program that was cut short.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Rejected {
-    /// Where it stands; `None` if it went to a device.
-    pub(super) path: Option<PathBuf>,
+pub(crate) struct Rejected {
+    /// Its file; `None` if it went to a device.
+    pub(crate) path: Option<PathBuf>,
     /// An earlier program under the final name was removed.
-    pub(super) removed: bool,
+    pub(crate) removed: bool,
 }
 
-impl Target {
+impl OutputFile {
     /// Makes sure that `path` can be written, and starts the temporary file.
-    pub(super) fn create(path: &Path) -> io::Result<Self> {
+    pub(crate) fn create(path: &Path) -> io::Result<Self> {
         match fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => {
                 return Err(io::Error::new(io::ErrorKind::IsADirectory, "is a directory"));
             }
             Ok(metadata) if !metadata.is_file() => {
-                let kind = Kind::Direct(OpenOptions::new().write(true).open(path)?);
-                return Ok(Self { path: path.to_owned(), kind });
+                let destination = Destination::Direct(OpenOptions::new().write(true).open(path)?);
+                return Ok(Self { path: path.to_owned(), destination });
             }
             // A rename would replace a write-protected file: ask first.
             Ok(_) => drop(OpenOptions::new().append(true).open(path)?),
@@ -56,30 +56,30 @@ impl Target {
             })?,
             false => path.to_owned(),
         };
-        let kind = Kind::Renamed(temporary_beside(&path)?);
-        Ok(Self { path, kind })
+        let destination = Destination::Renamed(temporary_beside(&path)?);
+        Ok(Self { path, destination })
     }
 
     /// Where the program is written to.
-    pub(super) fn writer(&mut self) -> &mut dyn Write {
-        match &mut self.kind {
-            Kind::Renamed(file) => file,
-            Kind::Direct(file) => file,
+    pub(crate) fn writer(&mut self) -> &mut dyn Write {
+        match &mut self.destination {
+            Destination::Renamed(file) => file,
+            Destination::Direct(file) => file,
         }
     }
 
     /// Gives the program its final name. `is_rejected` knows the first line of a rejected one: one from an earlier run
     /// is removed, and `true` is returned then.
-    pub(super) fn finish(self, is_rejected: impl Fn(&[u8]) -> bool) -> io::Result<bool> {
-        let Kind::Renamed(file) = self.kind else { return Ok(false) };
+    pub(crate) fn finish(self, is_rejected: impl Fn(&[u8]) -> bool) -> io::Result<bool> {
+        let Destination::Renamed(file) = self.destination else { return Ok(false) };
         persist(file, &self.path)?;
         let rejected = rejected_path(&self.path);
         Ok(first_line(&rejected).is_ok_and(|line| is_rejected(&line)) && fs::remove_file(rejected).is_ok())
     }
 
-    /// Removes what stands under the final name; whether there was anything.
+    /// Removes the file of the final name; whether there was one.
     fn remove(&self) -> io::Result<bool> {
-        if let Kind::Direct(_) = self.kind {
+        if let Destination::Direct(_) = self.destination {
             return Ok(false);
         }
         match fs::remove_file(&self.path) {
@@ -90,14 +90,14 @@ impl Target {
     }
 
     /// Leaves nothing under the final name, for now.
-    pub(super) fn clear(&self) -> io::Result<()> {
+    pub(crate) fn clear(&self) -> io::Result<()> {
         self.remove().map(drop)
     }
 
-    /// Puts the program beside the final name with `reason` as its first line, and removes what stands there.
-    pub(super) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
+    /// Puts the program next to the final name with `reason` as its first line, and removes the file of the final name.
+    pub(crate) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
         let removed = self.remove()?;
-        let Kind::Renamed(mut file) = self.kind else { return Ok(Rejected { path: None, removed }) };
+        let Destination::Renamed(mut file) = self.destination else { return Ok(Rejected { path: None, removed }) };
         let path = rejected_path(&self.path);
         let mut whole = temporary_beside(&path)?;
         whole.write_all(reason)?;
@@ -110,7 +110,7 @@ impl Target {
 }
 
 /// `OUT.rejected`.
-pub(super) fn rejected_path(path: &Path) -> PathBuf {
+pub(crate) fn rejected_path(path: &Path) -> PathBuf {
     let mut name = OsString::from(path);
     name.push(".rejected");
     name.into()
@@ -140,7 +140,7 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
 }
 
 fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
-    // A disk or a share that is full says so here at the latest.
+    // A full disk or share is an error here at the latest.
     file.as_file().sync_all()?;
     file.persist(path).map(drop).map_err(|error| error.error)
 }

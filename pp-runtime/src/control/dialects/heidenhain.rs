@@ -2,13 +2,13 @@
 //!
 //! Every line has a number, comments too, and every motion begins with L, an arc with C, CR or, if it is a helix, CP:
 //! nothing but words, F and R0 stays in force.
-//! There is no inverse time, so F counts along the control's own path. The speed stands in TOOL CALL, which takes the
+//! There is no inverse time, so F counts along the control's own path. The speed is part of TOOL CALL, which takes the
 //! length from the row of the tool. In a program in inches F counts tenths of an inch. A `~` at the end of a line goes on in the
 //! next, so no comment holds one. A dwell of cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
 //!
 //! Length guard: `FN 18` reads from the row of the tool its length (ID50 NR1) and its oversize (NR4), which `TOOL CALL`
 //! adds up; always in millimetres, whatever the unit of the program. `QL` are parameters of this program alone. `FN 14`
-//! stops with a number, so the message stands as a comment before it.
+//! stops with a number, so the message is a comment before it.
 //!
 //! `FUNCTION TCPM` controls the tip in the frame of the table at zero. `PLANE SPATIAL` turns about X, then Y, then Z of the
 //! frame it tilts (SPC·SPB·SPA as a product), and SEQ is the sign of the master axis, the first one from the tool. Both
@@ -21,16 +21,14 @@
 //! spindle and feed in step, left-hand where Q239 is negative, and leaves the spindle standing (user's manuals of cycle
 //! programming, iTNC 530 and TNC 640). F in them counts as elsewhere in the program.
 
-use crate::motion::PathNorm;
-use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
-use crate::nc::Formats;
-use crate::nc::Numerals;
+use crate::motion::{CycleAbilities, PathNorm, PlaneAngles, PoseRule, Registers};
+use crate::nc::{Formats, Numerals};
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleDefinitions, CycleForm, Cycles, Length, LengthCall, Spellings, Tilting, Tip,
+    ArcCentre, Arcs, Comments, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Tilting, Tip,
     Vectors, printable,
 };
-use super::{Control, LengthGuard, numbered};
+use crate::control::{Control, LengthGuard, numbered};
 
 /// The Heidenhain dialect.
 #[derive(Debug, Clone, Copy)]
@@ -125,7 +123,7 @@ static SPELLINGS: Spellings = Spellings {
     feed: "L",
     arcs: Arcs {
         senses: ["DR-", "DR+"],
-        // Arcs lie in the plane square to the axis of TOOL CALL.
+        // Arcs lie in the plane perpendicular to the axis of TOOL CALL.
         planes: [None, None, Some("")],
         centre: ArcCentre::Pole,
         radius: "R",
@@ -154,12 +152,12 @@ static SPELLINGS: Spellings = Spellings {
         }),
     }),
     motion_modal: false,
-    centre: "R0",
-    beside: ["RL", "RR", "R0"],
+    no_compensation: "R0",
+    compensation: ["RL", "RR", "R0"],
     machine: ["L", "R0 FMAX M91"],
     tool_change: &["TOOL CALL {tool} Z S{speed}", "TOOL DEF {next}"],
     preselect: true,
-    length: Length {
+    length: LengthCodes {
         code: "",
         call: LengthCall::WithTool,
         off: "",

@@ -1,0 +1,64 @@
+//! What a run reads: its configuration, which has to fit the control, and the CL data.
+
+use std::borrow::Cow;
+use std::fs;
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::config::{self, Config};
+use crate::control::{self, Control};
+use crate::kinematics::Machine;
+
+use super::args::SetUpArgs;
+use super::cl_source::ClSource;
+use super::messages::Messages;
+use super::outcome::{Failure, is_standard};
+
+/// The configuration of a run: defaults of the control, file, command line, in this order.
+pub(crate) fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
+    let mut config = read_file::<M>(args.config.as_deref(), args.control(), messages)?;
+    args.apply::<M>(&mut config).map_err(Failure::Argument)?;
+    fit::<M>(args.control(), &config)?;
+    Ok(config)
+}
+
+/// Whether the control can do what the configuration asks for.
+pub(crate) fn fit<M: Machine>(control: &dyn Control, config: &Config) -> Result<(), Failure> {
+    let unfit = control::unfit::<M>(control, config.demands());
+    if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
+}
+
+/// The configuration of a file on top of the defaults of a control.
+pub(crate) fn read_file<M: Machine>(
+    path: Option<&Path>,
+    control: &dyn Control,
+    messages: &mut Messages<'_>,
+) -> Result<Config, Failure> {
+    let start = config::starting_point(control);
+    match path {
+        None => Ok(start),
+        Some(path) => {
+            let bytes = fs::read(path).map_err(|error| Failure::unreadable(path, error))?;
+            let text = String::from_utf8(bytes).map_err(|error| {
+                let kind = io::ErrorKind::InvalidData;
+                Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
+            })?;
+            start.read_over::<M>(&text).map_err(|faults| {
+                messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
+                Failure::Said
+            })
+        }
+    }
+}
+
+/// The CL data; a stream is kept so that it can be read twice.
+pub(crate) fn open(path: &Path, input: &mut dyn Read) -> Result<ClSource, Failure> {
+    let source = if is_standard(path) { ClSource::spool(input, "<stdin>") } else { ClSource::open(path) };
+    source.map_err(|error| Failure::unreadable(path, error))
+}
+
+/// What the head of a program calls its CL data: the file and not the folder, so that the same data gives the same program
+/// anywhere.
+pub(crate) fn cl_name(path: &Path) -> Cow<'_, str> {
+    if is_standard(path) { "standard input".into() } else { path.file_name().unwrap_or_default().to_string_lossy() }
+}

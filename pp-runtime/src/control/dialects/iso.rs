@@ -1,0 +1,103 @@
+//! The base table of controls that write ISO blocks (ISO 6983-1, and what milling controls agree on beyond it).
+//!
+//! [`Spellings::ISO`] holds no name, no tip control and no tilted plane, and of the rest only what at least two of the
+//! controls share; whatever differs is stated in the control's own file, with its source. What no two of them share (name,
+//! title, line length, rotary note) is empty here, and a test refuses a control that leaves it so.
+
+use crate::motion::{CycleAbilities, PathNorm, Registers};
+use crate::nc::{Formats, Numerals};
+
+use super::spellings::{
+    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Thread,
+    ascii_in_brackets,
+};
+
+impl Spellings {
+    /// Codes that ISO controls share.
+    pub const ISO: Self = Self {
+        name: "",
+        title: "",
+        formats: Formats::DEFAULT,
+        numerals: Numerals { point: false, plus: false },
+        line_length: 0,
+        counted: false,
+        comment: Comments { marks: ["(", ")"], length: 72, byte: ascii_in_brackets },
+        operation: None,
+        opening: &[],
+        end: "M30",
+        closing: &[],
+        number_digits: 0,
+        plain_name: false,
+        units: ["G21", "G20"],
+        safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset}"],
+        per_minute: "G94",
+        offset_title: "",
+        inverse_time: Some("G93"),
+        path_norm: PathNorm::G93Minutes,
+        feed_per_inch: 1.0,
+        rapid: "G0",
+        rapid_end: "",
+        feed: "G1",
+        arcs: Arcs::ISO,
+        cycles: Some(Cycles { can: CycleAbilities::CODES, form: CycleForm::Codes(CycleCodes::ISO) }),
+        motion_modal: true,
+        no_compensation: "",
+        compensation: ["G41 D{radius}", "G42 D{radius}", "G40"],
+        machine: ["G53 G0", ""],
+        tool_change: &["T{tool} M6", "T{next}"],
+        preselect: true,
+        length: LengthCodes::ISO,
+        speed: None,
+        spindle: ["S{speed} M3", "S{speed} M4"],
+        spindle_off: "M5",
+        coolant_off: "M9",
+        coolant: [Some(["M8", "M9"]), Some(["M7", "M9"]), None, None],
+        stop: ["M0", "M1"],
+        dwell: &["G4 P{seconds}"],
+        longest_dwell: 99_999_000,
+        smoothing: [&[], &[], &[]],
+        smoothing_off: &[],
+        turning: ["", ""],
+        tip: None,
+        plane: None,
+        rotary_note: "",
+    };
+}
+
+impl Arcs {
+    /// G2 and G3 in all three planes, the centre as I J K from the start.
+    pub const ISO: Self = Self {
+        senses: ["G2", "G3"],
+        planes: [Some("G19"), Some("G18"), Some("G17")],
+        centre: ArcCentre::Offsets,
+        radius: "R",
+        // Less than the controls accept as delivered.
+        radius_tolerance: 0.002,
+    };
+}
+
+impl CycleCodes {
+    /// G81 to G89 with X Y Z R and F.
+    pub const ISO: Self = Self {
+        returns: ["G99", "G98"],
+        drill: ["G81", "G82"],
+        peck: "G83",
+        chip_break: "G73",
+        ream: ["G85", "G89"],
+        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "" },
+        dwell: "P{seconds}",
+        end: "G80",
+    };
+}
+
+impl LengthCodes {
+    /// G43 H in the block that moves Z, and G49 in the block that moves Z to its machine position: both may move Z.
+    pub const ISO: Self = Self {
+        code: "G43 H{offset}",
+        call: LengthCall::WithZ,
+        off: "G49",
+        machine_ends: true,
+        registers: Registers::Shared,
+        address: "H",
+    };
+}

@@ -1,0 +1,38 @@
+//! The dialects: one file a control, with its table of spellings and what tables cannot hold.
+//!
+//! A control that writes ISO blocks starts from [`Spellings::ISO`] and states what differs, with its manual and page; its
+//! `mod` line and its line in [`CONTROLS`] are all that is needed besides.
+
+mod fanuc;
+mod haas;
+mod heidenhain;
+mod iso;
+mod linuxcnc;
+mod siemens;
+mod spellings;
+
+use super::Control;
+
+pub(crate) use spellings::coolant_index;
+pub use spellings::{
+    ArcCentre, Arcs, Comments, CycleCodes, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings,
+    Thread, Tilting, Tip, Vectors,
+};
+
+/// The list of controls, and the public name of each.
+macro_rules! controls {
+    ($($file:ident::$control:ident,)*) => {
+        $(pub use $file::$control;)*
+
+        /// Every control, the default first.
+        pub const CONTROLS: &[&dyn Control] = &[$(&$control),*];
+    };
+}
+
+controls! {
+    linuxcnc::LinuxCnc,
+    fanuc::Fanuc,
+    siemens::Siemens,
+    heidenhain::Heidenhain,
+    haas::Haas,
+}

@@ -1,0 +1,132 @@
+//! The frame in which words count: tip control and tilted planes, and the blocks that reset them, restart points and tool
+//! changes.
+
+use std::io::{self, Write};
+
+use crate::control::Layout;
+use crate::motion::{Mode, PoseRule};
+use crate::nc::Decimal;
+
+use super::modal_state::{After, LengthState};
+use super::modal_writer::ModalWriter;
+
+/// Writes what switches the frame, with the blocks that the configuration has in the place of the control's.
+#[derive(Debug)]
+pub(crate) struct FrameWriter {
+    mode: Mode,
+    tip_control: Option<[String; 2]>,
+    safety: Option<Vec<String>>,
+    tool_change: Option<Vec<String>>,
+}
+
+impl FrameWriter {
+    pub(crate) fn new(layout: &Layout) -> Self {
+        Self {
+            mode: layout.mode,
+            tip_control: layout.setup.tip_control.clone(),
+            safety: layout.setup.safety.clone(),
+            tool_change: layout.setup.tool_change.clone(),
+        }
+    }
+
+    /// Tip control on or off; where it comes with the length offset, with the next motion.
+    pub(crate) fn tip_control<W: Write>(&self, on: bool, out: &mut ModalWriter<W>) -> io::Result<()> {
+        out.usual_plane()?;
+        out.modal().forget(After::FrameChange);
+        if let Some(codes) = &self.tip_control {
+            return out.block(&codes[usize::from(!on)]);
+        }
+        let Some(tip) = &out.codes().tip else { return Ok(()) };
+        if !on {
+            out.smooth(false)?;
+        }
+        out.fill_all(if on { tip.on } else { tip.off })?;
+        if let LengthState::On(register) = out.modal().length()
+            && !on
+            && tip.ends_length
+        {
+            out.modal().set_length(LengthState::Pending(register));
+        }
+        Ok(())
+    }
+
+    /// Tilts the plane. The control rotates the axes to it, and its blocks may bring codes of their own.
+    pub(crate) fn tilt<W: Write>(
+        &self,
+        angles: [Decimal; 3],
+        pose: Option<bool>,
+        out: &mut ModalWriter<W>,
+    ) -> io::Result<()> {
+        let Some(plane) = &out.codes().plane else { return Ok(()) };
+        out.usual_plane()?;
+        if plane.length_first {
+            out.call_length_now()?;
+        }
+        out.values().plane = angles;
+        out.values().pose = match (pose, plane.pose) {
+            (Some(higher), _) => plane.poses[usize::from(higher)],
+            // Where both poses are one, a control that wants a word gets one.
+            (None, PoseRule::Side) => plane.poses[1],
+            (None, PoseRule::Nearest | PoseRule::Sign) => "",
+        };
+        out.fill_all(plane.on)?;
+        out.modal().forget(After::FrameChange);
+        Ok(())
+    }
+
+    /// Gives the tilted plane up.
+    pub(crate) fn tilt_off<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
+        let Some(plane) = &out.codes().plane else { return Ok(()) };
+        out.smooth(false)?;
+        out.fill_all(plane.off)?;
+        out.modal().forget(After::FrameChange);
+        Ok(())
+    }
+
+    /// The blocks of a restart point, the first one with this number.
+    pub(crate) fn restart<W: Write>(&self, number: u32, out: &mut ModalWriter<W>) -> io::Result<()> {
+        out.smooth(false)?;
+        out.modal().forget(After::Anything);
+        out.writer_mut().number_next(number);
+        if let Some(safety) = &self.safety {
+            return out.fill_all(safety);
+        }
+        let codes = out.codes();
+        out.fill_all(codes.safety)?;
+        self.reset(out)?;
+        let modal = out.modal();
+        modal.set_feed_mode(codes.per_minute);
+        modal.set_length(LengthState::Off);
+        modal.set_plane(codes.arcs.planes[2]);
+        Ok(())
+    }
+
+    /// Cancels what `safety` leaves, in a mode that uses it.
+    fn reset<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
+        let codes = out.codes();
+        match self.mode {
+            Mode::Tcp => match (&self.tip_control, &codes.tip) {
+                (Some([_, off]), _) => out.block(off),
+                (None, Some(tip)) => out.fill_all(tip.reset),
+                (None, None) => Ok(()),
+            },
+            Mode::Plane => codes.plane.as_ref().map_or(Ok(()), |plane| out.fill_all(plane.reset)),
+            Mode::Axes => Ok(()),
+        }
+    }
+
+    /// Changes the tool to the one of the values.
+    pub(crate) fn tool_change<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
+        match &self.tool_change {
+            Some(blocks) => out.fill_all(blocks)?,
+            None => {
+                let codes = out.codes();
+                out.fill_all(codes.tool_change)?;
+                let speed = out.values().speed;
+                out.modal().set_speed(speed);
+            }
+        }
+        out.modal().forget(After::ToolChange);
+        Ok(())
+    }
+}

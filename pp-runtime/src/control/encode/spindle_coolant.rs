@@ -1,0 +1,69 @@
+//! Spindle, coolant and dwells.
+
+use std::io::{self, Write};
+
+use crate::control::dialects::coolant_index;
+use crate::control::{Layout, Spellings};
+use crate::nc::Decimal;
+use crate::program::{Coolant, Rotation};
+
+use super::modal_writer::ModalWriter;
+
+/// Writes the codes of coolant, with those that the configuration has in the place of the control's.
+#[derive(Debug)]
+pub(crate) struct SpindleCoolant {
+    /// As [`Spellings::coolant`].
+    coolant: [Option<[String; 2]>; 4],
+}
+
+impl SpindleCoolant {
+    pub(crate) fn new(layout: &Layout) -> Self {
+        Self { coolant: layout.setup.coolant.clone() }
+    }
+
+    /// Spindle on.
+    pub(crate) fn spindle<W: Write>(
+        &self,
+        speed: Decimal,
+        rotation: Rotation,
+        out: &mut ModalWriter<W>,
+    ) -> io::Result<()> {
+        out.changed_speed(speed)?;
+        let codes = out.codes();
+        out.fill(codes.rotation(rotation))
+    }
+
+    /// A dwell, in as many pieces as the control needs; pieces are whole milliseconds, as they are written.
+    pub(crate) fn dwell<W: Write>(&self, seconds: f64, out: &mut ModalWriter<W>) -> io::Result<()> {
+        let codes = out.codes();
+        let mut rest = (seconds * 1e3).round() as u32;
+        while rest > 0 {
+            let piece = rest.min(codes.longest_dwell);
+            out.values().seconds = Some(f64::from(piece) / 1e3);
+            out.fill_all(codes.dwell)?;
+            rest -= piece;
+        }
+        Ok(())
+    }
+
+    /// On and off of a kind of coolant.
+    fn codes(&self, kind: Coolant, codes: &'static Spellings) -> Option<[&str; 2]> {
+        let index = coolant_index(kind)?;
+        let given = self.coolant[index].as_ref().map(|[on, off]| [on.as_str(), off.as_str()]);
+        given.or(codes.coolant[index])
+    }
+
+    /// Coolant on.
+    pub(crate) fn coolant<W: Write>(&self, kind: Coolant, out: &mut ModalWriter<W>) -> io::Result<()> {
+        let code = self.codes(kind, out.codes()).map_or("", |[on, _]| on);
+        out.modal().set_coolant(kind);
+        out.block(code)
+    }
+
+    /// Off by the code of the kind that is on; by the general one where none is known to be.
+    pub(crate) fn coolant_off<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
+        let (codes, kind) = (out.codes(), out.modal().take_coolant());
+        let own = kind.and_then(|kind| self.codes(kind, codes));
+        out.block(own.map_or(codes.coolant_off, |[_, off]| off))
+    }
+}

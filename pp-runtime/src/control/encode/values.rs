@@ -1,0 +1,134 @@
+//! Values of the fields of templates: data of the program, the tool, the plane and the hole that are being written.
+
+use crate::control::template::{self, Field};
+use crate::motion::{Cycle, CycleKind};
+use crate::nc::{Decimal, Numerals, write_number};
+use crate::program::Units;
+
+/// Values of the fields of templates; see [`Field`] for each.
+#[derive(Debug, Default)]
+pub(crate) struct Values {
+    pub(crate) name: String,
+    pub(crate) number: String,
+    pub(crate) units: &'static str,
+    pub(crate) work_offset: String,
+    pub(crate) path_tolerance: String,
+    /// Degrees.
+    pub(crate) angle: Option<f64>,
+    pub(crate) turning: &'static str,
+    pub(crate) tool: Option<u32>,
+    pub(crate) next: Option<u32>,
+    pub(crate) offset: Option<u32>,
+    pub(crate) radius: Option<u32>,
+    pub(crate) speed: Option<Decimal>,
+    pub(crate) seconds: Option<f64>,
+    pub(crate) posture: &'static str,
+    pub(crate) plane: [Decimal; 3],
+    pub(crate) pose: &'static str,
+    pub(crate) swivel_data: String,
+    pub(crate) hole: Option<HoleValues>,
+    pub(crate) numerals: Numerals,
+    /// Those of a dwell: without its point it counts milliseconds, whatever the set-up states for lengths.
+    pub(crate) timed: Numerals,
+}
+
+/// A hole, where a cycle is defined by a template.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct HoleValues {
+    pub(crate) cycle: Cycle,
+    /// Decimals of its levels.
+    pub(crate) decimals: u32,
+    pub(crate) units: Units,
+}
+
+/// A number as the control writes it.
+pub(crate) fn text(number: Decimal, numerals: Numerals) -> String {
+    let mut text = Vec::new();
+    write_number(&mut text, number, numerals);
+    String::from_utf8(text).unwrap_or_default()
+}
+
+impl Values {
+    /// The block of a template; `None` if nothing of it is left.
+    pub(crate) fn fill(&self, text: &str) -> Option<String> {
+        template::fill(text, |field| self.get(field))
+    }
+
+    /// The text of a field; `None` if it has no value here.
+    fn get(&self, field: Field) -> Option<String> {
+        let whole = |number: Option<u32>| number.map(|number| number.to_string());
+        // What the format cannot hold was refused with the configuration or by the planner.
+        let decimal = |value: f64, decimals| Decimal::fixed(value, decimals).unwrap_or_default();
+        let unsigned = Numerals { plus: false, ..self.numerals };
+        let hole = self.hole.as_ref();
+        let tapped = hole.and_then(|hole| thread(&hole.cycle));
+        let level = |units: fn(&Cycle) -> i64| hole.map(|hole| hole.length(units(&hole.cycle), self.numerals));
+        match field {
+            Field::Name => Some(self.name.clone()),
+            Field::Number => Some(self.number.clone()),
+            Field::Units => Some(self.units.to_owned()),
+            Field::WorkOffset => Some(self.work_offset.clone()),
+            Field::PathTolerance => Some(self.path_tolerance.clone()),
+            Field::Turning => Some(self.turning.to_owned()),
+            Field::Angle => self.angle.map(|angle| text(decimal(angle, 4), unsigned)),
+            Field::Tool => whole(self.tool),
+            Field::Next => whole(self.next),
+            Field::Offset => whole(self.offset),
+            Field::Radius => whole(self.radius),
+            Field::Speed => self.speed.map(|speed| text(speed, Numerals::default())),
+            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), self.timed)),
+            Field::Milliseconds => self.seconds.map(|seconds| text(decimal(seconds * 1e3, 0), Numerals::default())),
+            Field::Posture => Some(self.posture.to_owned()),
+            Field::First => Some(text(self.plane[0], self.numerals)),
+            Field::Second => Some(text(self.plane[1], self.numerals)),
+            Field::Third => Some(text(self.plane[2], self.numerals)),
+            Field::Pose => Some(self.pose.to_owned()),
+            Field::SwivelData => Some(self.swivel_data.clone()),
+            Field::Surface => level(|hole| hole.surface),
+            Field::Clearance => level(|hole| hole.clearance - hole.surface),
+            Field::Bottom => level(|hole| hole.bottom),
+            Field::Depth => level(|hole| hole.bottom - hole.surface),
+            Field::Back => level(|hole| hole.back),
+            Field::Higher => level(|hole| hole.back - hole.surface),
+            // Without steps the hole is one step deep.
+            Field::Step => level(|hole| steps(hole).map_or(hole.surface - hole.bottom, |[step, _]| step)),
+            Field::Steps => hole.and_then(|hole| count(&hole.cycle)),
+            Field::Gap => hole.and_then(|hole| Some(hole.length(steps(&hole.cycle)?[1], self.numerals))),
+            Field::Feed => hole.map(|hole| text(hole.cycle.feed, unsigned)),
+            Field::Pitch => tapped.map(|(pitch, left)| {
+                text(Decimal { units: if left { -pitch.units } else { pitch.units }, ..pitch }, self.numerals)
+            }),
+            Field::PitchUnit => hole.map(|hole| if hole.units == Units::Inches { "3" } else { "1" }.to_owned()),
+            Field::Rotation => tapped.map(|(_, left)| if left { "4" } else { "3" }.to_owned()),
+        }
+    }
+}
+
+impl HoleValues {
+    /// A level or a distance along the tool axis.
+    fn length(&self, units: i64, numerals: Numerals) -> String {
+        text(Decimal { units, decimals: self.decimals }, numerals)
+    }
+}
+
+/// Depth of a step, and the gap of a retract, where a hole is drilled in steps.
+fn steps(cycle: &Cycle) -> Option<[i64; 2]> {
+    match cycle.kind {
+        CycleKind::Peck { step, gap } | CycleKind::ChipBreak { step, gap } => Some([step, gap]),
+        CycleKind::Drill | CycleKind::Ream | CycleKind::Tap { .. } => None,
+    }
+}
+
+/// Number of steps.
+fn count(cycle: &Cycle) -> Option<String> {
+    let [step, _] = steps(cycle)?;
+    Some(((cycle.surface - cycle.bottom) as u64).div_ceil(step as u64).to_string())
+}
+
+/// Pitch of a thread, and whether it is left-hand.
+fn thread(cycle: &Cycle) -> Option<(Decimal, bool)> {
+    match cycle.kind {
+        CycleKind::Tap { pitch, left, .. } => Some((pitch, left)),
+        CycleKind::Drill | CycleKind::Ream | CycleKind::Peck { .. } | CycleKind::ChipBreak { .. } => None,
+    }
+}
