@@ -13,7 +13,7 @@ use pp_runtime::config::{Config, GivenTool, Mode, TcpFrame, TcpWords, ToolPostur
 use pp_runtime::control::{self, Control};
 use pp_runtime::kinematics::{AxisKind, Machine, Pose, Side};
 use pp_runtime::machine;
-use pp_runtime::motion::{Feed as FeedWord, Navigator, Planner, Provenance, Sink, Source, Stage, Step, Stop};
+use pp_runtime::motion::{FeedWord, Navigator, Planner, Provenance, Sink, Source, Stage, Step, Stop};
 use pp_runtime::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 use tests::block::{angle_to_arc, distance_to_line};
 use tests::further::{HeadTable, Trunnion};

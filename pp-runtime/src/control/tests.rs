@@ -12,7 +12,7 @@ use super::*;
 use crate::config::sample::Sample;
 use crate::config::{Config, starting_point};
 use crate::control::{Options, ProgramBlocks, Smoothing};
-use crate::motion::{Circle, Feed, MAX_AXES, Plane, Step, Words};
+use crate::motion::{ArcPlane, Circle, FeedWord, MAX_AXES, Step, Words};
 use crate::motion::{Mode, PathNorm, TcpWords};
 use crate::nc::Decimal;
 use crate::program::Units;
@@ -58,8 +58,8 @@ fn only(mask: u16, units: [i64; 4]) -> Words {
     words
 }
 
-fn per_minute(units: i64) -> Feed {
-    Feed::PerMinute(Decimal { units, decimals: 0 })
+fn per_minute(units: i64) -> FeedWord {
+    FeedWord::PerMinute(Decimal { units, decimals: 0 })
 }
 
 const SPEED: Decimal = Decimal { units: 3000, decimals: 0 };
@@ -263,7 +263,7 @@ fn words_stand_in_the_usual_order_whatever_the_chain_is() {
 
 #[test]
 fn a_block_in_which_nothing_changes_is_not_written() {
-    let feed = Feed::InverseTime(Decimal { units: 5, decimals: 0 });
+    let feed = FeedWord::InverseTime(Decimal { units: 5, decimals: 0 });
     for control in CONTROLS {
         let same = words([1, 2, 3, 4]);
         let blocks = [Step::Rapid { words: same }, Step::Feed { words: same, feed }, Step::Rapid { words: same }];
@@ -600,7 +600,7 @@ fn any_step() -> impl Strategy<Value = Step<'static>> {
         6 => (few(), 1_i64..3).prop_map(|(to, feed)| Step::Feed { words: words(to), feed: per_minute(feed) }),
         3 => (few(), 1_i64..3).prop_map(|(to, feed)| Step::Feed {
             words: words(to),
-            feed: Feed::InverseTime(Decimal { units: feed, decimals: 1 }),
+            feed: FeedWord::InverseTime(Decimal { units: feed, decimals: 1 }),
         }),
         4 => (few(), 1_u16..16).prop_map(|(to, mask)| Step::Rapid { words: only(mask, to) }),
         1 => few().prop_map(|to| Step::Machine { words: only(0b0100, to) }),
@@ -621,7 +621,7 @@ proptest! {
             // Where the control has no inverse time the planner asks for none.
             let no_inverse = control.spellings().inverse_time.is_none();
             let blocks: Vec<Step<'_>> = blocks.iter().filter(|step| {
-                !(no_inverse && matches!(step, Step::PerMinute | Step::Feed { feed: Feed::InverseTime(_), .. }))
+                !(no_inverse && matches!(step, Step::PerMinute | Step::Feed { feed: FeedWord::InverseTime(_), .. }))
             }).copied().collect();
             let modal = steps(*control, &layout(), &blocks);
             let every_word = Options { every_word: true, ..Options::default() };
@@ -635,7 +635,7 @@ proptest! {
     #[test]
     fn every_control_says_the_same_motions(blocks in prop::collection::vec(any_step(), 1..40)) {
         let blocks: Vec<Step<'_>> = blocks.into_iter().filter(|step| {
-            !matches!(step, Step::Length { .. } | Step::PerMinute | Step::Feed { feed: Feed::InverseTime(_), .. })
+            !matches!(step, Step::Length { .. } | Step::PerMinute | Step::Feed { feed: FeedWord::InverseTime(_), .. })
         }).collect();
         let said = CONTROLS.iter().map(|control| motions(&steps(*control, &layout(), &blocks)));
         let said: Vec<Vec<Motion>> = said.collect();
@@ -679,7 +679,7 @@ fn linear(to: Place) -> Words {
 }
 
 /// A circle of a plane from one place to another about a centre, its sweep as the places say.
-fn round(plane: Plane, from: Place, to: Place, centre: [i64; 2], clockwise: bool) -> Circle {
+fn round(plane: ArcPlane, from: Place, to: Place, centre: [i64; 2], clockwise: bool) -> Circle {
     let [first, second, square] = plane.axes();
     let (start, end) = ([from[first], from[second]], [to[first], to[second]]);
     let angle = |point: [i64; 2]| ((point[1] - centre[1]) as f64).atan2((point[0] - centre[0]) as f64);
@@ -693,10 +693,10 @@ const FEED: Decimal = Decimal { units: 500, decimals: 0 };
 
 /// A quarter, a whole turn, a helix and an arc in the plane of Z and X, from X10 Y0 Z0 about the origin.
 fn some_arcs(control: &dyn Control, setup: Options, radius: Option<i64>) -> Vec<String> {
-    let quarter = Circle { radius, ..round(Plane::Xy, [10_000, 0, 0], [0, 10_000, 0], [0, 0], false) };
-    let whole = round(Plane::Xy, [0, 10_000, 0], [0, 10_000, 0], [0, 0], true);
-    let helix = round(Plane::Xy, [0, 10_000, 0], [10_000, 0, -2_500], [0, 0], true);
-    let upright = round(Plane::Zx, [10_000, 0, -2_500], [0, 0, 7_500], [-2_500, 0], false);
+    let quarter = Circle { radius, ..round(ArcPlane::Xy, [10_000, 0, 0], [0, 10_000, 0], [0, 0], false) };
+    let whole = round(ArcPlane::Xy, [0, 10_000, 0], [0, 10_000, 0], [0, 0], true);
+    let helix = round(ArcPlane::Xy, [0, 10_000, 0], [10_000, 0, -2_500], [0, 0], true);
+    let upright = round(ArcPlane::Zx, [10_000, 0, -2_500], [0, 0, 7_500], [-2_500, 0], false);
     let mut blocks = vec![
         Step::Restart { number: 1 },
         Step::Feed { words: linear([10_000, 0, 0]), feed: per_minute(500) },
@@ -772,10 +772,10 @@ fn no_arc_is_said_where_its_plane_or_its_centre_means_something_else() {
 /// a point next to the start, or the start.
 #[test]
 fn behind_a_helix_heidenhain_counts_the_angle_of_a_whole_turn() {
-    let helix = round(Plane::Xy, [10_000, 0, 0], [0, 10_000, -2_500], [0, 0], false);
-    let whole = round(Plane::Xy, [0, 10_000, -2_500], [0, 10_000, -2_500], [0, 0], true);
-    let half = round(Plane::Xy, [0, 10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
-    let again = round(Plane::Xy, [0, -10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
+    let helix = round(ArcPlane::Xy, [10_000, 0, 0], [0, 10_000, -2_500], [0, 0], false);
+    let whole = round(ArcPlane::Xy, [0, 10_000, -2_500], [0, 10_000, -2_500], [0, 0], true);
+    let half = round(ArcPlane::Xy, [0, 10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
+    let again = round(ArcPlane::Xy, [0, -10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
     let blocks = [
         Step::Restart { number: 1 },
         Step::Feed { words: linear([10_000, 0, 0]), feed: per_minute(500) },
@@ -819,7 +819,7 @@ proptest! {
                 // Both ends as far from the centre: what the words say is then the same for all.
                 let [x, y] = [2 * centre[0] - here[0], 2 * centre[1] - here[1]];
                 let end = if to[0] == here[0] { [here[0], here[1], to[2]] } else { [x, y, to[2]] };
-                (end, round(Plane::Xy, here, end, centre, clockwise))
+                (end, round(ArcPlane::Xy, here, end, centre, clockwise))
             }));
             here = circles.last().and_then(|circle| circle.map(|(end, _)| end)).unwrap_or(*to);
         }

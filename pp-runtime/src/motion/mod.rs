@@ -21,7 +21,7 @@ mod tests;
 
 pub use course::{Course, Navigator};
 pub use fault::Stop;
-pub use geometry::{Circle, Plane};
+pub use geometry::{ArcPlane, Circle};
 pub(crate) use geometry::{extent, way_out};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
@@ -38,6 +38,6 @@ pub use rotary::Cost;
 pub(crate) use source::Setting;
 pub use source::{Action, Begins, Item, MotionIndex, Next, Source, Stage};
 pub use step::{
-    Cycle, CycleAbilities, CycleKind, Feed, MAX_AXES, Nowhere, Provenance, Sink, Standing, Step, VECTOR_DECIMALS, Why,
-    Words,
+    CannedCycle, CannedKind, CycleAbilities, FeedWord, MAX_AXES, Nowhere, Provenance, Sink, Standing, Step,
+    VECTOR_DECIMALS, Why, Words,
 };

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::control::{CycleCodes, CycleDefinitions, CycleForm, Layout, Thread};
-use crate::motion::{Cycle, CycleKind, Words};
+use crate::motion::{CannedCycle, CannedKind, Words};
 use crate::nc::Decimal;
 use crate::program::Units;
 
@@ -15,7 +15,7 @@ use super::values::HoleValues;
 #[derive(Debug)]
 pub(crate) struct Holes {
     /// The modal cycle that every motion calls until it is cancelled.
-    in_force: Option<Cycle>,
+    in_force: Option<CannedCycle>,
     /// Threads are cut with the spindle under control of its angle.
     rigid: bool,
     units: Units,
@@ -39,11 +39,11 @@ impl Holes {
     }
 
     /// A hole: the cycle with all its words, or only its place while the same one is in force.
-    pub(crate) fn cycle<W: Write>(&mut self, cycle: &Cycle, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn cycle<W: Write>(&mut self, cycle: &CannedCycle, out: &mut ModalWriter<W>) -> io::Result<()> {
         let Some(cycles) = &out.codes().cycles else { return Ok(()) };
         match (&cycles.form, cycle.kind) {
             (CycleForm::Definitions(blocks), _) => self.defined_cycle(cycle, blocks, out),
-            (CycleForm::Codes(CycleCodes { thread: Thread::Motion(code), .. }), CycleKind::Tap { pitch, .. }) => {
+            (CycleForm::Codes(CycleCodes { thread: Thread::Motion(code), .. }), CannedKind::Tap { pitch, .. }) => {
                 self.thread(cycle, code, pitch, out)
             }
             (CycleForm::Codes(codes), _) => self.coded_cycle(cycle, codes, out),
@@ -53,7 +53,7 @@ impl Holes {
     /// `G99 G81 X Y Z R F`, then `X Y`.
     fn coded_cycle<W: Write>(
         &mut self,
-        cycle: &Cycle,
+        cycle: &CannedCycle,
         codes: &'static CycleCodes,
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
@@ -63,18 +63,18 @@ impl Holes {
         }
         self.before_cycle(out)?;
         let code = match (cycle.kind, codes.thread) {
-            (CycleKind::Drill, _) => codes.drill[usize::from(cycle.dwell.is_some())],
-            (CycleKind::Peck { .. }, _) => codes.peck,
-            (CycleKind::ChipBreak { .. }, _) => codes.chip_break,
-            (CycleKind::Ream, _) => codes.ream[usize::from(cycle.dwell.is_some())],
-            (CycleKind::Tap { left, speed, .. }, Thread::Cycle { codes, rigid }) => {
+            (CannedKind::Drill, _) => codes.drill[usize::from(cycle.dwell.is_some())],
+            (CannedKind::Peck { .. }, _) => codes.peck,
+            (CannedKind::ChipBreak { .. }, _) => codes.chip_break,
+            (CannedKind::Ream, _) => codes.ream[usize::from(cycle.dwell.is_some())],
+            (CannedKind::Tap { left, speed, .. }, Thread::Cycle { codes, rigid }) => {
                 if self.rigid {
                     out.values().speed = Some(speed);
                     out.fill(rigid)?;
                 }
                 codes[usize::from(left)]
             }
-            (CycleKind::Tap { .. }, Thread::Motion(code)) => code,
+            (CannedKind::Tap { .. }, Thread::Motion(code)) => code,
         };
         out.feed_mode(out.codes().per_minute);
         out.writer_mut().code(codes.returns[usize::from(cycle.back != cycle.clearance)]);
@@ -89,7 +89,7 @@ impl Holes {
     /// `MCALL CYCLE81(..)`, then `G0 X Y`; or `CYCL DEF 200`, then `L X Y R0 FMAX M99`.
     fn defined_cycle<W: Write>(
         &mut self,
-        cycle: &Cycle,
+        cycle: &CannedCycle,
         blocks: &'static CycleDefinitions,
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
@@ -118,7 +118,7 @@ impl Holes {
     /// The blocks that define a cycle.
     fn define<W: Write>(
         &self,
-        cycle: &Cycle,
+        cycle: &CannedCycle,
         blocks: &'static CycleDefinitions,
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
@@ -129,12 +129,12 @@ impl Holes {
             out.end()?;
         }
         let blocks = match (cycle.kind, cycle.dwell, blocks.plain_drill) {
-            (CycleKind::Drill, None, Some(plain)) => plain,
-            (CycleKind::Drill, ..) => blocks.drill,
-            (CycleKind::Peck { .. }, ..) => blocks.peck,
-            (CycleKind::ChipBreak { .. }, ..) => blocks.chip_break,
-            (CycleKind::Ream, ..) => blocks.ream,
-            (CycleKind::Tap { speed, .. }, ..) => {
+            (CannedKind::Drill, None, Some(plain)) => plain,
+            (CannedKind::Drill, ..) => blocks.drill,
+            (CannedKind::Peck { .. }, ..) => blocks.peck,
+            (CannedKind::ChipBreak { .. }, ..) => blocks.chip_break,
+            (CannedKind::Ream, ..) => blocks.ream,
+            (CannedKind::Tap { speed, .. }, ..) => {
                 out.values().speed = Some(speed);
                 blocks.thread
             }
@@ -156,7 +156,7 @@ impl Holes {
     /// A thread by a motion: over to it, down to its start, in and out, and up to the level after it.
     fn thread<W: Write>(
         &mut self,
-        cycle: &Cycle,
+        cycle: &CannedCycle,
         code: &'static str,
         pitch: Decimal,
         out: &mut ModalWriter<W>,
@@ -181,13 +181,13 @@ impl Holes {
 }
 
 /// `Z R Q P F`.
-fn cycle_words<W: Write>(cycle: &Cycle, dwell: &str, out: &mut ModalWriter<W>) -> io::Result<()> {
+fn cycle_words<W: Write>(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<W>) -> io::Result<()> {
     let decimals = out.decimals(cycle.z);
     let mut bottom = Words { mask: 1 << cycle.z, ..Words::default() };
     bottom.units[cycle.z] = cycle.bottom;
     out.axis_words(&bottom, true);
     out.word("R", Decimal { units: cycle.clearance, decimals });
-    if let CycleKind::Peck { step: units, .. } | CycleKind::ChipBreak { step: units, .. } = cycle.kind {
+    if let CannedKind::Peck { step: units, .. } | CannedKind::ChipBreak { step: units, .. } = cycle.kind {
         out.word("Q", Decimal { units, decimals });
     }
     if let Some(seconds) = cycle.dwell {

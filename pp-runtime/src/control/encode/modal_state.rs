@@ -4,7 +4,7 @@
 //! program makes it unknown; [`After`] lists every such case, and [`ModalState::forget`] is the one place that knows what
 //! each of them leaves.
 
-use crate::motion::{Cycle, MAX_AXES, Words};
+use crate::motion::{CannedCycle, MAX_AXES, Words};
 use crate::nc::Decimal;
 use crate::program::Coolant;
 
@@ -66,7 +66,7 @@ pub(crate) struct ModalState {
     /// Code of the plane of arcs.
     plane: Option<&'static str>,
     /// The cycle that a place calls, where its definition outlives other motions.
-    cycle: Option<Cycle>,
+    cycle: Option<CannedCycle>,
     /// The control smooths.
     smooths: bool,
 }
@@ -227,11 +227,11 @@ impl ModalState {
     }
 
     /// The cycle that a place calls.
-    pub(crate) fn cycle(&self) -> Option<Cycle> {
+    pub(crate) fn cycle(&self) -> Option<CannedCycle> {
         self.cycle
     }
 
-    pub(crate) fn set_cycle(&mut self, cycle: Cycle) {
+    pub(crate) fn set_cycle(&mut self, cycle: CannedCycle) {
         self.cycle = Some(cycle);
     }
 

@@ -1,7 +1,7 @@
 //! Values of the fields of templates: data of the program, the tool, the plane and the hole that are being written.
 
 use crate::control::template::{self, Field};
-use crate::motion::{Cycle, CycleKind};
+use crate::motion::{CannedCycle, CannedKind};
 use crate::nc::{Decimal, Numerals, write_number};
 use crate::program::Units;
 
@@ -35,7 +35,7 @@ pub(crate) struct Values {
 /// A hole, where a cycle is defined by a template.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HoleValues {
-    pub(crate) cycle: Cycle,
+    pub(crate) cycle: CannedCycle,
     /// Decimals of its levels.
     pub(crate) decimals: u32,
     pub(crate) units: Units,
@@ -62,7 +62,7 @@ impl Values {
         let unsigned = Numerals { plus: false, ..self.numerals };
         let hole = self.hole.as_ref();
         let tapped = hole.and_then(|hole| thread(&hole.cycle));
-        let level = |units: fn(&Cycle) -> i64| hole.map(|hole| hole.length(units(&hole.cycle), self.numerals));
+        let level = |units: fn(&CannedCycle) -> i64| hole.map(|hole| hole.length(units(&hole.cycle), self.numerals));
         match field {
             Field::Name => Some(self.name.clone()),
             Field::Number => Some(self.number.clone()),
@@ -112,23 +112,23 @@ impl HoleValues {
 }
 
 /// Depth of a step, and the gap of a retract, where a hole is drilled in steps.
-fn steps(cycle: &Cycle) -> Option<[i64; 2]> {
+fn steps(cycle: &CannedCycle) -> Option<[i64; 2]> {
     match cycle.kind {
-        CycleKind::Peck { step, gap } | CycleKind::ChipBreak { step, gap } => Some([step, gap]),
-        CycleKind::Drill | CycleKind::Ream | CycleKind::Tap { .. } => None,
+        CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } => Some([step, gap]),
+        CannedKind::Drill | CannedKind::Ream | CannedKind::Tap { .. } => None,
     }
 }
 
 /// Number of steps.
-fn count(cycle: &Cycle) -> Option<String> {
+fn count(cycle: &CannedCycle) -> Option<String> {
     let [step, _] = steps(cycle)?;
     Some(((cycle.surface - cycle.bottom) as u64).div_ceil(step as u64).to_string())
 }
 
 /// Pitch of a thread, and whether it is left-hand.
-fn thread(cycle: &Cycle) -> Option<(Decimal, bool)> {
+fn thread(cycle: &CannedCycle) -> Option<(Decimal, bool)> {
     match cycle.kind {
-        CycleKind::Tap { pitch, left, .. } => Some((pitch, left)),
-        CycleKind::Drill | CycleKind::Ream | CycleKind::Peck { .. } | CycleKind::ChipBreak { .. } => None,
+        CannedKind::Tap { pitch, left, .. } => Some((pitch, left)),
+        CannedKind::Drill | CannedKind::Ream | CannedKind::Peck { .. } | CannedKind::ChipBreak { .. } => None,
     }
 }

@@ -4,11 +4,11 @@
 //! templates.
 
 use super::*;
-use crate::motion::{Cycle, CycleKind};
+use crate::motion::{CannedCycle, CannedKind};
 
 /// A hole at X10 Y20: surface at Z1, feed from Z3 down to Z-9.
-fn cycle(kind: CycleKind) -> Cycle {
-    Cycle {
+fn cycle(kind: CannedKind) -> CannedCycle {
+    CannedCycle {
         kind,
         words: Words { mask: 0b011, ..linear([10_000, 20_000, 0]) },
         z: 2,
@@ -21,29 +21,30 @@ fn cycle(kind: CycleKind) -> Cycle {
     }
 }
 
-const PECK: CycleKind = CycleKind::Peck { step: 2_500, gap: 500 };
-const CHIPS: CycleKind = CycleKind::ChipBreak { step: 2_500, gap: 200 };
+const PECK: CannedKind = CannedKind::Peck { step: 2_500, gap: 500 };
+const CHIPS: CannedKind = CannedKind::ChipBreak { step: 2_500, gap: 200 };
 
-fn thread(left: bool) -> CycleKind {
+fn thread(left: bool) -> CannedKind {
     let number = |units, decimals| Decimal { units, decimals };
-    CycleKind::Tap { pitch: number(12_500, 4), left, speed: number(400, 0) }
+    CannedKind::Tap { pitch: number(12_500, 4), left, speed: number(400, 0) }
 }
 
-fn cycles(control: &dyn Control, holes: &[Cycle]) -> Vec<String> {
+fn cycles(control: &dyn Control, holes: &[CannedCycle]) -> Vec<String> {
     let blocks: Vec<Step<'_>> = holes.iter().map(|cycle| Step::Cycle { cycle }).collect();
     steps(control, &milling(), &blocks)
 }
 
 #[test]
 fn siemens_is_told_levels_steps_and_pitch_in_the_order_of_its_cycles() {
-    let definition = |cycle: Cycle| cycles(&Siemens, &[cycle]).into_iter().find(|line| line.starts_with("MCALL "));
-    let waits = |kind| Cycle { dwell: Some(0.25), ..cycle(kind) };
+    let definition =
+        |cycle: CannedCycle| cycles(&Siemens, &[cycle]).into_iter().find(|line| line.starts_with("MCALL "));
+    let waits = |kind| CannedCycle { dwell: Some(0.25), ..cycle(kind) };
     let said = |cycle| definition(cycle).expect("a call");
-    assert_eq!(said(cycle(CycleKind::Drill)), "MCALL CYCLE81(8,1,2,-9)");
-    assert_eq!(said(waits(CycleKind::Drill)), "MCALL CYCLE82(8,1,2,-9,,0.25)");
+    assert_eq!(said(cycle(CannedKind::Drill)), "MCALL CYCLE81(8,1,2,-9)");
+    assert_eq!(said(waits(CannedKind::Drill)), "MCALL CYCLE82(8,1,2,-9,,0.25)");
     assert_eq!(said(cycle(PECK)), "MCALL CYCLE83(8,1,2,-9,,,2.5,0,0,0,1,1,,,,0,0.5)");
     assert_eq!(said(waits(CHIPS)), "MCALL CYCLE83(8,1,2,-9,,,2.5,0,0,0,1,0,,,0.2,0.25)");
-    assert_eq!(said(waits(CycleKind::Ream)), "MCALL CYCLE85(8,1,2,-9,,0.25,500,500)");
+    assert_eq!(said(waits(CannedKind::Ream)), "MCALL CYCLE85(8,1,2,-9,,0.25,500,500)");
     assert_eq!(said(cycle(thread(false))), "MCALL CYCLE84(8,1,2,-9,,0,3,,1.25,0,400,400,,1)");
     assert_eq!(said(cycle(thread(true))), "MCALL CYCLE84(8,1,2,-9,,0,4,,-1.25,0,400,400,,1)");
     let inches = Layout { units: Units::Inches, ..milling() };
@@ -53,9 +54,9 @@ fn siemens_is_told_levels_steps_and_pitch_in_the_order_of_its_cycles() {
 
 #[test]
 fn siemens_calls_the_cycle_at_each_place_until_it_is_told_to_stop() {
-    let first = cycle(CycleKind::Drill);
-    let second = Cycle { words: Words { mask: 0b011, ..linear([15_000, 20_000, 0]) }, ..first };
-    let higher = Cycle { surface: 2_000, clearance: 4_000, bottom: -8_000, ..second };
+    let first = cycle(CannedKind::Drill);
+    let second = CannedCycle { words: Words { mask: 0b011, ..linear([15_000, 20_000, 0]) }, ..first };
+    let higher = CannedCycle { surface: 2_000, clearance: 4_000, bottom: -8_000, ..second };
     let text = cycles(&Siemens, &[first, second, second, higher]);
     let expected = [
         "G94",
@@ -78,7 +79,7 @@ fn siemens_calls_the_cycle_at_each_place_until_it_is_told_to_stop() {
 
 #[test]
 fn heidenhain_keeps_a_definition_until_it_changes_or_nobody_knows() {
-    let first = cycle(CycleKind::Drill);
+    let first = cycle(CannedKind::Drill);
     let definition = [
         "CYCL DEF 200 DRILLING ~",
         "  Q200=+2 ;SET-UP CLEARANCE ~",
@@ -111,7 +112,7 @@ fn heidenhain_has_a_cycle_for_each_kind() {
     };
     holds(definition(PECK), &["CYCL DEF 205 ", "Q202=+2.5 ", "Q258=+0.5 ", "Q259=+0.5 ", "Q212=+0 ", "Q257=+0 "]);
     holds(definition(CHIPS), &["CYCL DEF 203 ", "Q202=+2.5 ", "Q213=+4 ", "Q256=+0.2", "Q212=+0 ", "Q208=+99999 "]);
-    holds(definition(CycleKind::Ream), &["CYCL DEF 201 ", "Q206=+500 ", "Q208=+0 "]);
+    holds(definition(CannedKind::Ream), &["CYCL DEF 201 ", "Q206=+500 ", "Q208=+0 "]);
     holds(definition(thread(false)), &["CYCL DEF 207 ", "Q239=+1.25 "]);
     holds(definition(thread(true)), &["CYCL DEF 207 ", "Q239=-1.25 "]);
 }
@@ -136,19 +137,19 @@ struct Told {
     pitch: i64,
 }
 
-fn told(cycle: &Cycle) -> Told {
-    let Cycle { surface, clearance, bottom, back, .. } = *cycle;
+fn told(cycle: &CannedCycle) -> Told {
+    let CannedCycle { surface, clearance, bottom, back, .. } = *cycle;
     let (step, gap) = match cycle.kind {
-        CycleKind::Peck { step, gap } | CycleKind::ChipBreak { step, gap } => (step, gap),
+        CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } => (step, gap),
         _ => (0, 0),
     };
     let (pitch, feed) = match cycle.kind {
-        CycleKind::Tap { pitch, left, .. } => (if left { -pitch.units } else { pitch.units }, 0),
+        CannedKind::Tap { pitch, left, .. } => (if left { -pitch.units } else { pitch.units }, 0),
         _ => (0, cycle.feed.units),
     };
-    let out = matches!(cycle.kind, CycleKind::Peck { .. });
+    let out = matches!(cycle.kind, CannedKind::Peck { .. });
     let wait = (cycle.dwell.unwrap_or(0.0) * 1e3) as i64;
-    let ream = cycle.kind == CycleKind::Ream;
+    let ream = cycle.kind == CannedKind::Ream;
     Told { surface, clearance, bottom, back, step, gap, out, ream, wait, feed, pitch }
 }
 
@@ -250,10 +251,10 @@ fn read(lines: &[String]) -> Vec<(Told, [i64; 2])> {
     holes
 }
 
-fn any_cycle() -> impl Strategy<Value = Cycle> {
+fn any_cycle() -> impl Strategy<Value = CannedCycle> {
     let place = prop::array::uniform2(0_i64..3);
     let levels = (0_i64..2, 1_i64..3, 1_i64..3, 0_i64..3, 0_i64..2);
-    let kinds = vec![CycleKind::Drill, PECK, CHIPS, CycleKind::Ream, thread(false), thread(true)];
+    let kinds = vec![CannedKind::Drill, PECK, CHIPS, CannedKind::Ream, thread(false), thread(true)];
     let waits = prop::option::of(Just(0.5));
     (place, levels, prop::sample::select(kinds), waits).prop_map(
         |([x, y], (top, above, deep, up, fast), kind, dwell)| {
@@ -262,8 +263,8 @@ fn any_cycle() -> impl Strategy<Value = Cycle> {
             let words = Words { mask: 0b011, ..linear([x * 1_000, y * 1_000, 0]) };
             let feed = Decimal { units: 100 + fast, decimals: 0 };
             // Cycle 207 does not wait.
-            let dwell = dwell.filter(|_| !matches!(kind, CycleKind::Tap { .. }));
-            Cycle { kind, words, z: 2, surface, clearance, bottom, back: clearance + up * 1_000, dwell, feed }
+            let dwell = dwell.filter(|_| !matches!(kind, CannedKind::Tap { .. }));
+            CannedCycle { kind, words, z: 2, surface, clearance, bottom, back: clearance + up * 1_000, dwell, feed }
         },
     )
 }

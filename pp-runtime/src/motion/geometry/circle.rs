@@ -18,7 +18,7 @@ const LARGEST: f64 = 1e15;
 
 /// A plane of the program, by the axis that is square to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Plane {
+pub enum ArcPlane {
     /// G17: X, then Y.
     Xy,
     /// G18: Z, then X.
@@ -27,7 +27,7 @@ pub enum Plane {
     Yz,
 }
 
-impl Plane {
+impl ArcPlane {
     /// The plane square to X, Y or Z.
     pub(crate) const SQUARE_TO: [Self; 3] = [Self::Yz, Self::Zx, Self::Xy];
 
@@ -46,7 +46,7 @@ impl Plane {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
     /// The plane.
-    pub plane: Plane,
+    pub plane: ArcPlane,
     /// Places of X Y Z in the chain.
     pub chain: [usize; 3],
     /// Seen against the axis square to the plane.

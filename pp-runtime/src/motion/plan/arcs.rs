@@ -15,7 +15,7 @@ use crate::program::{Arc, Move};
 
 use crate::motion::fault::{Fault, Halt, Planned};
 use crate::motion::geometry::Round;
-use crate::motion::geometry::{Circle, Grid, Nominal, Off, Plane};
+use crate::motion::geometry::{ArcPlane, Circle, Grid, Nominal, Off};
 use crate::motion::place::Place;
 use crate::motion::plan::Planner;
 use crate::motion::plan::feed::Stroke;
@@ -23,7 +23,7 @@ use crate::motion::plan::statistics::Statistics;
 use crate::motion::rotary::TurnTarget;
 use crate::motion::source::{Begins, MotionIndex};
 use crate::motion::step::Why;
-use crate::motion::step::{Feed, Sink, Step, Words};
+use crate::motion::step::{FeedWord, Sink, Step, Words};
 
 /// More turns than this of one record are a fault of the file.
 const MOST_TURNS: f64 = 1e6;
@@ -97,7 +97,7 @@ impl Cuts {
 /// An arc in the coordinates of the program.
 #[derive(Debug, Clone, Copy)]
 struct Framed {
-    plane: Plane,
+    plane: ArcPlane,
     chain: [usize; 3],
     nominal: Nominal,
     /// How far the plane of the arc is off that of the program, over the arc, mm.
@@ -193,9 +193,9 @@ impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
         // Mirrored coordinates turn the other way round.
         let normal = map * arc.normal.into_inner() * map.determinant().signum();
         let square = normal.iamax();
-        let beside = Plane::SQUARE_TO[square].axes();
+        let beside = ArcPlane::SQUARE_TO[square].axes();
         let lean = 2.0 * round.radius() * normal[beside[0]].hypot(normal[beside[1]]);
-        let plane = Plane::SQUARE_TO[square];
+        let plane = ArcPlane::SQUARE_TO[square];
         if lean > self.planner.mover.tolerance().tip || !self.planner.abilities.arc_planes[square] {
             return Err(NoArc::Plane);
         }
@@ -291,7 +291,7 @@ impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
             let pace = mover.feeds().pace(rate, stroke)?;
             let to = self.piece_end(cuts.end(piece))?;
             let circle = self.circle(framed, share, self.planner.mover.here(), &to);
-            let (Some(circle), Feed::PerMinute(feed)) = (circle, pace.feed) else {
+            let (Some(circle), FeedWord::PerMinute(feed)) = (circle, pace.feed) else {
                 return Err(Fault::new("an arc that could be said cannot be written").into());
             };
             let mover = &mut self.planner.mover;

@@ -12,7 +12,7 @@ use crate::program::Units;
 
 use crate::motion::fault::Fault;
 use crate::motion::plan::abilities::Abilities;
-use crate::motion::step::Feed;
+use crate::motion::step::FeedWord;
 
 /// Computes F words.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +58,7 @@ pub(crate) struct Stroke {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pace {
     /// Its F word.
-    pub(crate) feed: Feed,
+    pub(crate) feed: FeedWord,
     /// How long it takes, minutes.
     pub(crate) minutes: f64,
     /// How much longer than programmed that is, minutes.
@@ -124,7 +124,7 @@ impl Feeds {
             let slowed = if minutes > programmed { stroke.length.max(self.still) / minutes } else { feed };
             let feed = feed.min(slowed).min(self.largest);
             let word = Decimal::fixed(feed / self.length_unit * self.per_length, self.decimals).map_err(overflow)?;
-            (Feed::PerMinute(word), word)
+            (FeedWord::PerMinute(word), word)
         } else {
             let inverse = |time: f64| Decimal::significant(1.0 / time, self.digits).map_err(overflow);
             let along = |path: f64| Decimal::fixed(path / minutes, self.decimals).map_err(overflow);
@@ -133,13 +133,13 @@ impl Feeds {
             let in_units = if lengths { self.per_length / self.length_unit } else { 1.0 };
             match self.norm {
                 PathNorm::G93Minutes if !self.along_tip => {
-                    inverse(minutes).map(|word| (Feed::InverseTime(word), word))?
+                    inverse(minutes).map(|word| (FeedWord::InverseTime(word), word))?
                 }
                 PathNorm::G93Seconds if !self.along_tip => {
-                    inverse(minutes * 60.0).map(|word| (Feed::InverseTime(word), word))?
+                    inverse(minutes * 60.0).map(|word| (FeedWord::InverseTime(word), word))?
                 }
                 PathNorm::G93Minutes | PathNorm::G93Seconds | PathNorm::Xyz | PathNorm::XyzDegrees => {
-                    along(self.path(stroke) * in_units).map(|word| (Feed::PerMinute(word), word))?
+                    along(self.path(stroke) * in_units).map(|word| (FeedWord::PerMinute(word), word))?
                 }
             }
         };
@@ -198,15 +198,15 @@ mod tests {
     #[test]
     fn without_a_turn_f_is_length_per_minute() {
         let word = |units| feeds(units).pace(254.0, stroke(10.0, 0.0)).map(|pace| pace.feed);
-        assert_eq!(word(Units::Millimetres), Ok(Feed::PerMinute(Decimal { units: 254_000, decimals: 3 })));
-        assert_eq!(word(Units::Inches), Ok(Feed::PerMinute(Decimal { units: 10_000, decimals: 3 })));
+        assert_eq!(word(Units::Millimetres), Ok(FeedWord::PerMinute(Decimal { units: 254_000, decimals: 3 })));
+        assert_eq!(word(Units::Inches), Ok(FeedWord::PerMinute(Decimal { units: 10_000, decimals: 3 })));
     }
 
     #[test]
     fn with_a_turn_f_is_the_inverse_of_the_time_along_the_tip_path_in_any_unit() {
         for units in [Units::Millimetres, Units::Inches] {
             let pace = feeds(units).pace(300.0, stroke(7.0, 2.0)).expect("a pace");
-            let Feed::InverseTime(word) = pace.feed else { panic!("inverse time") };
+            let FeedWord::InverseTime(word) = pace.feed else { panic!("inverse time") };
             assert_eq!((pace.minutes, pace.slowed), (7.0 / 300.0, 0.0));
             assert_eq!((word.units, word.decimals), (428_571, 4));
         }
@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn a_tip_that_stands_still_takes_its_time_from_the_rotary() {
         let pace = feeds(Units::Millimetres).pace(300.0, stroke(0.0, 90.0)).expect("a pace");
-        let Feed::InverseTime(word) = pace.feed else { panic!("inverse time") };
+        let FeedWord::InverseTime(word) = pace.feed else { panic!("inverse time") };
         assert!((word.value() - 20.0).abs() < 1e-9, "90° at 1800 °/min take a twentieth of a minute: {word:?}");
     }
 
@@ -234,10 +234,10 @@ mod tests {
         let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
         let word = |length| feeds.pace(500.0, stroke(length, 0.0)).map(|pace| pace.feed);
         // One unit of the words in two thousandths of a minute.
-        assert_eq!(word(0.0), Ok(Feed::PerMinute(Decimal { units: 500, decimals: 3 })));
+        assert_eq!(word(0.0), Ok(FeedWord::PerMinute(Decimal { units: 500, decimals: 3 })));
         assert_eq!(word(0.0004), word(0.0));
-        assert_eq!(word(0.1), Ok(Feed::PerMinute(Decimal { units: 50_000, decimals: 3 })));
-        assert_eq!(word(5.0), Ok(Feed::PerMinute(Decimal { units: 500_000, decimals: 3 })));
+        assert_eq!(word(0.1), Ok(FeedWord::PerMinute(Decimal { units: 50_000, decimals: 3 })));
+        assert_eq!(word(5.0), Ok(FeedWord::PerMinute(Decimal { units: 500_000, decimals: 3 })));
     }
 
     #[test]
@@ -245,10 +245,10 @@ mod tests {
         let slow = |degrees| Stroke { least: 0.25, ..stroke(10.0, degrees) };
         let pace = feeds(Units::Millimetres).pace(100.0, slow(30.0)).expect("a pace");
         assert_eq!((pace.minutes, pace.slowed), (0.25, 0.25 - 0.1));
-        assert_eq!(pace.feed, Feed::InverseTime(Decimal { units: 400_000, decimals: 5 }));
+        assert_eq!(pace.feed, FeedWord::InverseTime(Decimal { units: 400_000, decimals: 5 }));
         // Without a turn F per minute goes down.
         let pace = feeds(Units::Millimetres).pace(100.0, slow(0.0)).expect("a pace");
-        assert_eq!(pace.feed, Feed::PerMinute(Decimal { units: 40_000, decimals: 3 }));
+        assert_eq!(pace.feed, FeedWord::PerMinute(Decimal { units: 40_000, decimals: 3 }));
         let fast = feeds(Units::Millimetres).pace(20.0, slow(30.0)).expect("a pace");
         assert_eq!((fast.minutes, fast.slowed), (0.5, 0.0));
     }
@@ -260,7 +260,7 @@ mod tests {
         config.motion.feed.shortest_block = 0.006;
         let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
         let pace = feeds.pace(20_000.0, stroke(10.0, 0.0)).expect("a pace");
-        assert_eq!(pace.feed, Feed::PerMinute(Decimal { units: 5_000_000, decimals: 3 }));
+        assert_eq!(pace.feed, FeedWord::PerMinute(Decimal { units: 5_000_000, decimals: 3 }));
         let pace = feeds.pace(4000.0, stroke(0.1, 1.0)).expect("a pace");
         assert!((pace.minutes - 1e-4).abs() < 1e-12 && pace.slowed > 0.0, "{pace:?}");
         // A way that is nothing but rounding, too.
@@ -268,7 +268,7 @@ mod tests {
         let feeds = Feeds::new(config.policy(), Units::Millimetres, 1e-3, &abilities());
         for length in [0.0, 1e-5, 3e-4] {
             let pace = feeds.pace(20_000.0, stroke(length, 0.0)).expect("a pace");
-            assert!(matches!(pace.feed, Feed::PerMinute(word) if word.value() <= 5000.0), "{length}: {pace:?}");
+            assert!(matches!(pace.feed, FeedWord::PerMinute(word) if word.value() <= 5000.0), "{length}: {pace:?}");
         }
     }
 
@@ -291,8 +291,8 @@ mod tests {
             // A tenth of a minute along the tip path.
             let pace = feeds.pace(100.0, Stroke { linear, degrees, ..stroke(10.0, 4.0) }).expect("a pace");
             match pace.feed {
-                Feed::PerMinute(word) => write(word, "F"),
-                Feed::InverseTime(word) => write(word, "inverse F"),
+                FeedWord::PerMinute(word) => write(word, "F"),
+                FeedWord::InverseTime(word) => write(word, "inverse F"),
             }
         };
         let mm = Units::Millimetres;

@@ -16,8 +16,8 @@ use crate::motion::plan::feed::{Feeds, Stroke};
 use crate::motion::plan::{Ahead, Planner, records};
 use crate::motion::source::{Begins, MotionIndex, Next};
 use crate::motion::step::Why;
-use crate::motion::step::{Cycle, CycleKind};
-use crate::motion::step::{Feed, Sink, Step, Words};
+use crate::motion::step::{CannedCycle, CannedKind};
+use crate::motion::step::{FeedWord, Sink, Step, Words};
 
 /// More steps than this are no drilling.
 const MOST_STEPS: u32 = 10_000;
@@ -32,7 +32,7 @@ const PITCH: f64 = 2e-4;
 const THREAD_FEED: f64 = 1e-4;
 
 /// A cycle, and where the tool stands behind it.
-type Found<A> = (Cycle, Place<A>);
+type Found<A> = (CannedCycle, Place<A>);
 
 /// Why there is no cycle.
 type NoCycle = &'static str;
@@ -218,13 +218,13 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
         let [surface, clearance, bottom, back] = [surface, clearance, bottom, back].map(|written| written[z]);
         let dwell = hole.dwell.map(|dwell| self.planner.spindle.seconds(dwell)).transpose()?;
         let feed = self.feed(kind, &places[0])?;
-        let cycle = Cycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
+        let cycle = CannedCycle { kind, words, z, surface, clearance, bottom, back, dwell, feed };
         let unsaid = self.unsaid(&cycle)?;
         Ok(unsaid.map_or(Ok((cycle, places[2])), Err))
     }
 
     /// What the words of a cycle would say otherwise than the hole is.
-    fn unsaid(&self, cycle: &Cycle) -> Result<Option<NoCycle>, Fault> {
+    fn unsaid(&self, cycle: &CannedCycle) -> Result<Option<NoCycle>, Fault> {
         let can = self.planner.abilities.cycles;
         if !(cycle.bottom < cycle.surface && cycle.surface <= cycle.clearance && cycle.clearance <= cycle.back) {
             return Ok(Some("its levels are not in their order"));
@@ -232,7 +232,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
         if cycle.dwell.is_some_and(|seconds| seconds * 1e3 > f64::from(can.longest_dwell)) {
             return Ok(Some("the wait is too long for it"));
         }
-        if let CycleKind::Peck { step, gap } | CycleKind::ChipBreak { step, gap } = cycle.kind
+        if let CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } = cycle.kind
             && can.states_gap
         {
             let depth = cycle.surface - cycle.bottom;
@@ -245,7 +245,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
     }
 
     /// What the control's cycle would be, or why it has none that means the same.
-    fn kind(&self) -> Result<Result<CycleKind, NoCycle>, Fault> {
+    fn kind(&self) -> Result<Result<CannedKind, NoCycle>, Fault> {
         let (hole, can) = (self.hole, self.planner.abilities.cycles);
         let higher = hole.back_to - hole.clearance > SAME_LEVEL;
         let units = |mm: f64| (mm / self.planner.mover.placer().unit_mm()).round() as i64;
@@ -253,17 +253,17 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
         let steps_wait = no_dwell || can.steps_dwell;
         let usual_gap = self.planner.policy.options.defaults.peck_gap;
         Ok(match hole.drilling {
-            Drilling::Drill if can.drill => Ok(CycleKind::Drill),
-            Drilling::Ream if can.ream && (can.ream_higher || !higher) => Ok(CycleKind::Ream),
+            Drilling::Drill if can.drill => Ok(CannedKind::Drill),
+            Drilling::Ream if can.ream && (can.ream_higher || !higher) => Ok(CannedKind::Ream),
             Drilling::Peck { first, later }
                 if can.peck && steps_wait && units(first) == units(later) && units(later) > 0 =>
             {
-                Ok(CycleKind::Peck { step: units(later), gap: units(usual_gap) })
+                Ok(CannedKind::Peck { step: units(later), gap: units(usual_gap) })
             }
             Drilling::ChipBreak { step, back }
                 if can.chip_break && steps_wait && units(step) > 0 && (can.states_gap || back.is_none()) =>
             {
-                Ok(CycleKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
+                Ok(CannedKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
             }
             Drilling::Tap { .. } if !can.tap => Err("this control has none here"),
             Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => {
@@ -277,7 +277,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
     }
 
     /// A thread at the speed as it is written.
-    fn thread(&self, pitch: Option<f64>) -> Result<CycleKind, Fault> {
+    fn thread(&self, pitch: Option<f64>) -> Result<CannedKind, Fault> {
         let Some((turns, rotation)) = self.planner.spindle.turning() else {
             return Err(Fault::new("a thread with the spindle off").help("give SPINDL/ON before it"));
         };
@@ -297,7 +297,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
             let fault = Fault::new(format_args!("the pitch of this thread, {exact}, has too many digits for a word"));
             return Err(fault.help("`output_units` of the drawing give a pitch that fits"));
         }
-        Ok(CycleKind::Tap {
+        Ok(CannedKind::Tap {
             pitch,
             left: rotation == Rotation::CounterClockwise,
             speed: Decimal::fixed(turns, self.planner.policy.formats.speed).map_err(too_large)?,
@@ -305,11 +305,11 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
     }
 
     /// F of a cycle.
-    fn feed(&self, kind: CycleKind, over: &Place<M::Axes>) -> Result<Decimal, Fault> {
+    fn feed(&self, kind: CannedKind, over: &Place<M::Axes>) -> Result<Decimal, Fault> {
         let (hole, feeds) = (self.hole, self.planner.mover.feeds());
         let per_minute = match kind {
-            CycleKind::Tap { pitch, speed, .. } => pitch.value() * feeds.length_unit() * speed.value(),
-            CycleKind::Drill | CycleKind::Peck { .. } | CycleKind::ChipBreak { .. } | CycleKind::Ream => {
+            CannedKind::Tap { pitch, speed, .. } => pitch.value() * feeds.length_unit() * speed.value(),
+            CannedKind::Drill | CannedKind::Peck { .. } | CannedKind::ChipBreak { .. } | CannedKind::Ream => {
                 let feed = hole.feed.ok_or_else(|| Fault::new("a hole without feed"))?;
                 Feeds::per_minute(feed, self.planner.spindle.speed())?
             }
@@ -318,8 +318,10 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
         let least = self.planner.mover.placer().least_minutes_of_tip(length, over);
         let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
         let pace = feeds.pace(per_minute, stroke)?;
-        let Feed::PerMinute(word) = pace.feed else { return Err(Fault::new("a cycle has no feed in inverse time")) };
-        if let CycleKind::Tap { .. } = kind
+        let FeedWord::PerMinute(word) = pace.feed else {
+            return Err(Fault::new("a cycle has no feed in inverse time"));
+        };
+        if let CannedKind::Tap { .. } = kind
             && (pace.slowed > 0.0
                 || self.planner.abilities.cycles.tap_feed
                     && (feeds.mm_per_minute(word) / per_minute - 1.0).abs() > THREAD_FEED)
@@ -333,7 +335,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
     }
 
     /// Writes the hole by its cycle.
-    fn run_cycle(&mut self, cycle: &Cycle, back: Place<M::Axes>) -> Planned {
+    fn run_cycle(&mut self, cycle: &CannedCycle, back: Place<M::Axes>) -> Planned {
         let hole = self.hole;
         let can = self.planner.abilities.cycles;
         let here = self.planner.mover.placer().written(self.planner.mover.here());
@@ -346,7 +348,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
         }
         let mover = &mut self.planner.mover;
         let minutes = (hole.clearance + hole.depth) / mover.feeds().mm_per_minute(cycle.feed);
-        let both_ways = matches!(cycle.kind, CycleKind::Ream | CycleKind::Tap { .. });
+        let both_ways = matches!(cycle.kind, CannedKind::Ream | CannedKind::Tap { .. });
         let output = mover.output_mut();
         output.cancel_inverse_time()?;
         output.times_mut().cut(if both_ways { 2.0 * minutes } else { minutes });
@@ -354,7 +356,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
         output.because(Why::Record);
         mover.write_motion(&Step::Cycle { cycle }, &back)?;
         mover.output_mut().statistics_mut().cycles += 1;
-        if let CycleKind::Tap { .. } = cycle.kind {
+        if let CannedKind::Tap { .. } = cycle.kind {
             self.planner.spindle.after_thread(can.tap_stops);
         }
         let bottom = hole.level(-hole.depth);

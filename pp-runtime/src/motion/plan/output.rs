@@ -10,7 +10,7 @@ use crate::motion::place::Place;
 use crate::motion::plan::feed::Pace;
 use crate::motion::plan::machining_time::Times;
 use crate::motion::plan::statistics::Statistics;
-use crate::motion::step::{Feed, Sink, Step};
+use crate::motion::step::{FeedWord, Sink, Step};
 use crate::motion::step::{Provenance, Standing, Why};
 
 /// A deviation of the tool axis up to this is arithmetic, rad.
@@ -118,7 +118,7 @@ impl<S: Sink> Output<S> {
         if slowed > 0.0 {
             self.times.slow(at, slowed);
         }
-        self.inverse_time = matches!(feed, Feed::InverseTime(_));
+        self.inverse_time = matches!(feed, FeedWord::InverseTime(_));
         self.statistics.inverse_time += u64::from(self.inverse_time);
     }
 

@@ -63,7 +63,7 @@ impl CycleAbilities {
 
 /// What a cycle does in a hole; lengths in whole units of linear words.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum CycleKind {
+pub enum CannedKind {
     /// In at feed, out at rapid.
     Drill,
     /// In steps, out to the clearance level after each.
@@ -95,9 +95,9 @@ pub enum CycleKind {
 
 /// A hole by a cycle along Z; levels are words of Z.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cycle {
+pub struct CannedCycle {
     /// What it does.
-    pub kind: CycleKind,
+    pub kind: CannedKind,
     /// Where: X and Y.
     pub words: Words,
     /// Position of Z in the chain.
@@ -116,7 +116,7 @@ pub struct Cycle {
     pub feed: Decimal,
 }
 
-impl Cycle {
+impl CannedCycle {
     /// Another hole of the same.
     pub(crate) fn repeats(&self, before: &Self) -> bool {
         Self { words: before.words, ..*self } == *before

@@ -10,7 +10,7 @@ use crate::program::{Coolant, Rotation};
 
 use crate::motion::geometry::Circle;
 
-pub use cycle::{Cycle, CycleAbilities, CycleKind};
+pub use cycle::{CannedCycle, CannedKind, CycleAbilities};
 pub use provenance::{Provenance, Standing, Why};
 
 /// Most axes a chain can have: X Y Z U V W A B C.
@@ -41,7 +41,7 @@ impl Words {
 
 /// The feed of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Feed {
+pub enum FeedWord {
     /// Units of the control's path per minute; stays in force.
     PerMinute(Decimal),
     /// Inverse time, for this block alone.
@@ -56,7 +56,7 @@ pub enum Step<'a> {
         /// Where to.
         words: Words,
         /// How fast.
-        feed: Feed,
+        feed: FeedWord,
     },
     /// Arc of a circle about an axis of the program, or a helix; the words of its plane are always written.
     Arc {
@@ -70,7 +70,7 @@ pub enum Step<'a> {
     /// A hole by a cycle of the control.
     Cycle {
         /// The cycle.
-        cycle: &'a Cycle,
+        cycle: &'a CannedCycle,
     },
     /// From the next feed block on the cutter runs beside its path.
     Beside {

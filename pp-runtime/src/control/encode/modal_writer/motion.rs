@@ -4,22 +4,22 @@
 use std::io::{self, Write};
 
 use crate::control::LengthCall;
-use crate::motion::{Feed, Words};
+use crate::motion::{FeedWord, Words};
 
 use super::ModalWriter;
 use crate::control::encode::modal_state::{After, LengthState};
 
 impl<W: Write> ModalWriter<W> {
     /// A straight motion at feed; none if nothing changes.
-    pub(crate) fn feed(&mut self, words: &Words, feed: Feed) -> io::Result<()> {
+    pub(crate) fn feed(&mut self, words: &Words, feed: FeedWord) -> io::Result<()> {
         if !self.any_changes(words) {
             return Ok(());
         }
         self.smooth(true)?;
         self.call_length_alone(words)?;
         match feed {
-            Feed::PerMinute(_) => self.feed_mode(self.codes.per_minute),
-            Feed::InverseTime(_) => self.feed_mode(self.codes.inverse_time.unwrap_or_default()),
+            FeedWord::PerMinute(_) => self.feed_mode(self.codes.per_minute),
+            FeedWord::InverseTime(_) => self.feed_mode(self.codes.inverse_time.unwrap_or_default()),
         }
         let along = self.along_vector(words);
         self.motion(along.map_or(self.codes.feed, |(code, _)| code));
@@ -28,8 +28,8 @@ impl<W: Write> ModalWriter<W> {
         self.axis_words(words, false);
         self.side_after_words(along.is_some());
         match feed {
-            Feed::PerMinute(value) => self.changed_feed(value),
-            Feed::InverseTime(value) => {
+            FeedWord::PerMinute(value) => self.changed_feed(value),
+            FeedWord::InverseTime(value) => {
                 self.feed_word(value);
                 self.modal.forget_feed();
             }

@@ -254,7 +254,7 @@ fn any_hole() -> impl Strategy<Value = Event<'static>> {
 struct Way {
     at: [i64; 3],
     path: Vec<([i64; 3], bool)>,
-    cycles: Vec<Cycle>,
+    cycles: Vec<CannedCycle>,
     rapid_below: bool,
 }
 
@@ -274,7 +274,7 @@ impl Way {
         self.go(to, fast);
     }
 
-    fn cycle(&mut self, cycle: &Cycle, returns: bool) {
+    fn cycle(&mut self, cycle: &CannedCycle, returns: bool) {
         let began = self.at[2];
         self.rapid_below |= began < cycle.clearance;
         self.words(&cycle.words, true);
@@ -282,8 +282,8 @@ impl Way {
         let level = |way: &mut Self, z: i64, fast: bool| way.go([x, y, z], fast);
         level(self, cycle.clearance, true);
         let (step, gap, out) = match cycle.kind {
-            CycleKind::Peck { step, gap } => (step, gap, true),
-            CycleKind::ChipBreak { step, gap } => (step, gap, false),
+            CannedKind::Peck { step, gap } => (step, gap, true),
+            CannedKind::ChipBreak { step, gap } => (step, gap, false),
             _ => (cycle.surface - cycle.bottom, 0, false),
         };
         let mut done = (cycle.surface - step).max(cycle.bottom);
@@ -296,7 +296,7 @@ impl Way {
             done = (done - step).max(cycle.bottom);
             level(self, done, false);
         }
-        level(self, cycle.clearance, cycle.kind != CycleKind::Ream);
+        level(self, cycle.clearance, cycle.kind != CannedKind::Ream);
         assert!(returns || cycle.back == cycle.clearance || cycle.back == began, "it comes back to where it began");
         level(self, cycle.back, true);
         self.cycles.push(*cycle);
@@ -304,7 +304,7 @@ impl Way {
 }
 
 /// The way of a program on a control, stops of a rapid along Z left out.
-fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec<([i64; 3], bool)>, Vec<Cycle>) {
+fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec<([i64; 3], bool)>, Vec<CannedCycle>) {
     struct Steps(Way, bool);
     impl Sink for Steps {
         fn step(&mut self, step: &Step<'_>, _: &Provenance<'_>) -> std::io::Result<()> {
@@ -329,7 +329,7 @@ fn way(control: &dyn Control, output: CycleOutput, events: &[Event<'_>]) -> (Vec
 }
 
 /// The cycle of one hole 5 deep, 2 under its clearance level, from there.
-fn kind(control: &dyn Control, drilling: Drilling, dwell: Option<Dwell>) -> Option<CycleKind> {
+fn kind(control: &dyn Control, drilling: Drilling, dwell: Option<Dwell>) -> Option<CannedKind> {
     let events = behind([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], drilling, 2.0, dwell)]);
     way(control, CycleOutput::Native, &events).1.first().map(|cycle| cycle.kind)
 }
@@ -348,8 +348,8 @@ fn steps_that_are_those_of_the_control_are_left_to_it() {
     let uneven = Drilling::Peck { first: 3.0, later: 2.0 };
     let too_far = Drilling::ChipBreak { step: 2.5, back: Some(4.6) };
     for control in [&Siemens as &dyn Control, &Heidenhain] {
-        assert_eq!(kind(control, peck(2.5), None), Some(CycleKind::Peck { step: 2500, gap: 500 }));
-        assert_eq!(kind(control, chips(2.5), None), Some(CycleKind::ChipBreak { step: 2500, gap: 300 }));
+        assert_eq!(kind(control, peck(2.5), None), Some(CannedKind::Peck { step: 2500, gap: 500 }));
+        assert_eq!(kind(control, chips(2.5), None), Some(CannedKind::ChipBreak { step: 2500, gap: 300 }));
         assert_eq!([kind(control, uneven, None), kind(control, too_far, None)], [None, None]);
     }
 }
@@ -366,7 +366,7 @@ fn a_wait_that_is_too_long_for_a_cycle_is_written_behind_motions() {
 #[test]
 fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
     let pitch = |control, pitch| match kind(control, Drilling::Tap { pitch: Some(pitch) }, None) {
-        Some(CycleKind::Tap { pitch, .. }) => pitch.value(),
+        Some(CannedKind::Tap { pitch, .. }) => pitch.value(),
         _ => f64::NAN,
     };
     let eighteen = 25.4 / 18.0;
