@@ -3,7 +3,7 @@
 
 use std::io::{self, Write};
 
-use crate::control::LengthCall;
+use crate::control::dialects::LengthCall;
 use crate::motion::{Feed, Words};
 
 use super::ModalWriter;
