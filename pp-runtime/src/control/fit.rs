@@ -1,19 +1,15 @@
-//! Whether a configuration fits a control, and what the planner may ask of the two.
+//! Whether a configuration fits a control, and what the planner may ask of the two: the abilities of `motion`.
 
-use super::options::Demands;
-use super::options::Smoothing;
 use crate::kinematics::Machine;
-use crate::motion::{self, Abilities, CycleAbilities, PlaneAbility, TipAbility};
-use crate::motion::{Mode, PathNorm, TcpWords};
+use crate::motion::{self, Abilities, CycleAbilities, Mode, PathNorm, PlaneAbility, TcpWords, TipAbility};
 use crate::program::Coolant;
 use crate::set_up::LengthMode;
 
-use super::Control;
-use super::dialects::coolant_index;
-use super::{ArcCentre, LengthCall};
+use super::dialects::{ArcCentre, Control, LengthCall, coolant_index};
+use super::options::{Demands, Smoothing};
 
-/// What of the configuration the control cannot do, and why machine, control and configuration do not suit the mode that is
-/// asked for: one sentence each, none if a program can be written.
+/// Demands of the configuration that the control cannot meet, and why machine, control and configuration do not suit the
+/// mode that is asked for: one sentence each, none if a program can be written.
 #[must_use]
 pub fn unfit<M: Machine>(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let Abilities { tip, plane, .. } = abilities(control, demands);
@@ -22,7 +18,7 @@ pub fn unfit<M: Machine>(control: &dyn Control, demands: Demands<'_>) -> Vec<Str
     faults
 }
 
-/// What of the configuration the control cannot do.
+/// Demands of the configuration that the control cannot meet.
 fn beyond(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let (codes, setup) = (control.spellings(), &demands.options);
     let title = codes.title;
@@ -81,7 +77,7 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 
-/// The letters of a centre mean the tool axis, and no arc can be said.
+/// The letters of a centre mean the tool axis, so that no arc can be written.
 fn centre_is_axis(control: &dyn Control, demands: Demands<'_>) -> bool {
     let codes = control.spellings();
     let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref());
@@ -89,7 +85,7 @@ fn centre_is_axis(control: &dyn Control, demands: Demands<'_>) -> bool {
     used && codes.arcs.centre == ArcCentre::Offsets && vectors.is_some_and(|vectors| vectors.words[0] == "I")
 }
 
-/// What the planner may ask for.
+/// Abilities that the planner may use.
 #[must_use]
 pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
     let codes = control.spellings();

@@ -16,10 +16,10 @@
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
+use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
     Arcs, Comments, CycleCodes, CycleForm, Cycles, Spellings, Thread, Tilting, Tip, Vectors, ascii_in_brackets,
 };
-use crate::control::{Control, LengthGuard, numbered};
 
 /// The Fanuc dialect.
 #[derive(Debug, Clone, Copy)]

@@ -13,8 +13,8 @@
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
+use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{Arcs, Comments, CycleCodes, CycleForm, Cycles, Spellings, Tilting, Tip, ascii_in_brackets};
-use crate::control::{Control, LengthGuard, numbered};
 
 /// The Haas dialect.
 #[derive(Debug, Clone, Copy)]

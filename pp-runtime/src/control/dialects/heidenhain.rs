@@ -24,11 +24,11 @@
 use crate::motion::{CycleAbilities, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
 
+use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
     ArcCentre, Arcs, Comments, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Tilting, Tip,
     Vectors, printable,
 };
-use crate::control::{Control, LengthGuard, numbered};
 
 /// The Heidenhain dialect.
 #[derive(Debug, Clone, Copy)]

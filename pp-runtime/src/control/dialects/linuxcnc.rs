@@ -8,10 +8,10 @@
 
 use crate::motion::CycleAbilities;
 
+use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
     Arcs, Comments, CycleCodes, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Thread, ascii_in_brackets,
 };
-use crate::control::{Control, LengthGuard, numbered};
 
 /// The LinuxCNC dialect.
 #[derive(Debug, Clone, Copy)]

@@ -3,6 +3,7 @@
 //! A control that writes ISO blocks starts from [`Spellings::ISO`] and states what differs, with its manual and page; its
 //! `mod` line and its line in [`CONTROLS`] are all that is needed besides.
 
+mod control;
 mod fanuc;
 mod haas;
 mod heidenhain;
@@ -11,8 +12,7 @@ mod linuxcnc;
 mod siemens;
 mod spellings;
 
-use super::Control;
-
+pub use control::{Control, LengthGuard};
 pub(crate) use spellings::coolant_index;
 pub use spellings::{
     ArcCentre, Arcs, Comments, CycleCodes, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings,
@@ -35,4 +35,10 @@ controls! {
     siemens::Siemens,
     heidenhain::Heidenhain,
     haas::Haas,
+}
+
+/// The control of that name, as on the command line.
+#[must_use]
+pub fn by_name(name: &str) -> Option<&'static dyn Control> {
+    CONTROLS.iter().copied().find(|control| control.spellings().name.eq_ignore_ascii_case(name))
 }

@@ -24,11 +24,11 @@
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
+use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
     Arcs, Comments, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Tilting, Tip, Vectors,
     printable,
 };
-use crate::control::{Control, LengthGuard, numbered};
 
 /// The Siemens dialect.
 #[derive(Debug, Clone, Copy)]

@@ -3,7 +3,7 @@
 
 use std::io::{self, Write};
 
-use crate::control::Layout;
+use crate::control::layout::Layout;
 use crate::motion::{Mode, PoseRule};
 use crate::nc::Decimal;
 

@@ -2,7 +2,8 @@
 
 use std::io::{self, Write};
 
-use crate::control::{CycleCodes, CycleDefinitions, CycleForm, Layout, Thread};
+use crate::control::dialects::{CycleCodes, CycleDefinitions, CycleForm, Thread};
+use crate::control::layout::Layout;
 use crate::motion::{CannedCycle, CannedKind, Words};
 use crate::nc::Decimal;
 use crate::program::Units;

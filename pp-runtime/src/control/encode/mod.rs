@@ -20,8 +20,9 @@ use crate::nc::{Decimal, Line};
 use crate::program::Units;
 use crate::set_up::Stock;
 
+use super::dialects::{Control, LengthGuard, Spellings};
+use super::layout::Layout;
 use super::options::ProgramBlocks;
-use super::{Control, Layout, LengthGuard, Spellings};
 
 use frames::FrameWriter;
 use holes::Holes;

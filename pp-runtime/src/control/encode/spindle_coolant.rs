@@ -2,8 +2,8 @@
 
 use std::io::{self, Write};
 
-use crate::control::dialects::coolant_index;
-use crate::control::{Layout, Spellings};
+use crate::control::dialects::{Spellings, coolant_index};
+use crate::control::layout::Layout;
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation};
 

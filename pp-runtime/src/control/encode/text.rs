@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::control::{Layout, Spellings};
+use crate::control::dialects::Spellings;
+use crate::control::layout::Layout;
 
 /// The part of a text that fits into a line of `length` bytes, up to a blank if it holds one, and the rest.
 fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::control::ArcCentre;
+use crate::control::dialects::ArcCentre;
 use crate::control::encode::modal_state::After;
 use crate::motion::{Circle, Words};
 use crate::nc::Decimal;

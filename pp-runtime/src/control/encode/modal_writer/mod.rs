@@ -8,7 +8,9 @@ mod motion;
 
 use std::io::{self, Write};
 
-use crate::control::{Control, Layout, Smoothing, Spellings, Vectors};
+use crate::control::dialects::{Control, Spellings, Vectors};
+use crate::control::layout::Layout;
+use crate::control::options::Smoothing;
 use crate::motion::{Mode, ToolPosture, VECTOR_DECIMALS, Words};
 use crate::nc::{Decimal, Numbering, Numerals, Writer};
 use crate::program::Units;

@@ -3,7 +3,7 @@
 
 use std::io::{self, Write};
 
-use crate::control::LengthCall;
+use crate::control::dialects::LengthCall;
 use crate::motion::{FeedWord, Words};
 
 use super::ModalWriter;
