@@ -134,7 +134,13 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
         loop {
             let piece = match self.rest {
                 Remaining::Nothing => return Ok(None),
-                Remaining::Whole => self.whole(&certifier)?,
+                Remaining::Whole => {
+                    if let Some(whole) = self.rest_in_one(&certifier) {
+                        return Ok(Some(whole));
+                    }
+                    self.rest = Remaining::Path(certifier.path(&self.from, &self.to)?);
+                    continue;
+                }
                 Remaining::Path(path) => self.along(&certifier, path)?,
                 Remaining::Spot(spot, path) => Some(self.on_spot(&certifier, spot, path)?),
             };
@@ -146,23 +152,13 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
     }
 
     /// The rest of the motion as one piece, if that certifies.
+    #[inline]
     fn rest_in_one<M: Machine<Axes = A>>(&mut self, certifier: &Certifier<'_, M>) -> Option<CertifiedPiece<A>> {
         let piece = certifier.certify(&self.from, &self.to);
         (piece.share <= 1.0).then(|| {
             self.rest = Remaining::Nothing;
             piece
         })
-    }
-
-    fn whole<M: Machine<Axes = A>>(
-        &mut self,
-        certifier: &Certifier<'_, M>,
-    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
-        let piece = self.rest_in_one(certifier);
-        if piece.is_none() {
-            self.rest = Remaining::Path(certifier.path(&self.from, &self.to)?);
-        }
-        Ok(piece)
     }
 
     /// The next piece along the path; `None` if the tool has to turn on the spot first.

@@ -65,7 +65,9 @@ impl Lookahead {
         chord: bool,
         to: &mut S,
     ) -> Result<(), S::Stop> {
-        self.release(Next::Motion(*motion), to)?;
+        if self.motion.is_some() {
+            self.release(Next::Motion(*motion), to)?;
+        }
         if index.begins != Begins::Nothing || motion.rapid {
             self.motion = Some(Waiting { at, motion: *motion, index, chord });
             return Ok(());
