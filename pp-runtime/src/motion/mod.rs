@@ -36,7 +36,7 @@ pub use plan::{
 };
 pub use rotary::Cost;
 pub(crate) use source::Setting;
-pub use source::{Action, Begins, Item, MotionIndex, Next, Source, Stage};
+pub use source::{Action, Begins, Item, LinePart, MotionIndex, Next, Source, Stage};
 pub use step::{
     CannedCycle, CannedKind, CycleAbilities, FeedWord, MAX_AXES, Nowhere, Provenance, Sink, Standing, Step,
     VECTOR_DECIMALS, Why, Words,

@@ -117,9 +117,6 @@ impl Report {
             assumptions: header::assumptions::<M>(job.control, job.config, survey),
             ..Self::default()
         };
-        if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
-            report.course = course_text(&survey.course, job.config);
-        }
         survey.diagnostics.iter().for_each(|diagnostic| report.fault(diagnostic.clone()));
         report
     }
@@ -259,7 +256,7 @@ pub fn post_with_account<M: Machine>(
     }
     let mut text = ClText::new(job, input)?;
     let machine = job.config.set_up.machine::<M>();
-    let survey = text.survey(machine.as_ref().ok())?;
+    let mut survey = text.survey(machine.as_ref().ok())?;
     if let (Some(Err(missing)), None) = (&survey.wanted, survey.first_error) {
         // What is wrong with the CL data is reported first: with it, operations may be missing.
         return Err(PostError::Operations(missing.clone()));
@@ -272,6 +269,10 @@ pub fn post_with_account<M: Machine>(
             return Ok(report);
         }
     };
+    let course = std::mem::take(&mut survey.course);
+    if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+        report.course = course_text(&course, job.config);
+    }
     let units = job.config.output_units.unwrap_or_else(|| survey.file.units.unwrap_or(Units::Millimetres));
     let layout = Layout::new::<M>(job.config.demands(), units, &survey.name);
     let abilities = control::abilities(job.control, job.config.demands());
@@ -279,10 +280,10 @@ pub fn post_with_account<M: Machine>(
     let moving = if job.config.motion.rotaries.clamp.is_empty() {
         MovingAxes::default()
     } else {
-        pass.rehearse(text.reader()?)?
+        pass.rehearse(text.reader()?, course.clone())?
     };
     let recorded = Recorded::new(Encoder::new(job.control, &layout, output), account);
-    pass.write(text.reader()?, recorded, moving, &mut report)?;
+    pass.write(text.reader()?, recorded, course, moving, &mut report)?;
     report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
     Ok(report)
 }
@@ -331,16 +332,17 @@ struct Pass<'a, M: Machine> {
 }
 
 impl<M: Machine> Pass<'_, M> {
-    fn planner<S: Sink>(&self, sink: S) -> Planner<'_, M, S> {
+    fn planner<S: Sink>(&self, course: Course, sink: S) -> Planner<'_, M, S> {
         let Self { job, survey, machine, units, abilities } = *self;
         Planner::new(machine.clone(), job.config.policy(), units, abilities, survey.upside_down, sink)
-            .with_course(survey.course.clone())
+            .with_course(course)
             .with_tools(survey.order.clone())
+            .with_operations(survey.wanted.clone().and_then(Result::ok))
     }
 
     /// Which rotary axes stay still for how long: the whole program is planned and nothing written.
-    fn rehearse(&self, reader: Reader<impl Read>) -> Result<MovingAxes, PostError> {
-        let mut planner = self.planner(Nowhere);
+    fn rehearse(&self, reader: Reader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
+        let mut planner = self.planner(course, Nowhere);
         // What goes wrong here goes wrong again when the program is written, and is reported then.
         let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
         Ok(planner.rehearsed())
@@ -351,12 +353,12 @@ impl<M: Machine> Pass<'_, M> {
         &self,
         reader: Reader<impl Read>,
         recorded: Recorded<'_, '_, W>,
+        course: Course,
         moving: MovingAxes,
         report: &mut Report,
     ) -> Result<(), PostError> {
         let Self { job, survey, machine, units, .. } = *self;
-        let wanted = survey.wanted.clone().and_then(Result::ok);
-        let mut planner = self.planner(recorded).with_operations(wanted).with_clamps(moving);
+        let mut planner = self.planner(course, recorded).with_clamps(moving);
         let unchecked = planner.unchecked_axes();
         let header = header::Header { job, survey, units, machine, unchecked };
         let recorded = planner.sink();
@@ -405,7 +407,11 @@ impl<M: Machine> Pass<'_, M> {
                         return Ok(Err(stopped));
                     }
                 }
-                _ if first_error.is_some() => return Ok(abandoned(source.finish(planner))),
+                _ if first_error.is_some() => {
+                    let first = source.awaits_second_motion();
+                    let released = source.finish(planner);
+                    return Ok(if first { abandoned(released) } else { released });
+                }
                 Ok(Some(_)) => {}
                 Ok(None) => return Ok(source.finish(planner).and_then(|()| planner.finish(last))),
             }
@@ -416,7 +422,8 @@ impl<M: Machine> Pass<'_, M> {
     }
 }
 
-/// What became of the motions that still waited where the reader stopped: its error is the one to be reported.
+/// What became of a first motion that still waited where the reader stopped: its approach depends on a motion that nobody
+/// could read, so the reader's error is the one to be reported.
 fn abandoned(released: Result<(), Stop>) -> Result<(), Stop> {
     match released {
         Err(Stop::Output(error)) => Err(Stop::Output(error)),

@@ -572,3 +572,65 @@ fn a_rapid_before_the_first_tool_is_no_operation() {
     assert!(!report.failed && report.set_up[0].contains("4 to 4 of 4"), "{report:?}");
     assert!(text.contains("(OPERATION CHAMFER)\nN4 "), "{text}");
 }
+
+/// The last of several operations holds B, which the one before it turns at feed.
+const TURNS_THEN_HOLDS: &str = "\
+UNITS/MM
+LOADTL/1
+SPINDL/RPM,6000,CLW
+FEDRAT/MMPM,800
+TOOL PATH/FIRST,TOOL,D10
+RAPID
+GOTO/0,0,20,0,0,1
+GOTO/0,0,0
+TOOL PATH/TURNS,TOOL,D10
+GOTO/5,0,0,0.1,0,0.99498743710662
+GOTO/10,0,0,0.2,0,0.9797958971132712
+GOTO/12,0,30
+LOADTL/2
+SPINDL/RPM,6000,CLW
+TOOL PATH/HOLDS,TOOL,D6
+RAPID
+GOTO/0,0,20,0,0,1
+GOTO/0,0,0
+GOTO/9,0,0
+";
+
+#[test]
+fn clamps_of_some_operations_are_open_where_these_turn_an_axis() {
+    let mut config = Config::default();
+    let codes = crate::motion::ClampCodes { on: "M12".to_owned(), off: "M13".to_owned() };
+    config.motion.rotaries.clamp.insert('B', codes);
+    config.motion.rapids.transition = crate::motion::Transition::Direct;
+    config.motion.retract.distance = Some(50.0);
+    for operations in [None, Some(Operations::Range(2, Some(3)))] {
+        config.motion.operations = operations;
+        let (text, report) = posted::<Cb>(&config, TURNS_THEN_HOLDS);
+        assert!(!report.failed, "{report:?}");
+        let (mut on, mut here, mut turns) = (None, None, 0);
+        for line in text.lines().filter(|line| !line.starts_with('(')) {
+            match line {
+                "M12" => on = Some(true),
+                "M13" => on = Some(false),
+                _ => {}
+            }
+            let word = line.split(' ').find_map(|word| word.strip_prefix('B'));
+            if let Some(there) = word.filter(|there| here != Some(*there)) {
+                assert_eq!(on, Some(false), "B turns under its clamp in `{line}`:\n{text}");
+                (here, turns) = (Some(there), turns + 1);
+            }
+        }
+        assert!(turns > 3, "{text}");
+    }
+}
+
+#[test]
+fn a_rapid_that_cannot_be_posted_is_reported_beside_an_error_of_the_reader_after_it() {
+    let mut config = Config::default();
+    config.motion.guards.floor = Some(-10.0);
+    let broken = PART.replace("GOTO/25,0,-3\n", "GOTO/25,0,-3\nRAPID\nGOTO/25,0,-30\nNOSUCHWORD/1\n");
+    let (text, report) = posted::<Cb>(&config, &broken);
+    let errors: Vec<_> = report.diagnostics.iter().filter(|found| found.severity == Severity::Error).collect();
+    assert_eq!(errors.len(), 2, "{report:?}");
+    assert!(errors[0].text.contains("below `floor`") && text.contains("below `floor`"), "{report:?}");
+}

@@ -56,7 +56,7 @@ pub(crate) enum How {
 /// Something that the least turn on the same branch would not do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Change {
-    /// Motions are counted from 0 by navigator and planner alike.
+    /// The motion, as the source counts them.
     pub(crate) motion: u64,
     pub(crate) how: How,
     pub(crate) words: Turns,

@@ -2,7 +2,7 @@
 //!
 //! With the rotary axes still, the map from the workpiece to the program's coordinates is affine. An arc is left to the
 //! control if the linear part of that map is orthogonal, if the axis of the circle becomes an axis of the program, and if
-//! what the control makes of the rounded words stays within tolerance of the arc of the CL data: see `motion/circle`.
+//! what the control makes of the rounded words stays within tolerance of the arc of the CL data: see `motion/geometry/circle`.
 //! More turns than one are cut into whole turns and the rest; where these cannot be said, into equal arcs of no more than
 //! half a turn.
 
@@ -21,7 +21,7 @@ use crate::motion::plan::Planner;
 use crate::motion::plan::feed::Stroke;
 use crate::motion::plan::statistics::Statistics;
 use crate::motion::rotary::TurnTarget;
-use crate::motion::source::{Begins, MotionIndex};
+use crate::motion::source::MotionIndex;
 use crate::motion::step::Why;
 use crate::motion::step::{FeedWord, Sink, Step, Words};
 
@@ -126,11 +126,6 @@ impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
     fn run(&mut self, index: MotionIndex) -> Planned {
         let arc = self.arc;
         let motion = Move { pose: arc.end, rapid: false, feed: arc.feed };
-        if index.begins != Begins::Nothing {
-            // The tool has been led to where an arc begins, unless there is none.
-            self.planner.check_state(&motion)?;
-            return Err(Fault::new("nobody knows where this arc begins").into());
-        }
         self.planner.stop_spindle()?;
         for part in self.round.extremes(Vector3::z()).chain([1.0]) {
             let pose = Pose { tip: self.round.tip(part), ..arc.end };

@@ -80,7 +80,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
     fn run(&mut self, index: MotionIndex) -> Planned {
         let over = self.hole.way_over();
         let bottom = Move { pose: self.hole.level(-self.hole.depth), rapid: false, feed: self.hole.feed };
-        let ahead = Ahead { motion: &over, next: Next::Motion(bottom) };
+        let ahead = Ahead { motion: &over, next: Next::Motion(bottom.pose) };
         if index.begins == Begins::Nothing {
             self.reach(ahead, index)?;
         } else {
@@ -88,7 +88,6 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
             if tooling.current().is_none() && tooling.next().is_none() {
                 self.planner.check_state(&bottom)?;
             }
-            self.planner.mover.output_mut().because(Why::Record);
             self.planner.begin(ahead, index)?;
             if self.planner.selection.is_over() {
                 return Ok(());

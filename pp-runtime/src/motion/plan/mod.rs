@@ -2,7 +2,8 @@
 //!
 //! What is to be done is decided here, motion by motion and record by record; [`Mover`] does it. Each part of the state has
 //! an owner: position (in the mover), tooling, spindle, coolant, clearance geometry, the course that is followed, cutter
-//! compensation, and the selection of operations. Faults get the location of their item in one place, [`Planner::take`].
+//! compensation, and the selection of operations. A fault gets the location of its item where the item is taken,
+//! [`Planner::take`], and nowhere below.
 
 mod abilities;
 mod arcs;
@@ -40,7 +41,7 @@ use crate::motion::course::{Change, Course, Follower, How};
 use crate::motion::fault::{Fault, Halt, Planned, Stop};
 use crate::motion::geometry::Way;
 use crate::motion::rotary::{TurnTarget, Turns};
-use crate::motion::source::{Action, Begins, Item, MotionIndex, Next, Stage};
+use crate::motion::source::{Action, Begins, Item, LinePart, MotionIndex, Next, Stage};
 use crate::motion::step::Sink;
 use crate::motion::step::Why;
 
@@ -200,6 +201,7 @@ impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
 
     /// The first motion of an operation.
     fn begin(&mut self, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
+        self.mover.output_mut().because(Why::Record);
         if self.mover.position().is_known() && self.policy.options.rapids.transition == Transition::Direct {
             self.prepare_directly(ahead.motion)?;
         }
@@ -368,9 +370,10 @@ impl<M: Machine, S: Sink> Stage for Planner<'_, M, S> {
         }
         let at = item.at;
         let planned = match item.action {
-            Action::Line { motion, index, next, chord } => {
-                self.mover.output_mut().serve(at, if chord { Why::Curve } else { Why::Record });
-                let suits = if chord { self.cutter.check_curve() } else { Ok(()) };
+            Action::Line { motion, index, next, part } => {
+                let why = if part == LinePart::Whole { Why::Record } else { Why::Curve };
+                self.mover.output_mut().serve(at, why);
+                let suits = if part == LinePart::CurveStart { self.cutter.check_curve() } else { Ok(()) };
                 suits.map_err(Halt::from).and_then(|()| self.line(Ahead { motion, next }, index))
             }
             Action::Arc { arc, index } => {

@@ -156,23 +156,22 @@ impl<S: Sink> Output<S> {
     /// A remark on the record that is served.
     pub(crate) fn remark(&mut self, fault: Fault) {
         let at = self.location();
-        self.warnings.push(fault.at(at, Severity::Warning));
+        self.add_remark(fault.at(at, Severity::Warning));
     }
 
-    /// A remark with its location.
+    /// A remark with its location, on what is written; on anything else it is dropped.
     pub(crate) fn add_remark(&mut self, remark: Diagnostic) {
-        self.warnings.push(remark);
+        if self.shown {
+            self.warnings.push(remark);
+        }
     }
 
     pub(crate) fn has_remarks(&self) -> bool {
         !self.warnings.is_empty()
     }
 
-    /// Remarks since the last call; those on what is not written are dropped.
+    /// Remarks since the last call.
     pub(crate) fn take_remarks(&mut self) -> Vec<Diagnostic> {
-        if !self.shown {
-            self.warnings.clear();
-        }
         std::mem::take(&mut self.warnings)
     }
 

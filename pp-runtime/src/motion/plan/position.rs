@@ -1,7 +1,7 @@
 //! Where the machine is, as far as the program knows.
 //!
-//! At the start of a program, after a tool change, a stop, or NC text of the CL data nothing is known; [`Position::lost`]
-//! says so in one call.
+//! At the start of a program, and after a stop, GOHOME, another frame or NC text of the CL data nothing is known;
+//! [`Position::lost`] says so in one call.
 
 use crate::kinematics::Pose;
 
@@ -126,7 +126,7 @@ impl<A: Copy> Position<A> {
         self.known = false;
     }
 
-    /// Whoever enters the program here has seen nothing of what came before.
+    /// The program is entered here: the tool may be anywhere.
     pub(crate) fn enter(&mut self) {
         self.known = false;
     }

@@ -274,7 +274,7 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
 /// If too many records come before it.
 fn is_straight_down(first: &Pose, next: Next) -> Result<bool, Fault> {
     let next = match next {
-        Next::Motion(next) => next.pose,
+        Next::Motion(next) => next,
         Next::None => return Ok(false),
         Next::TooFar => {
             return Err(Fault::new("too many records stand between the first motion of an operation and the next")

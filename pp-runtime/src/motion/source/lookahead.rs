@@ -6,10 +6,11 @@
 
 use std::ops::Range;
 
+use crate::kinematics::Pose;
 use crate::program::{Arc, Event, Hole, Location, Move};
 
 use crate::motion::source::operations::{Begins, MotionIndex};
-use crate::motion::source::{Action, Item, Stage};
+use crate::motion::source::{Action, Item, LinePart, Stage};
 
 /// More records than this between two motions are no habit of a CAM system; it bounds the memory.
 const MOST_RECORDS: usize = 10_000;
@@ -20,9 +21,9 @@ const MOST_TEXT: usize = 1 << 20;
 /// What comes after a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Next {
-    /// This motion.
-    Motion(Move),
-    /// No straight motion of the same operation.
+    /// A straight motion, or the rapid over to a hole, to this pose.
+    Motion(Pose),
+    /// Nothing that the approach to it depends on.
     None,
     /// Unknown: more records than are kept come before it.
     TooFar,
@@ -34,7 +35,7 @@ struct Waiting {
     at: Location,
     motion: Move,
     index: MotionIndex,
-    chord: bool,
+    part: LinePart,
 }
 
 /// A record that waits; texts are kept together.
@@ -62,17 +63,17 @@ impl Lookahead {
         at: Location,
         motion: &Move,
         index: MotionIndex,
-        chord: bool,
+        part: LinePart,
         to: &mut S,
     ) -> Result<(), S::Stop> {
         if self.motion.is_some() {
-            self.release(Next::Motion(*motion), to)?;
+            self.release(Next::Motion(motion.pose), to)?;
         }
         if index.begins != Begins::Nothing || motion.rapid {
-            self.motion = Some(Waiting { at, motion: *motion, index, chord });
+            self.motion = Some(Waiting { at, motion: *motion, index, part });
             return Ok(());
         }
-        to.take(&Item { at, action: Action::Line { motion, index, next: Next::None, chord } })
+        to.take(&Item { at, action: Action::Line { motion, index, next: Next::None, part } })
     }
 
     pub(crate) fn arc<S: Stage>(
@@ -93,7 +94,7 @@ impl Lookahead {
         index: MotionIndex,
         to: &mut S,
     ) -> Result<(), S::Stop> {
-        self.release(Next::Motion(hole.way_over()), to)?;
+        self.release(Next::Motion(hole.level(hole.clearance)), to)?;
         to.take(&Item { at, action: Action::Hole { hole, index } })
     }
 
@@ -112,16 +113,21 @@ impl Lookahead {
         to: &mut S,
     ) -> Result<(), S::Stop> {
         if self.motion.is_some() {
-            if self.records.len() < MOST_RECORDS
-                && self.texts.len() < MOST_TEXT
-                && let Some(kept) = self.keep(event)
-            {
+            if self.records.len() >= MOST_RECORDS || self.texts.len() >= MOST_TEXT {
+                self.release(Next::TooFar, to)?;
+            } else if let Some(kept) = self.keep(event) {
                 self.records.push((at, kept, between));
                 return Ok(());
+            } else {
+                self.release(Next::None, to)?;
             }
-            self.release(Next::TooFar, to)?;
         }
         to.take(&Item { at, action: Action::Record { event, between } })
+    }
+
+    /// Whether the first motion of an operation waits.
+    pub(crate) fn awaits_second_motion(&self) -> bool {
+        self.motion.is_some_and(|waiting| waiting.index.begins != Begins::Nothing)
     }
 
     /// Hands on what waits, now that it is known what comes after it.
@@ -134,8 +140,8 @@ impl Lookahead {
     }
 
     fn release_waiting<S: Stage>(&mut self, waiting: Waiting, next: Next, to: &mut S) -> Result<(), S::Stop> {
-        let Waiting { at, ref motion, index, chord } = waiting;
-        to.take(&Item { at, action: Action::Line { motion, index, next, chord } })?;
+        let Waiting { at, ref motion, index, part } = waiting;
+        to.take(&Item { at, action: Action::Line { motion, index, next, part } })?;
         for (at, kept, between) in self.records.drain(..) {
             let text = |range: Range<usize>| &self.texts[range];
             let event = match kept {

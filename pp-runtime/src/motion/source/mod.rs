@@ -2,9 +2,9 @@
 //!
 //! ```text
 //! event → setting     as the part lies on the table, `part_rotation` and the dry run's lift applied
-//!       → operations  the assumed tool called; a rapid before the first tool is FROM; motions numbered
 //!       → curves      splines become chords; an arc after an interruption gets a line to its start
-//!       → lookahead   a motion whose approach may depend on the next one waits for it
+//!       → operations  the assumed tool called; a rapid before the first tool is FROM; motions numbered
+//!       → lookahead   a first motion or a rapid waits for the motion after it
 //!       → item
 //! ```
 //!
@@ -54,8 +54,8 @@ pub enum Action<'e> {
         index: MotionIndex,
         /// The motion after it, where the approach may depend on that.
         next: Next,
-        /// It is a chord of a curve.
-        chord: bool,
+        /// What it is of its record.
+        part: LinePart,
     },
     /// An arc; the tool is at its start.
     Arc {
@@ -78,6 +78,17 @@ pub enum Action<'e> {
         /// It comes between two operations and speaks of the second.
         between: bool,
     },
+}
+
+/// What a straight motion is of its record.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LinePart {
+    /// All of it.
+    Whole,
+    /// The first motion of a curve: to its start, or its first chord.
+    CurveStart,
+    /// A later chord of a curve.
+    Chord,
 }
 
 /// Takes the items of a program.
@@ -130,9 +141,15 @@ impl Source {
         if let Event::Move(motion) = event
             && let Some(index) = operations.cut(motion)
         {
-            return lookahead.line(at, motion, index, false, to);
+            return lookahead.line(at, motion, index, LinePart::Whole, to);
         }
         Expansion { at, operations, curves, lookahead }.event(event, to)
+    }
+
+    /// Whether the first motion of an operation waits for the next.
+    #[must_use]
+    pub fn awaits_second_motion(&self) -> bool {
+        self.lookahead.awaits_second_motion()
     }
 
     /// Hands on what still waits for the next motion: there is none.
@@ -144,7 +161,7 @@ impl Source {
     }
 }
 
-/// An event on its way from the operations through the curves to the look-ahead.
+/// An event on its way through curves and operations to the look-ahead.
 struct Expansion<'s> {
     at: Location,
     operations: &'s mut MotionCounter,
@@ -159,11 +176,11 @@ impl Expansion<'_> {
         match event {
             Event::Move(motion) => {
                 self.call_assumed_tool(to)?;
-                self.line(motion, false, to)
+                self.line(motion, LinePart::Whole, to)
             }
             Event::Arc(arc) => {
                 self.call_assumed_tool(to)?;
-                self.lead_to(Move { pose: arc.start, rapid: false, feed: arc.feed }, false, to)?;
+                self.lead_to(Move { pose: arc.start, rapid: false, feed: arc.feed }, LinePart::Whole, to)?;
                 let index = self.operations.hold(&arc.end);
                 self.lookahead.arc(self.at, arc, index, to)
             }
@@ -215,7 +232,7 @@ impl Expansion<'_> {
     }
 
     /// A straight motion; before the first tool a rapid only says where the rotary axes count from.
-    fn line<S: Stage>(&mut self, motion: &Move, chord: bool, to: &mut S) -> Result<(), S::Stop> {
+    fn line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
         if self.operations.passes_over(motion) {
             if self.operations.first_passed_over() {
                 let remark = Fault::new("a rapid before the first tool is not written: no length offset is active yet")
@@ -225,23 +242,31 @@ impl Expansion<'_> {
             return self.record(&Event::From(motion.pose), to);
         }
         let index = self.operations.line(motion);
-        self.lookahead.line(self.at, motion, index, chord, to)
+        self.lookahead.line(self.at, motion, index, part, to)
     }
 
     /// A curve, chord by chord.
     fn curve<S: Stage>(&mut self, spline: &Spline<'_>, to: &mut S) -> Result<(), S::Stop> {
         let Some(start) = curves::start(spline) else { return Ok(()) };
-        self.lead_to(start, true, to)?;
+        let led = self.lead_to(start, LinePart::CurveStart, to)?;
+        let mut part = if led { LinePart::Chord } else { LinePart::CurveStart };
         let (at, tolerance) = (self.at, self.curves.tolerance());
         curves::chords(spline, tolerance, |motion| match motion {
-            Ok(motion) => self.line(&motion, true, to),
-            Err(fault) => Err(fault.at(at, Severity::Error).into()),
+            Ok(motion) => self.line(&motion, std::mem::replace(&mut part, LinePart::Chord), to),
+            Err(fault) => {
+                self.lookahead.release(Next::None, to)?;
+                Err(fault.at(at, Severity::Error).into())
+            }
         })
     }
 
-    /// After a tool change or a stop the tool first comes back to where the path goes on.
-    fn lead_to<S: Stage>(&mut self, start: Move, chord: bool, to: &mut S) -> Result<(), S::Stop> {
-        if self.operations.between() { self.line(&start, chord, to) } else { Ok(()) }
+    /// After a tool change or a stop the tool first comes back to where the path goes on; whether it does.
+    fn lead_to<S: Stage>(&mut self, start: Move, part: LinePart, to: &mut S) -> Result<bool, S::Stop> {
+        let leads = self.operations.between();
+        if leads {
+            self.line(&start, part, to)?;
+        }
+        Ok(leads)
     }
 
     /// Calls the tool of the configuration before the first motion of a program that calls none.

@@ -154,7 +154,7 @@ impl MotionCounter {
         self.stretch += u64::from(first || air && turned);
         let motion = self.next_motion;
         self.next_motion += 1;
-        let turns = turned && !air && !first;
+        let turns = turned && !air && begins != Begins::Operation;
         MotionIndex { motion, operation: self.operation, stretch: self.stretch, begins, turns }
     }
 }

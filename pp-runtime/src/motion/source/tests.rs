@@ -51,7 +51,7 @@ impl Stage for Seen {
             Action::Line { motion, index, next, .. } => {
                 self.indices.push(index);
                 let next = match next {
-                    Next::Motion(next) => format!("{}", x(&next.pose)),
+                    Next::Motion(next) => format!("{}", x(&next)),
                     Next::None => "-".to_owned(),
                     Next::TooFar => "?".to_owned(),
                 };
@@ -176,4 +176,28 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
     let stretches: Vec<_> = indices.iter().map(|index| (index.stretch, index.turns)).collect();
     let held = |stretch| (stretch, false);
     assert_eq!(stretches, [held(1), held(1), held(2), held(2), (2, true), held(2), held(3), held(3), held(4)],);
+}
+
+#[test]
+fn a_linked_operation_that_begins_with_a_turn_at_feed_turns() {
+    let mut config = Config::default();
+    config.motion.rapids.transition = Transition::Direct;
+    let events = [tool(1), feed(1.0, UP), Event::Operation(b"A"), feed(2.0, TILTED)];
+    let indices = seen::<Xyz>(&config, &events).indices;
+    assert_eq!(indices.iter().map(|index| (index.stretch, index.turns)).collect::<Vec<_>>(), [(1, false), (2, true)]);
+}
+
+#[test]
+fn a_motion_before_a_curve_that_cannot_be_cut_is_handed_on() {
+    let points = [0.0, 1e20, 0.0, 1.0].map(|x| Point3::new(x, 0.0, 0.0));
+    let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
+    let curve = Event::Spline(Spline { knots: &knots, points: &points, axis: Vector3::z_axis(), feed: None });
+    let config = Config::default();
+    let mut source = Source::new::<Xyz>(config.policy());
+    let mut seen = Seen::default();
+    for event in [tool(1), feed(1.0, UP), rapid(2.0, UP)] {
+        source.event(Location::default(), &event, &mut seen).expect("nothing is refused");
+    }
+    assert!(source.event(Location::default(), &curve, &mut seen).is_err());
+    assert_eq!(seen.items, ["T1", "to 1 next 2", "to 2 next -"]);
 }
