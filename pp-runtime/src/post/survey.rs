@@ -171,10 +171,10 @@ impl<M: Machine> Stage for FirstPass<M> {
 
     fn take(&mut self, item: &Item<'_>) -> Result<(), Ignored> {
         self.surveyor.follow(item);
-        if let Some(navigator) = &mut self.navigator {
-            navigator.follow(item);
+        match &mut self.navigator {
+            Some(navigator) => Ok(navigator.take(item)?),
+            None => Ok(()),
         }
-        Ok(())
     }
 }
 

@@ -171,21 +171,6 @@ impl<M: Machine> Navigator<M> {
         }
     }
 
-    /// Follows one item.
-    pub fn follow(&mut self, item: &Item<'_>) {
-        match item.action {
-            Action::Line { motion, index, .. } => {
-                let begins = index.begins == Begins::Operation;
-                self.move_to(&motion.pose, index, begins || motion.rapid);
-            }
-            // The tool has been led to its start.
-            Action::Arc { arc, index } => self.move_to(&arc.end, index, false),
-            // The tool goes over to it at rapid.
-            Action::Hole { hole, index } => self.move_to(&hole.top, index, true),
-            Action::Record { event, .. } => self.record(event),
-        }
-    }
-
     fn record(&mut self, event: &Event<'_>) {
         match event {
             Event::From(pose) => self.count_from(pose),
@@ -329,8 +314,19 @@ impl<M: Machine> Navigator<M> {
 impl<M: Machine> Stage for Navigator<M> {
     type Stop = Diagnostic;
 
+    /// Follows one item; nothing is refused.
     fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
-        self.follow(item);
+        match item.action {
+            Action::Line { motion, index, .. } => {
+                let begins = index.begins == Begins::Operation;
+                self.move_to(&motion.pose, index, begins || motion.rapid);
+            }
+            // The tool has been led to its start.
+            Action::Arc { arc, index } => self.move_to(&arc.end, index, false),
+            // The tool goes over to it at rapid.
+            Action::Hole { hole, index } => self.move_to(&hole.top, index, true),
+            Action::Record { event, .. } => self.record(event),
+        }
         Ok(())
     }
 }

@@ -33,7 +33,7 @@ pub(crate) use refusal::limits_text;
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
 use axes::{AxisSpeeds, LinearAxes, Poles, RotaryAxes};
-use chain::rotaries as rotaries_of;
+pub(crate) use chain::rotaries as rotaries_of;
 use datum::Datum;
 use frame::WordFrame;
 use travel::Travel;

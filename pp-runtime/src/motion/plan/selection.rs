@@ -53,15 +53,12 @@ impl Selection {
         self.over
     }
 
-    /// What it means that the operation of this number begins.
-    pub(crate) fn opening(&self, number: u64) -> Opening {
-        let (before, wanted) = (self.shows(), self.holds(number));
-        Opening { ends: before && !wanted && number > 1, wanted, opens: wanted && !before }
-    }
-
     /// The operation of this number begins.
-    pub(crate) fn begin(&mut self, number: u64, opening: Opening) {
+    pub(crate) fn begin(&mut self, number: u64) -> Opening {
+        let (before, wanted) = (self.shows(), self.holds(number));
+        let ends = before && !wanted && number > 1;
         self.number = number;
-        self.over |= opening.ends;
+        self.over |= ends;
+        Opening { ends, wanted, opens: wanted && !before }
     }
 }

@@ -89,7 +89,7 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
     /// The operation of this number begins. True if it is the first that is written although it is not the first of the
     /// program: whoever begins there knows nothing of what came before.
     fn begin_operation(&mut self, number: u64) -> Result<bool, crate::motion::plan::Halt> {
-        let opening = self.selection.opening(number);
+        let opening = self.selection.begin(number);
         if opening.ends {
             self.leave()?;
             self.mover.output_mut().because(Why::End);
@@ -99,7 +99,6 @@ impl<M: Machine, S: Sink> Planner<'_, M, S> {
             self.spindle.stop(self.mover.output_mut())?;
             self.mover.output_mut().times_mut().forget_empty();
         }
-        self.selection.begin(number, opening);
         self.mover.output_mut().show(opening.wanted);
         if opening.opens {
             self.mover.position_mut().enter();

@@ -4,8 +4,9 @@
 //! the CL data. A stretch is what is cut between two changes of the tool axis in the air: it begins with an operation, and
 //! with a rapid or a hole whose tool axis is not the one before. Within it the tool axis is held, or it turns at feed.
 
-use crate::kinematics::{AxisKind, Machine, Pose, Side};
+use crate::kinematics::{Machine, Pose, Side};
 use crate::motion::options::{Policy, Transition};
+use crate::motion::place::rotaries_of;
 use crate::nalgebra::UnitVector3;
 use crate::program::{Hole, Move};
 
@@ -61,11 +62,9 @@ pub(crate) struct MotionCounter {
 
 impl MotionCounter {
     pub(crate) fn new<M: Machine>(policy: Policy<'_>) -> Self {
-        let in_head =
-            |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Tool;
         Self {
             direct: policy.options.rapids.transition == Transition::Direct,
-            head: M::AXES.iter().any(in_head),
+            head: rotaries_of::<M>(Side::Tool).next().is_some(),
             assumed_tool: policy.options.defaults.tool,
             called: false,
             passed_over: false,
