@@ -156,7 +156,7 @@ fn floor() -> String {
 impl Long {
     fn posted(control: &str, part: &str) -> Self {
         let control = control::by_name(control).expect("a control");
-        let config = starting_point(control).read_over::<SpinnerU5620>(&text("table.toml"));
+        let config = starting_point(control).read_over(&SpinnerU5620::default(), &text("table.toml"));
         let config = Config { output_units: Some(Units::Millimetres), ..config.expect("a configuration") };
         let mut program = Vec::new();
         let job = post::Job { cl_name: "works.cls", config: &config, control, units: None };

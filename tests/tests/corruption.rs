@@ -125,7 +125,7 @@ fn golden<M: Machine>((cl, config, machine, control): &Sample) -> Part {
     let control = control::by_name(control).expect("a control");
     let mut set_up = starting_point(control);
     if let Some(config) = config {
-        set_up = set_up.read_over::<M>(&text(config)).expect("a configuration");
+        set_up = set_up.read_over(&M::default(), &text(config)).expect("a configuration");
     }
     let part = cl.split('/').next().expect("a folder");
     let program = read(&format!("{part}/{machine}.{}.nc", control.spellings().name));
@@ -139,7 +139,7 @@ fn golden<M: Machine>((cl, config, machine, control): &Sample) -> Part {
 /// A program posted here, of the first operations of some CL data.
 fn posted<M: Machine>(data: &[u8], operations: usize, config: &str, control: &str) -> Part {
     let control = control::by_name(control).expect("a control");
-    let set_up = starting_point(control).read_over::<M>(config);
+    let set_up = starting_point(control).read_over(&M::default(), config);
     let set_up = set_up.unwrap_or_else(|faults| panic!("{config}: {faults:?}"));
     let output_units = Some(set_up.output_units.unwrap_or(Units::Millimetres));
     let operations = Some(Operations::Range(1, Some(operations as u64)));

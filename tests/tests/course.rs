@@ -124,8 +124,8 @@ fn compare<M: Machine>(seed: u64, paths: usize) -> (usize, usize) {
         }
         let shop = Shop { limits, speeds };
         let machine = config.set_up.machine::<M>().expect("valid");
-        let mut navigator = Navigator::new(machine.clone(), config.policy());
-        let mut source = Source::new::<M>(config.policy());
+        let mut navigator = Navigator::new(Box::new(machine.clone()), config.policy());
+        let mut source = Source::new(&M::default(), config.policy());
         let mut follow = |event| source.event(Location::default(), &event, &mut navigator).expect("nothing is refused");
         follow(Event::Tool(ToolCall { number: 1, ..ToolCall::default() }));
 

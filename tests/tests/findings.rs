@@ -23,7 +23,7 @@ struct Posted {
 impl Posted {
     fn new(control: &str, config: &str, data: &str) -> Self {
         let control = control::by_name(control).expect("a control");
-        let config = starting_point(control).read_over::<SpinnerU5620>(config).expect("a configuration");
+        let config = starting_point(control).read_over(&SpinnerU5620::default(), config).expect("a configuration");
         let config = Config { output_units: Some(Units::Millimetres), ..config };
         let mut program = Vec::new();
         let job = post::Job { cl_name: "part.cls", config: &config, control, units: None };
@@ -87,7 +87,8 @@ fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
         let wide = Posted::new(control, &within(20.0), &format!("{HEAD}{arc}"));
         assert!(wide.findings(&wide.program).is_empty(), "{control}: {}", wide.program);
         let control = wide.control;
-        let narrow = starting_point(control).read_over::<SpinnerU5620>(&within(19.0)).expect("a configuration");
+        let narrow =
+            starting_point(control).read_over(&SpinnerU5620::default(), &within(19.0)).expect("a configuration");
         let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..wide };
         let found = narrow.findings(&narrow.program);
         assert!(found.len() == 1 && found[0].text.contains("on its way Y goes to"), "{found:?}");
@@ -123,7 +124,8 @@ fn the_furthest_place_of_an_arc_is_told_and_none_is_passed_over() {
         );
         let posted = Posted::new("linuxcnc", &within(61.0), &data);
         let limit = y.max(radius * (0.5 * angle).cos()).max(59.9);
-        let narrow = starting_point(posted.control).read_over::<SpinnerU5620>(&within(limit)).expect("it reads");
+        let narrow =
+            starting_point(posted.control).read_over(&SpinnerU5620::default(), &within(limit)).expect("it reads");
         let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..posted };
         let found = narrow.findings(&narrow.program);
         let over = radius > limit + narrow.config.motion.tolerance + 0.002;
@@ -179,7 +181,7 @@ fn where_the_control_turns_the_tool_axis_in_a_plane_its_axes_are_followed() {
         let posted = Posted::new(control, &config(-200.0), &format!("{HEAD}{PAST_THE_POLE}"));
         assert!(posted.findings(&posted.program).is_empty(), "{}", posted.program);
         let narrowed = |least: f64| {
-            let narrow = starting_point(posted.control).read_over::<SpinnerU5620>(&config(least));
+            let narrow = starting_point(posted.control).read_over(&SpinnerU5620::default(), &config(least));
             let config = Config { output_units: Some(Units::Millimetres), ..narrow.expect("a configuration") };
             let (data, program) = (posted.data.clone(), posted.program.clone());
             let narrow = Posted { config, control: posted.control, data, program };
@@ -206,7 +208,7 @@ fn where_an_axis_would_leave_its_travel_the_control_takes_the_other_position() {
     for control in ["siemens", "heidenhain"] {
         let posted = Posted::new(control, &config(110.0), &format!("{HEAD}{through}"));
         assert_eq!(posted.findings(&posted.program), [], "{}", posted.program);
-        let narrow = starting_point(posted.control).read_over::<SpinnerU5620>(&config(17.0));
+        let narrow = starting_point(posted.control).read_over(&SpinnerU5620::default(), &config(17.0));
         let config = Config { output_units: Some(Units::Millimetres), ..narrow.expect("a configuration") };
         let narrow = Posted { config, ..posted };
         let found = narrow.findings(&narrow.program);

@@ -142,15 +142,15 @@ impl<M: Machine> Sink for Listener<M> {
 /// What the program says at each motion, and the first fault.
 fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_>]) -> Result<Vec<Says>, String> {
     let machine = config.set_up.machine::<M>().expect("valid");
-    let unfit = control::unfit::<M>(control, config.demands());
+    let unfit = control::unfit(&M::default(), control, config.demands());
     if !unfit.is_empty() {
         return Err(unfit.join("\n"));
     }
-    let mut navigator = Navigator::new(machine.clone(), config.policy());
+    let mut navigator = Navigator::new(Box::new(machine.clone()), config.policy());
     hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     let abilities = control::abilities(control, config.demands());
     let listener = Listener::<M>::new(config);
-    let mut planner = Planner::new(machine, config.policy(), Units::Millimetres, &abilities, false, listener)
+    let mut planner = Planner::new(Box::new(machine), config.policy(), Units::Millimetres, &abilities, false, listener)
         .with_course(navigator.finish());
     let fault = |stop: Stop| match stop {
         Stop::Fault(fault) => fault.text,
@@ -169,7 +169,7 @@ fn posted<M: Machine>(config: &Config, control: &dyn Control, events: &[Event<'_
 
 /// Hands on the items of events; the event at position `n` is in line `n + 1`.
 fn hand_on<M: Machine, S: Stage>(config: &Config, events: &[Event<'_>], stage: &mut S) -> Result<(), S::Stop> {
-    let mut source = Source::new::<M>(config.policy());
+    let mut source = Source::new(&M::default(), config.policy());
     for (line, event) in events.iter().enumerate() {
         source.event(Location { line: line as u64 + 1, column: 1 }, event, stage)?;
     }
@@ -549,7 +549,7 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
         let mut config = set_up(mode, None, control, &mut random);
         config.motion.tip.tcp_confirmed = false;
         change(&mut config);
-        control::unfit::<SpinnerU5620>(control, config.demands()).join("\n")
+        control::unfit(&SpinnerU5620::default(), control, config.demands()).join("\n")
     };
     let (linuxcnc, fanuc, haas) = (&control::LinuxCnc, &control::Fanuc, &control::Haas);
     assert!(refused(linuxcnc, Mode::Plane, &|_| {}).contains("tilts no plane; mode axes works on any control"));
@@ -578,10 +578,10 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
     let config = set_up(Mode::Tcp, None, haas, &mut random);
     let mut unconfirmed = config;
     unconfirmed.motion.tip.tcp_confirmed = false;
-    assert_eq!(control::unfit::<SpinnerU5620>(haas, unconfirmed.demands()), Vec::<String>::new());
-    let quill = control::unfit::<Quill>(haas, unconfirmed.demands()).join("\n");
+    assert_eq!(control::unfit(&SpinnerU5620::default(), haas, unconfirmed.demands()), Vec::<String>::new());
+    let quill = control::unfit(&Quill::default(), haas, unconfirmed.demands()).join("\n");
     assert!(quill.contains("a held axis") && quill.contains("`tcp_confirmed = true`"), "{quill}");
     let mut config = unconfirmed;
     config.motion.tip.tcp_confirmed = true;
-    assert_eq!(control::unfit::<Quill>(haas, config.demands()), Vec::<String>::new());
+    assert_eq!(control::unfit(&Quill::default(), haas, config.demands()), Vec::<String>::new());
 }

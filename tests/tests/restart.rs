@@ -122,7 +122,7 @@ fn a_state_that_is_lost_behind_a_restart_point_is_seen() {
 fn read<M: Machine>(program: &str, control: &str, mode: Mode) -> Vec<Block> {
     let text = fs::read_to_string(workspace().join("tests/data/works/works.toml")).expect("a configuration");
     let control = control::by_name(control).expect("it is there");
-    let mut config = starting_point(control).read_over::<M>(&text).expect("a valid configuration");
+    let mut config = starting_point(control).read_over(&M::default(), &text).expect("a valid configuration");
     config.motion.mode = mode;
     blocks::<M>(&Job { config: &config, control, units: None }, program.as_bytes()).expect("it can be read")
 }

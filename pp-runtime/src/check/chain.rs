@@ -8,7 +8,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::read::MAX_AXES;
-use crate::kinematics::{AxisKind, Machine, Side};
+use crate::kinematics::{AnyMachine, AxisKind, Side};
 
 /// One factor of the product.
 #[derive(Debug, Clone, Copy)]
@@ -36,17 +36,17 @@ pub(super) struct Placed {
 }
 
 impl Chain {
-    pub(super) fn of<M: Machine>(machine: &M) -> Self {
+    pub(super) fn of(machine: &dyn AnyMachine) -> Self {
         let link = |index: usize| {
             let joint = machine.joint(index);
             Link {
-                rotary: M::AXES[index].kind == AxisKind::Rotary,
-                workpiece: M::AXES[index].side == Side::Workpiece,
+                rotary: machine.axes()[index].kind == AxisKind::Rotary,
+                workpiece: machine.axes()[index].side == Side::Workpiece,
                 direction: joint.direction.into_inner() * joint.sign,
                 point: joint.point.coords,
             }
         };
-        Self { links: (0..M::AXES.len()).map(link).collect(), tool_axis: machine.tool_axis().into_inner() }
+        Self { links: (0..machine.axes().len()).map(link).collect(), tool_axis: machine.tool_axis().into_inner() }
     }
 
     /// Tip and tool axis for axis values in mm and rad.
@@ -127,6 +127,7 @@ impl Link {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kinematics::Machine;
     use crate::motion::machines::{Cb, Head};
 
     /// The same product with 4 × 4 matrices, written out.
@@ -153,7 +154,7 @@ mod tests {
 
     fn agrees<M: Machine>(values: [f64; 5]) {
         let mut machine = M::default();
-        machine.set_up(Vector3::new(3.0, -4.0, 25.0), 120.0);
+        Machine::set_up(&mut machine, Vector3::new(3.0, -4.0, 25.0), 120.0);
         let mut all = [0.0; MAX_AXES];
         all[..5].copy_from_slice(&values);
         let placed = Chain::of(&machine).place(&all);
@@ -164,7 +165,7 @@ mod tests {
     #[test]
     fn the_rates_of_the_tool_axis_are_its_differences() {
         let mut machine = Head::default();
-        machine.set_up(Vector3::new(3.0, -4.0, 25.0), 120.0);
+        Machine::set_up(&mut machine, Vector3::new(3.0, -4.0, 25.0), 120.0);
         for chain in [Chain::of(&machine), Chain::of(&Cb::default())] {
             for turn in 0..20 {
                 let at = 0.37 * f64::from(turn);

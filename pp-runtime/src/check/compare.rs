@@ -22,7 +22,7 @@ use super::travel::Travel;
 use super::words::Words;
 use crate::cl;
 use crate::config::Config;
-use crate::kinematics::{AxisKind, Machine, Side};
+use crate::kinematics::{AnyMachine, AxisKind, Side};
 use crate::motion::{Mode, Rapid};
 use crate::program::Location;
 use crate::program::Units;
@@ -61,10 +61,10 @@ pub(super) struct Slack {
 }
 
 /// Compares blocks with items.
-pub(super) struct Checker<'a, M: Machine, R> {
+pub(super) struct Checker<'a, R> {
     pub(super) config: &'a Config,
     pub(super) family: Family,
-    machine: M,
+    pub(super) machine: Box<dyn AnyMachine>,
     pub(super) words: Words,
     pub(super) expect: Expect<'a, R>,
     pub(super) law: FeedLaw,
@@ -132,16 +132,16 @@ pub(super) struct Checker<'a, M: Machine, R> {
     pub(super) straight: bool,
 }
 
-impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
+impl<'a, R: Read> Checker<'a, R> {
     pub(super) fn new(
-        machine: M,
+        machine: Box<dyn AnyMachine>,
         config: &'a Config,
         family: Family,
         units: Units,
         offsets: Vec<(u32, WorkOffset)>,
         reader: cl::Reader<R>,
     ) -> Self {
-        let words = Words::new(&machine, config);
+        let words = Words::new(&*machine, config);
         let decimals = |digits: u32| 10_f64.powi(-(digits as i32));
         let unit = decimals(config.formats.linear(units)) * units.in_mm();
         let angle = decimals(config.formats.rotary).to_radians();
@@ -151,17 +151,17 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let in_plane = if config.motion.mode == Mode::Plane { in_plane } else { 0.0 };
         let rotary = 0.5 * angle * f64::from(rotaries) * 1.01 + AXIS_NOISE;
         let pole = rotary.max(rotary - AXIS_NOISE + config.motion.course.axis_tolerance);
-        let tip = 0.5 * unit * corner(&machine) + 1e-6;
+        let tip = 0.5 * unit * corner(&*machine) + 1e-6;
         let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, pole: pole + in_plane, angle };
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
         tally.outcome.tolerance = config.motion.tolerance;
-        let travel = Travel::new::<M>(config, &words);
+        let travel = Travel::new(&*machine, config, &words);
         tally.outcome.limited = travel.limited();
         Self {
-            law: FeedLaw::new(&machine, config, family, units, masks, (unit, angle)),
+            law: FeedLaw::new(&*machine, config, family, units, masks, (unit, angle)),
             travel,
-            expect: Expect::new::<M>(reader, config, family, unit),
+            expect: Expect::new(&*machine, reader, config, family, unit),
             config,
             family,
             words,
@@ -195,12 +195,12 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
             arc_plane: None,
             parked: 0,
             length: None,
-            pole: (0..M::AXES.len())
-                .find(|&index| M::AXES[index].kind == AxisKind::Rotary && !M::AXES[index].held)
+            pole: (0..machine.axes().len())
+                .find(|&index| machine.axes()[index].kind == AxisKind::Rotary && !machine.axes()[index].held)
                 .map(|index| machine.joint(index).direction.into_inner()),
             stopped: false,
             tilted: false,
-            straight: straight(&machine),
+            straight: straight(&*machine),
             machine,
         }
     }
@@ -303,7 +303,7 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
         let Some(item) = next else { return };
         let length = item.wanted.length.unwrap_or(0.0);
         if self.words.length_differs(length) {
-            self.words.set_tool(&mut self.machine, self.config, length);
+            self.words.set_tool(&mut *self.machine, self.config, length);
         }
     }
 
@@ -359,8 +359,9 @@ impl<'a, M: Machine, R: Read> Checker<'a, M, R> {
 
 /// Largest distance of the corner of a box from its middle, in halves of its edges: what rounding of every linear word may
 /// add up to.
-fn corner<M: Machine>(machine: &M) -> f64 {
-    let linear = (0..M::AXES.len()).filter(|&index| M::AXES[index].kind == AxisKind::Linear && !M::AXES[index].held);
+fn corner(machine: &dyn AnyMachine) -> f64 {
+    let linear = (0..machine.axes().len())
+        .filter(|&index| machine.axes()[index].kind == AxisKind::Linear && !machine.axes()[index].held);
     let directions: Vec<_> = linear.map(|index| machine.joint(index).direction.into_inner()).collect();
     let signs = (0..8_u8).map(|bits| {
         let signed = directions.iter().enumerate().map(|(index, d)| if bits & (1 << index) == 0 { *d } else { -d });
@@ -370,12 +371,13 @@ fn corner<M: Machine>(machine: &M) -> f64 {
 }
 
 /// The machine retract leads along the tool axis.
-fn straight<M: Machine>(machine: &M) -> bool {
-    let axes = || (0..M::AXES.len()).filter(|&index| !M::AXES[index].held);
-    let head = axes().any(|index| M::AXES[index].kind == AxisKind::Rotary && M::AXES[index].side == Side::Tool);
+fn straight(machine: &dyn AnyMachine) -> bool {
+    let axes = || (0..machine.axes().len()).filter(|&index| !machine.axes()[index].held);
+    let head =
+        axes().any(|index| machine.axes()[index].kind == AxisKind::Rotary && machine.axes()[index].side == Side::Tool);
     let tool = machine.tool_axis();
     let along = |index: usize| {
-        M::AXES[index].kind == AxisKind::Linear && machine.joint(index).direction.dot(&tool).abs() > 1.0 - 1e-12
+        machine.axes()[index].kind == AxisKind::Linear && machine.joint(index).direction.dot(&tool).abs() > 1.0 - 1e-12
     };
     !head && axes().any(along)
 }

@@ -14,7 +14,7 @@ use super::read::{Family, Side, coolant};
 use crate::cl;
 use crate::config::Config;
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::{AxisKind, Machine, Pose, Side as ChainSide};
+use crate::kinematics::{AnyMachine, AxisKind, Pose, Side as ChainSide};
 use crate::motion::Setting;
 use crate::motion::{Operations, Transition};
 use crate::program::{
@@ -141,9 +141,15 @@ struct Follow<'a> {
 
 impl<'a, R: Read> Expect<'a, R> {
     /// `unit`: one unit of linear words, mm.
-    pub(super) fn new<M: Machine>(reader: cl::Reader<R>, config: &'a Config, family: Family, unit: f64) -> Self {
+    pub(super) fn new(
+        machine: &dyn AnyMachine,
+        reader: cl::Reader<R>,
+        config: &'a Config,
+        family: Family,
+        unit: f64,
+    ) -> Self {
         let rotary = |axis: &crate::kinematics::Axis| axis.kind == AxisKind::Rotary && !axis.held;
-        let head = M::AXES.iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
+        let head = machine.axes().iter().any(|axis| rotary(axis) && axis.side == ChainSide::Tool);
         Self {
             reader,
             setting: Setting::new(config.policy()),

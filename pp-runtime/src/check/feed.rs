@@ -6,7 +6,7 @@
 
 use super::read::{Family, FeedMode, MAX_AXES, State};
 use crate::config::Config;
-use crate::kinematics::{AxisKind, Machine};
+use crate::kinematics::{AnyMachine, AxisKind};
 use crate::motion::{Mode, PathNorm};
 use crate::program::Feed;
 use crate::program::Units;
@@ -78,8 +78,8 @@ impl Expected {
 }
 
 impl FeedLaw {
-    pub(super) fn new<M: Machine>(
-        machine: &M,
+    pub(super) fn new(
+        machine: &dyn AnyMachine,
         config: &Config,
         family: Family,
         units: Units,
@@ -90,7 +90,7 @@ impl FeedLaw {
         // Heidenhain counts tenths of an inch.
         let in_tenths = if family == Family::Heidenhain && units == Units::Inches { 10.0 } else { 1.0 };
         let keeps = config.motion.feed.keep_speeds;
-        let travel = config.set_up.travel::<M>();
+        let travel = config.set_up.travel(machine.axes());
         Self {
             norm: config.control.path_norm.unwrap_or(usual),
             square: square(machine),
@@ -287,8 +287,9 @@ impl FeedLaw {
 }
 
 /// Whether the linear axes are square to each other, so that the way of the words is the way of the tip.
-fn square<M: Machine>(machine: &M) -> bool {
-    let linear = (0..M::AXES.len()).filter(|&index| M::AXES[index].kind == AxisKind::Linear && !M::AXES[index].held);
+fn square(machine: &dyn AnyMachine) -> bool {
+    let linear = (0..machine.axes().len())
+        .filter(|&index| machine.axes()[index].kind == AxisKind::Linear && !machine.axes()[index].held);
     let directions: Vec<_> = linear.map(|index| machine.joint(index).direction).collect();
     let pairs = directions.iter().enumerate().flat_map(|(index, a)| directions[..index].iter().map(move |b| (a, b)));
     let mut pairs = pairs;

@@ -11,7 +11,6 @@ use super::path::{Segment, Shape, angle_between};
 use super::read::{Action, ArcMove, Block, MAX_AXES, TipControl, WorkPlane};
 use super::report::Shown;
 use super::steps::Done;
-use crate::kinematics::Machine;
 use crate::motion::{Rapid, Rewind, ToolPosture, Transition};
 use crate::program::{Drilling, Feed, Location};
 
@@ -39,7 +38,7 @@ const POLE: f64 = 1.64;
 /// Shares that differ by rounding.
 const SHARE: f64 = 1e-9;
 
-impl<M: Machine, R: Read> Checker<'_, M, R> {
+impl<R: Read> Checker<'_, R> {
     /// Lets the block serve the motion ahead, passing over motions that need no block; `false` if it does not fit.
     pub(super) fn serve(&mut self, block: &Block, end: &Placed, shown: Shown<'_>) -> io::Result<bool> {
         if let Some(back) = self.back {

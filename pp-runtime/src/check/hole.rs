@@ -13,7 +13,7 @@ use super::feed::Stroke;
 use super::path::{angle_between, placed};
 use super::read::{Action, Block, CycleKind, CycleMove, FeedMode, MAX_AXES};
 use super::report::Shown;
-use crate::kinematics::{Machine, Pose};
+use crate::kinematics::Pose;
 use crate::program::{Drilling, Dwell, Feed, Hole, Move, Rotation};
 
 /// Levels closer than this are the same, mm.
@@ -96,7 +96,7 @@ pub(super) fn unfolded(hole: &Hole, here: Option<&Pose>, peck_gap: f64) -> Vec<S
     steps
 }
 
-impl<M: Machine, R: Read> Checker<'_, M, R> {
+impl<R: Read> Checker<'_, R> {
     /// A hole by a cycle of the control.
     pub(super) fn cycle(&mut self, block: &Block, cycle: &CycleMove, shown: Shown<'_>) -> std::io::Result<()> {
         self.expect.fill(2)?;

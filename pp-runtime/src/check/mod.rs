@@ -27,11 +27,11 @@ use std::io::{self, Read, Seek};
 
 pub use report::Outcome;
 
-use crate::cl;
+use crate::cl::{self, ReadSeek};
 use crate::config::Config;
 use crate::control::{self, Control};
 use crate::diag::Diagnostic;
-use crate::kinematics::Machine;
+use crate::kinematics::{AnyMachine, Machine};
 use crate::program::Units;
 use compare::Checker;
 use read::{Family, Reader};
@@ -77,20 +77,34 @@ pub struct Checked {
 pub fn check<M: Machine>(
     job: &Job<'_>,
     mut input: impl Read + Seek,
-    program: impl Read,
+    mut program: impl Read,
+) -> Result<Checked, CheckError> {
+    check_for(&M::default(), job, &mut input, &mut program)
+}
+
+/// [`check()`] for a machine whose type is not known.
+///
+/// # Errors
+/// Those of [`check()`].
+pub fn check_for(
+    machine: &dyn AnyMachine,
+    job: &Job<'_>,
+    input: &mut dyn ReadSeek,
+    program: &mut dyn Read,
 ) -> Result<Checked, CheckError> {
     let family = family(job)?;
-    let unfit = control::unfit::<M>(job.control, job.config.demands());
+    let unfit = control::unfit(machine, job.control, job.config.demands());
     if !unfit.is_empty() {
         return Err(CheckError::Impossible(unfit.join("\n")));
     }
-    let machine = job.config.set_up.machine::<M>().map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
+    let machine =
+        job.config.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
     let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let units = match job.config.output_units {
         Some(units) => units,
-        None => set_up::units_of(&mut input, &options).map_err(CheckError::Input)?.unwrap_or(Units::Millimetres),
+        None => set_up::units_of(input, &options).map_err(CheckError::Input)?.unwrap_or(Units::Millimetres),
     };
-    let vocabulary = set_up::vocabulary::<M>(family, job.config, units);
+    let vocabulary = set_up::vocabulary(&*machine, family, job.config, units);
     let offsets = set_up::offsets(job.config, family);
     let mut reader = Reader::new(program, vocabulary);
     let mut checker = Checker::new(machine, job.config, family, units, offsets, cl::Reader::new(input, options));
@@ -104,10 +118,22 @@ pub fn check<M: Machine>(
 ///
 /// # Errors
 /// [`CheckError`] if the control is not known or the program cannot be read.
-pub fn blocks<M: Machine>(job: &Job<'_>, program: impl Read) -> Result<Vec<read::Block>, CheckError> {
+pub fn blocks<M: Machine>(job: &Job<'_>, mut program: impl Read) -> Result<Vec<read::Block>, CheckError> {
+    blocks_for(&M::default(), job, &mut program)
+}
+
+/// [`blocks`] for a machine whose type is not known.
+///
+/// # Errors
+/// Those of [`blocks`].
+pub fn blocks_for(
+    machine: &dyn AnyMachine,
+    job: &Job<'_>,
+    program: &mut dyn Read,
+) -> Result<Vec<read::Block>, CheckError> {
     let family = family(job)?;
     let units = job.config.output_units.or(job.units).unwrap_or_default();
-    let mut reader = Reader::new(program, set_up::vocabulary::<M>(family, job.config, units));
+    let mut reader = Reader::new(program, set_up::vocabulary(machine, family, job.config, units));
     let mut blocks = Vec::new();
     while let Some((block, _)) = reader.next_block().map_err(CheckError::Program)? {
         blocks.push(block.clone());

@@ -13,10 +13,9 @@ use super::path::angle_between;
 use super::read::Block;
 use super::report::Shown;
 use super::sequence::{ON_LINE, SAME_AXIS};
-use crate::kinematics::Machine;
 use crate::motion::way_out;
 
-impl<M: Machine, R: Read> Checker<'_, M, R> {
+impl<R: Read> Checker<'_, R> {
     /// The tool has to have left the part along its axis.
     pub(super) fn leaves(&mut self, rewinds: bool, shown: Shown<'_>) {
         if rewinds {

@@ -9,7 +9,6 @@ use super::expect::{Item, Kind, Motion};
 use super::path::{Segment, Shape, angle_between};
 use super::read::{Action, Block, Family, Length, stated};
 use super::report::Shown;
-use crate::kinematics::Machine;
 use crate::motion::Mode;
 
 /// A point this near to a line lies on it, mm.
@@ -21,7 +20,7 @@ pub(super) const SAME_AXIS: f64 = 1e-6;
 /// Seconds that three decimals of a wait do not hold.
 const WAIT: f64 = 6e-4;
 
-impl<M: Machine, R: Read> Checker<'_, M, R> {
+impl<R: Read> Checker<'_, R> {
     /// INSERT and codes of the CL data: a block as it stands, whatever it says.
     pub(super) fn raw(&mut self, block: &Block, shown: Shown<'_>) -> bool {
         let mut index = 0;
@@ -351,7 +350,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
         let known = |index: usize| self.before.1 & (1 << index) != 0;
         let nearer =
             |index: usize, place: f64| known(index) && apart(values[index], place) < apart(before[index], place);
-        let moved = || M::AXES.iter().enumerate().filter(|(index, _)| block.written & (1 << index) != 0);
+        let moved = || self.machine.axes().iter().enumerate().filter(|(index, _)| block.written & (1 << index) != 0);
         let place = |letter: &char| self.config.motion.park.get(letter).copied();
         let in_steps = moved().any(|(index, axis)| {
             self.config.motion.rotaries.wrap.contains_key(&axis.letter)
@@ -369,7 +368,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
             block.written & (1 << index) == 0
                 || place.is_some_and(|place| (block.values[index] - place).abs() <= 0.6 * self.slack.unit)
         };
-        block.written & !self.words.linear_mask == 0 && M::AXES.iter().enumerate().all(at)
+        block.written & !self.words.linear_mask == 0 && self.machine.axes().iter().enumerate().all(at)
     }
 
     /// A tool change.
@@ -458,7 +457,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     /// Every axis that has a parking place stands there.
     fn all_parked(&mut self, block: &Block, shown: Shown<'_>) {
         let values = self.words.values(&block.values);
-        for (index, axis) in M::AXES.iter().enumerate().filter(|(_, axis)| !axis.held) {
+        for (index, axis) in self.machine.axes().iter().enumerate().filter(|(_, axis)| !axis.held) {
             let Some(place) = self.config.motion.park.get(&axis.letter) else { continue };
             let rotary = self.words.rotary_mask & (1 << index) != 0;
             let turned = rotary && apart(values[index], *place) <= 0.6 * self.slack.angle;

@@ -1,16 +1,16 @@
 //! What a reader has to know of the configuration: names of axes, codes that the shop has brought in, offsets.
 
-use std::io::{self, Read, Seek, SeekFrom};
+use std::io::{self, SeekFrom};
 
 use super::read::{AxisName, Family, Vocabulary, WorkOffset, coolant};
-use crate::cl;
+use crate::cl::{self, ReadSeek};
 use crate::config::Config;
-use crate::kinematics::{AxisKind, Machine};
+use crate::kinematics::{AnyMachine, AxisKind};
 use crate::program::Event;
 use crate::program::Units;
 
 /// Unit of the CL data, from what stands in front of its first motion; the data is read from the same place again.
-pub(super) fn units_of<R: Read + Seek>(input: &mut R, options: &cl::Options) -> io::Result<Option<Units>> {
+pub(super) fn units_of(input: &mut dyn ReadSeek, options: &cl::Options) -> io::Result<Option<Units>> {
     let start = input.stream_position()?;
     let mut reader = cl::Reader::new(&mut *input, options.clone());
     let mut moved = false;
@@ -27,7 +27,7 @@ pub(super) fn units_of<R: Read + Seek>(input: &mut R, options: &cl::Options) -> 
 }
 
 /// Names and codes of a program.
-pub(super) fn vocabulary<M: Machine>(family: Family, config: &Config, units: Units) -> Vocabulary {
+pub(super) fn vocabulary(machine: &dyn AnyMachine, family: Family, config: &Config, units: Units) -> Vocabulary {
     let axis = |axis: &crate::kinematics::Axis| AxisName {
         name: config.control.axes.get(&axis.letter).map_or_else(|| axis.letter.to_string(), String::clone).into_bytes(),
         rotary: axis.kind == AxisKind::Rotary,
@@ -58,7 +58,7 @@ pub(super) fn vocabulary<M: Machine>(family: Family, config: &Config, units: Uni
     let tools = config.set_up.tools.iter().filter_map(|(number, tool)| Some((tool.name.clone()?, *number)));
     Vocabulary {
         family,
-        axes: M::AXES.iter().map(axis).collect(),
+        axes: machine.axes().iter().map(axis).collect(),
         known,
         coolant: switches,
         plain: setup.point == Some(false),

@@ -7,12 +7,11 @@ use super::compare::{Checker, Phase};
 use super::expect::Wanted;
 use super::read::{Action, Block, Family, FeedMode, Length, MAX_AXES, Side, State, TipControl, WorkPlane};
 use super::report::Shown;
-use crate::kinematics::Machine;
 use crate::motion::{Mode, TcpWords, ToolPosture};
 use crate::program::Rotation;
 use crate::set_up::LengthMode;
 
-impl<M: Machine, R: Read> Checker<'_, M, R> {
+impl<R: Read> Checker<'_, R> {
     /// At the part, on the path of the CL data.
     pub(super) fn state_at_path(&mut self, block: &Block, wanted: &Wanted, shown: Shown<'_>) {
         if matches!(block.action, Action::Arc(_)) {

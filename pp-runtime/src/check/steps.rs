@@ -10,7 +10,7 @@ use super::follow::{between, drift, places, sweep};
 use super::path::{Segment, angle_between};
 use super::read::{Action, Block, MAX_AXES};
 use super::report::Shown;
-use crate::kinematics::{Axis, Machine};
+use crate::kinematics::Axis;
 use crate::motion::{Rapid, Transition};
 use crate::program::Feed;
 
@@ -32,7 +32,7 @@ pub(super) struct Done {
     pub(super) turned: f64,
 }
 
-impl<M: Machine, R: Read> Checker<'_, M, R> {
+impl<R: Read> Checker<'_, R> {
     /// Takes the rest of a motion that is done but for rounding, run as it should be: a step of a unit, or near the pole a turn
     /// of the rotary axes, by half a turn at most, that have far to go where the tool axis is at its end already.
     pub(super) fn takes_rest(&mut self, block: &Block, end: &Placed) -> bool {
@@ -99,7 +99,7 @@ impl<M: Machine, R: Read> Checker<'_, M, R> {
     fn short_way(&self, from: &[f64; MAX_AXES], to: &[f64; MAX_AXES]) -> f64 {
         let wraps = |(_, axis): &(usize, &Axis)| self.config.motion.rotaries.wrap.contains_key(&axis.letter);
         let way = |(index, _): (usize, &Axis)| (to[index] - from[index]).abs();
-        M::AXES.iter().enumerate().filter(wraps).map(way).fold(0.0, f64::max)
+        self.machine.axes().iter().enumerate().filter(wraps).map(way).fold(0.0, f64::max)
     }
 
     /// Whether the last step lies between where the rapid began and some words, on the line of both, but for a unit.

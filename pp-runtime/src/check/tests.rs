@@ -64,7 +64,7 @@ fn posted<M: Machine>(control: &str, mode: Mode, set_up: &str, data: &str) -> (V
 fn configured<M: Machine>(control: &str, mode: Mode, set_up: &str) -> (&'static dyn Control, Config) {
     let control = control::by_name(control).expect("a control");
     let set_up = format!("defaults = {{ speed = 2000, direction = \"CLW\" }}\n{set_up}");
-    let mut config = crate::config::starting_point(control).read_over::<M>(&set_up).expect("a configuration");
+    let mut config = crate::config::starting_point(control).read_over(&M::default(), &set_up).expect("a configuration");
     config.motion.mode = mode;
     (control, config)
 }

@@ -31,7 +31,7 @@ use super::read::{Action, Block, Family, MAX_AXES, TipControl};
 use super::report::Shown;
 use super::words::Words;
 use crate::config::Config;
-use crate::kinematics::{AxisKind, Limits, Machine};
+use crate::kinematics::{AnyMachine, AxisKind, Limits};
 use crate::motion::ToolPosture;
 
 /// Places of a block that are looked at are no farther apart than these angles, rad: of the rotary axes, of which two may
@@ -73,8 +73,8 @@ pub(super) struct Travel {
 }
 
 impl Travel {
-    pub(super) fn new<M: Machine>(config: &Config, words: &Words) -> Self {
-        let limits = config.set_up.travel::<M>().limits;
+    pub(super) fn new(machine: &dyn AnyMachine, config: &Config, words: &Words) -> Self {
+        let limits = config.set_up.travel(machine.axes()).limits;
         let solved = words.linear_mask | words.rotary_mask;
         let axis = |(index, axis): (usize, &crate::kinematics::Axis)| {
             let limits = limits[index].filter(|_| solved & (1 << index) != 0)?;
@@ -87,7 +87,7 @@ impl Travel {
                 span: (f64::INFINITY, f64::NEG_INFINITY),
             })
         };
-        Self { axes: M::AXES.iter().enumerate().filter_map(axis).collect() }
+        Self { axes: machine.axes().iter().enumerate().filter_map(axis).collect() }
     }
 
     /// Whether any axis has limits.
@@ -128,7 +128,7 @@ impl Travel {
     }
 }
 
-impl<M: Machine, R: Read> Checker<'_, M, R> {
+impl<R: Read> Checker<'_, R> {
     /// Whether the axes stay within their travel where a block ends.
     pub(super) fn limits(&mut self, block: &Block, shown: Shown<'_>) {
         let solved = self.words.linear_mask | self.words.rotary_mask;

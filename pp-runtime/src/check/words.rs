@@ -10,7 +10,7 @@ use super::chain::{Chain, Placed};
 use super::path::angle_between;
 use super::read::{MAX_AXES, State, TipControl};
 use crate::config::Config;
-use crate::kinematics::{AxisKind, Machine};
+use crate::kinematics::{AnyMachine, AxisKind};
 use crate::motion::TcpFrame;
 use crate::set_up::{LengthMode, ProgramZero};
 
@@ -47,9 +47,9 @@ pub(super) struct Words {
 }
 
 impl Words {
-    pub(super) fn new<M: Machine>(machine: &M, config: &Config) -> Self {
+    pub(super) fn new(machine: &dyn AnyMachine, config: &Config) -> Self {
         let solved = |kind: AxisKind| {
-            let axes = M::AXES.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held);
+            let axes = machine.axes().iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held);
             axes.map(|(index, _)| index).collect::<Vec<usize>>()
         };
         let (linear, rotary) = (solved(AxisKind::Linear), solved(AxisKind::Rotary));
@@ -64,7 +64,7 @@ impl Words {
             gauge: config.set_up.length_mode == LengthMode::Gauge,
             offset: [0.0; MAX_AXES],
             held: [0.0; MAX_AXES],
-            xyz: ['X', 'Y', 'Z'].map(|letter| M::AXES.iter().position(|axis| axis.letter == letter)),
+            xyz: ['X', 'Y', 'Z'].map(|letter| machine.axes().iter().position(|axis| axis.letter == letter)),
             length: 0.0,
             frame: config.motion.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             linear,
@@ -75,10 +75,10 @@ impl Words {
             if config.set_up.program_zero == ProgramZero::Table { config.set_up.part_origin } else { [0.0; 3] };
         words.zero = words.along(&origin.into());
         words.share = words.along(&tool);
-        for (index, axis) in M::AXES.iter().enumerate() {
+        for (index, axis) in machine.axes().iter().enumerate() {
             words.offset[index] = config.set_up.rotary_offset.get(&axis.letter).copied().unwrap_or(0.0);
         }
-        words.held[..M::AXES.len()].copy_from_slice(M::HELD.as_ref());
+        words.held[..machine.axes().len()].copy_from_slice(&machine.held()[..machine.axes().len()]);
         words
     }
 
@@ -99,7 +99,7 @@ impl Words {
     }
 
     /// With another tool in the spindle, mm.
-    pub(super) fn set_tool<M: Machine>(&mut self, machine: &mut M, config: &Config, length: f64) {
+    pub(super) fn set_tool(&mut self, machine: &mut dyn AnyMachine, config: &Config, length: f64) {
         machine.set_up(config.set_up.part_origin.into(), length);
         self.chain = Chain::of(machine);
         self.length = length;
@@ -283,7 +283,7 @@ fn mask(axes: &[usize]) -> u16 {
 }
 
 /// The linear axis most along the tool; of two alike the one nearer the tool.
-fn retract_axis<M: Machine>(machine: &M, linear: &[usize], tool: &Vector3<f64>) -> usize {
+fn retract_axis(machine: &dyn AnyMachine, linear: &[usize], tool: &Vector3<f64>) -> usize {
     let share = |index: &usize| (machine.joint(*index).direction.dot(tool).abs() * 1e9).round();
     linear.iter().copied().max_by(|a, b| share(a).total_cmp(&share(b))).unwrap_or(0)
 }

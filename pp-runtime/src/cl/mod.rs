@@ -23,5 +23,5 @@ mod tests;
 
 pub use self::dialect::Dialect;
 pub use self::meaning::{ArcVote, ClPoint, CycleArg, FeedLabel, Frames, Insert, Options, Sense, StatedFrame};
-pub use self::reader::Reader;
+pub use self::reader::{ReadSeek, Reader};
 pub use self::record::{Record, list as list_words, not_inert};

@@ -1,6 +1,6 @@
 //! The reader: bytes in, events and diagnostics out.
 
-use std::io::{self, Read};
+use std::io::{self, Read, Seek};
 
 use super::diagnostics::Faults;
 use super::dialect::Dialect;
@@ -13,6 +13,11 @@ use super::subprogram::{KeptStatement, Subprograms, subprogram_fault};
 use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, Span, Statement, StatementKind};
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Event, Location, Units};
+
+/// CL text that can be read more than once: a file, or bytes in memory.
+pub trait ReadSeek: Read + Seek {}
+
+impl<T: Read + Seek + ?Sized> ReadSeek for T {}
 
 /// Cutters that are all smaller than this, in a file whose millimetres are only claimed, are inches.
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;

@@ -6,9 +6,9 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::check::{CheckError, Checked, Job, check};
+use crate::check::{CheckError, Checked, Job, check_for};
 use crate::diag::Diagnostic;
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 
 use super::args::{CheckArgs, MessageFormat};
 use super::inputs::{open, read_config};
@@ -28,12 +28,12 @@ struct Figures {
     outside_limits: u64,
 }
 
-pub(crate) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
-    let config = read_config::<M>(&args.set_up, &mut messages)?;
+    let config = read_config(machine, &args.set_up, &mut messages)?;
     let mut source = open(&args.input, streams.input)?;
     let name = source.name().to_owned();
-    let program: Box<dyn Read + '_> = match (is_standard(&args.program), is_standard(&args.input)) {
+    let mut program: Box<dyn Read + '_> = match (is_standard(&args.program), is_standard(&args.input)) {
         (true, true) => {
             return Err(Failure::Argument("CL data and program cannot both come from standard input".to_owned()));
         }
@@ -41,7 +41,9 @@ pub(crate) fn run<M: Machine>(args: &CheckArgs, streams: &mut Streams<'_>) -> Re
         (false, _) => Box::new(File::open(&args.program).map_err(|error| Failure::unreadable(&args.program, error))?),
     };
     let job = Job { config: &config, control: args.set_up.control(), units: config.cl_units };
-    let checked = check::<M>(&job, &mut source, program).map_err(|error| failure(error, &name, &args.program))?;
+    let checked =
+        check_for(machine, &job, &mut source, &mut program).map_err(|error| failure(error, &name, &args.program))?;
+    drop(program);
     if let Some(what) = source.disturbed() {
         return Err(Failure::Disturbed(name, what));
     }

@@ -2,12 +2,12 @@
 
 use std::io::{self, Write};
 
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 
 /// Writes what is known about the kinematics of `M` as text.
-pub(crate) fn text<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
-    writeln!(out, "{}: derivation of the kinematics; formulas in millimetres and radians", M::NAME)?;
-    for (title, section) in M::EXPLANATION.sections() {
+pub(crate) fn text(machine: &dyn AnyMachine, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}: derivation of the kinematics; formulas in millimetres and radians", machine.name())?;
+    for (title, section) in machine.explanation().sections() {
         if section.text.is_empty() {
             continue;
         }
@@ -41,12 +41,12 @@ const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 ";
 
 /// Writes the same as a complete LaTeX document.
-pub(crate) fn latex<M: Machine>(out: &mut dyn Write) -> io::Result<()> {
-    let name = M::NAME.replace('_', r"\_");
+pub(crate) fn latex(machine: &dyn AnyMachine, out: &mut dyn Write) -> io::Result<()> {
+    let name = machine.name().replace('_', r"\_");
     writeln!(out, "{PREAMBLE}\\begin{{document}}\n")?;
     writeln!(out, "{{\\Large {name}: derivation of the kinematics}}\n")?;
     writeln!(out, "Formulas in millimetres and radians.")?;
-    for (title, section) in M::EXPLANATION.sections() {
+    for (title, section) in machine.explanation().sections() {
         if section.latex.is_empty() {
             continue;
         }

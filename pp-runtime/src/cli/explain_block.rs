@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use std::io::{self, Seek as _};
 use std::path::Path;
 
-use crate::kinematics::{Axis, AxisKind, Machine, Pose};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Pose};
 use crate::post::{Account, Origin, Stand};
 use crate::program::Location;
 
@@ -86,13 +86,14 @@ impl BlockSearch {
     }
 }
 
-pub(crate) fn run<M: Machine>(
+pub(crate) fn run(
+    machine: &dyn AnyMachine,
     args: &ExplainBlockArgs,
     streams: &mut Streams<'_>,
     post: Post<'_>,
 ) -> Result<Status, Failure> {
     let format = args.set_up.message_format;
-    let config = read_config::<M>(&args.set_up, &mut Messages::new(streams.errors, format))?;
+    let config = read_config(machine, &args.set_up, &mut Messages::new(streams.errors, format))?;
     let mut source = open(&args.input, streams.input)?;
     let (name, control) = (source.name().to_owned(), args.set_up.control());
     let numbered = config.control.program.line_numbers.is_some() || control.spellings().counted;
@@ -105,7 +106,7 @@ pub(crate) fn run<M: Machine>(
     // Messages about the whole program were written when it was posted.
     let mut said = Vec::new();
     let mut unheard = Messages::new(&mut said, format);
-    let written = run.write::<M>(&mut source, &mut program, Some(&mut search), &mut unheard)?;
+    let written = run.write(machine, &mut source, &mut program, Some(&mut search), &mut unheard)?;
     if written.is_err() {
         // Where standard error is closed the message is lost.
         let _ = streams.errors.write_all(&said);
@@ -124,7 +125,7 @@ pub(crate) fn run<M: Machine>(
         search.found.iter().enumerate().try_for_each(|(index, found)| {
             let origin = found.origin();
             if args.set_up.message_format == MessageFormat::Json {
-                serde_json::to_writer(&mut *out, &MapLine::new(&origin, M::AXES))?;
+                serde_json::to_writer(&mut *out, &MapLine::new(&origin, machine.axes()))?;
                 return out.write_all(b"\n");
             }
             if index > 0 {
@@ -133,7 +134,8 @@ pub(crate) fn run<M: Machine>(
             let block = blocks.get(&in_program(found)).map_or("", |excerpt| &excerpt.text);
             let record = in_cl(found).and_then(|place| Some((place.0.line, &records.get(&place)?.text)));
             out.write_all(
-                explanation(&origin, M::AXES, block, record.map(|(line, text)| (&*name, line, &**text))).as_bytes(),
+                explanation(&origin, machine.axes(), block, record.map(|(line, text)| (&*name, line, &**text)))
+                    .as_bytes(),
             )
         })
     })?;

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use crate::config::{self, Config};
 use crate::control::{self, Control};
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 
 use super::args::SetUpArgs;
 use super::cl_source::ClSource;
@@ -15,21 +15,26 @@ use super::messages::Messages;
 use super::outcome::{Failure, is_standard};
 
 /// The configuration of a run: defaults of the control, file, command line, in this order.
-pub(crate) fn read_config<M: Machine>(args: &SetUpArgs, messages: &mut Messages<'_>) -> Result<Config, Failure> {
-    let mut config = read_file::<M>(args.config.as_deref(), args.control(), messages)?;
-    args.apply::<M>(&mut config).map_err(Failure::Argument)?;
-    fit::<M>(args.control(), &config)?;
+pub(crate) fn read_config(
+    machine: &dyn AnyMachine,
+    args: &SetUpArgs,
+    messages: &mut Messages<'_>,
+) -> Result<Config, Failure> {
+    let mut config = read_file(machine, args.config.as_deref(), args.control(), messages)?;
+    args.apply(machine, &mut config).map_err(Failure::Argument)?;
+    fit(machine, args.control(), &config)?;
     Ok(config)
 }
 
 /// Whether the control can do what the configuration asks for.
-pub(crate) fn fit<M: Machine>(control: &dyn Control, config: &Config) -> Result<(), Failure> {
-    let unfit = control::unfit::<M>(control, config.demands());
+pub(crate) fn fit(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Result<(), Failure> {
+    let unfit = control::unfit(machine, control, config.demands());
     if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
 }
 
 /// The configuration of a file on top of the defaults of a control.
-pub(crate) fn read_file<M: Machine>(
+pub(crate) fn read_file(
+    machine: &dyn AnyMachine,
     path: Option<&Path>,
     control: &dyn Control,
     messages: &mut Messages<'_>,
@@ -43,7 +48,7 @@ pub(crate) fn read_file<M: Machine>(
                 let kind = io::ErrorKind::InvalidData;
                 Failure::unreadable(path, io::Error::new(kind, error.utf8_error().to_string()))
             })?;
-            start.read_over::<M>(&text).map_err(|faults| {
+            start.read_over(machine, &text).map_err(|faults| {
                 messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
                 Failure::Said
             })

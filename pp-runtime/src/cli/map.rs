@@ -8,7 +8,7 @@ use serde::Serialize;
 use serde::ser::{SerializeMap as _, Serializer};
 
 use crate::control::Control;
-use crate::kinematics::{Axis, AxisKind, Branch, Machine};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Branch};
 use crate::motion::Standing;
 use crate::post::{Account, Origin};
 
@@ -109,14 +109,11 @@ pub(crate) struct MapWriter<'a, W> {
 
 impl<W: Write> MapWriter<'_, W> {
     /// Begins the map of a program.
-    pub(crate) fn begin<M: Machine>(mut out: W, cl: &str, control: &dyn Control) -> io::Result<Self> {
+    pub(crate) fn begin(machine: &dyn AnyMachine, mut out: W, cl: &str, control: &dyn Control) -> io::Result<Self> {
         let text = |text: &str| serde_json::to_string(text).map_err(io::Error::from);
-        let [cl, machine, control] = [text(cl)?, text(M::NAME)?, text(control.spellings().name)?];
-        writeln!(
-            out,
-            "{{\"cl\":{cl},\"machine\":{machine},\"control\":{control},\"units\":[\"mm\",\"deg\"],\"lines\":["
-        )?;
-        Ok(Self { out, axes: M::AXES, begun: false })
+        let [cl, name, control] = [text(cl)?, text(machine.name())?, text(control.spellings().name)?];
+        writeln!(out, "{{\"cl\":{cl},\"machine\":{name},\"control\":{control},\"units\":[\"mm\",\"deg\"],\"lines\":[")?;
+        Ok(Self { out, axes: machine.axes(), begun: false })
     }
 
     /// Ends it.
@@ -189,13 +186,14 @@ impl MapFile {
         Ok(Self { path: path.to_owned(), target })
     }
 
-    pub(crate) fn begin<M: Machine>(
+    pub(crate) fn begin(
         &mut self,
+        machine: &dyn AnyMachine,
         cl: &str,
         control: &dyn Control,
     ) -> Result<MapWriter<'static, BufWriter<&mut dyn Write>>, Failure> {
         let out = BufWriter::new(self.target.writer());
-        MapWriter::begin::<M>(out, cl, control).map_err(|error| Failure::unwritable(&self.path, error))
+        MapWriter::begin(machine, out, cl, control).map_err(|error| Failure::unwritable(&self.path, error))
     }
 
     /// Takes the map of an earlier program away, before there is another program.

@@ -25,8 +25,8 @@ use std::process::ExitCode;
 
 use crate::cl;
 use crate::config;
-use crate::kinematics::Machine;
-use crate::post::{Proof, post_with_account, prove};
+use crate::kinematics::{AnyMachine, Machine};
+use crate::post::{Proof, post_for, prove};
 
 use args::{Command, MessageFormat, ProofArgs};
 use inputs::{fit, read_file};
@@ -37,17 +37,23 @@ use posting::Post;
 /// Runs the command line of the machine `M`: the whole of a machine's `main`.
 #[must_use]
 pub fn run<M: Machine>() -> ExitCode {
+    run_for(&M::default())
+}
+
+/// [`run`] for a machine whose type is not known.
+#[must_use]
+pub fn run_for(machine: &dyn AnyMachine) -> ExitCode {
     let args: Vec<OsString> = std::env::args_os().collect();
     let terminal = io::stderr().is_terminal();
     let (mut input, mut output, mut errors) = (io::stdin(), io::stdout(), io::stderr());
     let streams = Streams { input: &mut input, output: &mut output, errors: &mut errors, terminal };
     let status =
-        execute::<M>(&args, streams, &|job, source, sink, account| post_with_account::<M>(job, source, sink, account));
+        execute(machine, &args, streams, &|job, source, sink, account| post_for(machine, job, source, sink, account));
     ExitCode::from(status as u8)
 }
 
-fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'_>) -> Status {
-    let command = match args::parse(M::NAME, args) {
+fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>, post: Post<'_>) -> Status {
+    let command = match args::parse(machine.name(), args) {
         Ok(cli) => cli.command,
         Err(error) => return usage(&error, &mut streams),
     };
@@ -58,18 +64,18 @@ fn execute<M: Machine>(args: &[OsString], mut streams: Streams<'_>, post: Post<'
         Command::Config(_) | Command::Explain(_) => MessageFormat::Human,
     };
     let result = match command {
-        Command::Post(args) => posting::run::<M>(&args, &mut streams, post),
-        Command::Check(args) => check::run::<M>(&args, &mut streams),
-        Command::ExplainBlock(args) => explain_block::run::<M>(&args, &mut streams, post),
+        Command::Post(args) => posting::run(machine, &args, &mut streams, post),
+        Command::Check(args) => check::run(machine, &args, &mut streams),
+        Command::ExplainBlock(args) => explain_block::run(machine, &args, &mut streams, post),
         Command::Config(args) => {
             let config = config::starting_point(args.control());
-            let text = if args.schema { config::schema::<M>(&config) } else { config::print::<M>(&config) };
+            let text = if args.schema { config::schema(machine, &config) } else { config::print(machine, &config) };
             print(&mut streams, |out| out.write_all(text.as_bytes()))
         }
-        Command::Explain(args) if args.latex => print(&mut streams, explain::latex::<M>),
-        Command::Explain(args) if args.proof_program => prove_machine::<M>(&args.proof, &mut streams),
+        Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),
+        Command::Explain(args) if args.proof_program => prove_machine(machine, &args.proof, &mut streams),
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
-        Command::Explain(_) => print(&mut streams, explain::text::<M>),
+        Command::Explain(_) => print(&mut streams, |out| explain::text(machine, out)),
     };
     result.unwrap_or_else(|failure| {
         if !matches!(failure, Failure::Said) {
@@ -94,11 +100,11 @@ fn usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
 }
 
 /// Writes the program that proves the kinematics at the machine; nothing of it where it cannot be planned.
-fn prove_machine<M: Machine>(args: &ProofArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+fn prove_machine(machine: &dyn AnyMachine, args: &ProofArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, MessageFormat::Human);
-    let config = read_file::<M>(args.config.as_deref(), args.control(), &mut messages)?;
-    fit::<M>(args.control(), &config)?;
+    let config = read_file(machine, args.config.as_deref(), args.control(), &mut messages)?;
+    fit(machine, args.control(), &config)?;
     let proof = Proof { config: &config, control: args.control(), tool: args.tool, point: args.point };
-    let text = prove::<M>(&proof).map_err(Failure::Argument)?;
+    let text = prove(machine, &proof).map_err(Failure::Argument)?;
     print(streams, |out| out.write_all(&text))
 }

@@ -7,7 +7,7 @@ use crate::check::Checked;
 use crate::config::Config;
 use crate::control::{self, Control};
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 use crate::post::{Account, Job, PostError, Report};
 
 use super::args::{MessageFormat, PostArgs};
@@ -30,9 +30,14 @@ pub(crate) type Post<'a> =
 /// Remarks about a program, or why it must not be run.
 type Written = Result<Vec<String>, String>;
 
-pub(crate) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: Post<'_>) -> Result<Status, Failure> {
+pub(crate) fn run(
+    machine: &dyn AnyMachine,
+    args: &PostArgs,
+    streams: &mut Streams<'_>,
+    post: Post<'_>,
+) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.set_up.message_format);
-    let config = read_config::<M>(&args.set_up, &mut messages)?;
+    let config = read_config(machine, &args.set_up, &mut messages)?;
     refuse_overwriting(args)?;
     let mut source = open(&args.input, streams.input)?;
     let unwritable = |error| Failure::unwritable(&args.output, error);
@@ -50,8 +55,9 @@ pub(crate) fn run<M: Machine>(args: &PostArgs, streams: &mut Streams<'_>, post: 
     };
     let control = args.set_up.control();
     let run = Run { input: &args.input, output: &args.output, no_check: args.no_check, config: &config, control, post };
-    let mut map = map_file.as_mut().map(|file| file.begin::<M>(&cl_name(&args.input), control)).transpose()?;
-    let written = run.write::<M>(&mut source, out, map.as_mut().map(|map| map as &mut dyn Account), &mut messages)?;
+    let mut map = map_file.as_mut().map(|file| file.begin(machine, &cl_name(&args.input), control)).transpose()?;
+    let written =
+        run.write(machine, &mut source, out, map.as_mut().map(|map| map as &mut dyn Account), &mut messages)?;
     let ended = map.map_or(Ok(()), MapWriter::end);
     let remarks = match written {
         Ok(remarks) => remarks,
@@ -89,8 +95,9 @@ pub(crate) struct Run<'a> {
 
 impl Run<'_> {
     /// Posts, checks, and closes the program: with its end code, or with why it has none.
-    pub(crate) fn write<M: Machine>(
+    pub(crate) fn write(
         &self,
+        machine: &dyn AnyMachine,
         source: &mut ClSource,
         out: &mut dyn Write,
         account: Option<&mut dyn Account>,
@@ -101,7 +108,7 @@ impl Run<'_> {
         let unreadable = |error| Failure::Unreadable(name.clone(), error);
         let unwritable = |error| Failure::unwritable(output, error);
         let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().counted);
-        let check = (!self.no_check).then(|| SelfCheck::start::<M>(config, control, source)).transpose();
+        let check = (!self.no_check).then(|| SelfCheck::start(machine, config, control, source)).transpose();
         let mut checking = Checking::new(out, check.map_err(unreadable)?, closing);
         let mut tail = account.map(Tail::new);
         let report = self.report(source, &mut checking, tail.as_mut().map(|tail| tail as &mut dyn Account))?;

@@ -8,10 +8,10 @@ use std::io::{self, Read, Seek as _, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread::{self, JoinHandle};
 
-use crate::check::{CheckError, Checked, Job, check};
+use crate::check::{CheckError, Checked, Job, check_for};
 use crate::config::Config;
 use crate::control::Control;
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 
 use super::check::findings;
 use super::cl_source::ClSource;
@@ -30,16 +30,18 @@ pub(crate) struct SelfCheck {
 
 impl SelfCheck {
     /// Begins to check what will be written.
-    pub(crate) fn start<M: Machine>(
+    pub(crate) fn start(
+        machine: &dyn AnyMachine,
         config: &Config,
         control: &'static dyn Control,
         source: &ClSource,
     ) -> io::Result<Self> {
         let (sender, receiver) = sync_channel(PIECES);
-        let (config, input) = (config.clone(), source.again()?);
+        let (machine, config, mut input) = (machine.to_boxed(), config.clone(), source.again()?);
         let body = move || {
             let job = Job { config: &config, control, units: config.cl_units };
-            check::<M>(&job, input, PieceReader { receiver, piece: Vec::new(), at: 0 })
+            let mut program = PieceReader { receiver, piece: Vec::new(), at: 0 };
+            check_for(&*machine, &job, &mut input, &mut program)
         };
         let thread = thread::Builder::new().name("check".to_owned()).spawn(body)?;
         Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE), thread })

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::keys::{KeyList, KeyRow, Printed};
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 
 use super::Config;
 use super::read::scope;
@@ -17,8 +17,8 @@ const WIDTH: usize = 120;
 /// A line that begins with `#` and a key is a default; a line that begins with `# e.g.` shows a key without default.
 /// Read back as it stands the file gives [`Config::default`], so what nobody changes stays marked as assumed.
 #[must_use]
-pub fn print<M: Machine>(config: &Config) -> String {
-    let list = KeyList::of(config, scope::<M>());
+pub fn print(machine: &dyn AnyMachine, config: &Config) -> String {
+    let list = KeyList::of(config, scope(machine));
     let mut text = format!(
         r#"# Set-up for {}.
 #
@@ -30,7 +30,7 @@ pub fn print<M: Machine>(config: &Config) -> String {
 # Unit of length of this file: "mm" or "in".
 units = "mm"
 "#,
-        M::NAME
+        machine.name()
     );
     // Writing to a string cannot fail.
     let _ = print_above(&mut text, list.rows());

@@ -3,20 +3,20 @@
 use serde_json::{Value as Json, json};
 
 use crate::keys::{KeyKind, KeyList, OneOf};
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 
 use super::read::scope;
 use super::{Config, UNITS};
 
 /// The JSON schema of a configuration file for the machine `M`; `config`: the defaults of the control.
 #[must_use]
-pub fn schema<M: Machine>(config: &Config) -> String {
-    let scope = scope::<M>();
+pub fn schema(machine: &dyn AnyMachine, config: &Config) -> String {
+    let scope = scope(machine);
     let mut schema = KeyList::of(config, scope).schema();
     schema["properties"]["units"] = OneOf(&UNITS).schema(&scope);
     schema["properties"]["units"]["description"] = json!("Unit of length of this file: \"mm\" or \"in\".");
     schema.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
-    schema.insert("title".to_owned(), json!(format!("Set-up for {}", M::NAME)));
+    schema.insert("title".to_owned(), json!(format!("Set-up for {}", machine.name())));
     // Nothing in it can fail to be written.
     let mut text = serde_json::to_string_pretty(&Json::Object(schema)).unwrap_or_default();
     text.push('\n');
@@ -33,7 +33,7 @@ mod tests {
     use crate::keys::{KeyReader, KeyTable};
 
     fn of_sample() -> Json {
-        serde_json::from_str(&schema::<Machine5>(&Config::default())).expect("JSON")
+        serde_json::from_str(&schema(&Machine5::default(), &Config::default())).expect("JSON")
     }
 
     /// The printed file with every line switched on.
@@ -42,7 +42,7 @@ mod tests {
             let default = line.strip_prefix('#').filter(|rest| !rest.is_empty() && !rest.starts_with(' '));
             line.strip_prefix("# e.g. ").or(default).unwrap_or(line).to_owned() + "\n"
         };
-        print::<Machine5>(&Config::default()).lines().map(on).collect()
+        print(&Machine5::default(), &Config::default()).lines().map(on).collect()
     }
 
     #[test]
@@ -50,8 +50,8 @@ mod tests {
         let text = switched_on();
         let (root, errors) = DeTable::parse_recoverable(&text);
         assert!(errors.is_empty(), "{errors:?}");
-        let mut reader = KeyReader::new(&text, scope::<Machine5>());
-        Config::default().read_file::<Machine5>(&mut reader, &mut KeyTable::new("", Some(root.get_ref())));
+        let mut reader = KeyReader::new(&text, scope(&Machine5::default()));
+        Config::default().read_file(&Machine5::default(), &mut reader, &mut KeyTable::new("", Some(root.get_ref())));
         let schema = of_sample();
         let keys = reader.known().to_vec();
         assert!(keys.len() > 80, "{keys:?}");

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use proptest::prelude::*;
 
 use crate::kinematics::Limits;
+use crate::kinematics::Machine as _;
 use crate::program::Rotation;
 
 use super::sample::Sample;
@@ -30,7 +31,7 @@ fn close(left: f64, right: f64) -> bool {
 
 #[test]
 fn the_printed_file_reads_back_as_the_default() {
-    let mut config = read(&print::<Sample>(&Config::default()));
+    let mut config = read(&print(&Sample::default(), &Config::default()));
     assert_eq!(config.given, BTreeSet::from(["units"]));
     config.given.clear();
     assert_eq!(config, Config::default());
@@ -43,7 +44,7 @@ fn an_empty_file_is_the_default() {
 
 #[test]
 fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
-    let text: String = print::<Sample>(&Config::default())
+    let text: String = print(&Sample::default(), &Config::default())
         .lines()
         .map(|line| match line.strip_prefix('#') {
             Some(setting) if !setting.is_empty() && !setting.starts_with(' ') => format!("{setting}\n"),
@@ -65,7 +66,7 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
     // Zero as it is assumed, given once more.
     assert_eq!(plain.motion.retract.position.take(), Some(Retract::POSITION));
     assert_eq!(plain, Config::default());
-    let (travel, declared) = (config.set_up.travel::<Sample>(), Config::default().set_up.travel::<Sample>());
+    let (travel, declared) = (config.set_up.travel(Sample::AXES), Config::default().set_up.travel(Sample::AXES));
     for (one, other) in travel.limits.iter().zip(&declared.limits) {
         assert_eq!(one.is_some(), other.is_some());
         assert!(
@@ -80,7 +81,7 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
 
 #[test]
 fn every_example_of_the_printed_file_is_accepted() {
-    let text: String = print::<Sample>(&Config::default())
+    let text: String = print(&Sample::default(), &Config::default())
         .lines()
         .map(|line| format!("{}\n", line.strip_prefix("# e.g. ").unwrap_or(line)))
         .collect();
@@ -332,7 +333,7 @@ fn coolant_codes_are_given_in_pairs_for_kinds_that_exist() {
 #[test]
 fn a_file_is_read_on_top_of_the_digits_of_the_control() {
     let start = crate::config::starting_point(&crate::control::Fanuc);
-    let config = start.read_over::<Sample>("[formats]\nfeed = 1\n").expect("no fault");
+    let config = start.read_over(&Sample::default(), "[formats]\nfeed = 1\n").expect("no fault");
     assert_eq!((config.formats.rotary, config.formats.feed, config.formats.linear_whole), (3, 1, 6));
 }
 
@@ -448,7 +449,7 @@ fn words_that_move_something_cannot_be_set_inert() {
 #[test]
 fn every_key_is_declared_once_and_shows_a_default_or_an_example() {
     use crate::keys::{KeyList, Printed};
-    let list = KeyList::of(&Config::default(), super::read::scope::<Sample>());
+    let list = KeyList::of(&Config::default(), super::read::scope(&Sample::default()));
     let mut paths = BTreeSet::new();
     for row in list.rows() {
         assert!(paths.insert(row.path), "`{}` twice", row.path);

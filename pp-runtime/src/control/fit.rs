@@ -1,6 +1,6 @@
 //! Whether a configuration fits a control, and what the planner may ask of the two: the abilities of `motion`.
 
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 use crate::motion::{self, Abilities, CycleAbilities, Mode, PathNorm, PlaneAbility, TcpWords, TipAbility};
 use crate::program::Coolant;
 use crate::set_up::LengthMode;
@@ -11,10 +11,10 @@ use super::options::{Demands, Smoothing};
 /// Demands of the configuration that the control cannot meet, and why machine, control and configuration do not suit the
 /// mode that is asked for: one sentence each, none if a program can be written.
 #[must_use]
-pub fn unfit<M: Machine>(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
+pub fn unfit(machine: &dyn AnyMachine, control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let Abilities { tip, plane, .. } = abilities(control, demands);
     let mut faults = beyond(control, demands);
-    faults.append(&mut motion::unsuited::<M>(demands.policy(), control.spellings().title, tip, plane));
+    faults.append(&mut motion::unsuited(machine, demands.policy(), control.spellings().title, tip, plane));
     faults
 }
 

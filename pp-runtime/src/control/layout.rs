@@ -2,7 +2,7 @@
 
 use super::options::Demands;
 use super::options::{Options, ProgramBlocks};
-use crate::kinematics::{AxisKind, Machine};
+use crate::kinematics::{AnyMachine, AxisKind};
 use crate::motion::{Mode, TcpWords, ToolPosture, Wrap};
 use crate::program::Units;
 
@@ -40,11 +40,11 @@ pub struct Layout {
 impl Layout {
     /// The layout of a job for the machine `M`.
     #[must_use]
-    pub fn new<M: Machine>(demands: Demands<'_>, units: Units, name: &[u8]) -> Self {
+    pub fn new(machine: &dyn AnyMachine, demands: Demands<'_>, units: Units, name: &[u8]) -> Self {
         let linear = demands.formats.linear(units);
         let decimals = |kind: AxisKind| if kind == AxisKind::Linear { linear } else { demands.formats.rotary };
         Self {
-            axes: M::AXES.iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
+            axes: machine.axes().iter().map(|axis| (axis.letter, decimals(axis.kind))).collect(),
             units,
             linear,
             work_offset: demands.set_up.work_offset.clone(),

@@ -422,7 +422,7 @@ fn what_a_control_does_not_have_is_told_before_anything_is_posted() {
     let faults = |control: &dyn Control, change: fn(&mut Config)| {
         let mut config = starting_point(control);
         change(&mut config);
-        unfit::<Sample>(control, config.demands())
+        unfit(&Sample::default(), control, config.demands())
     };
     for control in CONTROLS {
         assert_eq!(faults(*control, |_| {}), Vec::<String>::new());

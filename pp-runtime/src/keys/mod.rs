@@ -20,7 +20,7 @@ pub(crate) use list::{KeyList, KeyRow, Printed, example_entries, printed_degrees
 pub(crate) use reader::{Bound, KeyReader, Quantity, TomlValue, list, nearest};
 pub(crate) use table::KeyTable;
 
-use crate::kinematics::{Axis, Dimension, Machine};
+use crate::kinematics::{AnyMachine, Axis, Dimension};
 
 /// What keys depend on besides their own value.
 #[derive(Debug, Clone, Copy)]
@@ -36,9 +36,9 @@ pub(crate) struct KeyScope {
 }
 
 impl KeyScope {
-    /// Keys of the machine `M`.
-    pub(crate) fn of<M: Machine>(is_work_offset: fn(&str) -> bool) -> Self {
-        Self { machine: M::NAME, axes: M::AXES, dimensions: M::DIMENSIONS, is_work_offset }
+    /// Keys of a machine.
+    pub(crate) fn of(machine: &dyn AnyMachine, is_work_offset: fn(&str) -> bool) -> Self {
+        Self { machine: machine.name(), axes: machine.axes(), dimensions: machine.dimensions(), is_work_offset }
     }
 }
 

@@ -3,6 +3,8 @@
 //! Millimetres and radians throughout. *Forward* is always axes to pose, *inverse* pose to axes. Everything here builds
 //! without `std` and allocates nothing; [`machine!`](crate::machine) implements [`Machine`] for one declared machine.
 
+#[cfg(feature = "std")]
+pub mod any;
 mod explanation;
 mod machine;
 pub mod math;
@@ -10,6 +12,10 @@ mod motion;
 mod refusal;
 mod solutions;
 
+#[cfg(feature = "std")]
+pub(crate) use any::AnyMachine;
+#[cfg(feature = "std")]
+pub use any::{AxisValues, MAX_AXES};
 pub use explanation::{Explanation, Section};
 pub use machine::{Axis, AxisKind, Dimension, DimensionKind, Joint, Limits, Machine, Pose, Side, Sign};
 pub use motion::{Curve, MotionBound, motion_of_joints, rates_of_joints};

@@ -54,6 +54,19 @@ impl<A: Copy + Default> Solutions<A> {
     }
 }
 
+impl<A: Copy> Solutions<A> {
+    /// The same solutions with their axis values in another form.
+    #[inline]
+    pub(crate) fn map<B: Copy + Default>(&self, convert: impl Fn(&A) -> B) -> Solutions<B> {
+        let mut list = [Solution::default(); 2];
+        for (to, from) in list.iter_mut().zip(&self.list[..self.len]) {
+            let Solution { axes, branch, singular, deviation } = from;
+            *to = Solution { axes: convert(axes), branch: *branch, singular: *singular, deviation: *deviation };
+        }
+        Solutions { list, len: self.len }
+    }
+}
+
 impl<A> Deref for Solutions<A> {
     type Target = [Solution<A>];
     #[inline]

@@ -40,7 +40,7 @@ impl Run {
 /// Posts events for LinuxCNC; the event at position `n` stands in line `n + 1`.
 pub(super) fn run<M: Machine>(config: &Config, events: &[Event<'_>]) -> Run {
     let units = config.output_units.unwrap_or(Units::Millimetres);
-    let layout = Layout::new::<M>(config.demands(), units, b"");
+    let layout = Layout::new(&M::default(), config.demands(), units, b"");
     let mut out = Vec::new();
     let mut encoder = Encoder::new(&LinuxCnc, &layout, &mut out);
     let (diagnostics, statistics) = plan::<M>(&LinuxCnc, config, events, &mut encoder);
@@ -60,19 +60,19 @@ pub(super) fn plan<M: Machine>(
     let machine = config.set_up.machine::<M>().expect("valid");
     let units = config.output_units.unwrap_or(Units::Millimetres);
     let abilities = crate::control::abilities(control, config.demands());
-    let mut navigator = Navigator::new(machine.clone(), config.policy());
+    let mut navigator = Navigator::new(Box::new(machine.clone()), config.policy());
     hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     let course = navigator.finish();
     let policy = config.policy();
     let mut moving = MovingAxes::default();
     if !config.motion.rotaries.clamp.is_empty() {
-        let mut planner = Planner::new(machine.clone(), policy, units, &abilities, false, Nowhere);
+        let mut planner = Planner::new(Box::new(machine.clone()), policy, units, &abilities, false, Nowhere);
         planner = planner.with_course(course.clone());
         hand_on::<M, _>(config, events, &mut planner).expect("a rehearsal");
         planner.finish(Location::default()).expect("a rehearsal");
         moving = planner.rehearsed();
     }
-    let planner = Planner::new(machine, policy, units, &abilities, false, sink).with_course(course);
+    let planner = Planner::new(Box::new(machine), policy, units, &abilities, false, sink).with_course(course);
     let mut planner = planner.with_clamps(moving);
     let at = Location { line: events.len() as u64, column: 1 };
     let planned = hand_on::<M, _>(config, events, &mut planner).and_then(|()| planner.finish(at));
@@ -91,7 +91,7 @@ pub(super) fn hand_on<M: Machine, S: Stage>(
     events: &[Event<'_>],
     stage: &mut S,
 ) -> Result<(), S::Stop> {
-    let mut source = Source::new::<M>(config.policy());
+    let mut source = Source::new(&M::default(), config.policy());
     for (index, event) in events.iter().enumerate() {
         source.event(Location { line: index as u64 + 1, column: 1 }, event, stage)?;
     }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
 use crate::config::Config;
 use crate::control::{Control, Encoder, LengthGuard};
-use crate::kinematics::{Axis, AxisKind, Machine, Side, Sign};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
 use crate::motion::{CutterPath, Mode, TcpFrame, ToolPosture, Wrap};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
@@ -19,17 +19,17 @@ use super::survey::{Survey, ToolUse};
 const THINNEST: f64 = 0.1;
 
 /// Everything the header tells.
-pub(crate) struct Header<'a, M: Machine> {
+pub(crate) struct Header<'a> {
     pub(crate) job: &'a Job<'a>,
     pub(crate) survey: &'a Survey,
     pub(crate) units: Units,
-    pub(crate) machine: &'a M,
+    pub(crate) machine: &'a dyn AnyMachine,
     /// Linear axes whose limits are not checked, and why.
     pub(crate) unchecked: Vec<(char, &'static str)>,
 }
 
-fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = &'static Axis> {
-    M::AXES.iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
+fn rotaries(machine: &dyn AnyMachine, side: Side) -> impl Iterator<Item = &'static Axis> {
+    machine.axes().iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
 }
 
 /// The work offset as the control names it.
@@ -40,7 +40,12 @@ pub(crate) fn work_offset(control: &dyn Control, config: &Config) -> String {
 }
 
 /// What the program takes for granted because nothing was given, one sentence each.
-pub(crate) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, survey: &Survey) -> Vec<String> {
+pub(crate) fn assumptions(
+    machine: &dyn AnyMachine,
+    control: &dyn Control,
+    config: &Config,
+    survey: &Survey,
+) -> Vec<String> {
     let mut list = Vec::new();
     if survey.file.units_only_given {
         let unit = survey.file.units.map_or("", Units::name);
@@ -52,7 +57,7 @@ pub(crate) fn assumptions<M: Machine>(control: &dyn Control, config: &Config, su
     // A control that counts the tip in the frame of the part knows where the part lies.
     let known = config.motion.mode != Mode::Axes
         && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
-    if !known && rotaries::<M>(Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
+    if !known && rotaries(machine, Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
         list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
     }
     if !config.is_given("work_offset") {
@@ -125,11 +130,11 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
 
 /// What the rotary entries of the work offset must hold: those of the table always, those of the head where any of them
 /// is used.
-fn rotary_entries<M: Machine>(control: &dyn Control, config: &Config) -> Vec<String> {
+fn rotary_entries(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Vec<String> {
     let entries_of = work_offset(control, config);
     let used = !config.set_up.rotary_offset.is_empty();
-    let mut letters: Vec<char> = rotaries::<M>(Side::Workpiece).map(|axis| axis.letter).collect();
-    letters.extend(rotaries::<M>(Side::Tool).filter(|_| used).map(|axis| axis.letter));
+    let mut letters: Vec<char> = rotaries(machine, Side::Workpiece).map(|axis| axis.letter).collect();
+    letters.extend(rotaries(machine, Side::Tool).filter(|_| used).map(|axis| axis.letter));
     let (mut list, mut zero) = (Vec::new(), String::new());
     for letter in letters {
         match config.set_up.rotary_offset.get(&letter) {
@@ -207,7 +212,7 @@ pub(crate) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
     lines.into_iter().map(|(why, letters)| format!("linear limits not checked: {why} ({letters})")).collect()
 }
 
-impl<M: Machine> Header<'_, M> {
+impl Header<'_> {
     pub(crate) fn write<W: Write>(&self, assumptions: &[String], encoder: &mut Encoder<'_, W>) -> io::Result<()> {
         encoder.open(self.blank().as_ref())?;
         let config = self.job.config;
@@ -218,7 +223,7 @@ impl<M: Machine> Header<'_, M> {
             format!("CL FILE {}", self.job.cl_name),
             format!(
                 "MACHINE {}, CONTROL {}, MODE {}",
-                M::NAME,
+                self.machine.name(),
                 self.job.control.spellings().title,
                 config.motion.mode.name()
             ),
@@ -233,7 +238,7 @@ impl<M: Machine> Header<'_, M> {
             CutterPath::Contour => "CUTTER COMPENSATION of the contour: D holds the radius".to_owned(),
         }));
         lines.extend(reading(config, self.survey));
-        let turns = rotaries::<M>(Side::Workpiece).chain(rotaries::<M>(Side::Tool)).next().is_some();
+        let turns = rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
         let kept = (turns && config.motion.mode != Mode::Plane).then(|| {
             format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
@@ -281,18 +286,18 @@ impl<M: Machine> Header<'_, M> {
     /// What the program takes for granted about axes, set-up and tools; `kept`: what holds while a rotary axis moves.
     pub(crate) fn machine_lines(&self, kept: Option<String>) -> Vec<String> {
         let config = self.job.config;
-        let mut lines: Vec<String> = (0..M::AXES.len()).map(|index| self.sign(index)).collect();
+        let mut lines: Vec<String> = (0..self.machine.axes().len()).map(|index| self.sign(index)).collect();
         lines.extend(kept);
         lines.extend(self.rotary_words());
         lines.extend(framed(self.job.control, config));
         lines.extend(unchecked(&self.unchecked));
-        if config.motion.mode == Mode::Axes && rotaries::<M>(Side::Workpiece).next().is_some() {
+        if config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Workpiece).next().is_some() {
             lines.push(format!(
                 "valid only for part origin {} from the table reference; do not touch off again",
                 self.point(config.set_up.part_origin)
             ));
         }
-        lines.extend(rotary_entries::<M>(self.job.control, config));
+        lines.extend(rotary_entries(self.machine, self.job.control, config));
         lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
         lines
     }
@@ -301,7 +306,7 @@ impl<M: Machine> Header<'_, M> {
     fn rotary_words(&self) -> Option<String> {
         let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
         let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
-        let letters: String = M::AXES.iter().filter(counting).map(|axis| axis.letter).collect();
+        let letters: String = self.machine.axes().iter().filter(counting).map(|axis| axis.letter).collect();
         if letters.is_empty() || self.job.config.motion.mode == Mode::Plane {
             return None;
         }
@@ -329,10 +334,10 @@ impl<M: Machine> Header<'_, M> {
 
     /// The sign of an axis in words.
     fn sign(&self, index: usize) -> String {
-        let axis = &M::AXES[index];
+        let axis = &self.machine.axes()[index];
         let letter = axis.letter;
         if axis.held {
-            let value = M::HELD.as_ref()[index];
+            let value = self.machine.held()[index];
             let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { value / self.units.in_mm() };
             return format!("AXIS {letter} is not moved and must stand at {value}");
         }
@@ -397,7 +402,7 @@ impl<M: Machine> Header<'_, M> {
         let mut lines = vec![text];
         let gauge_line = config.set_up.length_mode == LengthMode::Gauge;
         if let Some(length) = length
-            && (gauge_line || config.motion.mode == Mode::Axes && rotaries::<M>(Side::Tool).next().is_some())
+            && (gauge_line || config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Tool).next().is_some())
         {
             let mut held = format!("{register} must hold exactly this");
             if config.motion.guards.length_guard != Some(false) && !self.compares(number, offset, length) {

@@ -16,11 +16,11 @@ mod tests;
 
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
-use crate::cl::{self, Reader};
+use crate::cl::{self, ReadSeek, Reader};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
-use crate::kinematics::{AxisKind, Invalid, Machine};
+use crate::kinematics::{AnyMachine, AxisKind, Invalid, Machine};
 use crate::motion::{
     Abilities, Chorded, Cost, Course, MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Statistics, Stop, Times,
 };
@@ -107,14 +107,14 @@ fn counted(count: u64, word: &str) -> String {
 
 impl Report {
     /// What the survey has found.
-    fn of<M: Machine>(job: &Job<'_>, survey: &Survey) -> Self {
+    fn of(machine: &dyn AnyMachine, job: &Job<'_>, survey: &Survey) -> Self {
         let mut report = Self {
             tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
             lines: survey.file.lines,
             stretches: survey.stretches,
             set_up: header::set_up(job.config, survey),
             reading: header::reading(job.config, survey),
-            assumptions: header::assumptions::<M>(job.control, job.config, survey),
+            assumptions: header::assumptions(machine, job.control, job.config, survey),
             ..Self::default()
         };
         survey.diagnostics.iter().for_each(|diagnostic| report.fault(diagnostic.clone()));
@@ -122,13 +122,13 @@ impl Report {
     }
 
     /// Nothing is written: the machine cannot be built.
-    fn refuse<M: Machine>(&mut self, invalid: &Invalid) {
+    fn refuse(&mut self, machine: &dyn AnyMachine, invalid: &Invalid) {
         self.fault(Diagnostic {
             severity: Severity::Error,
             location: Location::default(),
             length: 1,
             count: 1,
-            text: format!("{} cannot be posted for: {invalid}", M::NAME),
+            text: format!("{} cannot be posted for: {invalid}", machine.name()),
             help: Some("correct the dimensions in the configuration".to_owned()),
         });
     }
@@ -237,46 +237,47 @@ pub fn post<M: Machine>(
     input: &mut (impl Read + Seek),
     output: &mut impl Write,
 ) -> Result<Report, PostError> {
-    post_with_account::<M>(job, input, output, None)
+    post_for(&M::default(), job, input, output, None)
 }
 
-/// [`post`], and an account of each line that is written.
+/// [`post`] for a machine whose type is not known, with an account of each line that is written.
 ///
 /// # Errors
-/// Those of [`post`]; what the account cannot take counts as output.
-pub fn post_with_account<M: Machine>(
+/// Those of [`post`]; an account that cannot be written is an error of the output.
+pub fn post_for(
+    machine: &dyn AnyMachine,
     job: &Job<'_>,
-    input: &mut (impl Read + Seek),
-    output: &mut impl Write,
+    input: &mut dyn ReadSeek,
+    output: &mut dyn Write,
     account: Option<&mut dyn Account>,
 ) -> Result<Report, PostError> {
-    let unfit = control::unfit::<M>(job.control, job.config.demands());
+    let unfit = control::unfit(machine, job.control, job.config.demands());
     if !unfit.is_empty() {
         return Err(PostError::Unfit(unfit.join("\n")));
     }
     let mut text = ClText::new(job, input)?;
-    let machine = job.config.set_up.machine::<M>();
-    let mut survey = text.survey(machine.as_ref().ok())?;
+    let ready = job.config.set_up.machine_for(machine);
+    let mut survey = text.survey(machine, ready.as_deref().ok())?;
     if let (Some(Err(missing)), None) = (&survey.wanted, survey.first_error) {
         // What is wrong with the CL data is reported first: with it, operations may be missing.
         return Err(PostError::Operations(missing.clone()));
     }
-    let mut report = Report::of::<M>(job, &survey);
-    let machine = match machine {
-        Ok(machine) => machine,
+    let mut report = Report::of(machine, job, &survey);
+    let machine = match &ready {
+        Ok(ready) => &**ready,
         Err(invalid) => {
-            report.refuse::<M>(&invalid);
+            report.refuse(machine, invalid);
             return Ok(report);
         }
     };
     let course = std::mem::take(&mut survey.course);
-    if M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
+    if machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held) {
         report.course = course_text(&course, job.config);
     }
     let units = job.config.output_units.unwrap_or_else(|| survey.file.units.unwrap_or(Units::Millimetres));
-    let layout = Layout::new::<M>(job.config.demands(), units, &survey.name);
+    let layout = Layout::new(machine, job.config.demands(), units, &survey.name);
     let abilities = control::abilities(job.control, job.config.demands());
-    let pass = Pass { job, survey: &survey, machine: &machine, units, abilities: &abilities };
+    let pass = Pass { job, survey: &survey, machine, units, abilities: &abilities };
     let moving = if job.config.motion.rotaries.clamp.is_empty() {
         MovingAxes::default()
     } else {
@@ -289,14 +290,14 @@ pub fn post_with_account<M: Machine>(
 }
 
 /// The CL text, which is read from its start in each pass.
-struct ClText<'a, I> {
+struct ClText<'a> {
     job: &'a Job<'a>,
-    input: &'a mut I,
+    input: &'a mut dyn ReadSeek,
     start: u64,
 }
 
-impl<'a, I: Read + Seek> ClText<'a, I> {
-    fn new(job: &'a Job<'a>, input: &'a mut I) -> Result<Self, PostError> {
+impl<'a> ClText<'a> {
+    fn new(job: &'a Job<'a>, input: &'a mut dyn ReadSeek) -> Result<Self, PostError> {
         let start = input.stream_position().map_err(PostError::Input)?;
         Ok(Self { job, input, start })
     }
@@ -307,15 +308,15 @@ impl<'a, I: Read + Seek> ClText<'a, I> {
     }
 
     /// The first pass; without a machine there is no course.
-    fn survey<M: Machine>(&mut self, machine: Option<&M>) -> Result<Survey, PostError> {
+    fn survey(&mut self, machine: &dyn AnyMachine, ready: Option<&dyn AnyMachine>) -> Result<Survey, PostError> {
         let policy = self.job.config.policy();
-        let navigator = machine.map(|machine| Navigator::new(machine.clone(), policy));
+        let navigator = ready.map(|ready| Navigator::new(ready.to_boxed(), policy));
         let options = self.options();
-        Survey::take(&mut *self.input, options, policy, navigator).map_err(PostError::Input)
+        Survey::take(machine, &mut *self.input, options, policy, navigator).map_err(PostError::Input)
     }
 
     /// A reader at the start.
-    fn reader(&mut self) -> Result<Reader<&mut I>, PostError> {
+    fn reader(&mut self) -> Result<Reader<&mut dyn ReadSeek>, PostError> {
         self.input.seek(SeekFrom::Start(self.start)).map_err(PostError::Input)?;
         let options = self.options();
         Ok(Reader::new(&mut *self.input, options))
@@ -323,18 +324,18 @@ impl<'a, I: Read + Seek> ClText<'a, I> {
 }
 
 /// What a pass that plans has to know.
-struct Pass<'a, M: Machine> {
+struct Pass<'a> {
     job: &'a Job<'a>,
     survey: &'a Survey,
-    machine: &'a M,
+    machine: &'a dyn AnyMachine,
     units: Units,
     abilities: &'a Abilities,
 }
 
-impl<M: Machine> Pass<'_, M> {
-    fn planner<S: Sink>(&self, course: Course, sink: S) -> Planner<'_, M, S> {
+impl Pass<'_> {
+    fn planner<S: Sink>(&self, course: Course, sink: S) -> Planner<'_, S> {
         let Self { job, survey, machine, units, abilities } = *self;
-        Planner::new(machine.clone(), job.config.policy(), units, abilities, survey.upside_down, sink)
+        Planner::new(machine.to_boxed(), job.config.policy(), units, abilities, survey.upside_down, sink)
             .with_course(course)
             .with_tools(survey.order.clone())
             .with_operations(survey.wanted.clone().and_then(Result::ok))
@@ -388,10 +389,10 @@ impl<M: Machine> Pass<'_, M> {
     fn plan<S: Sink>(
         &self,
         mut reader: Reader<impl Read>,
-        planner: &mut Planner<'_, M, S>,
+        planner: &mut Planner<'_, S>,
         remarks: &mut Remarks,
     ) -> Result<Result<(), Stop>, PostError> {
-        let mut source = Source::new::<M>(self.job.config.policy());
+        let mut source = Source::new(self.machine, self.job.config.policy());
         let first_error = self.survey.first_error;
         let mut last = Location::default();
         loop {

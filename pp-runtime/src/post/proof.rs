@@ -9,7 +9,7 @@ use nalgebra::Point3;
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::Diagnostic;
-use crate::kinematics::{AxisKind, Machine, Side};
+use crate::kinematics::{AnyMachine, AxisKind, Side};
 use crate::motion::Mode;
 use crate::motion::{Planner, ProofProgram, Stop, Sweep};
 use crate::program::ToolCall;
@@ -39,9 +39,10 @@ pub struct Proof<'a> {
 ///
 /// # Errors
 /// A sentence about what is missing, or what cannot be reached.
-pub fn prove<M: Machine>(proof: &Proof<'_>) -> Result<Vec<u8>, String> {
+pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     let given = proof.config;
-    let table = M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece);
+    let table =
+        machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece);
     if proof.point.is_none() && table && !given.is_given("part_origin") {
         return Err(
             "the tip would stand on the table, at its reference point: give `part_origin` in the configuration, \
@@ -57,11 +58,13 @@ pub fn prove<M: Machine>(proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     config.motion.mode = Mode::Axes;
     config.motion.rapids.reorient_speed = slow;
     let units = config.output_units.unwrap_or(Units::Millimetres);
-    let machine =
-        config.set_up.machine::<M>().map_err(|invalid| format!("{} cannot be built like this: {invalid}", M::NAME))?;
+    let machine = config
+        .set_up
+        .machine_for(machine)
+        .map_err(|invalid| format!("{} cannot be built like this: {invalid}", machine.name()))?;
     let abilities = control::abilities(proof.control, config.demands());
     let mut out = Vec::new();
-    let layout = Layout::new::<M>(config.demands(), units, b"PROOF");
+    let layout = Layout::new(&*machine, config.demands(), units, b"PROOF");
     let encoder = Encoder::new(proof.control, &layout, &mut out);
     let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, encoder);
     let sweeps = ProofProgram::new(&mut planner).sweeps().map_err(told)?;
@@ -70,7 +73,7 @@ pub fn prove<M: Machine>(proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     let point = Point3::from(proof.point.unwrap_or_default());
     let job = Job { cl_name: "", config: &config, control: proof.control, units: None };
     let survey = survey(number, &point);
-    let header = Header { job: &job, survey: &survey, units, machine: &machine, unchecked: planner.unchecked_axes() };
+    let header = Header { job: &job, survey: &survey, units, machine: &*machine, unchecked: planner.unchecked_axes() };
     head(&header, &point, &sweeps, planner.sink()).map_err(|error| told(Stop::Output(error)))?;
     ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(told)?;
     let encoder = planner.sink();
@@ -102,8 +105,8 @@ fn survey(number: u32, point: &Point3<f64>) -> Survey {
     survey
 }
 
-fn head<M: Machine, W: Write>(
-    header: &Header<'_, M>,
+fn head<W: Write>(
+    header: &Header<'_>,
     point: &Point3<f64>,
     sweeps: &[Sweep],
     encoder: &mut Encoder<'_, W>,
@@ -112,7 +115,7 @@ fn head<M: Machine, W: Write>(
     let (config, control) = (header.job.config, header.job.control);
     let mut lines = vec![
         "PROOF OF THE KINEMATICS: nothing is cut, the spindle stands".to_owned(),
-        format!("MACHINE {}, CONTROL {}, MODE axes", M::NAME, control.spellings().title),
+        format!("MACHINE {}, CONTROL {}, MODE axes", header.machine.name(), control.spellings().title),
         format!("UNITS {}, WORK OFFSET {}", header.units.name(), work_offset(control, config)),
         format!("PART ORIGIN {} from the table reference", header.point(config.set_up.part_origin)),
         format!("THE TIP STANDS AT {} of the part while the rotary axes turn", header.point((*point).into())),

@@ -9,7 +9,7 @@ use nalgebra::UnitVector3;
 use crate::cl::{ArcVote, Dialect, Options, Reader};
 use crate::config::{list, nearest};
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::{Machine, Pose};
+use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::{
     Action, Begins, Course, Item, MotionIndex, Navigator, Operations, Policy, Source, Stage, extent, hole_extent,
 };
@@ -116,15 +116,16 @@ impl Stretches {
 
 impl Survey {
     /// The first pass: reads the whole file, for the survey and the course alike.
-    pub(crate) fn take<M: Machine>(
+    pub(crate) fn take(
+        machine: &dyn AnyMachine,
         input: impl Read,
         options: Options,
         policy: Policy<'_>,
-        navigator: Option<Navigator<M>>,
+        navigator: Option<Navigator>,
     ) -> io::Result<Self> {
         let mut reader = Reader::new(input, options);
-        let mut source = Source::new::<M>(policy);
-        let surveyor = Surveyor::new(policy.options.operations.clone(), M::default().tool_axis());
+        let mut source = Source::new(machine, policy);
+        let surveyor = Surveyor::new(policy.options.operations.clone(), machine.tool_axis());
         let mut pass = FirstPass { surveyor, navigator };
         loop {
             // Looked at where it lies: to move an event costs as much as to look at it.
@@ -152,9 +153,9 @@ impl Survey {
 }
 
 /// Everything that sees the first pass.
-struct FirstPass<M: Machine> {
+struct FirstPass {
     surveyor: Surveyor,
-    navigator: Option<Navigator<M>>,
+    navigator: Option<Navigator>,
 }
 
 /// What the first pass refuses: nothing, all of it comes up again in the last.
@@ -166,7 +167,7 @@ impl From<Diagnostic> for Ignored {
     }
 }
 
-impl<M: Machine> Stage for FirstPass<M> {
+impl Stage for FirstPass {
     type Stop = Ignored;
 
     fn take(&mut self, item: &Item<'_>) -> Result<(), Ignored> {

@@ -123,8 +123,8 @@ fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
     post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out).expect("memory neither fails nor fills");
     let text = String::from_utf8(out).expect("ASCII");
     assert!(text.starts_with("%_N_OP_10__A_BRACKET_WITH_A__MPF\n;$PATH=/_N_MPF_DIR\n; PROGRAM"), "{}", &text[..90]);
-    assert_eq!(control::unfit::<Cb>(&Siemens, config.demands()), Vec::<String>::new());
-    assert_eq!(control::unfit::<Cb>(&LinuxCnc, config.demands()).len(), 1);
+    assert_eq!(control::unfit(&Cb::default(), &Siemens, config.demands()), Vec::<String>::new());
+    assert_eq!(control::unfit(&Cb::default(), &LinuxCnc, config.demands()).len(), 1);
 }
 
 #[test]

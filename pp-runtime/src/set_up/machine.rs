@@ -1,6 +1,6 @@
 //! A set-up applied to a machine: its dimensions, travel and speeds for this job.
 
-use crate::kinematics::{Invalid, Limits, Machine};
+use crate::kinematics::{AnyMachine, Axis, Invalid, Limits, Machine};
 
 use super::SetUp;
 
@@ -20,22 +20,36 @@ impl SetUp {
     /// [`Invalid`] if the machine's formulas do not hold for these dimensions.
     pub fn machine<M: Machine>(&self) -> Result<M, Invalid> {
         let mut machine = M::default();
-        for (index, dimension) in M::DIMENSIONS.iter().enumerate() {
+        self.apply(&mut machine)?;
+        Ok(machine)
+    }
+
+    /// [`machine`](Self::machine) for a machine whose type is not known.
+    ///
+    /// # Errors
+    /// Those of [`machine`](Self::machine).
+    pub fn machine_for(&self, machine: &dyn AnyMachine) -> Result<Box<dyn AnyMachine>, Invalid> {
+        let mut machine = machine.to_boxed();
+        self.apply(&mut *machine)?;
+        Ok(machine)
+    }
+
+    fn apply(&self, machine: &mut dyn AnyMachine) -> Result<(), Invalid> {
+        for (index, dimension) in machine.dimensions().iter().enumerate() {
             if let Some(&value) = self.dimensions.get(dimension.name) {
                 machine.set_dimension(index, value);
             }
         }
         machine.set_up(self.part_origin.into(), 0.0);
-        machine.validate()?;
-        Ok(machine)
+        machine.validate()
     }
 
     /// Travel and speeds of the machine's axes: as declared, unless this set-up says otherwise.
     #[must_use]
-    pub fn travel<M: Machine>(&self) -> AxisBounds {
+    pub fn travel(&self, axes: &[Axis]) -> AxisBounds {
         AxisBounds {
-            limits: M::AXES.iter().map(|axis| self.limits.get(&axis.letter).copied().unwrap_or(axis.limits)).collect(),
-            speeds: M::AXES.iter().map(|axis| self.speeds.get(&axis.letter).copied().or(axis.speed)).collect(),
+            limits: axes.iter().map(|axis| self.limits.get(&axis.letter).copied().unwrap_or(axis.limits)).collect(),
+            speeds: axes.iter().map(|axis| self.speeds.get(&axis.letter).copied().or(axis.speed)).collect(),
         }
     }
 }

@@ -27,7 +27,7 @@ static SET_UPS: LazyLock<Vec<Option<SetUp>>> = LazyLock::new(|| {
 });
 
 fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
-    let mut config = starting_point(control).read_over::<SpinnerU5620>(mode).ok()?;
+    let mut config = starting_point(control).read_over(&SpinnerU5620::default(), mode).ok()?;
     config.motion.defaults.speed = Some(3000.0);
     config.motion.defaults.rotation = Some(Rotation::Clockwise);
     config.motion.defaults.tool = Some(1);
@@ -36,7 +36,7 @@ fn set_up(control: &'static dyn Control, mode: &str) -> Option<SetUp> {
     config.cl.frames = Frames::Main;
     config.output_units = UNITS;
     config.control.tip_control = control.spellings().tip.is_none().then(|| ["M428".to_owned(), "M429".to_owned()]);
-    control::unfit::<SpinnerU5620>(control, config.demands()).is_empty().then_some(SetUp { control, config })
+    control::unfit(&SpinnerU5620::default(), control, config.demands()).is_empty().then_some(SetUp { control, config })
 }
 
 /// The set-up that the first byte chooses, and the other bytes.

@@ -150,14 +150,14 @@ impl Case {
 
 /// Posts a case twice and checks it.
 fn run<M: Machine>(case: &Case) -> Outcome {
-    let config = match starting_point(case.control).read_over::<M>(&case.set_up) {
+    let config = match starting_point(case.control).read_over(&M::default(), &case.set_up) {
         Ok(mut config) => {
             config.motion.mode = case.mode;
             config
         }
         Err(faults) => return Outcome::Unsuited(faults[0].text.clone()),
     };
-    if let Some(fault) = control::unfit::<M>(case.control, config.demands()).into_iter().next() {
+    if let Some(fault) = control::unfit(&M::default(), case.control, config.demands()).into_iter().next() {
         return Outcome::Unsuited(fault);
     }
     let job = post::Job { cl_name: "random.cls", config: &config, control: case.control, units: None };
@@ -294,7 +294,8 @@ impl Case {
 }
 
 fn findings<M: Machine>(case: &Case, program: &[u8]) -> (u64, usize) {
-    let mut config = starting_point(case.control).read_over::<M>(&case.set_up).expect("it has been read before");
+    let mut config =
+        starting_point(case.control).read_over(&M::default(), &case.set_up).expect("it has been read before");
     config.motion.mode = case.mode;
     let job = check::Job { config: &config, control: case.control, units: None };
     let outcome = check::check::<M>(&job, Cursor::new(&case.cl), program).expect("it can be read").outcome;

@@ -11,7 +11,7 @@ use clap::{Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use crate::cl::Insert;
 use crate::config::Config;
 use crate::control::{CONTROLS, Control};
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 use crate::motion::{CourseOptions, Mode, Operations};
 
 pub(crate) use values::{BlockName, MessageFormat};
@@ -246,7 +246,7 @@ impl SetUpArgs {
     ///
     /// # Errors
     /// A sentence about an argument that does not fit the machine.
-    pub(crate) fn apply<M: Machine>(&self, config: &mut Config) -> Result<(), String> {
+    pub(crate) fn apply(&self, machine: &dyn AnyMachine, config: &mut Config) -> Result<(), String> {
         if let Some(units) = self.units {
             config.cl_units = Some(units.into());
             config.given.insert("cl_units");
@@ -266,9 +266,13 @@ impl SetUpArgs {
         config.motion.allow_lintol |= self.allow_lintol;
         config.motion.course.start_branch = self.start_branch.map(Into::into).or(config.motion.course.start_branch);
         if let Some(text) = &self.prefer {
-            let help =
-                || format!("--prefer {text} is not known here: {}", CourseOptions::preferences(M::NAME, M::AXES));
-            config.motion.course.prefer = Some(CourseOptions::preference(M::AXES, text).ok_or_else(help)?);
+            let help = || {
+                format!(
+                    "--prefer {text} is not known here: {}",
+                    CourseOptions::preferences(machine.name(), machine.axes())
+                )
+            };
+            config.motion.course.prefer = Some(CourseOptions::preference(machine.axes(), text).ok_or_else(help)?);
         }
         config.motion.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
         let named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);

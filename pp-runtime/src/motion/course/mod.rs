@@ -23,7 +23,7 @@ use std::collections::BTreeMap;
 use nalgebra::UnitVector3;
 
 use crate::diag::Diagnostic;
-use crate::kinematics::{Branch, Machine, Pose};
+use crate::kinematics::{AnyMachine, Branch, Pose};
 use crate::motion::options::Policy;
 use crate::program::Event;
 use crate::program::Units;
@@ -124,8 +124,8 @@ struct Seeker {
 
 /// Finds the course in the first pass.
 #[derive(Debug)]
-pub struct Navigator<M: Machine> {
-    finder: StateFinder<M>,
+pub struct Navigator {
+    finder: StateFinder,
     greedy: bool,
     prefer: Option<(char, bool)>,
     /// Where GOHOME takes the axes.
@@ -147,10 +147,10 @@ pub struct Navigator<M: Machine> {
     second: Vec<i64>,
 }
 
-impl<M: Machine> Navigator<M> {
+impl Navigator {
     /// A navigator for one program.
     #[must_use]
-    pub fn new(machine: M, policy: Policy<'_>) -> Self {
+    pub fn new(machine: Box<dyn AnyMachine>, policy: Policy<'_>) -> Self {
         let placer = Placer::new(machine, policy, Units::Millimetres);
         let way = |greedy| Seeker { search: CourseSearch::new(placer.metric(), [0; 2], greedy), ended: false };
         Self {
@@ -270,8 +270,11 @@ impl<M: Machine> Navigator<M> {
             (None, None) => {
                 let wished = |state: &RotaryState| {
                     let preferred = self.prefer.is_none_or(|(letter, positive)| {
-                        let axis =
-                            finder.placer().rotaries().iter().position(|rotary| M::AXES[rotary.index].letter == letter);
+                        let axis = finder
+                            .placer()
+                            .rotaries()
+                            .iter()
+                            .position(|rotary| finder.placer().chain()[rotary.index].letter == letter);
                         axis.is_none_or(|axis| if positive { state.words[axis] >= 0 } else { state.words[axis] <= 0 })
                     });
                     preferred && self.start_branch.is_none_or(|branch| branch == state.branch)
@@ -311,7 +314,7 @@ impl<M: Machine> Navigator<M> {
     }
 }
 
-impl<M: Machine> Stage for Navigator<M> {
+impl Stage for Navigator {
     type Stop = Diagnostic;
 
     /// Follows one item; nothing is refused.
@@ -333,8 +336,8 @@ impl<M: Machine> Stage for Navigator<M> {
 
 /// A cut between two poses beside the pole. Where no state runs through it is split: at its place nearest to a pole that it
 /// passes, since an axis may turn by more than half a turn there, and where a state runs into a limit on the way.
-fn cut<M: Machine>(
-    finder: &StateFinder<M>,
+fn cut(
+    finder: &StateFinder,
     search: &mut CourseSearch,
     motion: u64,
     from: &Pose,
@@ -377,8 +380,8 @@ fn cut<M: Machine>(
 }
 
 /// The first part of the way at which a state of the last layer is about to leave its limits while another turn is inside.
-fn crossing<M: Machine>(
-    finder: &StateFinder<M>,
+fn crossing(
+    finder: &StateFinder,
     search: &CourseSearch,
     way: &Way,
     (here, done): (&Pose, f64),

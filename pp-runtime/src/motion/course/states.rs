@@ -2,7 +2,7 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{Branch, Machine, Pose, Solution};
+use crate::kinematics::{AxisValues, Branch, Pose, Solution};
 
 use crate::motion::course::search::RotaryState;
 use crate::motion::geometry::{Way, angle_between};
@@ -22,17 +22,17 @@ const MOST_HALVINGS: u32 = 30;
 
 /// Finds the ways in which the rotary axes of a machine can hold a pose.
 #[derive(Debug)]
-pub(crate) struct StateFinder<M: Machine> {
-    placer: Placer<M>,
+pub(crate) struct StateFinder {
+    placer: Placer,
 }
 
-impl<M: Machine> StateFinder<M> {
-    pub(crate) fn new(placer: Placer<M>) -> Self {
+impl StateFinder {
+    pub(crate) fn new(placer: Placer) -> Self {
         Self { placer }
     }
 
     /// Poses into words.
-    pub(crate) fn placer(&self) -> &Placer<M> {
+    pub(crate) fn placer(&self) -> &Placer {
         &self.placer
     }
 
@@ -41,11 +41,11 @@ impl<M: Machine> StateFinder<M> {
     /// axis with too many turns those next to these words are among them, and those at its ends.
     pub(crate) fn states(&self, pose: &Pose, near: &[Turns], out: &mut Vec<RotaryState>) {
         out.clear();
-        for solution in self.placer.machine().inverse_kinematics(pose, &M::HELD).iter() {
+        for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
             let start = out.len();
             let turns = |rotary: &Rotary| {
                 rotary.turns(
-                    rotary.word(solution.axes.as_ref()[rotary.index], self.placer.scale()),
+                    rotary.word(solution.axes[rotary.index], self.placer.scale()),
                     self.placer.scale().turn,
                     MOST_TURNS,
                 )
@@ -66,7 +66,7 @@ impl<M: Machine> StateFinder<M> {
                 for near in ends.iter().chain(near) {
                     let mut words = [0; 2];
                     let inside = self.placer.rotaries().iter().enumerate().all(|(axis, rotary)| {
-                        let word = rotary.word(solution.axes.as_ref()[rotary.index], self.placer.scale());
+                        let word = rotary.word(solution.axes[rotary.index], self.placer.scale());
                         let nearest = rotary.nearest(word, near[axis], self.placer.scale().turn);
                         words[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
@@ -85,8 +85,8 @@ impl<M: Machine> StateFinder<M> {
     pub(crate) fn second_words(&self, pose: &Pose, out: &mut Vec<i64>) {
         out.clear();
         let [_, second] = self.placer.rotaries()[..] else { return };
-        for solution in self.placer.machine().inverse_kinematics(pose, &M::HELD).iter() {
-            let word = second.word(solution.axes.as_ref()[second.index], self.placer.scale());
+        for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
+            let word = second.word(solution.axes[second.index], self.placer.scale());
             out.extend(second.turns(word, self.placer.scale().turn, MOST_TURNS));
         }
         out.dedup();
@@ -144,11 +144,11 @@ impl<M: Machine> StateFinder<M> {
         let word = |rotary: &Rotary, angle: f64, from: i64| {
             rotary.nearest(rotary.word(angle, self.placer.scale()), from, self.placer.scale().turn).ok()
         };
-        let free = word(&first, near.axes.as_ref()[first.index], state.words[0])?;
+        let free = word(&first, near.axes[first.index], state.words[0])?;
         let there = solutions_at(p);
         let tilt = there
             .iter()
-            .filter_map(|solution| word(&second, solution.axes.as_ref()[second.index], state.words[1]))
+            .filter_map(|solution| word(&second, solution.axes[second.index], state.words[1]))
             .min_by_key(|word| (word - state.words[1]).abs())?;
         let free = if (free - state.words[0]).abs() <= SAME_WORD { state.words[0] } else { free };
         Some([free, tilt])
@@ -211,10 +211,10 @@ impl<M: Machine> StateFinder<M> {
     }
 
     /// The words of a solution in the turn nearest to some words, without limits.
-    fn turned_to(&self, solution: &Solution<M::Axes>, near: &Turns) -> Option<Turns> {
+    fn turned_to(&self, solution: &Solution<AxisValues>, near: &Turns) -> Option<Turns> {
         let mut words = *near;
         for (word, rotary) in words.iter_mut().zip(self.placer.rotaries()) {
-            let wanted = rotary.word(solution.axes.as_ref()[rotary.index], self.placer.scale());
+            let wanted = rotary.word(solution.axes[rotary.index], self.placer.scale());
             *word = rotary.without_limits().nearest(wanted, *word, self.placer.scale().turn).ok()?;
         }
         Some(words)

@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::config::Config;
 use crate::kinematics::Limits;
+use crate::kinematics::Machine;
 use crate::motion::machines::{Cb, Head};
 use crate::motion::tests::hand_on;
 use crate::program::{Feed, Move, ToolCall};
@@ -37,7 +38,7 @@ fn changes(mut course: Course) -> Vec<Change> {
 }
 
 fn course_of<M: Machine>(config: &Config, events: &[Event<'_>]) -> Course {
-    let mut navigator = Navigator::new(config.set_up.machine::<M>().expect("valid"), config.policy());
+    let mut navigator = Navigator::new(Box::new(config.set_up.machine::<M>().expect("valid")), config.policy());
     hand_on::<M, _>(config, events, &mut navigator).expect("a navigator refuses nothing");
     navigator.finish()
 }
@@ -69,14 +70,14 @@ fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
 
 /// Everything that can be done, one choice after the other: which state each motion ends in, and to which state of the
 /// same pose the axes are rewound before it. Paths keep away from the pole.
-struct Everything<'t, M: Machine> {
-    finder: &'t StateFinder<M>,
+struct Everything<'t> {
+    finder: &'t StateFinder,
     points: &'t [Point],
     layers: Vec<Vec<RotaryState>>,
     least: Option<Cost>,
 }
 
-impl<M: Machine> Everything<'_, M> {
+impl Everything<'_> {
     fn sum(a: Cost, b: Cost) -> Cost {
         Cost {
             rewinds: a.rewinds + b.rewinds,
@@ -120,7 +121,8 @@ impl<M: Machine> Everything<'_, M> {
 }
 
 fn everything<M: Machine>(config: &Config, points: &[Point]) -> Option<Cost> {
-    let placer = Placer::<M>::new(config.set_up.machine::<M>().expect("valid"), config.policy(), Units::Millimetres);
+    let placer =
+        Placer::new(Box::new(config.set_up.machine::<M>().expect("valid")), config.policy(), Units::Millimetres);
     let finder = StateFinder::new(placer);
     let layers = points
         .iter()

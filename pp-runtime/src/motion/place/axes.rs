@@ -6,10 +6,9 @@ use nalgebra::UnitVector3;
 
 use super::chain::{coordinates, counted, held_tool_axis, orthogonal, poles};
 use super::datum::Datum;
-use crate::kinematics::{AxisKind, Machine, REACH_TOLERANCE};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, REACH_TOLERANCE};
 use crate::motion::options::{Mode, Policy};
 use crate::motion::rotary::{AngleScale, Metric, Rotary};
-use crate::motion::step::MAX_AXES;
 use crate::program::Units;
 
 /// Word units that floating-point noise of a limit may amount to.
@@ -74,25 +73,25 @@ pub(crate) struct AxisSpeeds {
 }
 
 /// Positions of the solved axes of a kind.
-fn solved<M: Machine>(kind: AxisKind) -> impl Iterator<Item = usize> {
-    let axes = M::AXES.iter().enumerate().take(MAX_AXES);
-    axes.filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
+fn solved(chain: &'static [Axis], kind: AxisKind) -> impl Iterator<Item = usize> {
+    chain.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
 }
 
 /// A bit for each solved axis of a kind.
-fn mask<M: Machine>(kind: AxisKind) -> u16 {
-    solved::<M>(kind).fold(0_u16, |mask, index| mask | 1 << index)
+fn mask(chain: &'static [Axis], kind: AxisKind) -> u16 {
+    solved(chain, kind).fold(0_u16, |mask, index| mask | 1 << index)
 }
 
 impl RotaryAxes {
-    pub(crate) fn new<M: Machine>(
+    pub(crate) fn new(
+        chain: &'static [Axis],
         policy: Policy<'_>,
         datum: &Datum,
         speeds: &[Option<f64>],
         scale: AngleScale,
     ) -> Self {
-        let limits = policy.set_up.travel::<M>().limits;
-        let axes: Vec<Rotary> = solved::<M>(AxisKind::Rotary)
+        let limits = policy.set_up.travel(chain).limits;
+        let axes: Vec<Rotary> = solved(chain, AxisKind::Rotary)
             .map(|index| {
                 let rest = datum.rest(index, scale);
                 let word = |angle: f64| (angle.to_degrees() - rest) * scale.per_degree;
@@ -105,14 +104,14 @@ impl RotaryAxes {
             })
             .collect();
         let rotaries = &policy.options.rotaries;
-        let is_wrapped = |rotary: &&Rotary| rotaries.wrap.contains_key(&M::AXES[rotary.index].letter);
+        let is_wrapped = |rotary: &&Rotary| rotaries.wrap.contains_key(&chain[rotary.index].letter);
         let speed = |axis: usize| axes.get(axis).and_then(|rotary| speeds[rotary.index]);
         Self {
             endless: axes.iter().map(|rotary| rotary.without_limits()).collect(),
             limited: axes.iter().any(|rotary| !rotary.endless()),
-            mask: mask::<M>(AxisKind::Rotary),
+            mask: mask(chain, AxisKind::Rotary),
             wrapped: axes.iter().filter(is_wrapped).fold(0, |mask, rotary| mask | 1 << rotary.index),
-            grid: grid::<M>(policy, &axes, scale),
+            grid: grid(chain, policy, &axes, scale),
             metric: Metric::new(&axes, [0, 1].map(speed), scale),
             scale,
             axes,
@@ -121,15 +120,15 @@ impl RotaryAxes {
 }
 
 impl LinearAxes {
-    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>, units: Units, head: bool) -> Self {
-        let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, units: Units, head: bool) -> Self {
+        let axes = machine.axes();
         let tool_axis = machine.tool_axis();
         let share = |index: usize| {
             let joint = machine.joint(index);
             joint.direction.dot(&tool_axis) * joint.sign
         };
         // `max_by` keeps the last of equals; nearer the tool is later on the tool side, and the tool side is later.
-        let retract_axis = solved::<M>(AxisKind::Linear)
+        let retract_axis = solved(axes, AxisKind::Linear)
             .max_by(|&a, &b| {
                 let (a, b) = (share(a).abs(), share(b).abs());
                 if (a - b).abs() < 1e-9 { std::cmp::Ordering::Equal } else { a.total_cmp(&b) }
@@ -139,7 +138,7 @@ impl LinearAxes {
         let per_unit = 10_f64.powi(policy.formats.linear(units) as i32);
         let orthogonal = orthogonal(machine, axes);
         Self {
-            mask: mask::<M>(AxisKind::Linear),
+            mask: mask(axes, AxisKind::Linear),
             per_mm: per_unit / units.in_mm(),
             xyz: coordinates(axes),
             retract_axis,
@@ -152,16 +151,15 @@ impl LinearAxes {
 }
 
 impl Poles {
-    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
         let tolerance = policy.options.course.axis_tolerance.max(REACH_TOLERANCE);
         Self { axes: poles(machine, rotaries), tolerance }
     }
 }
 
 /// The steps of indexed rotaries in whole units.
-fn grid<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
-    let step = |rotary: &Rotary| {
-        Some((*rotary, scale.word(*policy.options.rotaries.grid.get(&M::AXES[rotary.index].letter)?)))
-    };
+fn grid(chain: &'static [Axis], policy: Policy<'_>, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
+    let step =
+        |rotary: &Rotary| Some((*rotary, scale.word(*policy.options.rotaries.grid.get(&chain[rotary.index].letter)?)));
     rotaries.iter().filter_map(step).collect()
 }

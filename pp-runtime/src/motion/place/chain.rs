@@ -2,36 +2,36 @@
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{Axis, AxisKind, Joint, Machine, Pose, Side};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Pose, Side};
 
 use crate::motion::rotary::Rotary;
 
 /// Tool axes within reach that leave the first of two rotaries free: along its direction and against it.
-pub(crate) fn poles<M: Machine>(machine: &M, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
+pub(crate) fn poles(machine: &dyn AnyMachine, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
     let [first, _] = rotaries else { return Vec::new() };
     let mut direction = machine.joint(first.index).direction.into_inner();
-    for index in (0..first.index).rev().filter(|&index| M::AXES[index].kind == AxisKind::Rotary) {
-        direction = turned(&machine.joint(index), M::HELD.as_ref()[index], &direction);
+    for index in (0..first.index).rev().filter(|&index| machine.axes()[index].kind == AxisKind::Rotary) {
+        direction = turned(&machine.joint(index), machine.held()[index], &direction);
     }
     let free = |axis: &UnitVector3<f64>| {
         let pose = Pose { tip: Point3::origin(), axis: *axis };
-        machine.inverse_kinematics(&pose, &M::HELD).iter().any(|solution| solution.singular)
+        machine.inverse_kinematics(&pose, &machine.held()).iter().any(|solution| solution.singular)
     };
     [direction, -direction].map(UnitVector3::new_normalize).into_iter().filter(free).collect()
 }
 
 /// Positions of the solved rotary axes of one side, from the workpiece on.
-pub(crate) fn rotaries<M: Machine>(side: Side) -> impl Iterator<Item = usize> {
+pub(crate) fn rotaries(chain: &'static [Axis], side: Side) -> impl Iterator<Item = usize> {
     let wanted = move |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side;
-    M::AXES.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(index, _)| index)
+    chain.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(index, _)| index)
 }
 
 /// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.
-pub(crate) fn held_tool_axis<M: Machine>(machine: &M) -> Vector3<f64> {
+pub(crate) fn held_tool_axis(machine: &dyn AnyMachine) -> Vector3<f64> {
     let mut axis = machine.tool_axis().into_inner();
-    for (index, described) in M::AXES.iter().enumerate().rev() {
+    for (index, described) in machine.axes().iter().enumerate().rev() {
         if described.kind == AxisKind::Rotary && described.held && described.side == Side::Tool {
-            axis = turned(&machine.joint(index), M::HELD.as_ref()[index], &axis);
+            axis = turned(&machine.joint(index), machine.held()[index], &axis);
         }
     }
     axis
@@ -42,7 +42,7 @@ fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
 }
 
 /// Linear directions that are square to each other and stay so, because no rotary stands between two of them.
-pub(crate) fn orthogonal<M: Machine>(machine: &M, axes: &[Axis]) -> bool {
+pub(crate) fn orthogonal(machine: &dyn AnyMachine, axes: &[Axis]) -> bool {
     let solved = solved_linear(axes);
     let square = solved.iter().enumerate().all(|(position, &a)| {
         solved[position + 1..]

@@ -6,7 +6,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::kinematics::{AxisKind, Machine};
+use crate::kinematics::{AnyMachine, AxisKind};
 use crate::motion::options::Policy;
 use crate::set_up::{LengthMode, ProgramZero};
 
@@ -32,9 +32,9 @@ pub(crate) struct Datum {
 }
 
 impl Datum {
-    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>, scale: AngleScale) -> Self {
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, scale: AngleScale) -> Self {
         let (mut offsets, mut whole) = ([0.0; MAX_AXES], [0; MAX_AXES]);
-        for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
+        for (index, axis) in machine.axes().iter().enumerate() {
             if let Some(offset) = policy.set_up.rotary_offset.get(&axis.letter) {
                 offsets[index] = offset.to_degrees() * scale.per_degree;
                 whole[index] = offsets[index].round() as i64;
@@ -76,9 +76,9 @@ impl Datum {
 }
 
 /// Words of the solved linear axes whose motion together, at the zero position, is a vector; zero for every other axis.
-pub(crate) fn along_axes<M: Machine>(machine: &M, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
-    let linear = |index: &usize| M::AXES[*index].kind == AxisKind::Linear && !M::AXES[*index].held;
-    let solved: Vec<usize> = (0..M::AXES.len().min(MAX_AXES)).filter(linear).collect();
+pub(crate) fn along_axes(machine: &dyn AnyMachine, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
+    let linear = |index: &usize| machine.axes()[*index].kind == AxisKind::Linear && !machine.axes()[*index].held;
+    let solved: Vec<usize> = (0..machine.axes().len()).filter(linear).collect();
     // Columns: where each axis moves the tool for a positive word.
     let column = |&index: &usize| {
         let joint = machine.joint(index);
@@ -100,6 +100,7 @@ pub(crate) fn along_axes<M: Machine>(machine: &M, vector: &Vector3<f64>) -> [f64
 mod tests {
     use super::*;
     use crate::config::Config;
+    use crate::kinematics::Machine;
     use crate::motion::machines::{Cb, Head};
     use crate::motion::tests::{Run, config, feed, rapid, run, spindle, tool};
     use crate::set_up::GivenTool;
@@ -145,9 +146,13 @@ mod tests {
         let [c, b, x, y, z] = words(&posted(&shifted(&[('C', 12.500_03), ('B', -0.000_04)]), [100.0, 30.0]));
         assert!((c - 87.5).abs() < 1e-9 && (b - 30.0).abs() < 1e-9, "{c} {b}");
         let machine: Cb = config().set_up.machine().expect("valid");
-        let tip = machine.forward_kinematics(&[(c + 12.500_03).to_radians(), (b - 0.000_04).to_radians(), x, y, z]).tip;
+        let tip = Machine::forward_kinematics(
+            &machine,
+            &[(c + 12.500_03).to_radians(), (b - 0.000_04).to_radians(), x, y, z],
+        )
+        .tip;
         assert!((tip - nalgebra::Point3::new(10.0, 20.0, 5.0)).norm() < 0.5e-3 * 3_f64.sqrt());
-        let tip = machine.forward_kinematics(&[c.to_radians(), b.to_radians(), x, y, z]).tip;
+        let tip = Machine::forward_kinematics(&machine, &[c.to_radians(), b.to_radians(), x, y, z]).tip;
         assert!((tip - nalgebra::Point3::new(10.0, 20.0, 5.0)).norm() > 1.0);
     }
 

@@ -16,7 +16,7 @@
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
-use crate::kinematics::{AxisKind, Machine, MotionBound, Side};
+use crate::kinematics::{AnyMachine, AxisKind, AxisValues, MotionBound, Side};
 use crate::motion::options::Policy;
 use crate::motion::options::{Mode, TcpFrame, TcpWords, ToolPosture};
 use crate::set_up::ProgramZero;
@@ -24,7 +24,6 @@ use crate::set_up::ProgramZero;
 use super::chain::rotaries;
 use super::tilted_plane::{PlaneAbility, Tilt};
 use crate::motion::fault::Fault;
-use crate::motion::step::MAX_AXES;
 
 /// What tip control of a control can do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,8 +82,8 @@ pub(crate) struct WordFrame {
 }
 
 impl WordFrame {
-    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
-        let position = |letter: char| M::AXES.iter().position(|axis| axis.letter == letter);
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
+        let position = |letter: char| machine.axes().iter().position(|axis| axis.letter == letter);
         let letters = ['X', 'Y', 'Z'].map(|letter| position(letter).unwrap_or_default());
         let sign = letters.map(|index| machine.joint(index).sign);
         let zero = match policy.set_up.program_zero {
@@ -135,7 +134,7 @@ impl WordFrame {
     }
 
     /// The frame is fixed to the table as it stands.
-    pub(crate) fn start<M: Machine>(&mut self, machine: &M, axes: &M::Axes) {
+    pub(crate) fn start(&mut self, machine: &dyn AnyMachine, axes: &AxisValues) {
         let (turn, moved) = table(machine, axes);
         // The zero of the table's words turns with it, about the same centre lines.
         self.fix(&turn, moved - turn * self.zero + self.zero);
@@ -151,7 +150,7 @@ impl WordFrame {
 
     /// The map from the workpiece to the words, where words count the tip.
     #[inline]
-    pub(crate) fn map<M: Machine>(&self, machine: &M, axes: &M::Axes) -> Option<WordMap> {
+    pub(crate) fn map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> Option<WordMap> {
         match &self.counting {
             Counting::Axes => None,
             Counting::Fixed(map) => Some(*map),
@@ -175,12 +174,12 @@ impl WordFrame {
 
 /// How the rotary axes of the table have carried the part: a point `p` of the workpiece stands at `turn · p + moved`, counted
 /// from where the part zero is with all axes at zero.
-fn table<M: Machine>(machine: &M, axes: &M::Axes) -> (Matrix3<f64>, Vector3<f64>) {
+fn table(machine: &dyn AnyMachine, axes: &AxisValues) -> (Matrix3<f64>, Vector3<f64>) {
     let (mut turn, mut moved) = (Matrix3::identity(), Vector3::zeros());
-    for (index, axis) in M::AXES.iter().enumerate().take(MAX_AXES) {
+    for (index, axis) in machine.axes().iter().enumerate() {
         if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {
             let joint = machine.joint(index);
-            let back = rotation(&joint, -axes.as_ref()[index]);
+            let back = rotation(&joint, -axes[index]);
             let centre = joint.point.coords;
             turn = back * turn;
             moved = back * (moved - centre) + centre;
@@ -190,10 +189,9 @@ fn table<M: Machine>(machine: &M, axes: &M::Axes) -> (Matrix3<f64>, Vector3<f64>
 }
 
 /// How all rotary axes together turn the tool in the workpiece frame.
-pub(crate) fn orientation<M: Machine>(machine: &M, axes: &M::Axes) -> Matrix3<f64> {
-    let rotaries = M::AXES.iter().enumerate().take(MAX_AXES).filter(|(_, axis)| axis.kind == AxisKind::Rotary);
-    rotaries
-        .fold(Matrix3::identity(), |turned, (index, _)| turned * rotation(&machine.joint(index), axes.as_ref()[index]))
+pub(crate) fn orientation(machine: &dyn AnyMachine, axes: &AxisValues) -> Matrix3<f64> {
+    let rotaries = machine.axes().iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Rotary);
+    rotaries.fold(Matrix3::identity(), |turned, (index, _)| turned * rotation(&machine.joint(index), axes[index]))
 }
 
 fn rotation(joint: &crate::kinematics::Joint, angle: f64) -> Matrix3<f64> {
@@ -202,7 +200,8 @@ fn rotation(joint: &crate::kinematics::Joint, angle: f64) -> Matrix3<f64> {
 
 /// Why a machine, its control and a configuration do not suit the mode that is asked for, one sentence each.
 #[must_use]
-pub fn unsuited<M: Machine>(
+pub fn unsuited(
+    machine: &dyn AnyMachine,
     policy: Policy<'_>,
     control: &str,
     tip: Option<TipAbility>,
@@ -212,13 +211,14 @@ pub fn unsuited<M: Machine>(
     if mode == Mode::Axes {
         return Vec::new();
     }
-    let Ok(machine) = policy.set_up.machine::<M>() else { return Vec::new() };
+    let Ok(machine) = policy.set_up.machine_for(machine) else { return Vec::new() };
+    let machine = &*machine;
     let mut faults = Vec::new();
     let mut other = |text: String, instead: &str| faults.push(format!("mode {}: {text}; {instead}", mode.name()));
     if policy.set_up.length_mode == crate::set_up::LengthMode::Gauge {
         other("the control needs the length offset for it".to_owned(), "leave `length_mode` at \"tip\"");
     }
-    if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(&machine, *letter)) {
+    if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(machine, *letter)) {
         let text =
             format!("{letter} of this machine does not run along its own direction, and the control counts along it");
         other(text, "use mode axes");
@@ -233,11 +233,11 @@ pub fn unsuited<M: Machine>(
         other(text, instead);
     }
     match mode {
-        Mode::Tcp => tcp_faults::<M>(policy, control, tip, &mut other),
+        Mode::Tcp => tcp_faults(machine, policy, control, tip, &mut other),
         Mode::Plane if plane.is_none() => {
             other(format!("{control} tilts no plane"), "mode axes works on any control, mode tcp on most");
         }
-        Mode::Plane if !tool_along_z(&machine) => {
+        Mode::Plane if !tool_along_z(machine) => {
             other("the tool axis of this machine is not its Z".to_owned(), "use mode axes");
         }
         Mode::Plane | Mode::Axes => {}
@@ -245,7 +245,8 @@ pub fn unsuited<M: Machine>(
     faults
 }
 
-fn tcp_faults<M: Machine>(
+fn tcp_faults(
+    machine: &dyn AnyMachine,
     policy: Policy<'_>,
     control: &str,
     tip: Option<TipAbility>,
@@ -255,8 +256,8 @@ fn tcp_faults<M: Machine>(
         let text = format!("{control} has no tip control of its own");
         return other(text, "give the codes that switch it, `[control] tip_control = [on, off]`, or use mode axes");
     };
-    let table = rotaries::<M>(Side::Workpiece).next().is_some();
-    let head = rotaries::<M>(Side::Tool).next().is_some();
+    let table = rotaries(machine.axes(), Side::Workpiece).next().is_some();
+    let head = rotaries(machine.axes(), Side::Tool).next().is_some();
     if tip.frame_is_set && table && policy.options.tip.tcp_frame.is_none() {
         let text = "in which frame the tip is counted while the table turns is a parameter of the machine (19696#5)";
         other(text.to_owned(), "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
@@ -280,25 +281,25 @@ fn tcp_faults<M: Machine>(
         let text = "in a frame that does not turn the path is certified for rotary axes of the table that move evenly";
         other(text.to_owned(), "use mode axes");
     }
-    if !policy.options.tip.tcp_confirmed && !plain_chain::<M>() {
+    if !policy.options.tip.tcp_confirmed && !plain_chain(machine) {
         let text = "a held axis, or a linear axis that is not between table and head, may be unknown to the control";
         other(text.to_owned(), "`tcp_confirmed = true` if it knows this chain, or mode axes");
     }
 }
 
 /// Nothing is held, and every linear axis stands between the rotaries of the table and those of the head.
-fn plain_chain<M: Machine>() -> bool {
-    let last_of_table = rotaries::<M>(Side::Workpiece).last();
-    let first_of_head = rotaries::<M>(Side::Tool).next();
-    M::AXES.iter().enumerate().all(|(index, axis)| {
+fn plain_chain(machine: &dyn AnyMachine) -> bool {
+    let last_of_table = rotaries(machine.axes(), Side::Workpiece).last();
+    let first_of_head = rotaries(machine.axes(), Side::Tool).next();
+    machine.axes().iter().enumerate().all(|(index, axis)| {
         let between = last_of_table.is_none_or(|last| index > last) && first_of_head.is_none_or(|first| index < first);
         !axis.held && (axis.kind == AxisKind::Rotary || between)
     })
 }
 
 /// X along X, whichever way round its word counts.
-fn is_own_direction<M: Machine>(machine: &M, letter: char) -> bool {
-    let index = M::AXES.iter().position(|axis| axis.letter == letter && !axis.held);
+fn is_own_direction(machine: &dyn AnyMachine, letter: char) -> bool {
+    let index = machine.axes().iter().position(|axis| axis.letter == letter && !axis.held);
     let own = match letter {
         'X' => Vector3::x(),
         'Y' => Vector3::y(),
@@ -307,7 +308,7 @@ fn is_own_direction<M: Machine>(machine: &M, letter: char) -> bool {
     index.is_some_and(|index| (machine.joint(index).direction.into_inner() - own).norm() < 1e-12)
 }
 
-fn tool_along_z<M: Machine>(machine: &M) -> bool {
+fn tool_along_z(machine: &dyn AnyMachine) -> bool {
     (machine.tool_axis().into_inner() - Vector3::z()).norm() < 1e-12
 }
 

@@ -15,7 +15,7 @@
 //!
 //! Nothing is allocated: a motion is a few places on the stack, however many pieces it has.
 
-use crate::kinematics::{Branch, Machine, MotionBound, Pose, Solution};
+use crate::kinematics::{AxisValues, Branch, MotionBound, Pose, Solution};
 
 use super::refusal;
 use super::{Place, Placer};
@@ -50,9 +50,9 @@ pub(crate) struct Tolerance {
 
 /// A piece with what is certified of it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct CertifiedPiece<A> {
+pub(crate) struct CertifiedPiece {
     /// Where it ends.
-    pub(crate) place: Place<A>,
+    pub(crate) place: Place,
     /// Largest deviation from the motion of the CL data, rounding of the words included.
     pub(crate) bound: MotionBound,
     /// Share of the tolerance that it uses; above 1 it does not certify.
@@ -61,24 +61,24 @@ pub(crate) struct CertifiedPiece<A> {
 
 /// The pieces of one motion, one after the other.
 #[derive(Debug, Clone)]
-pub(crate) struct Linearised<A> {
+pub(crate) struct Linearised {
     tolerance: Tolerance,
     /// Where the last piece ended.
-    from: Place<A>,
-    to: Place<A>,
-    rest: Remaining<A>,
+    from: Place,
+    to: Place,
+    rest: Remaining,
 }
 
 /// What is left of a motion, and how it is travelled.
 #[derive(Debug, Clone, Copy)]
 #[expect(clippy::large_enum_variant, reason = "one on the stack for a motion: nothing is allocated")]
-enum Remaining<A> {
+enum Remaining {
     /// All of it, in one block if that certifies.
     Whole,
     /// Along the path.
     Path(Path),
     /// Turning on the spot, and then along the path, if that goes on.
-    Spot(Spot<A>, Path),
+    Spot(Spot, Path),
     /// Nothing.
     Nothing,
 }
@@ -99,26 +99,26 @@ struct Path {
 
 /// A turn of the rotaries while the tool stays in place.
 #[derive(Debug, Clone, Copy)]
-struct Spot<A> {
-    start: Place<A>,
-    target: Place<A>,
+struct Spot {
+    start: Place,
+    target: Place,
     /// Shorter steps than this turn no word by a unit.
     resolution: f64,
     at: f64,
     stride: f64,
 }
 
-/// What a search for the longest piece has found.
-enum LongestPiece<A> {
-    /// A parameter, and the piece that ends there.
-    EndsAt(f64, CertifiedPiece<A>),
-    /// Not even a piece up to this parameter certifies, and shorter ones are none.
-    Stuck(f64),
+/// Result of a search for the longest piece.
+struct LongestPiece {
+    /// Parameter of the end of the piece; without one the smallest that was tried.
+    until: f64,
+    /// `None`: no piece up to `until` certifies, and shorter ones are not tried.
+    piece: Option<CertifiedPiece>,
 }
 
-impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
+impl Linearised {
     /// The pieces from one place to another.
-    pub(crate) fn new(from: &Place<A>, to: &Place<A>, tolerance: Tolerance) -> Self {
+    pub(crate) fn new(from: &Place, to: &Place, tolerance: Tolerance) -> Self {
         Self { tolerance, from: *from, to: *to, rest: Remaining::Whole }
     }
 
@@ -126,10 +126,7 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
     ///
     /// # Errors
     /// If a part of the path cannot be certified, reached, or turned to inside the limits.
-    pub(crate) fn next<M: Machine<Axes = A>>(
-        &mut self,
-        placer: &Placer<M>,
-    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
+    pub(crate) fn next(&mut self, placer: &Placer) -> Result<Option<CertifiedPiece>, Fault> {
         let certifier = Certifier { placer, allowed: self.tolerance };
         loop {
             let piece = match self.rest {
@@ -153,7 +150,7 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
 
     /// The rest of the motion as one piece, if that certifies.
     #[inline]
-    fn rest_in_one<M: Machine<Axes = A>>(&mut self, certifier: &Certifier<'_, M>) -> Option<CertifiedPiece<A>> {
+    fn rest_in_one(&mut self, certifier: &Certifier<'_>) -> Option<CertifiedPiece> {
         let piece = certifier.certify(&self.from, &self.to);
         (piece.share <= 1.0).then(|| {
             self.rest = Remaining::Nothing;
@@ -162,11 +159,7 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
     }
 
     /// The next piece along the path; `None` if the tool has to turn on the spot first.
-    fn along<M: Machine<Axes = A>>(
-        &mut self,
-        certifier: &Certifier<'_, M>,
-        path: Path,
-    ) -> Result<Option<CertifiedPiece<A>>, Fault> {
+    fn along(&mut self, certifier: &Certifier<'_>, path: Path) -> Result<Option<CertifiedPiece>, Fault> {
         // From the start the whole has been tried.
         if path.at > 0.0
             && let Some(piece) = self.rest_in_one(certifier)
@@ -178,26 +171,18 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
             let place = certifier.between(&path, (&from, &to), parameter)?;
             Ok(certifier.certify(&from, &place))
         })?;
-        match found {
-            LongestPiece::EndsAt(parameter, piece) => {
-                self.rest = Remaining::Path(Path { stride: parameter - path.at, at: parameter, ..path });
-                Ok(Some(piece))
-            }
-            LongestPiece::Stuck(until) => {
-                let target = if until < 1.0 { certifier.between(&path, (&from, &to), until)? } else { to };
-                self.rest = Remaining::Spot(certifier.spot(&from, &target), Path { at: until, ..path });
-                Ok(None)
-            }
+        let until = found.until;
+        if found.piece.is_some() {
+            self.rest = Remaining::Path(Path { stride: until - path.at, at: until, ..path });
+        } else {
+            let target = if until < 1.0 { certifier.between(&path, (&from, &to), until)? } else { to };
+            self.rest = Remaining::Spot(certifier.spot(&from, &target), Path { at: until, ..path });
         }
+        Ok(found.piece)
     }
 
     /// The next piece of a turn on the spot.
-    fn on_spot<M: Machine<Axes = A>>(
-        &mut self,
-        certifier: &Certifier<'_, M>,
-        spot: Spot<A>,
-        path: Path,
-    ) -> Result<CertifiedPiece<A>, Fault> {
+    fn on_spot(&mut self, certifier: &Certifier<'_>, spot: Spot, path: Path) -> Result<CertifiedPiece, Fault> {
         let from = self.from;
         let piece = certifier.certify(&from, &spot.target);
         if piece.share <= 1.0 {
@@ -208,26 +193,22 @@ impl<A: Copy + AsRef<[f64]> + AsMut<[f64]>> Linearised<A> {
             let place = certifier.turned(&spot, parameter)?;
             Ok(certifier.certify(&from, &place))
         })?;
-        match found {
-            LongestPiece::EndsAt(parameter, piece) => {
-                let spot = Spot { stride: parameter - spot.at, at: parameter, ..spot };
-                self.rest = Remaining::Spot(spot, path);
-                Ok(piece)
-            }
-            LongestPiece::Stuck(_) => Err(certifier.uncertified(&from, &spot.target)),
-        }
+        let Some(piece) = found.piece else { return Err(certifier.uncertified(&from, &spot.target)) };
+        let spot = Spot { stride: found.until - spot.at, at: found.until, ..spot };
+        self.rest = Remaining::Spot(spot, path);
+        Ok(piece)
     }
 }
 
 /// The longest piece that certifies, its end between `at` and 1, where the whole does not.
-fn longest<A: Copy>(
+fn longest(
     at: f64,
     stride: f64,
     resolution: f64,
-    mut piece_to: impl FnMut(f64) -> Result<CertifiedPiece<A>, Fault>,
-) -> Result<LongestPiece<A>, Fault> {
+    mut piece_to: impl FnMut(f64) -> Result<CertifiedPiece, Fault>,
+) -> Result<LongestPiece, Fault> {
     let (mut good, mut bad) = (at, 1.0);
-    let mut best: Option<CertifiedPiece<A>> = None;
+    let mut best: Option<CertifiedPiece> = None;
     let mut next = at + stride;
     for count in 0..TRIES {
         let known = good - at;
@@ -251,20 +232,20 @@ fn longest<A: Copy>(
         }
         next = aim;
     }
-    Ok(best.map_or(LongestPiece::Stuck(bad), |piece| LongestPiece::EndsAt(good, piece)))
+    Ok(LongestPiece { until: if best.is_some() { good } else { bad }, piece: best })
 }
 
 /// Certifies blocks of one machine within a tolerance.
 #[derive(Clone, Copy)]
-struct Certifier<'p, M: Machine> {
-    placer: &'p Placer<M>,
+struct Certifier<'p> {
+    placer: &'p Placer,
     allowed: Tolerance,
 }
 
-impl<M: Machine> Certifier<'_, M> {
+impl Certifier<'_> {
     /// What is certified of one block.
     #[inline]
-    fn certify(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> CertifiedPiece<M::Axes> {
+    fn certify(&self, from: &Place, to: &Place) -> CertifiedPiece {
         let mut bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
         let (tip_off, axis_off) = (from.rounding.max(to.rounding), self.axis_off(from).max(self.axis_off(to)));
         if bound.tip > self.allowed.tip - tip_off && bound.axis <= self.allowed.axis - axis_off {
@@ -283,9 +264,9 @@ impl<M: Machine> Certifier<'_, M> {
     /// A bound of the tip's deviation from its line, mm, that is smaller than `whole` where the path bends to both sides
     /// of it: each half leaves its own chord by what is certified of it, and the two chords leave the line by no more than
     /// the point where they meet.
-    fn tip_by_halves(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, whole: f64) -> f64 {
+    fn tip_by_halves(&self, from: &Place, to: &Place, whole: f64) -> f64 {
         let mut middle = from.axes;
-        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
+        for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
             *value = 0.5 * (*value + end);
         }
         let (start, line) = (from.pose.tip, to.pose.tip - from.pose.tip);
@@ -305,14 +286,14 @@ impl<M: Machine> Certifier<'_, M> {
     /// is wider than [`WIDEST`]. A place at the pole has the pole for its pose, however far that was from the programmed
     /// axis: that is a tolerance of its own.
     #[inline]
-    fn axis_off(&self, place: &Place<M::Axes>) -> f64 {
+    fn axis_off(&self, place: &Place) -> f64 {
         let deviation = if place.pole { 0.0 } else { place.deviation };
         2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
     }
 
     /// The path between two places.
     #[cold]
-    fn path(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Result<Path, Fault> {
+    fn path(&self, from: &Place, to: &Place) -> Result<Path, Fault> {
         let rounding = self.placer.largest_rounding();
         if rounding >= self.allowed.tip {
             return Err(Fault::new(format_args!(
@@ -340,10 +321,10 @@ impl<M: Machine> Certifier<'_, M> {
     }
 
     /// Words of a solution's rotaries, in the turn nearest to some axis values.
-    fn nearest_words(&self, solution: &Solution<M::Axes>, near: &M::Axes) -> [i64; MAX_AXES] {
+    fn nearest_words(&self, solution: &Solution<AxisValues>, near: &AxisValues) -> [i64; MAX_AXES] {
         let mut words = [0; MAX_AXES];
         for rotary in &self.placer.rotary.axes {
-            let word = rotary.word(solution.axes.as_ref()[rotary.index], self.placer.rotary.scale);
+            let word = rotary.word(solution.axes[rotary.index], self.placer.rotary.scale);
             let wanted = rotary.word(near.as_ref()[rotary.index], self.placer.rotary.scale);
             let turns = (wanted - word + self.placer.rotary.scale.turn / 2).div_euclid(self.placer.rotary.scale.turn);
             words[rotary.index] = word + turns * self.placer.rotary.scale.turn;
@@ -352,20 +333,15 @@ impl<M: Machine> Certifier<'_, M> {
     }
 
     /// The place of a pose of the path: on the branch of the ends, or else nearest to the interpolation between them.
-    fn between(
-        &self,
-        path: &Path,
-        (from, to): (&Place<M::Axes>, &Place<M::Axes>),
-        parameter: f64,
-    ) -> Result<Place<M::Axes>, Fault> {
+    fn between(&self, path: &Path, (from, to): (&Place, &Place), parameter: f64) -> Result<Place, Fault> {
         let pose = path.way.at(parameter);
         let mut guess = from.axes;
         let share = (parameter - path.at) / (1.0 - path.at);
-        for (value, end) in guess.as_mut().iter_mut().zip(to.axes.as_ref()) {
+        for (value, end) in guess.as_mut().iter_mut().zip(to.axes) {
             *value += (end - *value) * share;
         }
         let solutions = self.placer.machine.inverse_kinematics(&pose, &guess);
-        let travel = |solution: &&Solution<M::Axes>| {
+        let travel = |solution: &&Solution<AxisValues>| {
             let words = self.nearest_words(solution, &guess);
             let guessed = |rotary: &Rotary| rotary.word(guess.as_ref()[rotary.index], self.placer.rotary.scale);
             self.placer.rotary.axes.iter().map(|rotary| words[rotary.index].abs_diff(guessed(rotary))).sum::<u64>()
@@ -379,7 +355,7 @@ impl<M: Machine> Certifier<'_, M> {
         let Some(solution) = chosen else { return Err(on_the_way(refusal::unreachable(self.placer, &pose, &guess))) };
         // Whole turns: between the ends, wherever near the pole most of the turning is done.
         let mut middle = from.axes;
-        for (value, end) in middle.as_mut().iter_mut().zip(to.axes.as_ref()) {
+        for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
             *value = 0.5 * (*value + end);
         }
         self.beside(&pose, from, solution, &middle).map_err(on_the_way)
@@ -389,10 +365,10 @@ impl<M: Machine> Certifier<'_, M> {
     fn beside(
         &self,
         pose: &Pose,
-        from: &Place<M::Axes>,
-        solution: &Solution<M::Axes>,
-        near: &M::Axes,
-    ) -> Result<Place<M::Axes>, Fault> {
+        from: &Place,
+        solution: &Solution<AxisValues>,
+        near: &AxisValues,
+    ) -> Result<Place, Fault> {
         let words = self.nearest_words(solution, near);
         for rotary in &self.placer.rotary.axes {
             let word = words[rotary.index];
@@ -407,7 +383,7 @@ impl<M: Machine> Certifier<'_, M> {
         self.placer.set(place)
     }
 
-    fn spot(&self, start: &Place<M::Axes>, target: &Place<M::Axes>) -> Spot<M::Axes> {
+    fn spot(&self, start: &Place, target: &Place) -> Spot {
         let largest =
             self.placer.rotary.axes.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));
         let units = largest.max().unwrap_or(0).max(1);
@@ -415,7 +391,7 @@ impl<M: Machine> Certifier<'_, M> {
     }
 
     /// A place of a turn on the spot.
-    fn turned(&self, spot: &Spot<M::Axes>, parameter: f64) -> Result<Place<M::Axes>, Fault> {
+    fn turned(&self, spot: &Spot, parameter: f64) -> Result<Place, Fault> {
         let mut words = spot.start.words;
         for rotary in &self.placer.rotary.axes {
             let change = (spot.target.words[rotary.index] - words[rotary.index]) as f64;
@@ -431,7 +407,7 @@ impl<M: Machine> Certifier<'_, M> {
 
     /// Why a turn on the spot cannot be cut.
     #[cold]
-    fn uncertified(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Fault {
+    fn uncertified(&self, from: &Place, to: &Place) -> Fault {
         let turned = self
             .placer
             .rotary
@@ -439,13 +415,12 @@ impl<M: Machine> Certifier<'_, M> {
             .iter()
             .max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
         let index = turned.map_or(0, |rotary| rotary.index);
-        let shown = |place: &Place<M::Axes>| {
-            turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.placer.rotary.scale))
-        };
+        let shown =
+            |place: &Place| turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.placer.rotary.scale));
         Fault::new(format_args!(
             "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
              of tolerance ({} mm, {:.4}°)",
-            M::AXES[index].letter,
+            self.placer.chain()[index].letter,
             shown(from),
             shown(to),
             self.allowed.tip,
@@ -466,27 +441,23 @@ mod tests {
 
     const TOLERANCE: Tolerance = Tolerance { tip: 0.01, axis: 0.001_745 };
 
-    fn placer() -> Placer<Cb> {
+    fn placer() -> Placer {
         let config = Config::default();
-        Placer::new(config.set_up.machine::<Cb>().expect("valid"), config.policy(), Units::Millimetres)
+        Placer::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy(), Units::Millimetres)
     }
 
     /// The place of rotary angles in degrees.
-    fn place(placer: &Placer<Cb>, tip: [f64; 3], c: f64, b: f64) -> Place<[f64; 5]> {
+    fn place(placer: &Placer, tip: [f64; 3], c: f64, b: f64) -> Place {
         let mut place = placer.zero();
         place.words[0] = placer.scale().word(c.to_radians());
         place.words[1] = placer.scale().word(b.to_radians());
-        let axes = [c.to_radians(), b.to_radians(), 0.0, 0.0, 0.0];
+        let axes = [c.to_radians(), b.to_radians(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         let axis = placer.machine.forward_kinematics(&axes).axis;
         let words = place.words;
         placer.set(placer.at(&Pose { tip: Point3::from(tip), axis }, &place, &words)).expect("a place")
     }
 
-    fn pieces(
-        placer: &Placer<Cb>,
-        from: &Place<[f64; 5]>,
-        to: &Place<[f64; 5]>,
-    ) -> Result<Vec<CertifiedPiece<[f64; 5]>>, Fault> {
+    fn pieces(placer: &Placer, from: &Place, to: &Place) -> Result<Vec<CertifiedPiece>, Fault> {
         let mut pieces = Linearised::new(from, to, TOLERANCE);
         let mut list = Vec::new();
         while let Some(piece) = pieces.next(placer)? {

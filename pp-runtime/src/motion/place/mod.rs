@@ -18,7 +18,7 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
-use crate::kinematics::{Axis, AxisKind, Branch, Limits, Machine, Pose, Side};
+use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::{Mode, Policy, TcpWords};
 use crate::motion::rotary::{AngleScale, Metric, OutOfLimits, Rotary, TurnTarget, Turns, choose};
@@ -40,13 +40,13 @@ use travel::Travel;
 
 /// Where the machine stands: axis values and the words that put it there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place<A> {
+pub(crate) struct Place {
     /// The pose as programmed; near the pole with its axis.
     pub(crate) pose: Pose,
     /// Which answer of the inverse kinematics this is.
     pub(crate) branch: Branch,
     /// Axis values that the words stand for, mm and rad.
-    pub(crate) axes: A,
+    pub(crate) axes: AxisValues,
     /// Whole units by position in the chain: words of linear axes, and axis values of rotary ones.
     pub(crate) words: [i64; MAX_AXES],
     /// Angle between the programmed axis and the one reached, rad.
@@ -59,8 +59,12 @@ pub(crate) struct Place<A> {
 
 /// Puts poses into words for one machine, one set-up and the current tool.
 #[derive(Debug, Clone)]
-pub(crate) struct Placer<M: Machine> {
-    machine: M,
+pub(crate) struct Placer {
+    machine: Box<dyn AnyMachine>,
+    /// The axes of the machine.
+    chain: &'static [Axis],
+    /// Values of the held axes, and zeros.
+    held: AxisValues,
     part_origin: Vector3<f64>,
     rotary: RotaryAxes,
     poles: Poles,
@@ -102,40 +106,52 @@ fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> [i64; MAX_AXES] {
     bounds
 }
 
-impl<M: Machine> Placer<M> {
-    pub(crate) fn new(machine: M, policy: Policy<'_>, units: Units) -> Self {
-        let axes = &M::AXES[..M::AXES.len().min(MAX_AXES)];
+impl Placer {
+    pub(crate) fn new(machine: Box<dyn AnyMachine>, policy: Policy<'_>, units: Units) -> Self {
+        let chain = machine.axes();
         let scale = AngleScale::new(policy.formats.rotary);
-        let datum = Datum::new(&machine, policy, scale);
-        let speeds = policy.set_up.travel::<M>().speeds;
-        let head = rotaries_of::<M>(Side::Tool).next().is_some();
-        let rotary = RotaryAxes::new::<M>(policy, &datum, &speeds, scale);
+        let datum = Datum::new(&*machine, policy, scale);
+        let speeds = policy.set_up.travel(chain).speeds;
+        let head = rotaries_of(chain, Side::Tool).next().is_some();
+        let rotary = RotaryAxes::new(chain, policy, &datum, &speeds, scale);
         let (options, mode) = (policy.options, policy.options.mode);
         Self {
             part_origin: policy.set_up.part_origin.into(),
-            poles: Poles::new(&machine, policy, &rotary.axes),
-            linear: LinearAxes::new(&machine, policy, units, head),
+            poles: Poles::new(&*machine, policy, &rotary.axes),
+            linear: LinearAxes::new(&*machine, policy, units, head),
             speeds: AxisSpeeds {
                 timed: options.feed.keep_speeds && speeds.iter().any(Option::is_some),
                 of_axes: speeds,
             },
-            bounds: bounds(axes, policy, units),
-            limits: policy.set_up.travel::<M>().limits,
-            travel: Travel::new(&machine, policy),
-            frame: WordFrame::new(&machine, policy),
+            bounds: bounds(chain, policy, units),
+            limits: policy.set_up.travel(chain).limits,
+            travel: Travel::new(&*machine, policy),
+            frame: WordFrame::new(&*machine, policy),
             datum,
             head,
             gauge_line: policy.set_up.length_mode == LengthMode::Gauge,
             vectors: mode == Mode::Tcp && options.tip.tcp_words == TcpWords::Vectors,
             compensated: mode != Mode::Axes,
             rotary,
+            held: machine.held(),
+            chain,
             machine,
         }
     }
 
     /// The machine with the current tool.
-    pub(crate) fn machine(&self) -> &M {
-        &self.machine
+    pub(crate) fn machine(&self) -> &dyn AnyMachine {
+        &*self.machine
+    }
+
+    /// The axes of the machine, from the workpiece to the tool.
+    pub(crate) fn chain(&self) -> &'static [Axis] {
+        self.chain
+    }
+
+    /// Values of the held axes, and zeros.
+    pub(crate) fn held(&self) -> &AxisValues {
+        &self.held
     }
 
     /// Measures turns of the rotary axes.
@@ -170,15 +186,15 @@ impl<M: Machine> Placer<M> {
 
     /// The machine at a place.
     #[inline]
-    pub(crate) fn standing_at<'p>(&self, place: &'p Place<M::Axes>) -> Standing<'p> {
+    pub(crate) fn standing_at<'p>(&self, place: &'p Place) -> Standing<'p> {
         let mask = self.linear.mask | self.rotary.mask;
-        Standing { pose: Some(&place.pose), branch: place.branch, axes: place.axes.as_ref(), mask }
+        Standing { pose: Some(&place.pose), branch: place.branch, axes: &place.axes[..self.chain.len()], mask }
     }
 
     /// Compares a place with the travel of the linear axes.
     #[inline]
-    pub(crate) fn check_travel(&mut self, place: &Place<M::Axes>) -> Result<(), Fault> {
-        self.travel.check(place.axes.as_ref())
+    pub(crate) fn check_travel(&mut self, place: &Place) -> Result<(), Fault> {
+        self.travel.check(&place.axes)
     }
 
     /// Linear axes whose limits could not be compared: letter and why.
@@ -192,12 +208,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The place of a pose with these rotary words; limits are not compared.
-    pub(crate) fn with_turns(
-        &self,
-        pose: &Pose,
-        from: &Place<M::Axes>,
-        words: &Turns,
-    ) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn with_turns(&self, pose: &Pose, from: &Place, words: &Turns) -> Result<Place, Fault> {
         self.set(self.at(pose, from, &self.all_words(words)))
     }
 
@@ -222,7 +233,7 @@ impl<M: Machine> Placer<M> {
 
     /// Solved rotary axes stand in the table.
     pub(crate) fn turning_table(&self) -> bool {
-        rotaries_of::<M>(Side::Workpiece).next().is_some()
+        rotaries_of(self.chain, Side::Workpiece).next().is_some()
     }
 
     /// Going out along the retract axis is going out along the tool axis, whatever the rotaries do.
@@ -270,13 +281,13 @@ impl<M: Machine> Placer<M> {
     pub(crate) fn largest_turn(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
         let turns = self.rotary.axes.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
         let (index, turn) = turns.max_by_key(|(_, turn)| *turn).filter(|(_, turn)| *turn > 0)?;
-        Some((M::AXES[index].letter, self.rotary.scale.angle(turn.cast_signed())))
+        Some((self.chain[index].letter, self.rotary.scale.angle(turn.cast_signed())))
     }
 
     /// How far the linear axes go together, mm, and the rotary axes, degrees.
-    pub(crate) fn travelled(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> (f64, f64) {
+    pub(crate) fn travelled(&self, from: &Place, to: &Place) -> (f64, f64) {
         let length = |mask: u16| {
-            let steps = from.axes.as_ref().iter().zip(to.axes.as_ref()).enumerate();
+            let steps = from.axes.iter().zip(to.axes).enumerate();
             let steps = steps.filter(|(index, _)| mask & (1 << index) != 0).map(|(_, (from, to))| to - from);
             steps.map(|step| step * step).sum::<f64>().sqrt()
         };
@@ -285,22 +296,22 @@ impl<M: Machine> Placer<M> {
 
     /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
     #[inline]
-    pub(crate) fn least_minutes(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Option<f64> {
+    pub(crate) fn least_minutes(&self, from: &Place, to: &Place) -> Option<f64> {
         if !self.speeds.timed {
             return None;
         }
         let times = self.speeds.of_axes.iter().enumerate().filter_map(|(index, speed)| {
-            let travel = (to.axes.as_ref()[index] - from.axes.as_ref()[index]).abs();
+            let travel = (to.axes[index] - from.axes[index]).abs();
             speed.map(|speed| travel / speed)
         });
         times.reduce(f64::max)
     }
 
     /// Minutes of a rapid of some axes; `None` if one of those that move has no known speed.
-    pub(crate) fn least_minutes_of(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, mask: u16) -> Option<f64> {
+    pub(crate) fn least_minutes_of(&self, from: &Place, to: &Place, mask: u16) -> Option<f64> {
         let mut least: f64 = 0.0;
         for (index, speed) in self.speeds.of_axes.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
-            let travel = (to.axes.as_ref()[index] - from.axes.as_ref()[index]).abs();
+            let travel = (to.axes[index] - from.axes[index]).abs();
             if travel > 0.0 {
                 least = least.max(travel / (*speed)?);
             }
@@ -310,19 +321,19 @@ impl<M: Machine> Placer<M> {
 
     /// What is written for the words of a place, by position in the chain.
     #[inline]
-    pub(crate) fn written(&self, place: &Place<M::Axes>) -> [i64; MAX_AXES] {
+    pub(crate) fn written(&self, place: &Place) -> [i64; MAX_AXES] {
         self.datum.written(&place.words)
     }
 
     /// The written words of the axes in a mask.
     #[inline]
-    pub(crate) fn words(&self, place: &Place<M::Axes>, mask: u16) -> Words {
+    pub(crate) fn words(&self, place: &Place, mask: u16) -> Words {
         let units = self.written(place);
         let both = mask & self.linear.mask != 0 && mask & self.rotary.mask != 0;
         if !(self.vectors && both) {
             return Words { units, mask, vector: None };
         }
-        let axis = self.frame.map(&self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
+        let axis = self.frame.map(&*self.machine, &place.axes).map(|map| map.rotation * place.pose.axis.into_inner());
         let unit = 10_f64.powi(VECTOR_DECIMALS.cast_signed());
         let vector = axis.map(|axis| axis.map(|component| (component * unit).round() as i64).into());
         Words { units, mask: mask & !self.rotary.mask, vector }
@@ -331,7 +342,7 @@ impl<M: Machine> Placer<M> {
     /// Whether a block would turn rotary axes by more than an angle, rad, and could not say so: a tool axis as a vector is the
     /// same before and behind a turn about it, or of whole turns. At the pole a control that turns the tool axis in the
     /// plane of its ends needs no such turn.
-    pub(crate) fn hides_turn(&self, from: &Place<M::Axes>, to: &Place<M::Axes>, angle: f64) -> bool {
+    pub(crate) fn hides_turn(&self, from: &Place, to: &Place, angle: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
         self.vectors
             && !(to.pole && self.frame.turns_in_plane())
@@ -345,10 +356,10 @@ impl<M: Machine> Placer<M> {
     pub(crate) fn place(
         &mut self,
         pose: &Pose,
-        from: &Place<M::Axes>,
+        from: &Place,
         feed: bool,
         planned: Option<TurnTarget>,
-    ) -> Result<Place<M::Axes>, Fault> {
+    ) -> Result<Place, Fault> {
         let mut place = match planned {
             Some(target) => self.planned(pose, from, &target)?,
             None => self.turn(pose, from, feed)?,
@@ -360,35 +371,35 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The place of another tip with the rotaries of `at`.
-    pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &Place) -> Result<Place, Fault> {
         let mut place = *at;
         place.pose.tip = tip;
         self.finish(place)
     }
 
     #[inline]
-    fn finish(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    fn finish(&mut self, place: Place) -> Result<Place, Fault> {
         let place = self.set(place)?;
-        self.travel.check(place.axes.as_ref())?;
+        self.travel.check(&place.axes)?;
         Ok(place)
     }
 
     /// The linear words of a pose whose rotaries are known; the travel is not compared.
     #[inline]
-    pub(crate) fn set(&self, mut place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn set(&self, mut place: Place) -> Result<Place, Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(refusal::unreachable(self, &place.pose, &place.axes));
         };
-        if let Some(map) = self.frame.map(&self.machine, &place.axes) {
+        if let Some(map) = self.frame.map(&*self.machine, &place.axes) {
             return self.set_tip(place, &map);
         }
         place.axes = axes;
         let (mut sum, mut squares) = (0.0, 0.0);
-        for (index, value) in place.axes.as_mut().iter_mut().enumerate().take(MAX_AXES) {
+        for (index, value) in place.axes.iter_mut().enumerate().take(MAX_AXES) {
             if self.linear.mask & (1 << index) != 0 {
                 let shift = self.datum.linear(index);
                 let Ok(units) = whole_units(*value + shift, self.linear.per_mm) else {
-                    return Err(too_large(M::AXES[index].letter));
+                    return Err(too_large(self.chain[index].letter));
                 };
                 place.words[index] = units;
                 let written = units as f64 / self.linear.per_mm - shift;
@@ -398,10 +409,8 @@ impl<M: Machine> Placer<M> {
                 squares += off * off;
             }
         }
-        if let Some(index) =
-            (0..M::AXES.len().min(MAX_AXES)).find(|&index| place.words[index].abs() >= self.bounds[index])
-        {
-            return Err(too_large(M::AXES[index].letter));
+        if let Some(index) = (0..self.chain.len()).find(|&index| place.words[index].abs() >= self.bounds[index]) {
+            return Err(too_large(self.chain[index].letter));
         }
         place.rounding = if self.linear.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
@@ -414,7 +423,7 @@ impl<M: Machine> Placer<M> {
 
     /// Minutes that the linear axes need while the tip travels so far, mm, in whatever direction, with the rotary axes
     /// still; 0 where their speeds are not to be kept.
-    pub(crate) fn least_minutes_of_tip(&self, length: f64, at: &Place<M::Axes>) -> f64 {
+    pub(crate) fn least_minutes_of_tip(&self, length: f64, at: &Place) -> f64 {
         let Some((solved, map)) = self.axis_map(at).filter(|_| self.speeds.timed) else { return 0.0 };
         let minutes = |(row, axis): (usize, usize)| {
             self.speeds.of_axes[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed)
@@ -428,24 +437,24 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The rotaries of a pose that only says where motion counts from; `None` if it cannot be reached.
-    pub(crate) fn reference(&self, pose: &Pose, from: &Place<M::Axes>) -> Option<Place<M::Axes>> {
+    pub(crate) fn reference(&self, pose: &Pose, from: &Place) -> Option<Place> {
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
         let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).ok()?;
         let mut place = Place { branch: solutions[choice.solution].branch, ..*from };
         for rotary in &self.rotary.axes {
             place.words[rotary.index] = choice.words[rotary.index];
-            place.axes.as_mut()[rotary.index] = rotary.angle(choice.words[rotary.index], self.rotary.scale);
+            place.axes[rotary.index] = rotary.angle(choice.words[rotary.index], self.rotary.scale);
         }
         Some(place)
     }
 
     /// Every rotary at zero and held axes at their values.
-    pub(crate) fn zero(&self) -> Place<M::Axes> {
+    pub(crate) fn zero(&self) -> Place {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
         let zero = Place {
             pose,
             branch: Branch::First,
-            axes: M::HELD,
+            axes: self.held,
             words: [0; MAX_AXES],
             deviation: 0.0,
             pole: false,
@@ -460,7 +469,7 @@ impl<M: Machine> Placer<M> {
         let units = whole_units(coordinate, self.linear.per_mm)
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
-            .ok_or_else(|| too_large(M::AXES[index].letter))?;
+            .ok_or_else(|| too_large(self.chain[index].letter))?;
         let mut words = Words { units: [0; MAX_AXES], mask: 1 << index, vector: None };
         words.units[index] = units;
         Ok(words)
@@ -473,7 +482,7 @@ impl<M: Machine> Placer<M> {
         if self.limits[index].is_some_and(|limits| (coordinate - part_end(limits)).abs() < self.unit_mm()) {
             return Err(Fault::new(format_args!(
                 "the retract position {} = {coordinate} mm (machine coordinate) is the end of the travel at the part",
-                M::AXES[index].letter
+                self.chain[index].letter
             ))
             .help("give `retract.position` in the configuration, the machine coordinate away from the part"));
         }
@@ -497,15 +506,11 @@ impl<M: Machine> Placer<M> {
 
     /// The place with its rotaries parked at these angles, and which of them are; one whose words are wrapped stands in
     /// the turn nearest to where it stood. The linear axes stay as they are.
-    pub(crate) fn parked(
-        &self,
-        park: &BTreeMap<char, f64>,
-        from: &Place<M::Axes>,
-    ) -> Result<(Place<M::Axes>, u16), Fault> {
+    pub(crate) fn parked(&self, park: &BTreeMap<char, f64>, from: &Place) -> Result<(Place, u16), Fault> {
         let (mut words, mut mask) = (from.words, 0);
         for rotary in &self.rotary.axes {
             let index = rotary.index;
-            let Some(&angle) = park.get(&M::AXES[index].letter) else { continue };
+            let Some(&angle) = park.get(&self.chain[index].letter) else { continue };
             let word = self.rotary_word(index, angle)?;
             let nearest = || rotary.nearest(word, words[index], self.rotary.scale.turn).unwrap_or(word);
             words[index] = if self.rotary.wrapped & (1 << index) != 0 { nearest() } else { word };
@@ -516,7 +521,7 @@ impl<M: Machine> Placer<M> {
 
     /// Whether a control that goes the short way would turn an axis the wrong way in this block.
     #[inline]
-    pub(crate) fn rolls_over(&self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> bool {
+    pub(crate) fn rolls_over(&self, from: &Place, to: &Place) -> bool {
         let half_turn = |rotary: &Rotary| {
             self.rotary.wrapped & (1 << rotary.index) != 0
                 && 2 * from.words[rotary.index].abs_diff(to.words[rotary.index])
@@ -527,9 +532,9 @@ impl<M: Machine> Placer<M> {
 
     /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
     /// cannot be known.
-    pub(crate) fn below_retract(&self, place: &Place<M::Axes>, retract: f64) -> Option<f64> {
+    pub(crate) fn below_retract(&self, place: &Place, retract: f64) -> Option<f64> {
         let there = self.travel.value_at(self.linear.retract_axis, retract)?;
-        Some((there - place.axes.as_ref()[self.linear.retract_axis]) * self.linear.retract_share.signum())
+        Some((there - place.axes[self.linear.retract_axis]) * self.linear.retract_share.signum())
     }
 }
 
@@ -537,11 +542,12 @@ impl<M: Machine> Placer<M> {
 mod tests {
     use super::*;
     use crate::config::Config;
+    use crate::kinematics::Machine;
     use crate::motion::machines::{Ay, Cb, Head, Xyz};
 
-    fn placer<M: Machine>() -> Placer<M> {
+    fn placer<M: Machine>() -> Placer {
         let config = Config::default();
-        Placer::new(config.set_up.machine::<M>().expect("valid"), config.policy(), Units::Millimetres)
+        Placer::new(Box::new(config.set_up.machine::<M>().expect("valid")), config.policy(), Units::Millimetres)
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Why a pose has no place on the machine, in a machinist's words.
 
-use crate::kinematics::{Machine, Pose};
+use crate::kinematics::{AxisValues, Pose};
 
 use super::Placer;
 use crate::motion::fault::Fault;
@@ -8,7 +8,7 @@ use crate::motion::rotary::{OutOfLimits, Rotary};
 use crate::motion::step::MAX_AXES;
 
 /// Limits of a rotary axis, in words.
-pub(crate) fn limits_text<M: Machine>(placer: &Placer<M>, index: usize) -> String {
+pub(crate) fn limits_text(placer: &Placer, index: usize) -> String {
     placer.limits[index].map_or_else(
         || "none".to_owned(),
         |limits| format!("{:.4}° to {:.4}°", limits.lower.to_degrees(), limits.upper.to_degrees()),
@@ -17,10 +17,10 @@ pub(crate) fn limits_text<M: Machine>(placer: &Placer<M>, index: usize) -> Strin
 
 /// No whole turn brings an axis inside its limits.
 #[cold]
-pub(crate) fn outside_limits<M: Machine>(placer: &Placer<M>, outside: &[Option<OutOfLimits>; 2]) -> Fault {
+pub(crate) fn outside_limits(placer: &Placer, outside: &[Option<OutOfLimits>; 2]) -> Fault {
     let mut text = String::new();
     for out in outside.iter().flatten() {
-        let letter = M::AXES[out.rotary.index].letter;
+        let letter = placer.chain()[out.rotary.index].letter;
         let value = out.rotary.shown(out.word, placer.rotary.scale);
         if text.is_empty() {
             text = format!("{letter} would have to turn to {value}°");
@@ -34,12 +34,7 @@ pub(crate) fn outside_limits<M: Machine>(placer: &Placer<M>, outside: &[Option<O
 
 /// Only a swing of the tool in the cut would keep an axis inside its limits.
 #[cold]
-pub(crate) fn jump<M: Machine>(
-    placer: &Placer<M>,
-    from: &[i64; MAX_AXES],
-    to: &[i64; MAX_AXES],
-    nearest: &[i64; MAX_AXES],
-) -> Fault {
+pub(crate) fn jump(placer: &Placer, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
     let outside = placer.rotary.axes.iter().find(|rotary| !rotary.holds(nearest[rotary.index]));
     let turned = placer.rotary.axes.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
     let (Some(limit), Some(turned)) = (outside, turned) else { return outside_limits(placer, &[None; 2]) };
@@ -47,10 +42,10 @@ pub(crate) fn jump<M: Machine>(
     Fault::new(format_args!(
         "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
          tool in the cut",
-        M::AXES[limit.index].letter,
+        placer.chain()[limit.index].letter,
         degrees(limit, nearest),
         limits_text(placer, limit.index),
-        M::AXES[turned.index].letter,
+        placer.chain()[turned.index].letter,
         degrees(turned, from),
         degrees(turned, to),
     ))
@@ -59,12 +54,12 @@ pub(crate) fn jump<M: Machine>(
 
 /// The machine cannot hold a tool axis.
 #[cold]
-pub(crate) fn unreachable<M: Machine>(placer: &Placer<M>, pose: &Pose, held: &M::Axes) -> Fault {
+pub(crate) fn unreachable(placer: &Placer, pose: &Pose, held: &AxisValues) -> Fault {
     match placer.machine.reach(&pose.axis, held) {
         Err(reason) => Fault::new(reason),
         Ok(()) => Fault::new(format_args!(
             "{} has no position for the tool axis ({:.7}, {:.7}, {:.7})",
-            M::NAME,
+            placer.machine().name(),
             pose.axis.x,
             pose.axis.y,
             pose.axis.z

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 
-use crate::kinematics::Machine;
+use crate::kinematics::AxisValues;
 use crate::nc::whole_units;
 
 use super::frame::{WordMap, no_plane, orientation};
@@ -13,7 +13,6 @@ use super::tilted_plane::{PlaneAbility, PoseRule, Tilt};
 use super::{Place, Placer, too_large};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::turn_between;
-use crate::motion::step::MAX_AXES;
 
 /// How far a map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
 const ORTHOGONAL: f64 = 1e-9;
@@ -24,26 +23,26 @@ const UNSEEN: f64 = 0.01;
 /// Most points of a block that are compared with the travel.
 const MOST_SEEN: f64 = 1000.0;
 
-impl<M: Machine> Placer<M> {
+impl Placer {
     /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
     /// where the program has no such words.
-    pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &Place<M::Axes>) -> Option<Vector3<f64>> {
-        if let Some(map) = self.frame.map(&self.machine, &at.axes) {
+    pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &Place) -> Option<Vector3<f64>> {
+        if let Some(map) = self.frame.map(&*self.machine, &at.axes) {
             return Some(map.words(tip));
         }
         let axes = self.machine.linear_axes(tip, &at.axes)?;
-        let word = |index: usize| axes.as_ref()[index] + self.datum.linear(index);
+        let word = |index: usize| axes[index] + self.datum.linear(index);
         Some(Vector3::from(self.linear.xyz?.map(word)))
     }
 
     /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
     /// place: the rows belong to the words, the columns to the directions of the workpiece.
-    pub(crate) fn program_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn program_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
         Some((self.linear.xyz?, differences(|tip| self.program_point(tip, at))?))
     }
 
     /// The same where the words are square to each other and as long as the ways of the tip.
-    pub(crate) fn square_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn square_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
         self.program_map(at).filter(|(_, map)| {
             let off = map.transpose() * map - Matrix3::identity();
             off.iter().all(|part| part.abs() <= ORTHOGONAL)
@@ -51,23 +50,23 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.
-    pub(crate) fn axis_map(&self, at: &Place<M::Axes>) -> Option<([usize; 3], Matrix3<f64>)> {
-        let mut linear = (0..M::AXES.len().min(MAX_AXES)).filter(|index| self.linear.mask & (1 << index) != 0);
+    pub(crate) fn axis_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
+        let mut linear = (0..self.chain.len()).filter(|index| self.linear.mask & (1 << index) != 0);
         let solved = [linear.next()?, linear.next()?, linear.next()?];
         let values = |tip: &Point3<f64>| {
             let axes = self.machine.linear_axes(tip, &at.axes)?;
-            Some(Vector3::from(solved.map(|index| axes.as_ref()[index])))
+            Some(Vector3::from(solved.map(|index| axes[index])))
         };
         Some((solved, differences(values)?))
     }
 
     /// The words of a tip that the control counts in a frame of its own.
-    pub(crate) fn set_tip(&self, mut place: Place<M::Axes>, map: &WordMap) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn set_tip(&self, mut place: Place, map: &WordMap) -> Result<Place, Fault> {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
             let units = whole_units(*value, self.linear.per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
-            let units = units.ok_or_else(|| too_large(M::AXES[index].letter))?;
+            let units = units.ok_or_else(|| too_large(self.chain[index].letter))?;
             place.words[index] = units;
             *value = units as f64 / self.linear.per_mm;
         }
@@ -79,21 +78,17 @@ impl<M: Machine> Placer<M> {
     }
 
     /// The place in the frame of tip control, which may be that of the table once its rotaries have been turned.
-    pub(crate) fn in_tip_frame(&mut self, place: Place<M::Axes>) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn in_tip_frame(&mut self, place: Place) -> Result<Place, Fault> {
         if !self.frame.is_set_anew() {
             return Ok(place);
         }
-        self.frame.start(&self.machine, &place.axes);
+        self.frame.start(&*self.machine, &place.axes);
         self.finish(place)
     }
 
     /// The place in the plane whose Z is its tool axis, and that plane in the words of the control.
-    pub(crate) fn tilted(
-        &mut self,
-        place: Place<M::Axes>,
-        ability: &PlaneAbility,
-    ) -> Result<(Place<M::Axes>, Tilt), Fault> {
-        let stands = orientation(&self.machine, &place.axes);
+    pub(crate) fn tilted(&mut self, place: Place, ability: &PlaneAbility) -> Result<(Place, Tilt), Fault> {
+        let stands = orientation(&*self.machine, &place.axes);
         // The rotaries stand at rounded angles, the control computes its own: the plane is that of the tool axis.
         let rounded = UnitVector3::new_normalize(stands * self.machine.tool_axis().into_inner());
         let correction = turn_between(&rounded, &place.pose.axis);
@@ -102,10 +97,10 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Which of the poses of a plane this is, in the words of a rule: see [`PoseRule::choose`].
-    pub(crate) fn pose_of_plane(&self, place: &Place<M::Axes>, rule: PoseRule) -> Option<bool> {
+    pub(crate) fn pose_of_plane(&self, place: &Place, rule: PoseRule) -> Option<bool> {
         let rotary = self.rotary.axes.last()?;
         let within_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
-        let value = |axes: &M::Axes| within_a_turn(axes.as_ref()[rotary.index]);
+        let value = |axes: &AxisValues| within_a_turn(axes[rotary.index]);
         let here = value(&place.axes);
         let solutions = self.machine.inverse_kinematics(&place.pose, &place.axes);
         let others = solutions.iter().map(|solution| value(&solution.axes));
@@ -116,7 +111,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Checks the travel inside a block in which the control moves the linear axes so that the tip keeps to its line.
-    pub(crate) fn check_between(&mut self, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Result<(), Fault> {
+    pub(crate) fn check_between(&mut self, from: &Place, to: &Place) -> Result<(), Fault> {
         if !self.frame.counts_tip() || !self.travel.limited() {
             return Ok(());
         }
@@ -126,13 +121,13 @@ impl<M: Machine> Placer<M> {
         while step < steps {
             let part = step / steps;
             let mut axes = from.axes;
-            for (value, end) in axes.as_mut().iter_mut().zip(to.axes.as_ref()) {
+            for (value, end) in axes.iter_mut().zip(to.axes) {
                 *value += (end - *value) * part;
             }
             let tip = from.pose.tip + (to.pose.tip - from.pose.tip) * part;
             let axes =
                 self.machine.linear_axes(&tip, &axes).ok_or_else(|| refusal::unreachable(self, &to.pose, &to.axes))?;
-            self.travel.check(axes.as_ref())?;
+            self.travel.check(&axes)?;
             step += 1.0;
         }
         Ok(())

@@ -3,13 +3,12 @@
 //! Limits are machine coordinates: `M = machine_zero + q + g`, where `g` is what the gauge length adds to the axis.
 //! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
 
-use crate::kinematics::{AxisKind, Limits, Machine, Side};
+use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::options::Policy;
 
 use super::chain::rotaries;
 use super::datum::along_axes;
 use crate::motion::fault::Fault;
-use crate::motion::step::MAX_AXES;
 
 /// Noise of floating-point sums that must not turn an inclusive limit into an exclusive one, mm.
 const NOISE: f64 = 1e-6;
@@ -44,20 +43,20 @@ pub(crate) struct Travel {
 }
 
 impl Travel {
-    pub(crate) fn new<M: Machine>(machine: &M, policy: Policy<'_>) -> Self {
-        let limits = policy.set_up.travel::<M>().limits;
-        let solved: Vec<usize> = (0..M::AXES.len().min(MAX_AXES))
-            .filter(|&i| M::AXES[i].kind == AxisKind::Linear && !M::AXES[i].held)
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
+        let limits = policy.set_up.travel(machine.axes()).limits;
+        let solved: Vec<usize> = (0..machine.axes().len())
+            .filter(|&i| machine.axes()[i].kind == AxisKind::Linear && !machine.axes()[i].held)
             .collect();
         let shares = along_axes(machine, &machine.tool_axis());
-        let turned = rotaries::<M>(Side::Tool).next().is_some();
+        let turned = rotaries(machine.axes(), Side::Tool).next().is_some();
         let axes = solved
             .iter()
             .map(|&index| LinearTravel {
                 index,
-                letter: M::AXES[index].letter,
+                letter: machine.axes()[index].letter,
                 limits: limits[index],
-                zero: policy.set_up.machine_zero.get(&M::AXES[index].letter).copied(),
+                zero: policy.set_up.machine_zero.get(&machine.axes()[index].letter).copied(),
                 share: shares[index],
                 span: None,
                 turned,

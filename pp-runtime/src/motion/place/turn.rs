@@ -2,7 +2,7 @@
 
 use nalgebra::UnitVector3;
 
-use crate::kinematics::{Machine, Pose, REACH_TOLERANCE, Side, Solution};
+use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::program::{Rotation, Turning};
 
 use super::linearise::Tolerance;
@@ -16,12 +16,12 @@ use crate::motion::step::MAX_AXES;
 /// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
 const SWING: f64 = 1_f64.to_radians();
 
-impl<M: Machine> Placer<M> {
+impl Placer {
     /// What ROTABL/NEXT asks of the table's rotary, the one nearest the workpiece where there are two. Seen against its
     /// axis a table turns clockwise while its word grows, unless the word runs backwards.
     pub(crate) fn towards(&self, turning: Turning) -> Option<Towards> {
         let Turning::Next(rotation) = turning else { return None };
-        let table = |rotary: &Rotary| M::AXES[rotary.index].side == Side::Workpiece;
+        let table = |rotary: &Rotary| self.chain[rotary.index].side == Side::Workpiece;
         let axis = self.rotary.axes.iter().position(table)?;
         let forwards = self.machine.joint(self.rotary.axes[axis].index).sign > 0.0;
         Some(Towards { axis, positive: (rotation == Rotation::Clockwise) == forwards })
@@ -29,14 +29,14 @@ impl<M: Machine> Placer<M> {
 
     /// Indexed axes stand on one of their steps, and do not turn in a cut.
     #[cold]
-    pub(crate) fn snap(&self, place: &mut Place<M::Axes>, from: &Place<M::Axes>, feed: bool) -> Result<(), Fault> {
+    pub(crate) fn snap(&self, place: &mut Place, from: &Place, feed: bool) -> Result<(), Fault> {
         for &(rotary, step) in &self.rotary.grid {
             let index = rotary.index;
             let word = place.words[index];
             let snapped = (2 * word + step).div_euclid(2 * step) * step;
-            let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.rotary.scale));
+            let (letter, degrees) = (self.chain[index].letter, |word| rotary.shown(word, self.rotary.scale));
             place.words[index] = snapped;
-            place.axes.as_mut()[index] = rotary.angle(snapped, self.rotary.scale);
+            place.axes[index] = rotary.angle(snapped, self.rotary.scale);
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             let deviation = angle_between(&reached, &place.pose.axis);
             if deviation > self.poles.tolerance + 2.0 * self.rotary.scale.angle(1) || !rotary.holds(snapped) {
@@ -62,22 +62,17 @@ impl<M: Machine> Placer<M> {
 
     /// On the way of a cut an indexed axis stays where it is, and the tool axis leaves its even turn by what that takes.
     #[inline]
-    pub(crate) fn hold_indexed(
-        &self,
-        place: &mut Place<M::Axes>,
-        from: &Place<M::Axes>,
-        allowed: Tolerance,
-    ) -> Result<(), Fault> {
+    pub(crate) fn hold_indexed(&self, place: &mut Place, from: &Place, allowed: Tolerance) -> Result<(), Fault> {
         for &(rotary, step) in &self.rotary.grid {
             let index = rotary.index;
             let (wanted, held) = (place.words[index], from.words[index]);
             place.words[index] = held;
-            place.axes.as_mut()[index] = from.axes.as_ref()[index];
+            place.axes[index] = from.axes[index];
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             place.deviation = place.deviation.max(angle_between(&reached, &place.pose.axis));
             // What an end is off counts twice: see `certify`.
             if 2.0 * place.deviation >= allowed.axis {
-                let (letter, degrees) = (M::AXES[index].letter, |word| rotary.shown(word, self.rotary.scale));
+                let (letter, degrees) = (self.chain[index].letter, |word| rotary.shown(word, self.rotary.scale));
                 return Err(Fault::new(format_args!(
                     "{letter} would have to turn from {}° to {}° in the cut, and it is indexed in steps of {}°",
                     degrees(held),
@@ -102,7 +97,7 @@ impl<M: Machine> Placer<M> {
     /// The rotaries of a pose, chosen from where they stand: a feed motion stays on its branch, a rapid turns least. A
     /// feed motion is refused if only the limits make it take another turn than the nearest: the tool is in the cut.
     #[inline]
-    pub(crate) fn turn(&self, pose: &Pose, from: &Place<M::Axes>, feed: bool) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn turn(&self, pose: &Pose, from: &Place, feed: bool) -> Result<Place, Fault> {
         if let Some(pole) = self.pole(&pose.axis) {
             return self.turn_to_pole(pose, pole, from);
         }
@@ -135,12 +130,7 @@ impl<M: Machine> Placer<M> {
     }
 
     /// At the pole the first rotary keeps its value: what CL data says of it there is rounding.
-    pub(crate) fn turn_to_pole(
-        &self,
-        pose: &Pose,
-        pole: UnitVector3<f64>,
-        from: &Place<M::Axes>,
-    ) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn turn_to_pole(&self, pose: &Pose, pole: UnitVector3<f64>, from: &Place) -> Result<Place, Fault> {
         let there = Pose { axis: pole, ..*pose };
         let solutions = self.machine.inverse_kinematics(&there, &from.axes);
         if solutions.is_empty() {
@@ -158,7 +148,7 @@ impl<M: Machine> Placer<M> {
 
     /// A pose with these rotary words; the linear axes are not computed.
     #[inline]
-    pub(crate) fn at(&self, pose: &Pose, from: &Place<M::Axes>, words: &[i64; MAX_AXES]) -> Place<M::Axes> {
+    pub(crate) fn at(&self, pose: &Pose, from: &Place, words: &[i64; MAX_AXES]) -> Place {
         let mut place = Place {
             pose: *pose,
             branch: from.branch,
@@ -169,18 +159,13 @@ impl<M: Machine> Placer<M> {
             rounding: 0.0,
         };
         for rotary in &self.rotary.axes {
-            place.axes.as_mut()[rotary.index] = rotary.angle(words[rotary.index], self.rotary.scale);
+            place.axes[rotary.index] = rotary.angle(words[rotary.index], self.rotary.scale);
         }
         place
     }
 
     /// A pose with the rotary words of the course.
-    pub(crate) fn planned(
-        &self,
-        pose: &Pose,
-        from: &Place<M::Axes>,
-        target: &TurnTarget,
-    ) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn planned(&self, pose: &Pose, from: &Place, target: &TurnTarget) -> Result<Place, Fault> {
         let pole = self.pole(&pose.axis);
         let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         let mut words = self.all_words(&target.words);
@@ -202,8 +187,8 @@ impl<M: Machine> Placer<M> {
                 .help("this is a fault of the postprocessor, not of the CL data"));
         }
         let solutions = self.machine.inverse_kinematics(&there, &place.axes);
-        let off = |solution: &Solution<M::Axes>| -> f64 {
-            let turned = |rotary: &Rotary| solution.axes.as_ref()[rotary.index] - place.axes.as_ref()[rotary.index];
+        let off = |solution: &Solution<AxisValues>| -> f64 {
+            let turned = |rotary: &Rotary| solution.axes[rotary.index] - place.axes[rotary.index];
             self.rotary.axes.iter().map(|rotary| 1.0 - turned(rotary).cos()).sum()
         };
         let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
@@ -235,15 +220,15 @@ impl<M: Machine> Placer<M> {
     }
 
     /// Where nothing but the rotaries is known.
-    pub(crate) fn standing(&self, words: &Turns) -> Place<M::Axes> {
+    pub(crate) fn standing(&self, words: &Turns) -> Place {
         Place { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
     }
 
     /// Axis values of rotary words, with held axes at their values.
-    pub(crate) fn axes_of(&self, words: &Turns) -> M::Axes {
-        let mut axes = M::HELD;
+    pub(crate) fn axes_of(&self, words: &Turns) -> AxisValues {
+        let mut axes = self.held;
         for (rotary, word) in self.rotary.axes.iter().zip(words) {
-            axes.as_mut()[rotary.index] = rotary.angle(*word, self.rotary.scale);
+            axes[rotary.index] = rotary.angle(*word, self.rotary.scale);
         }
         axes
     }
@@ -257,10 +242,10 @@ impl<M: Machine> Placer<M> {
 
 /// The axes of `base`, and those of `mask` from `chosen`.
 #[inline]
-fn merged<A: AsRef<[f64]> + AsMut<[f64]>>(mut base: A, chosen: &A, mask: u16) -> A {
-    for (index, value) in base.as_mut().iter_mut().enumerate().take(MAX_AXES) {
+fn merged(mut base: AxisValues, chosen: &AxisValues, mask: u16) -> AxisValues {
+    for (index, value) in base.iter_mut().enumerate() {
         if mask & (1 << index) != 0 {
-            *value = chosen.as_ref()[index];
+            *value = chosen[index];
         }
     }
     base

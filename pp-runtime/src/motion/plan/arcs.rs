@@ -8,7 +8,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::kinematics::{Machine, Pose};
+use crate::kinematics::Pose;
 use crate::motion::options::{ArcForm, ArcOutput};
 use crate::nalgebra::Vector3;
 use crate::program::{Arc, Move};
@@ -106,7 +106,7 @@ struct Framed {
 
 /// An arc from where the tool is.
 #[cold]
-pub(crate) fn arc<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, arc: &Arc, index: MotionIndex) -> Planned {
+pub(crate) fn arc<S: Sink>(planner: &mut Planner<'_, S>, arc: &Arc, index: MotionIndex) -> Planned {
     let round = Round::new(arc);
     if planner.cutter.is_idle() {
         ArcRun { planner, arc, round }.run(index)
@@ -116,13 +116,13 @@ pub(crate) fn arc<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, arc: &Ar
 }
 
 /// One arc that is being planned.
-struct ArcRun<'p, 'a, 'r, M: Machine, S> {
-    planner: &'p mut Planner<'a, M, S>,
+struct ArcRun<'p, 'a, 'r, S> {
+    planner: &'p mut Planner<'a, S>,
     arc: &'r Arc,
     round: Round<'r>,
 }
 
-impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
+impl<S: Sink> ArcRun<'_, '_, '_, S> {
     fn run(&mut self, index: MotionIndex) -> Planned {
         let arc = self.arc;
         let motion = Move { pose: arc.end, rapid: false, feed: arc.feed };
@@ -157,7 +157,7 @@ impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
     }
 
     /// Writes the arc as arcs of the control; nothing is written where one of them cannot be said.
-    fn trace(&mut self, end: &Place<M::Axes>) -> Result<Result<(), NoArc>, Halt> {
+    fn trace(&mut self, end: &Place) -> Result<Result<(), NoArc>, Halt> {
         let framed = match self.framed(end) {
             Ok(framed) => framed,
             Err(why) => return Ok(Err(why)),
@@ -172,7 +172,7 @@ impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
     }
 
     /// The arc in the program's coordinates.
-    fn framed(&self, end: &Place<M::Axes>) -> Result<Framed, NoArc> {
+    fn framed(&self, end: &Place) -> Result<Framed, NoArc> {
         let (arc, round) = (self.arc, &self.round);
         let (setup, placer) = (&self.planner.policy.options.arcs, self.planner.mover.placer());
         if setup.output == ArcOutput::Lines {
@@ -222,13 +222,13 @@ impl<M: Machine, S: Sink> ArcRun<'_, '_, '_, M, S> {
     }
 
     /// Where a part of the arc ends; the rotary axes are where they are.
-    fn piece_end(&mut self, part: f64) -> Result<Place<M::Axes>, Fault> {
+    fn piece_end(&mut self, part: f64) -> Result<Place, Fault> {
         let here = *self.planner.mover.here();
         self.planner.mover.shifted(self.round.tip(part), &here)
     }
 
     /// The words of one piece, `share` of the arc, if they say it within tolerance.
-    fn circle(&self, framed: &Framed, share: f64, from: &Place<M::Axes>, to: &Place<M::Axes>) -> Option<Circle> {
+    fn circle(&self, framed: &Framed, share: f64, from: &Place, to: &Place) -> Option<Circle> {
         let (placer, tolerance) = (self.planner.mover.placer(), self.planner.mover.tolerance().tip);
         let (from, to) = (placer.written(from), placer.written(to));
         let Framed { plane, chain, nominal, lean } = *framed;

@@ -6,7 +6,7 @@
 
 use std::io;
 
-use crate::kinematics::Machine;
+use crate::kinematics::Axis;
 
 use crate::motion::options::{ClampCodes, Policy};
 use crate::motion::plan::output::Output;
@@ -39,9 +39,9 @@ pub(crate) struct Clamps {
 }
 
 impl Clamps {
-    pub(crate) fn new<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
+    pub(crate) fn new(chain: &[Axis], policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
         let clamp = |rotary: &Rotary| {
-            let codes = policy.options.rotaries.clamp.get(&M::AXES[rotary.index].letter)?.clone();
+            let codes = policy.options.rotaries.clamp.get(&chain[rotary.index].letter)?.clone();
             Some(Clamp { index: rotary.index, codes, on: None })
         };
         Self { clamps: rotaries.iter().filter_map(clamp).collect(), ..Self::default() }

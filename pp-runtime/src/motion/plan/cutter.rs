@@ -10,7 +10,6 @@
 
 use nalgebra::Vector3;
 
-use crate::kinematics::Machine;
 use crate::motion::options::{ArcOutput, CutterPath, Mode, Policy};
 use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 
@@ -144,7 +143,7 @@ fn beside(what: &str) -> Fault {
 }
 
 /// CUTCOM.
-pub(crate) fn request<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, asked: &Compensation) -> Planned {
+pub(crate) fn request<S: Sink>(planner: &mut Planner<'_, S>, asked: &Compensation) -> Planned {
     let Compensation { side, register, xy } = *asked;
     if side == CutterSide::Off {
         if !planner.cutter.end() {
@@ -179,11 +178,7 @@ fn check_set_up(policy: Policy<'_>, xy: bool) -> Result<(), Fault> {
 
 /// A motion while compensation is asked for, in force, or about to end.
 #[cold]
-pub(crate) fn line<M: Machine, S: Sink>(
-    planner: &mut Planner<'_, M, S>,
-    ahead: Ahead<'_>,
-    index: MotionIndex,
-) -> Planned {
+pub(crate) fn line<S: Sink>(planner: &mut Planner<'_, S>, ahead: Ahead<'_>, index: MotionIndex) -> Planned {
     let motion = ahead.motion;
     let from = *planner.mover.here();
     let step = in_program(planner, &from, motion);
@@ -230,10 +225,10 @@ pub(crate) fn line<M: Machine, S: Sink>(
 
 /// An arc while compensation is asked for or in force; `run` plans it.
 #[cold]
-pub(crate) fn arc<'a, M: Machine, S: Sink>(
-    planner: &mut Planner<'a, M, S>,
+pub(crate) fn arc<'a, S: Sink>(
+    planner: &mut Planner<'a, S>,
     arc: &Arc,
-    run: impl FnOnce(&mut Planner<'a, M, S>) -> Planned,
+    run: impl FnOnce(&mut Planner<'a, S>) -> Planned,
 ) -> Planned {
     if planner.cutter.state != Compensating::On {
         let when = if planner.cutter.state == Compensating::Begins { "begins" } else { "ends" };
@@ -260,11 +255,7 @@ pub(crate) fn arc<'a, M: Machine, S: Sink>(
 }
 
 /// A motion in the coordinates of the program, mm; the tool has to be along its Z.
-fn in_program<M: Machine, S: Sink>(
-    planner: &Planner<'_, M, S>,
-    from: &Place<M::Axes>,
-    motion: &Move,
-) -> Result<Vector3<f64>, Fault> {
+fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &Place, motion: &Move) -> Result<Vector3<f64>, Fault> {
     let tilted = || {
         Fault::new("cutter compensation works in the plane of X and Y, and the tool axis is not Z of the program here")
             .help("post this program with mode plane, or leave CUTCOM out")
@@ -278,7 +269,7 @@ fn in_program<M: Machine, S: Sink>(
 }
 
 /// Where D holds the radius, a line that is shorter leaves no path to the contour.
-fn check_length<M: Machine, S: Sink>(planner: &Planner<'_, M, S>, length: f64) -> Result<(), Fault> {
+fn check_length<S: Sink>(planner: &Planner<'_, S>, length: f64) -> Result<(), Fault> {
     let policy = planner.policy;
     let given = planner.tooling.current().and_then(|tool| policy.set_up.tools.get(&tool.number));
     let diameter = given.and_then(|tool| tool.diameter);
@@ -293,7 +284,7 @@ fn check_length<M: Machine, S: Sink>(planner: &Planner<'_, M, S>, length: f64) -
 }
 
 /// On or off with the next block.
-fn switch<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, on: bool) -> Planned {
+fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
     let register = radius_register(planner)?;
     let mover = &mut planner.mover;
     let mirrored = mover.placer().square_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);
@@ -304,7 +295,7 @@ fn switch<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, on: bool) -> Pla
 }
 
 /// The register of the tool's radius.
-fn radius_register<M: Machine, S: Sink>(planner: &Planner<'_, M, S>) -> Result<u32, Fault> {
+fn radius_register<S: Sink>(planner: &Planner<'_, S>) -> Result<u32, Fault> {
     let number =
         planner.tooling.current().map(|tool| tool.number).ok_or_else(|| Fault::new("CUTCOM without a tool"))?;
     let given =

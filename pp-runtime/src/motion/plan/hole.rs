@@ -5,7 +5,7 @@
 //! program and the control has a cycle for just these steps; what it cannot say (a first step unlike the others, a stated
 //! way back) is written as motions. A thread is never: spindle and feed are in step only in a cycle.
 
-use crate::kinematics::{Machine, Pose};
+use crate::kinematics::Pose;
 use crate::motion::options::{CycleOutput, Mode};
 use crate::nc::Decimal;
 use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
@@ -32,7 +32,7 @@ const PITCH: f64 = 2e-4;
 const THREAD_FEED: f64 = 1e-4;
 
 /// A cycle, and where the tool stands behind it.
-type Found<A> = (CannedCycle, Place<A>);
+type Found = (CannedCycle, Place);
 
 /// Why there is no cycle.
 type NoCycle = &'static str;
@@ -65,18 +65,18 @@ fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
 
 /// A hole from wherever the tool is.
 #[cold]
-pub(crate) fn hole<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, hole: &Hole, index: MotionIndex) -> Planned {
+pub(crate) fn hole<S: Sink>(planner: &mut Planner<'_, S>, hole: &Hole, index: MotionIndex) -> Planned {
     planner.cutter.check_hole()?;
     HoleRun { planner, hole }.run(index)
 }
 
 /// One hole that is being planned.
-struct HoleRun<'p, 'a, M: Machine, S> {
-    planner: &'p mut Planner<'a, M, S>,
+struct HoleRun<'p, 'a, S> {
+    planner: &'p mut Planner<'a, S>,
     hole: &'p Hole,
 }
 
-impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
+impl<S: Sink> HoleRun<'_, '_, S> {
     fn run(&mut self, index: MotionIndex) -> Planned {
         let over = self.hole.way_over();
         let bottom = Move { pose: self.hole.level(-self.hole.depth), rapid: false, feed: self.hole.feed };
@@ -178,7 +178,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
     }
 
     /// The cycle of the hole and where it ends, or why there is none.
-    fn cycle(&mut self) -> Result<Result<Found<M::Axes>, NoCycle>, Fault> {
+    fn cycle(&mut self) -> Result<Result<Found, NoCycle>, Fault> {
         let (hole, policy) = (self.hole, self.planner.policy);
         if policy.options.cycles.output == CycleOutput::Expanded {
             return Ok(Err("`[cycles]` asks for motions"));
@@ -304,7 +304,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
     }
 
     /// F of a cycle.
-    fn feed(&self, kind: CannedKind, over: &Place<M::Axes>) -> Result<Decimal, Fault> {
+    fn feed(&self, kind: CannedKind, over: &Place) -> Result<Decimal, Fault> {
         let (hole, feeds) = (self.hole, self.planner.mover.feeds());
         let per_minute = match kind {
             CannedKind::Tap { pitch, speed, .. } => pitch.value() * feeds.length_unit() * speed.value(),
@@ -334,7 +334,7 @@ impl<M: Machine, S: Sink> HoleRun<'_, '_, M, S> {
     }
 
     /// Writes the hole by its cycle.
-    fn run_cycle(&mut self, cycle: &CannedCycle, back: Place<M::Axes>) -> Planned {
+    fn run_cycle(&mut self, cycle: &CannedCycle, back: Place) -> Planned {
         let hole = self.hole;
         let can = self.planner.abilities.cycles;
         let here = self.planner.mover.placer().written(self.planner.mover.here());

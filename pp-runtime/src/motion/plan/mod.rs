@@ -32,7 +32,7 @@ use std::io;
 use std::ops::RangeInclusive;
 
 use crate::diag::Diagnostic;
-use crate::kinematics::{Machine, Pose};
+use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::options::{Policy, Transition};
 use crate::program::Units;
 use crate::program::{self, Location, Move};
@@ -63,12 +63,12 @@ use spindle::SpindleState;
 use tooling::Tooling;
 
 /// Turns the items of a program into steps.
-pub struct Planner<'a, M: Machine, S> {
+pub struct Planner<'a, S> {
     policy: Policy<'a>,
     abilities: &'a Abilities,
     /// Every tool axis of the CL data points into the table, and that is to be refused.
     upside_down: bool,
-    mover: Mover<'a, M, S>,
+    mover: Mover<'a, S>,
     tooling: Tooling,
     spindle: SpindleState,
     coolant: CoolantState,
@@ -85,11 +85,11 @@ pub(crate) struct Ahead<'m> {
     next: Next,
 }
 
-impl<'a, M: Machine, S: Sink> Planner<'a, M, S> {
+impl<'a, S: Sink> Planner<'a, S> {
     /// A planner at the beginning of a program that is written to `sink` in `units`. `upside_down`: every tool axis of the
     /// CL data points into the table.
     pub fn new(
-        machine: M,
+        machine: Box<dyn AnyMachine>,
         policy: Policy<'a>,
         units: Units,
         abilities: &'a Abilities,
@@ -359,7 +359,7 @@ fn no_way_round(air: bool) -> Fault {
     .help("leave it out, or give it in front of a rapid or of an operation")
 }
 
-impl<M: Machine, S: Sink> Stage for Planner<'_, M, S> {
+impl<S: Sink> Stage for Planner<'_, S> {
     type Stop = Stop;
 
     /// Plans one item; nothing may be planned after an error.

@@ -124,7 +124,7 @@ impl<S: Sink> Output<S> {
 
     /// How far a place is from the tool axis of the CL data.
     #[inline]
-    pub(crate) fn count_deviation<A>(&mut self, place: &Place<A>) {
+    pub(crate) fn count_deviation(&mut self, place: &Place) {
         if place.deviation > NO_DEVIATION {
             self.statistics.deviates(place.deviation, place.pole);
         }

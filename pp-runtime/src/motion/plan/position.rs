@@ -14,9 +14,9 @@ const PLUNGE: f64 = 0.001;
 
 /// Where the machine is.
 #[derive(Debug, Clone)]
-pub(crate) struct Position<A> {
+pub(crate) struct Position {
     /// Where the rotary axes are or are taken to be; held axes at their values.
-    place: Place<A>,
+    place: Place,
     /// Something has moved: `place` is more than a reference.
     moved: bool,
     /// The tool is at `place`.
@@ -32,9 +32,9 @@ pub(crate) struct Position<A> {
     plunge_reported: bool,
 }
 
-impl<A: Copy> Position<A> {
+impl Position {
     /// Nothing has moved; the rotary axes count from here.
-    pub(crate) fn new(reference: Place<A>) -> Self {
+    pub(crate) fn new(reference: Place) -> Self {
         Self {
             place: reference,
             moved: false,
@@ -49,7 +49,7 @@ impl<A: Copy> Position<A> {
 
     /// Where the axes are, or were when that was known last.
     #[inline]
-    pub(crate) fn place(&self) -> &Place<A> {
+    pub(crate) fn place(&self) -> &Place {
         &self.place
     }
 
@@ -80,7 +80,7 @@ impl<A: Copy> Position<A> {
     }
 
     /// FROM: as long as nothing has moved, the rotary axes count from here.
-    pub(crate) fn count_from(&mut self, reference: impl FnOnce(&Place<A>) -> Option<Place<A>>) {
+    pub(crate) fn count_from(&mut self, reference: impl FnOnce(&Place) -> Option<Place>) {
         if !self.moved
             && let Some(place) = reference(&self.place)
         {
@@ -90,7 +90,7 @@ impl<A: Copy> Position<A> {
 
     /// A motion of the CL data has ended here.
     #[inline]
-    pub(crate) fn arrive(&mut self, place: Place<A>) {
+    pub(crate) fn arrive(&mut self, place: Place) {
         self.place = place;
         self.moved = true;
         self.known = true;
@@ -99,12 +99,12 @@ impl<A: Copy> Position<A> {
 
     /// A block has ended here, within a motion or between two.
     #[inline]
-    pub(crate) fn go_to(&mut self, place: Place<A>) {
+    pub(crate) fn go_to(&mut self, place: Place) {
         self.place = place;
     }
 
     /// The rotary axes are parked here; the next turn counts from there.
-    pub(crate) fn park(&mut self, place: Place<A>) {
+    pub(crate) fn park(&mut self, place: Place) {
         self.place = place;
         self.moved = true;
     }

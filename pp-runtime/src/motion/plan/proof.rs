@@ -6,7 +6,7 @@
 
 use nalgebra::Point3;
 
-use crate::kinematics::{Machine, Pose, Side};
+use crate::kinematics::{Pose, Side};
 use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
 use crate::motion::fault::{Fault, Halt, Planned, Stop};
@@ -33,13 +33,13 @@ pub struct Sweep {
 }
 
 /// Plans the proof program of a machine.
-pub struct ProofProgram<'p, 'a, M: Machine, S> {
-    planner: &'p mut Planner<'a, M, S>,
+pub struct ProofProgram<'p, 'a, S> {
+    planner: &'p mut Planner<'a, S>,
 }
 
-impl<'p, 'a, M: Machine, S: Sink> ProofProgram<'p, 'a, M, S> {
+impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     /// The proof program that a planner is to write; nothing else is planned with it.
-    pub fn new(planner: &'p mut Planner<'a, M, S>) -> Self {
+    pub fn new(planner: &'p mut Planner<'a, S>) -> Self {
         Self { planner }
     }
 
@@ -72,7 +72,7 @@ impl<'p, 'a, M: Machine, S: Sink> ProofProgram<'p, 'a, M, S> {
 
     fn sweep(&self, axis: usize, rest: Turns) -> Result<Sweep, Stop> {
         let rotaries = self.planner.mover.placer().rotaries();
-        let letter = |axis: usize| M::AXES[rotaries[axis].index].letter;
+        let letter = |axis: usize| self.planner.mover.placer().chain()[rotaries[axis].index].letter;
         let ends = self.ends(rotaries[axis], rest[axis])?;
         let shown = |axis: usize, word: i64| rotaries[axis].shown(word, self.planner.mover.placer().scale());
         let from = if let [_] = ends[..] { rest[axis] } else { ends[0] };
@@ -93,7 +93,7 @@ impl<'p, 'a, M: Machine, S: Sink> ProofProgram<'p, 'a, M, S> {
 
     /// The ends of an axis, one after the other; of an endless one a turn on.
     fn ends(&self, rotary: Rotary, rest: i64) -> Result<Vec<i64>, Stop> {
-        let axis = &M::AXES[rotary.index];
+        let axis = &self.planner.mover.placer().chain()[rotary.index];
         let letter = axis.letter;
         let refused = |fault: Fault| Err(Halt::from(fault).at(Location::default()));
         if self.planner.policy.options.rotaries.grid.contains_key(&letter) {

@@ -2,7 +2,6 @@
 
 use std::ops::RangeInclusive;
 
-use crate::kinematics::Machine;
 use crate::motion::options::Transition;
 use crate::program::{Dwell, Event, ToolCall, Turning};
 
@@ -17,17 +16,13 @@ const DWELL: RangeInclusive<f64> = 0.001..=99_999.0;
 
 /// Plans a record that is no motion; `between`: it comes between two operations and speaks of the second.
 #[cold]
-pub(crate) fn record<M: Machine, S: Sink>(
-    planner: &mut Planner<'_, M, S>,
-    event: &Event<'_>,
-    between: bool,
-) -> Planned {
+pub(crate) fn record<S: Sink>(planner: &mut Planner<'_, S>, event: &Event<'_>, between: bool) -> Planned {
     planner.cutter.check_record(event)?;
     Records { planner, between }.take(event)
 }
 
 /// DELAY, and the wait at the bottom of a hole.
-pub(crate) fn delay<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, dwell: Dwell) -> Planned {
+pub(crate) fn delay<S: Sink>(planner: &mut Planner<'_, S>, dwell: Dwell) -> Planned {
     let seconds = planner.spindle.seconds(dwell)?;
     if seconds <= 0.0 {
         return Ok(());
@@ -44,12 +39,12 @@ pub(crate) fn delay<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, dwell:
 }
 
 /// The planner while it takes a record.
-struct Records<'p, 'a, M: Machine, S> {
-    planner: &'p mut Planner<'a, M, S>,
+struct Records<'p, 'a, S> {
+    planner: &'p mut Planner<'a, S>,
     between: bool,
 }
 
-impl<M: Machine, S: Sink> Records<'_, '_, M, S> {
+impl<S: Sink> Records<'_, '_, S> {
     fn take(&mut self, event: &Event<'_>) -> Planned {
         match *event {
             Event::Spindle(command) => {
@@ -179,9 +174,10 @@ impl<M: Machine, S: Sink> Records<'_, '_, M, S> {
 
     /// MACHIN.
     fn compare_machine(&mut self, name: &[u8]) {
-        if !name.eq_ignore_ascii_case(M::NAME.as_bytes()) {
+        let machine = self.planner.mover.placer().machine().name();
+        if !name.eq_ignore_ascii_case(machine.as_bytes()) {
             let name = String::from_utf8_lossy(name);
-            let text = format!("the CL data was made for the machine `{name}`, this is {}", M::NAME);
+            let text = format!("the CL data was made for the machine `{name}`, this is {machine}");
             let fault = Fault::new(text).help("nothing in the program depends on that name");
             self.planner.mover.output_mut().remark(fault);
         }

@@ -1,7 +1,6 @@
 //! Rewinding: where no course of the rotary axes runs through, the tool leaves the part, the axes turn, and it comes back to
 //! the same pose; or the tip stays in place while they turn.
 
-use crate::kinematics::Machine;
 use crate::motion::options::Rewind;
 use crate::program::Move;
 
@@ -14,7 +13,7 @@ use crate::motion::step::Why;
 
 /// Rewinds as the configuration says, before a motion.
 #[cold]
-pub(crate) fn rewind<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, motion: &Move, words: Turns) -> Planned {
+pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns) -> Planned {
     let why = reason(planner);
     planner.mover.output_mut().because(Why::Rewind);
     let how = match planner.policy.options.retract.rewind {
@@ -35,12 +34,7 @@ pub(crate) fn rewind<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, motio
 }
 
 /// Out along the tool axis, machine retract, rotaries, back along the tool axis, and at feed to where the tool was.
-fn rewind_out_of_part<M: Machine, S: Sink>(
-    planner: &mut Planner<'_, M, S>,
-    motion: &Move,
-    words: Turns,
-    why: &str,
-) -> Planned {
+fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns, why: &str) -> Planned {
     let here = *planner.mover.here();
     let out = planner.clearance.way_out(&here.pose);
     let Some(distance) = planner.policy.options.retract.distance.or(out) else {
@@ -73,7 +67,7 @@ fn rewind_out_of_part<M: Machine, S: Sink>(
 }
 
 /// The rotary axes turn while the linear axes follow: the tip stays where it is, and the tool swings about it.
-fn rewind_in_place<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, motion: &Move, words: Turns) -> Planned {
+fn rewind_in_place<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns) -> Planned {
     let pose = planner.mover.position().pose();
     let turned = planner.mover.place(&pose, false, Some(TurnTarget { words, towards: None }))?;
     planner.mover.note_turns(&turned);
@@ -84,12 +78,16 @@ fn rewind_in_place<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, motion:
 }
 
 /// Limits of the rotary axes, in words.
-fn reason<M: Machine, S: Sink>(planner: &Planner<'_, M, S>) -> String {
+fn reason<S: Sink>(planner: &Planner<'_, S>) -> String {
     let placer = planner.mover.placer();
     let limited = placer.rotaries().iter().filter(|rotary| !rotary.endless());
     let limits: Vec<String> = limited
         .map(|rotary| {
-            format!("{} {}", M::AXES[rotary.index].letter, crate::motion::place::limits_text(placer, rotary.index))
+            format!(
+                "{} {}",
+                placer.chain()[rotary.index].letter,
+                crate::motion::place::limits_text(placer, rotary.index)
+            )
         })
         .collect();
     let how = match (planner.policy.options.course.greedy, placer.wide()) {

@@ -12,7 +12,7 @@
 //! "Out" and "in" are along the tool axis. Where the machine is, is never assumed at program start, after a tool change or
 //! after a stop.
 
-use crate::kinematics::{Machine, Pose};
+use crate::kinematics::Pose;
 use crate::motion::options::Transition;
 use crate::program::{Location, Move};
 
@@ -31,7 +31,7 @@ const ON_LINE: f64 = 0.001;
 /// A retreat that falls short by less than this is long enough, mm.
 const ENOUGH: f64 = 1e-6;
 
-impl<M: Machine, S: Sink> Planner<'_, M, S> {
+impl<S: Sink> Planner<'_, S> {
     /// Step 1 and the first half of 2, if the tool is at the part.
     pub(crate) fn leave(&mut self) -> Planned {
         if !self.mover.position().is_known() {

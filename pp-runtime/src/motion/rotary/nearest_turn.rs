@@ -3,7 +3,7 @@
 //! Works on whole units of the rotary words, so that limits hold for what is written, ties are ties, and turns are
 //! exact. Nothing looks ahead: the choice is made pose by pose.
 
-use crate::kinematics::Solution;
+use crate::kinematics::{AxisValues, Solution};
 
 use crate::motion::step::MAX_AXES;
 
@@ -171,8 +171,8 @@ impl Rotary {
 ///
 /// # Errors
 /// For each solution the rotary that cannot be brought inside its limits.
-pub(crate) fn choose<A: AsRef<[f64]>>(
-    solutions: &[Solution<A>],
+pub(crate) fn choose(
+    solutions: &[Solution<AxisValues>],
     rotaries: &[Rotary],
     previous: &[i64; MAX_AXES],
     scale: AngleScale,
@@ -185,7 +185,7 @@ pub(crate) fn choose<A: AsRef<[f64]>>(
         let mut fits = true;
         for rotary in rotaries {
             let index = rotary.index;
-            match rotary.nearest(rotary.word(solution.axes.as_ref()[index], scale), previous[index], scale.turn) {
+            match rotary.nearest(rotary.word(solution.axes[index], scale), previous[index], scale.turn) {
                 Ok(word) => {
                     travel += (word - previous[index]).abs();
                     words[index] = word;
@@ -215,8 +215,10 @@ mod tests {
 
     const SCALE: AngleScale = AngleScale { per_degree: 10_000.0, turn: 3_600_000 };
 
-    fn solution(degrees: [f64; 2]) -> Solution<[f64; 2]> {
-        Solution { axes: degrees.map(f64::to_radians), branch: Branch::First, singular: false, deviation: 0.0 }
+    fn solution(degrees: [f64; 2]) -> Solution<AxisValues> {
+        let mut axes = [0.0; MAX_AXES];
+        axes[..2].copy_from_slice(&degrees.map(f64::to_radians));
+        Solution { axes, branch: Branch::First, singular: false, deviation: 0.0 }
     }
 
     fn rotary(index: usize, limits: Option<(f64, f64)>) -> Rotary {

@@ -3,7 +3,7 @@
 //! Planning counts turns without end. Where the control's axis rolls over, words stay within a turn, and the control goes
 //! there the short way, or the way that the sign says.
 
-use crate::kinematics::Machine;
+use crate::kinematics::Axis;
 use crate::motion::options::Policy;
 use crate::motion::options::Wrap;
 
@@ -28,9 +28,9 @@ pub(crate) struct Speller {
 }
 
 impl Speller {
-    pub(crate) fn new<M: Machine>(policy: Policy<'_>, rotaries: &[Rotary], turn: i64) -> Self {
+    pub(crate) fn new(chain: &[Axis], policy: Policy<'_>, rotaries: &[Rotary], turn: i64) -> Self {
         let wrapped = |rotary: &Rotary| {
-            let wrap = *policy.options.rotaries.wrap.get(&M::AXES[rotary.index].letter)?;
+            let wrap = *policy.options.rotaries.wrap.get(&chain[rotary.index].letter)?;
             Some(Wrapped { index: rotary.index, wrap, last: None })
         };
         Self { axes: rotaries.iter().filter_map(wrapped).collect(), turn }
@@ -84,6 +84,7 @@ impl Speller {
 mod tests {
     use super::*;
     use crate::config::Config;
+    use crate::kinematics::Machine;
     use crate::motion::machines::Cb;
 
     /// The words of C for a row of positions in degrees.
@@ -91,7 +92,7 @@ mod tests {
         let mut config = Config::default();
         config.motion.rotaries.wrap.insert('C', wrap);
         let rotary = Rotary { index: 0, lower: None, upper: None, rest: 0.0 };
-        let mut speller = Speller::new::<Cb>(config.policy(), &[rotary], 360);
+        let mut speller = Speller::new(Cb::AXES, config.policy(), &[rotary], 360);
         let mut from = [0; MAX_AXES];
         degrees
             .iter()

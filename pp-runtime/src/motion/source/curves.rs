@@ -129,7 +129,7 @@ mod tests {
 
     /// The motions of some events, and every other event.
     fn expanded(config: &Config, events: &[Event<'_>]) -> Result<(Vec<Motion>, Vec<String>), Diagnostic> {
-        let mut source = Source::new::<Xyz>(config.policy());
+        let mut source = Source::new(&Xyz::default(), config.policy());
         let mut seen = Seen::default();
         for event in events {
             source.event(AT, event, &mut seen)?;

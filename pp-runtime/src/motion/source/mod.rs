@@ -20,7 +20,7 @@ mod setting;
 mod tests;
 
 use crate::diag::{Diagnostic, Severity};
-use crate::kinematics::Machine;
+use crate::kinematics::AnyMachine;
 use crate::motion::options::Policy;
 use crate::program::{Arc, Event, Hole, Location, Move, Spline, ToolCall};
 
@@ -120,10 +120,10 @@ pub struct Source {
 impl Source {
     /// The source of a program for the machine `M`.
     #[must_use]
-    pub fn new<M: Machine>(policy: Policy<'_>) -> Self {
+    pub fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
         Self {
             setting: Setting::new(policy),
-            operations: MotionCounter::new::<M>(policy),
+            operations: MotionCounter::new(machine, policy),
             curves: Curves::new(policy),
             lookahead: Lookahead::default(),
         }

@@ -4,7 +4,7 @@
 //! the CL data. A stretch is what is cut between two changes of the tool axis in the air: it begins with an operation, and
 //! with a rapid or a hole whose tool axis is not the one before. Within it the tool axis is held, or it turns at feed.
 
-use crate::kinematics::{Machine, Pose, Side};
+use crate::kinematics::{AnyMachine, Pose, Side};
 use crate::motion::options::{Policy, Transition};
 use crate::motion::place::rotaries_of;
 use crate::nalgebra::UnitVector3;
@@ -61,10 +61,10 @@ pub(crate) struct MotionCounter {
 }
 
 impl MotionCounter {
-    pub(crate) fn new<M: Machine>(policy: Policy<'_>) -> Self {
+    pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
         Self {
             direct: policy.options.rapids.transition == Transition::Direct,
-            head: rotaries_of::<M>(Side::Tool).next().is_some(),
+            head: rotaries_of(machine.axes(), Side::Tool).next().is_some(),
             assumed_tool: policy.options.defaults.tool,
             called: false,
             passed_over: false,

@@ -4,6 +4,7 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use super::*;
 use crate::config::Config;
+use crate::kinematics::Machine;
 use crate::kinematics::Pose;
 use crate::motion::Transition;
 use crate::motion::machines::{Head, Xyz};
@@ -76,7 +77,7 @@ impl Stage for Seen {
 }
 
 fn seen<M: Machine>(config: &Config, events: &[Event<'_>]) -> Seen {
-    let mut source = Source::new::<M>(config.policy());
+    let mut source = Source::new(&M::default(), config.policy());
     let mut seen = Seen::default();
     for (index, event) in events.iter().enumerate() {
         source.event(Location { line: index as u64 + 1, column: 1 }, event, &mut seen).expect("nothing is refused");
@@ -193,7 +194,7 @@ fn a_motion_before_a_curve_that_cannot_be_cut_is_handed_on() {
     let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
     let curve = Event::Spline(Spline { knots: &knots, points: &points, axis: Vector3::z_axis(), feed: None });
     let config = Config::default();
-    let mut source = Source::new::<Xyz>(config.policy());
+    let mut source = Source::new(&Xyz::default(), config.policy());
     let mut seen = Seen::default();
     for event in [tool(1), feed(1.0, UP), rapid(2.0, UP)] {
         source.event(Location::default(), &event, &mut seen).expect("nothing is refused");

@@ -10,11 +10,9 @@ use crate::program::{Coolant, Rotation};
 
 use crate::motion::geometry::Circle;
 
+pub use crate::kinematics::MAX_AXES;
 pub use cycle::{CannedCycle, CannedKind, CycleAbilities};
 pub use provenance::{Provenance, Standing, Why};
-
-/// Most axes a chain can have: X Y Z U V W A B C.
-pub const MAX_AXES: usize = 9;
 
 /// Decimals of the components of a tool axis: as many as CL data has.
 pub const VECTOR_DECIMALS: u32 = 7;

@@ -26,7 +26,7 @@ pub(crate) fn reach(model: &Model, solved: &Solved) -> TokenStream {
                 #prelude
                 #statements
                 if !(#deviation <= ::pp_runtime::kinematics::REACH_TOLERANCE) {
-                    let tool = self.forward_kinematics(held).axis;
+                    let tool = ::pp_runtime::kinematics::Machine::forward_kinematics(self, held).axis;
                     return ::core::result::Result::Err(::pp_runtime::kinematics::Unreachable::Fixed {
                         machine: #machine,
                         wanted: [axis.x, axis.y, axis.z],
@@ -53,7 +53,7 @@ pub(crate) fn reach(model: &Model, solved: &Solved) -> TokenStream {
             held: &Self::Axes,
         ) -> ::core::result::Result<(), ::pp_runtime::kinematics::Unreachable> {
             let pose = ::pp_runtime::kinematics::Pose { tip: ::pp_runtime::nalgebra::Point3::origin(), axis: *axis };
-            if !self.inverse_kinematics(&pose, held).is_empty() {
+            if !::pp_runtime::kinematics::Machine::inverse_kinematics(self, &pose, held).is_empty() {
                 return ::core::result::Result::Ok(());
             }
             if !(axis.x + axis.y + axis.z).is_finite() {

@@ -8,7 +8,7 @@ mod retract;
 
 use std::io;
 
-use crate::kinematics::{Machine, Pose};
+use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::options::{Mode, Policy, Rapid};
 use crate::program::Move;
 use crate::program::Units;
@@ -26,24 +26,24 @@ use crate::motion::step::{MAX_AXES, Sink, Step};
 use crate::motion::step::{Standing, Why};
 
 /// Moves the machine.
-pub(crate) struct Mover<'a, M: Machine, S> {
+pub(crate) struct Mover<'a, S> {
     policy: Policy<'a>,
     abilities: &'a Abilities,
-    placer: Placer<M>,
+    placer: Placer,
     feeds: Feeds,
     speller: Speller,
     clamps: Clamps,
     /// How far feed motions may be left.
     tolerance: Tolerance,
-    position: Position<M::Axes>,
+    position: Position,
     output: Output<S>,
     /// Safety lines so far.
     restarts: u32,
 }
 
-impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
+impl<'a, S: Sink> Mover<'a, S> {
     pub(crate) fn new(
-        machine: M,
+        machine: Box<dyn AnyMachine>,
         policy: Policy<'a>,
         units: Units,
         abilities: &'a Abilities,
@@ -52,8 +52,8 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
         let placer = Placer::new(machine, policy, units);
         Self {
             feeds: Feeds::new(policy, units, placer.unit_mm(), abilities),
-            speller: Speller::new::<M>(policy, placer.rotaries(), placer.scale().turn),
-            clamps: Clamps::new::<M>(policy, placer.rotaries()),
+            speller: Speller::new(placer.chain(), policy, placer.rotaries(), placer.scale().turn),
+            clamps: Clamps::new(placer.chain(), policy, placer.rotaries()),
             tolerance: Tolerance { tip: policy.options.tolerance, axis: policy.options.axis_tolerance_path },
             position: Position::new(placer.zero()),
             policy,
@@ -66,7 +66,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
 
     /// Poses into words.
     #[inline]
-    pub(crate) fn placer(&self) -> &Placer<M> {
+    pub(crate) fn placer(&self) -> &Placer {
         &self.placer
     }
 
@@ -87,18 +87,18 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
 
     /// Where the axes are.
     #[inline]
-    pub(crate) fn position(&self) -> &Position<M::Axes> {
+    pub(crate) fn position(&self) -> &Position {
         &self.position
     }
 
     #[inline]
-    pub(crate) fn position_mut(&mut self) -> &mut Position<M::Axes> {
+    pub(crate) fn position_mut(&mut self) -> &mut Position {
         &mut self.position
     }
 
     /// The place of the axes.
     #[inline]
-    pub(crate) fn here(&self) -> &Place<M::Axes> {
+    pub(crate) fn here(&self) -> &Place {
         self.position.place()
     }
 
@@ -140,21 +140,12 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
 
     /// The place of a pose from where the axes are: see [`Placer::place`].
     #[inline]
-    pub(crate) fn place(
-        &mut self,
-        pose: &Pose,
-        feed: bool,
-        planned: Option<TurnTarget>,
-    ) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn place(&mut self, pose: &Pose, feed: bool, planned: Option<TurnTarget>) -> Result<Place, Fault> {
         self.placer.place(pose, self.position.place(), feed, planned)
     }
 
     /// The place of another tip with the rotary axes of `at`.
-    pub(crate) fn shifted(
-        &mut self,
-        tip: crate::nalgebra::Point3<f64>,
-        at: &Place<M::Axes>,
-    ) -> Result<Place<M::Axes>, Fault> {
+    pub(crate) fn shifted(&mut self, tip: crate::nalgebra::Point3<f64>, at: &Place) -> Result<Place, Fault> {
         self.placer.shifted(tip, at)
     }
 
@@ -167,30 +158,30 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
 
     /// Whether any rotary axis turns on the way to a place.
     #[inline]
-    pub(crate) fn turns(&self, to: &Place<M::Axes>) -> bool {
+    pub(crate) fn turns(&self, to: &Place) -> bool {
         self.placer.rotary_travel(&self.here().words, &to.words) > 0.0
     }
 
     /// Whether a motion turns a rotary axis by more than the index angle.
-    pub(crate) fn indexes(&self, to: &Place<M::Axes>) -> bool {
+    pub(crate) fn indexes(&self, to: &Place) -> bool {
         self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle + 1e-9
     }
 
     /// Whether rotary axes would turn while the plane is tilted.
     #[inline]
-    pub(crate) fn leaves_plane(&self, to: &Place<M::Axes>) -> bool {
+    pub(crate) fn leaves_plane(&self, to: &Place) -> bool {
         self.policy.options.mode == Mode::Plane && self.turns(to)
     }
 
     /// A block of an operation goes from here to a place: clamps of axes that turn have to be off.
     #[inline]
-    pub(crate) fn note_turns(&mut self, to: &Place<M::Axes>) {
+    pub(crate) fn note_turns(&mut self, to: &Place) {
         self.clamps.note(&self.position.place().words, &to.words);
     }
 
     /// How fast a motion at `rate` mm/min runs from here to a place.
     #[inline]
-    fn pace(&self, rate: f64, to: &Place<M::Axes>) -> Result<Pace, Fault> {
+    fn pace(&self, rate: f64, to: &Place) -> Result<Pace, Fault> {
         let from = self.here();
         let (linear, degrees) = if self.feeds.counts_path() { self.placer.travelled(from, to) } else { (0.0, 0.0) };
         let stroke = Stroke {
@@ -206,7 +197,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
 
     /// A feed motion from here at `rate` mm/min; where it ends is left to the caller.
     #[inline]
-    pub(crate) fn feed_to(&mut self, place: &Place<M::Axes>, rate: f64) -> Planned {
+    pub(crate) fn feed_to(&mut self, place: &Place, rate: f64) -> Planned {
         if !self.turns(place) {
             return self.feed_block(place, rate);
         }
@@ -218,13 +209,13 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
 
     /// A feed motion in one block.
     #[inline]
-    pub(crate) fn feed_block(&mut self, place: &Place<M::Axes>, rate: f64) -> Planned {
+    pub(crate) fn feed_block(&mut self, place: &Place, rate: f64) -> Planned {
         let pace = self.pace(rate, place)?;
         self.write_feed(place, &pace, None)
     }
 
     /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
-    pub(crate) fn feed_in_pieces(&mut self, place: &Place<M::Axes>, rate: f64, tolerance: Tolerance) -> Planned {
+    pub(crate) fn feed_in_pieces(&mut self, place: &Place, rate: f64, tolerance: Tolerance) -> Planned {
         let mut pieces = Linearised::new(self.here(), place, tolerance);
         let mut blocks = 0;
         while let Some(piece) = pieces.next(&self.placer)? {
@@ -242,7 +233,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
     }
 
     #[inline]
-    fn write_feed(&mut self, place: &Place<M::Axes>, pace: &Pace, inserted: Option<Why>) -> Planned {
+    fn write_feed(&mut self, place: &Place, pace: &Pace, inserted: Option<Why>) -> Planned {
         if place.words == self.here().words {
             return Ok(());
         }
@@ -256,14 +247,14 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
     }
 
     /// Writes a step that the control turns into a motion at a pace, and that ends at a place.
-    pub(crate) fn write_motion(&mut self, step: &Step<'_>, place: &Place<M::Axes>) -> io::Result<()> {
+    pub(crate) fn write_motion(&mut self, step: &Step<'_>, place: &Place) -> io::Result<()> {
         let standing = self.placer.standing_at(place);
         self.output.move_step(step, standing, None)
     }
 
     /// A rapid inside an operation, as the configuration wants it written; one that turns a rotary axis by more than the
     /// index angle is no such rapid, and no path leads to where the course turns it.
-    pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &Place<M::Axes>) -> Planned {
+    pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &Place) -> Planned {
         self.note_turns(place);
         match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed) {
             _ if self.indexes(place) => {}
@@ -278,7 +269,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
     }
 
     /// The first leg of a rapid in two: along the tool axis out, or across before it goes in.
-    fn split_rapid(&mut self, motion: &Move, place: &Place<M::Axes>) -> Planned {
+    fn split_rapid(&mut self, motion: &Move, place: &Place) -> Planned {
         let here = *self.here();
         let step = motion.pose.tip - here.pose.tip;
         let axis = motion.pose.axis.into_inner();
@@ -297,28 +288,22 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
     }
 
     /// A rapid to a place; the axes that are not in the mask are there.
-    pub(crate) fn rapid(&mut self, to: &Place<M::Axes>, mask: u16) -> Planned {
+    pub(crate) fn rapid(&mut self, to: &Place, mask: u16) -> Planned {
         self.rapid_words(to, mask, self.placer.standing_at(to), None)
     }
 
     /// A rapid of some axes alone.
-    pub(crate) fn rapid_alone(&mut self, to: &Place<M::Axes>, mask: u16) -> Planned {
+    pub(crate) fn rapid_alone(&mut self, to: &Place, mask: u16) -> Planned {
         self.rapid_words(to, mask, Standing { pose: None, mask, ..self.placer.standing_at(to) }, None)
     }
 
     /// A rapid of the linear axes to a place, which is left to the caller.
-    pub(crate) fn rapid_linear(&mut self, to: &Place<M::Axes>) -> Planned {
+    pub(crate) fn rapid_linear(&mut self, to: &Place) -> Planned {
         self.rapid(to, self.placer.linear_mask())
     }
 
     /// A rapid to the words of a place in some axes, in as many blocks as words within a turn take.
-    fn rapid_words(
-        &mut self,
-        to: &Place<M::Axes>,
-        mask: u16,
-        standing: Standing<'_>,
-        inserted: Option<Why>,
-    ) -> Planned {
+    fn rapid_words(&mut self, to: &Place, mask: u16, standing: Standing<'_>, inserted: Option<Why>) -> Planned {
         let from = self.position.place();
         self.output.times_mut().rapid(self.placer.least_minutes_of(from, to, mask));
         let (start, end) = (self.placer.written(from), self.placer.written(to));
@@ -342,7 +327,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
     }
 
     /// What a block does has to be in it: the control would go on with rotary axes that are elsewhere.
-    fn check_hidden_turn(&self, to: &Place<M::Axes>) -> Result<(), Fault> {
+    fn check_hidden_turn(&self, to: &Place) -> Result<(), Fault> {
         if !self.placer.hides_turn(self.here(), to, self.policy.options.axis_tolerance_path) {
             return Ok(());
         }
@@ -364,7 +349,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
     }
 
     /// A cut has come to a place that the CL data does not name.
-    pub(crate) fn pass(&mut self, pose: &Pose, place: Place<M::Axes>) {
+    pub(crate) fn pass(&mut self, pose: &Pose, place: Place) {
         self.position.cut(pose);
         self.output.count_deviation(&place);
         self.position.go_to(place);
@@ -372,7 +357,7 @@ impl<'a, M: Machine, S: Sink> Mover<'a, M, S> {
 
     /// A motion of the CL data has ended at a place.
     #[inline]
-    pub(crate) fn arrive(&mut self, place: Place<M::Axes>) {
+    pub(crate) fn arrive(&mut self, place: Place) {
         self.output.statistics_mut().motions += 1;
         self.output.count_deviation(&place);
         self.position.arrive(place);

@@ -1,6 +1,6 @@
 //! Between cuts: the machine retract, the way in to an approach point, tip control and planes on and off, and parking.
 
-use crate::kinematics::{AxisKind, Machine};
+use crate::kinematics::AxisKind;
 use crate::motion::options::Mode;
 
 use crate::motion::fault::{Fault, Planned};
@@ -8,7 +8,7 @@ use crate::motion::place::Place;
 use crate::motion::plan::mover::Mover;
 use crate::motion::step::{Sink, Step, Words};
 
-impl<M: Machine, S: Sink> Mover<'_, M, S> {
+impl<S: Sink> Mover<'_, S> {
     /// A safety line: the program can be entered here.
     pub(crate) fn restart(&mut self) -> Planned {
         self.restarts += 1;
@@ -44,10 +44,7 @@ impl<M: Machine, S: Sink> Mover<'_, M, S> {
     }
 
     /// A place in the frame of what follows, where that depends on how the rotary axes are there; nothing has moved yet.
-    pub(crate) fn framed_at(
-        &mut self,
-        place: Place<M::Axes>,
-    ) -> Result<(Place<M::Axes>, Option<Step<'static>>), Fault> {
+    pub(crate) fn framed_at(&mut self, place: Place) -> Result<(Place, Option<Step<'static>>), Fault> {
         match (self.policy.options.mode, self.abilities.plane) {
             (Mode::Axes, _) | (Mode::Plane, None) => Ok((place, None)),
             (Mode::Tcp, _) => Ok((self.placer.in_tip_frame(place)?, Some(Step::TipControl { on: true }))),
@@ -66,7 +63,7 @@ impl<M: Machine, S: Sink> Mover<'_, M, S> {
 
     /// From the machine retract to the approach point: the rotary axes alone, between their clamps; tip control or the
     /// plane; the other linear axes; the retract axis. The caller says that the machine is there.
-    pub(crate) fn come_in(&mut self, above: &Place<M::Axes>, frame: Option<Step<'static>>) -> Planned {
+    pub(crate) fn come_in(&mut self, above: &Place, frame: Option<Step<'static>>) -> Planned {
         self.check_below_retract(above)?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
         self.clamps.open(&self.position.place().words, &above.words, &mut self.output)?;
@@ -87,11 +84,11 @@ impl<M: Machine, S: Sink> Mover<'_, M, S> {
         self.rapid(above, last)
     }
 
-    fn check_below_retract(&self, above: &Place<M::Axes>) -> Result<(), Fault> {
+    fn check_below_retract(&self, above: &Place) -> Result<(), Fault> {
         let retract = self.policy.options.retract.position();
         match self.placer.below_retract(above, retract) {
             Some(below) if below < -self.placer.unit_mm() => {
-                let axis = M::AXES[self.placer.retract_axis()].letter;
+                let axis = self.placer.chain()[self.placer.retract_axis()].letter;
                 Err(Fault::new(format_args!(
                     "the approach point lies {:.3} mm above the retract position: {axis} = {retract} mm (machine coordinate)",
                     -below
@@ -113,7 +110,8 @@ impl<M: Machine, S: Sink> Mover<'_, M, S> {
         }
         let mut others = Words::default();
         let mut last = None;
-        let linear = M::AXES.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Linear && !axis.held);
+        let linear =
+            self.placer.chain().iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Linear && !axis.held);
         for (index, coordinate) in
             linear.filter_map(|(index, axis)| Some((index, *self.policy.options.park.get(&axis.letter)?)))
         {

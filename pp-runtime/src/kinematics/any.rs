@@ -1,0 +1,176 @@
+//! A machine as the pipeline sees it: one trait object, whatever its number of axes.
+//!
+//! Reader, planner, controls and check are compiled once, for `dyn AnyMachine`. A machine's binary then consists of its
+//! kinematics, their wrapper, and a link. The price is an indirect call for each pose.
+//!
+//! The methods have the names that they have in [`Machine`], so import one of the two traits, not both: on a machine whose
+//! type is known a call would be ambiguous. Methods of `dyn AnyMachine` need no import.
+
+use nalgebra::{Point3, UnitVector3, Vector3};
+
+use super::{Axis, Dimension, Explanation, Invalid, Joint, Machine, MotionBound, Pose, Solutions, Unreachable};
+
+/// Most axes that a chain can have: X Y Z U V W A B C.
+pub const MAX_AXES: usize = 9;
+
+/// Axis values in chain order, mm and rad; zero after the last axis of the chain.
+pub type AxisValues = [f64; MAX_AXES];
+
+/// The object-safe form of [`Machine`], implemented for every `Machine` and for nothing else.
+///
+/// Each method does what the method or constant of that name does in [`Machine`]; axis values have a fixed length.
+pub trait AnyMachine: sealed::Sealed + Send + Sync {
+    /// [`Machine::NAME`].
+    fn name(&self) -> &'static str;
+    /// [`Machine::AXES`]; at most [`MAX_AXES`] of them.
+    fn axes(&self) -> &'static [Axis];
+    /// [`Machine::DIMENSIONS`].
+    fn dimensions(&self) -> &'static [Dimension];
+    /// [`Machine::HELD`].
+    fn held(&self) -> AxisValues;
+    /// [`Machine::EXPLANATION`].
+    fn explanation(&self) -> &'static Explanation;
+
+    /// The same machine with the same set-up.
+    fn to_boxed(&self) -> Box<dyn AnyMachine>;
+
+    /// [`Machine::set_dimension`].
+    ///
+    /// # Panics
+    /// If `index` is not below the number of dimensions.
+    fn set_dimension(&mut self, index: usize, value: f64);
+    /// [`Machine::set_up`].
+    fn set_up(&mut self, part_origin: Vector3<f64>, gauge_length: f64);
+    /// [`Machine::validate`].
+    ///
+    /// # Errors
+    /// [`Invalid`] names the number or the condition.
+    fn validate(&self) -> Result<(), Invalid>;
+    /// [`Machine::joint`].
+    ///
+    /// # Panics
+    /// If `index` is not below the number of axes.
+    fn joint(&self, index: usize) -> Joint;
+    /// [`Machine::tool_axis`].
+    fn tool_axis(&self) -> UnitVector3<f64>;
+    /// [`Machine::forward_kinematics`].
+    fn forward_kinematics(&self, axes: &AxisValues) -> Pose;
+    /// [`Machine::inverse_kinematics`].
+    fn inverse_kinematics(&self, pose: &Pose, held: &AxisValues) -> Solutions<AxisValues>;
+    /// [`Machine::linear_axes`].
+    fn linear_axes(&self, tip: &Point3<f64>, axes: &AxisValues) -> Option<AxisValues>;
+    /// [`Machine::reach`].
+    ///
+    /// # Errors
+    /// [`Unreachable`] with the reason in machine-shop words.
+    fn reach(&self, axis: &UnitVector3<f64>, held: &AxisValues) -> Result<(), Unreachable>;
+    /// [`Machine::motion`].
+    fn motion(&self, from: &AxisValues, to: &AxisValues) -> MotionBound;
+    /// [`Machine::rates`].
+    fn rates(&self, axes: &AxisValues, change: &AxisValues) -> (Vector3<f64>, Vector3<f64>);
+}
+
+mod sealed {
+    /// Keeps [`AnyMachine`](super::AnyMachine) to its one implementation.
+    pub trait Sealed {}
+    impl<M: super::Machine> Sealed for M {}
+}
+
+/// Axis values of a machine in the fixed length. That they fit is checked when the machine is compiled.
+#[inline]
+fn padded<M: Machine>(axes: &M::Axes) -> AxisValues {
+    const { assert!(M::AXES.len() <= MAX_AXES, "a chain has at most nine axes: X Y Z U V W A B C") };
+    let mut values = [0.0; MAX_AXES];
+    values[..M::AXES.len()].copy_from_slice(&axes.as_ref()[..M::AXES.len()]);
+    values
+}
+
+/// Axis values of the fixed length as the machine has them.
+#[inline]
+fn trimmed<M: Machine>(values: &AxisValues) -> M::Axes {
+    let mut axes = M::HELD;
+    axes.as_mut()[..M::AXES.len()].copy_from_slice(&values[..M::AXES.len()]);
+    axes
+}
+
+impl<M: Machine> AnyMachine for M {
+    fn name(&self) -> &'static str {
+        M::NAME
+    }
+
+    fn axes(&self) -> &'static [Axis] {
+        M::AXES
+    }
+
+    fn dimensions(&self) -> &'static [Dimension] {
+        M::DIMENSIONS
+    }
+
+    fn held(&self) -> AxisValues {
+        padded::<M>(&M::HELD)
+    }
+
+    fn explanation(&self) -> &'static Explanation {
+        M::EXPLANATION
+    }
+
+    fn to_boxed(&self) -> Box<dyn AnyMachine> {
+        Box::new(self.clone())
+    }
+
+    fn set_dimension(&mut self, index: usize, value: f64) {
+        Machine::set_dimension(self, index, value);
+    }
+
+    fn set_up(&mut self, part_origin: Vector3<f64>, gauge_length: f64) {
+        Machine::set_up(self, part_origin, gauge_length);
+    }
+
+    fn validate(&self) -> Result<(), Invalid> {
+        Machine::validate(self)
+    }
+
+    fn joint(&self, index: usize) -> Joint {
+        Machine::joint(self, index)
+    }
+
+    fn tool_axis(&self) -> UnitVector3<f64> {
+        Machine::tool_axis(self)
+    }
+
+    fn forward_kinematics(&self, axes: &AxisValues) -> Pose {
+        Machine::forward_kinematics(self, &trimmed::<M>(axes))
+    }
+
+    fn inverse_kinematics(&self, pose: &Pose, held: &AxisValues) -> Solutions<AxisValues> {
+        Machine::inverse_kinematics(self, pose, &trimmed::<M>(held)).map(padded::<M>)
+    }
+
+    fn linear_axes(&self, tip: &Point3<f64>, axes: &AxisValues) -> Option<AxisValues> {
+        Machine::linear_axes(self, tip, &trimmed::<M>(axes)).map(|axes| padded::<M>(&axes))
+    }
+
+    fn reach(&self, axis: &UnitVector3<f64>, held: &AxisValues) -> Result<(), Unreachable> {
+        Machine::reach(self, axis, &trimmed::<M>(held))
+    }
+
+    fn motion(&self, from: &AxisValues, to: &AxisValues) -> MotionBound {
+        Machine::motion(self, &trimmed::<M>(from), &trimmed::<M>(to))
+    }
+
+    fn rates(&self, axes: &AxisValues, change: &AxisValues) -> (Vector3<f64>, Vector3<f64>) {
+        Machine::rates(self, &trimmed::<M>(axes), &trimmed::<M>(change))
+    }
+}
+
+impl Clone for Box<dyn AnyMachine> {
+    fn clone(&self) -> Self {
+        self.to_boxed()
+    }
+}
+
+impl core::fmt::Debug for dyn AnyMachine {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.name())
+    }
+}
