@@ -1,0 +1,236 @@
+//! The arrows of ARCHITECTURE.md: which module may use which, read from the sources.
+//!
+//! A module of the first level uses another one by a path that begins with `crate`, or with enough `super` to arrive there.
+//! Tests inside the packages may use everything.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use tests::binaries::workspace;
+
+/// What each module of pp-runtime may use; the lower layers come first.
+const RUNTIME: &[(&str, &[&str])] = &[
+    ("kinematics", &[]),
+    ("program", &["kinematics"]),
+    ("diag", &["program"]),
+    ("keys", &["diag", "kinematics", "program"]),
+    ("nc", &["keys", "program"]),
+    ("cl", &["diag", "keys", "kinematics", "program"]),
+    ("set_up", &["cl", "keys", "kinematics", "program"]),
+    ("motion", &["diag", "keys", "kinematics", "nc", "program", "set_up"]),
+    ("control", &["keys", "kinematics", "motion", "nc", "program", "set_up"]),
+    ("config", &["cl", "control", "diag", "keys", "kinematics", "motion", "nc", "program", "set_up"]),
+    ("post", &["cl", "config", "control", "diag", "kinematics", "motion", "nc", "program", "set_up"]),
+    ("check", &["cl", "config", "control", "diag", "kinematics", "motion", "program", "set_up"]),
+    ("cli", &["check", "cl", "config", "control", "diag", "kinematics", "motion", "post", "program"]),
+];
+
+/// The same for the engine.
+const ENGINE: &[(&str, &[&str])] = &[
+    ("symbolic", &[]),
+    ("model", &["symbolic"]),
+    ("report", &[]),
+    ("syntax", &["model", "report"]),
+    ("solve", &["model", "symbolic"]),
+    ("check", &["model", "report", "solve", "symbolic", "syntax"]),
+    ("proof", &["model", "solve", "symbolic"]),
+    ("formula", &["model", "solve", "symbolic"]),
+    ("verify", &["check", "formula", "model", "report", "solve", "symbolic", "syntax"]),
+    ("explain", &["formula", "model", "solve", "symbolic", "verify"]),
+    ("emit", &["explain", "formula", "model", "solve", "symbolic", "syntax"]),
+];
+
+/// Modules used by each module of the first level, with a file that uses it.
+type Uses = BTreeMap<String, BTreeMap<String, PathBuf>>;
+
+/// Adds the modules of the first level that the paths in `tokens` lead to. `depth`: number of `super` from here to the
+/// root of the crate.
+fn paths(tokens: TokenStream, depth: usize, modules: &BTreeSet<String>, found: &mut BTreeSet<String>) {
+    let tokens: Vec<TokenTree> = without_tests(tokens);
+    let mut at = 0;
+    while at < tokens.len() {
+        if let TokenTree::Group(group) = &tokens[at] {
+            // A `mod name { .. }` in the file is one level deeper.
+            let inner = matches!(&tokens[..at], [.., TokenTree::Ident(word), TokenTree::Ident(_)] if word == "mod");
+            paths(group.stream(), depth + usize::from(inner), modules, found);
+            at += 1;
+            continue;
+        }
+        let begins = |name: &str| matches!(&tokens[at], TokenTree::Ident(word) if word == name);
+        let mut steps = 0;
+        let mut next = at;
+        if begins("crate") || begins("pp_runtime") || begins("pp_codegen") {
+            (steps, next) = (depth, at + 1);
+        } else {
+            while matches!(tokens.get(next), Some(TokenTree::Ident(word)) if word == "super") {
+                steps += 1;
+                next += if is_path_separator(&tokens, next + 1) { 3 } else { 1 };
+            }
+            next = next.saturating_sub(2).max(at);
+        }
+        if steps == depth && steps > 0 && is_path_separator(&tokens, next) {
+            first_names(&tokens[next + 2..], modules, found);
+        }
+        at = next.max(at + 1);
+    }
+}
+
+fn is_path_separator(tokens: &[TokenTree], at: usize) -> bool {
+    let colon = |at: usize| matches!(tokens.get(at), Some(TokenTree::Punct(mark)) if mark.as_char() == ':');
+    colon(at) && colon(at + 1)
+}
+
+/// The names that a path goes on with: one, or those of a `{..}`.
+fn first_names(tokens: &[TokenTree], modules: &BTreeSet<String>, found: &mut BTreeSet<String>) {
+    match tokens.first() {
+        Some(TokenTree::Ident(word)) if modules.contains(&word.to_string()) => drop(found.insert(word.to_string())),
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Brace => {
+            let inner: Vec<TokenTree> = group.stream().into_iter().collect();
+            for part in inner.split(|tree| matches!(tree, TokenTree::Punct(mark) if mark.as_char() == ',')) {
+                first_names(part, modules, found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The tokens without items that are compiled for tests alone.
+fn without_tests(tokens: TokenStream) -> Vec<TokenTree> {
+    let mut kept: Vec<TokenTree> = Vec::new();
+    let mut tokens = tokens.into_iter().peekable();
+    while let Some(tree) = tokens.next() {
+        let test = matches!(&tree, TokenTree::Group(group)
+            if group.delimiter() == Delimiter::Bracket && group.stream().to_string().replace(' ', "") == "cfg(test)");
+        if !test {
+            kept.push(tree);
+            continue;
+        }
+        // The item ends with its braces or with a semicolon.
+        for tree in tokens.by_ref() {
+            let ends = match &tree {
+                TokenTree::Group(group) => group.delimiter() == Delimiter::Brace,
+                TokenTree::Punct(mark) => mark.as_char() == ';',
+                _ => false,
+            };
+            if ends {
+                break;
+            }
+        }
+    }
+    kept
+}
+
+/// The files of a folder that are not tests.
+fn sources(folder: &Path, into: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("the folder is there") {
+        let path = entry.expect("it can be listed").path();
+        let name = path.file_stem().and_then(|name| name.to_str()).expect("a name in ASCII").to_owned();
+        let test = name == "tests" || name.ends_with("_tests");
+        if path.is_dir() && !test {
+            sources(&path, into);
+        } else if path.extension().is_some_and(|end| end == "rs") && !test {
+            into.push(path);
+        }
+    }
+}
+
+/// Files that only tests include: `#[cfg(test)] mod name;`.
+fn test_modules(files: &[PathBuf]) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    for file in files {
+        let text = fs::read_to_string(file).expect("it can be read");
+        let lines: Vec<&str> = text.lines().map(str::trim).collect();
+        for pair in lines.windows(2).filter(|pair| pair[0] == "#[cfg(test)]") {
+            if let Some(name) = pair[1].rsplit("mod ").next().and_then(|name| name.strip_suffix(';')) {
+                names.insert(name.to_owned());
+            }
+        }
+    }
+    names
+}
+
+fn uses(source: &Path, modules: &BTreeSet<String>) -> Uses {
+    let mut files = Vec::new();
+    sources(source, &mut files);
+    let tests = test_modules(&files);
+    let mut uses = Uses::new();
+    for file in files {
+        let place: Vec<String> = file
+            .strip_prefix(source)
+            .expect("a file of the folder")
+            .with_extension("")
+            .iter()
+            .map(|part| part.to_string_lossy().into_owned())
+            .filter(|part| part != "mod")
+            .collect();
+        if place == ["lib"] || place.iter().any(|part| tests.contains(part)) {
+            continue;
+        }
+        let text = fs::read_to_string(&file).expect("it can be read");
+        let mut found = BTreeSet::new();
+        paths(text.parse().expect("Rust"), place.len(), modules, &mut found);
+        found.remove(&place[0]);
+        let used = uses.entry(place[0].clone()).or_default();
+        for name in found {
+            used.entry(name).or_insert_with(|| file.clone());
+        }
+    }
+    uses
+}
+
+/// Compares the imports with the table, in both directions: an arrow that nobody needs any more goes.
+fn compare(package: &str, table: &[(&str, &[&str])]) {
+    let source = workspace().join(package).join("src");
+    let modules: BTreeSet<String> = table.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let found = uses(&source, &modules);
+    let listed: BTreeSet<&str> = found.keys().map(String::as_str).collect();
+    assert_eq!(listed, table.iter().map(|(name, _)| *name).collect(), "{package}: modules of the first level");
+    let mut faults = Vec::new();
+    for (name, allowed) in table {
+        let used = &found[*name];
+        for (other, file) in used.iter().filter(|(other, _)| !allowed.contains(&other.as_str())) {
+            faults.push(format!("{name} may not use {other}: {}", file.display()));
+        }
+        for other in allowed.iter().filter(|other| !used.contains_key(**other)) {
+            faults.push(format!("{name} does not use {other}: the table allows too much"));
+        }
+    }
+    assert_eq!(faults, Vec::<String>::new());
+    for (index, (name, allowed)) in table.iter().enumerate() {
+        let earlier = |other: &&str| table[..index].iter().any(|(name, _)| name == other);
+        assert!(allowed.iter().all(|other| earlier(&other)), "{name}: the table is in layers");
+    }
+}
+
+#[test]
+fn modules_of_the_runtime_use_what_architecture_allows() {
+    compare("pp-runtime", RUNTIME);
+}
+
+#[test]
+fn modules_of_the_engine_use_what_architecture_allows() {
+    compare("pp-macros/codegen", ENGINE);
+}
+
+#[test]
+fn an_arrow_is_seen_however_it_is_written() {
+    let modules: BTreeSet<String> = ["cl", "motion", "nc"].map(str::to_owned).into();
+    let seen = |text: &str, depth: usize| {
+        let mut found = BTreeSet::new();
+        paths(text.parse().expect("Rust"), depth, &modules, &mut found);
+        found.into_iter().collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(seen("use crate::motion::Step;", 1), "motion");
+    assert_eq!(seen("use crate::{cl::Reader, nc};", 2), "cl nc");
+    assert_eq!(seen("fn f() { crate::nc::write(super::super::motion::MAX) }", 2), "motion nc");
+    assert_eq!(seen("fn f() { pp_runtime::cl::Reader::new() }", 2), "cl");
+    assert_eq!(seen("use super::motion::Step;", 1), "motion");
+    assert_eq!(seen("use super::motion::Step;", 2), "", "a module of its own with that name");
+    assert_eq!(seen("mod inner { use super::super::cl::Reader; }", 1), "cl");
+    assert_eq!(
+        seen("#[cfg(test)] mod tests { use crate::cl; } #[cfg(test)] use crate::nc; use crate::motion;", 1),
+        "motion"
+    );
+}
