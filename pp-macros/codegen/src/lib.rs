@@ -72,11 +72,11 @@ pub fn compile(input: TokenStream) -> Result<Compiled, Refused> {
 }
 
 fn compile_declaration(declaration: &Declaration, errors: &mut Errors) -> Result<Compiled, Refused> {
-    let (mut model, spots) = check::check(declaration, errors)?;
+    let (mut model, phrases) = check::check(declaration, errors)?;
     let solved = solve::solve(&mut model);
-    let mut solved = solved.map_err(|refusals| check::refused(&refusals, &model, &spots, errors))?;
+    let mut solved = solved.map_err(|refusals| check::refused(&refusals, &model, &phrases, errors))?;
     let proofs = proof::prove(&model, &mut solved);
-    let proofs = proofs.map_err(|claim| check::unproven(&claim, &spots, errors))?;
+    let proofs = proofs.map_err(|claim| check::unproven(&claim, &phrases, errors))?;
     let verified = verify::verify(&declaration.verify, &model, &mut solved, errors);
     errors.propagate()?;
     let explanation = explain::explain(&model, &solved, proofs, &verified);

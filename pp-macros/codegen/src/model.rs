@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, rotation, translation, turn_by};
+use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Surd, Symbol, rotation, sin_cos_of_degrees, translation};
 
 /// Place of an axis in the chain, from the workpiece.
 pub type AxisId = usize;
@@ -40,7 +40,7 @@ pub(crate) const LOCALS: &[&str] = &[
 
 /// Linear or rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum AxisKind {
     /// X Y Z U V W.
     Linear,
     /// A B C.
@@ -62,15 +62,15 @@ pub struct Axis {
     /// Its address.
     pub letter: char,
     /// Linear or rotary.
-    pub kind: Kind,
+    pub kind: AxisKind,
     /// Workpiece side or tool side.
     pub side: Side,
     /// True if the word runs against ISO 841.
     pub reversed: bool,
     /// Unit direction with all axes at zero.
-    pub direction: P3,
+    pub direction: PolyVector,
     /// `d`: a point of the centre line from the side's reference point, mm; zero for linear axes.
-    pub point: P3,
+    pub point: PolyVector,
     /// Default value of a held axis, mm or degrees.
     pub held: Option<BigRational>,
     /// Travel in mm or degrees; `None` is endless.
@@ -80,7 +80,7 @@ pub struct Axis {
     /// Value of a linear axis, or of a held one.
     pub word: Symbol,
     /// Sine and cosine of a rotary word.
-    pub turn: (Symbol, Symbol),
+    pub sin_cos: (Symbol, Symbol),
 }
 
 /// A named dimension.
@@ -105,7 +105,7 @@ pub enum Quantity {
 
 /// Symbols of the set-up and of the pose.
 #[derive(Debug, Clone, Copy)]
-pub struct Frame {
+pub struct ModelSymbols {
     /// Tool tip x y z.
     pub tip: [Symbol; 3],
     /// Tool axis i j k.
@@ -126,9 +126,9 @@ pub struct Model {
     /// Named dimensions in the order of the declaration.
     pub dimensions: Vec<Dimension>,
     /// Unit vector from tip to spindle with all axes at zero.
-    pub tool_axis: P3,
+    pub tool_axis: PolyVector,
     /// Symbols of pose and set-up.
-    pub frame: Frame,
+    pub symbols: ModelSymbols,
     /// Owner of all symbols.
     pub ring: Ring,
 }
@@ -136,12 +136,12 @@ pub struct Model {
 impl Model {
     /// Solved rotary axes, in chain order.
     pub fn solved_rotaries(&self) -> impl Iterator<Item = AxisId> + '_ {
-        self.solved(Kind::Rotary)
+        self.solved(AxisKind::Rotary)
     }
 
     /// Solved linear axes, in chain order.
     pub fn solved_linears(&self) -> impl Iterator<Item = AxisId> + '_ {
-        self.solved(Kind::Linear)
+        self.solved(AxisKind::Linear)
     }
 
     /// Letters of axes, separated by blanks.
@@ -154,17 +154,17 @@ impl Model {
     /// Sine of a joint's angle: of the word, with the axis' sign.
     #[must_use]
     pub fn joint_sine(&self, axis: AxisId) -> Poly {
-        self.signed(axis, self.axes[axis].turn.0)
+        self.signed(axis, self.axes[axis].sin_cos.0)
     }
 
     /// Centre of a rotary axis in the workpiece frame of the zero position: `d - part_origin` on the workpiece side,
     /// `d + gauge_length · t` on the tool side.
     #[must_use]
-    pub fn centre(&self, axis: AxisId) -> P3 {
+    pub fn centre(&self, axis: AxisId) -> PolyVector {
         let Axis { side, point, .. } = &self.axes[axis];
         std::array::from_fn(|index| match side {
-            Side::Workpiece => &point[index] - &Poly::from(self.frame.part[index]),
-            Side::Tool => &point[index] + &self.ring.mul(&Poly::from(self.frame.gauge), &self.tool_axis[index]),
+            Side::Workpiece => &point[index] - &Poly::from(self.symbols.part[index]),
+            Side::Tool => &point[index] + &self.ring.mul(&Poly::from(self.symbols.gauge), &self.tool_axis[index]),
         })
     }
 
@@ -193,18 +193,18 @@ impl Model {
     }
 
     fn joint_or_inverse(&self, axis: AxisId, inverse: bool) -> Matrix {
-        let Axis { kind, direction, word, turn, .. } = &self.axes[axis];
+        let Axis { kind, direction, word, sin_cos, .. } = &self.axes[axis];
         let signed = |value: Poly| if inverse { -&value } else { value };
         match kind {
-            Kind::Linear => {
+            AxisKind::Linear => {
                 let value = signed(self.signed(axis, *word));
                 translation(&direction.clone().map(|component| self.ring.mul(&component, &value)))
             }
-            Kind::Rotary => {
+            AxisKind::Rotary => {
                 let centre = self.centre(axis);
-                let turn = rotation(direction, &signed(self.joint_sine(axis)), &Poly::from(turn.1), &self.ring);
+                let rotation = rotation(direction, &signed(self.joint_sine(axis)), &Poly::from(sin_cos.1), &self.ring);
                 let back = translation(&centre.clone().map(|component| -&component));
-                self.product_of([translation(&centre), turn, back])
+                self.product_of([translation(&centre), rotation, back])
             }
         }
     }
@@ -222,13 +222,13 @@ impl Model {
     /// A point at which formulas can be compared by their values: all relations between symbols hold there.
     #[must_use]
     pub fn sample(&self) -> BTreeMap<Symbol, f64> {
-        let angles = self.axes.iter().map(|axis| axis.turn);
+        let angles = self.axes.iter().map(|axis| axis.sin_cos);
         let dimensions = self.dimensions.iter().filter_map(|dimension| match dimension.quantity {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),
             Quantity::Length(_) => None,
         });
         // Any values will do that no formula is made for.
-        let mut values: BTreeMap<Symbol, f64> = self.frame.axis.into_iter().zip([0.36, 0.48, 0.8]).collect();
+        let mut values: BTreeMap<Symbol, f64> = self.symbols.axis.into_iter().zip([0.36, 0.48, 0.8]).collect();
         for (index, (sine, cosine)) in angles.chain(dimensions).enumerate() {
             let (s, c) = (0.123_4 + 0.271_8 * index as f64).sin_cos();
             values.insert(sine, s);
@@ -245,8 +245,8 @@ impl Model {
         for axis in &self.axes {
             if let Some(value) = &axis.held {
                 match axis.kind {
-                    Kind::Linear => drop(values.insert(axis.word, Poly::from(Surd::from(value.clone())))),
-                    Kind::Rotary => angles.push((axis.turn, value.clone())),
+                    AxisKind::Linear => drop(values.insert(axis.word, Poly::from(Surd::from(value.clone())))),
+                    AxisKind::Rotary => angles.push((axis.sin_cos, value.clone())),
                 }
             }
         }
@@ -259,7 +259,7 @@ impl Model {
             }
         }
         for ((sine, cosine), degrees) in angles {
-            let (s, c) = turn_by(&degrees, &mut self.ring);
+            let (s, c) = sin_cos_of_degrees(&degrees, &mut self.ring);
             values.insert(sine, s);
             values.insert(cosine, c);
         }
@@ -271,7 +271,7 @@ impl Model {
         if self.axes[axis].reversed { -&value } else { value }
     }
 
-    fn solved(&self, kind: Kind) -> impl Iterator<Item = AxisId> + '_ {
+    fn solved(&self, kind: AxisKind) -> impl Iterator<Item = AxisId> + '_ {
         let wanted = move |axis: &Axis| axis.kind == kind && axis.held.is_none();
         self.axes.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(id, _)| id)
     }

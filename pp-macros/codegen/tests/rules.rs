@@ -364,7 +364,7 @@ mod exact_sine {
 
 mod quarter_turn {
     use super::*;
-    use pp_codegen::symbolic::turn_by;
+    use pp_codegen::symbolic::sin_cos_of_degrees;
 
     proptest! {
         #[test]
@@ -372,30 +372,30 @@ mod quarter_turn {
             let mut ring = Ring::default();
             let (angle, turned) = (degrees(tenths, 10), degrees(tenths + quarters * 900, 10));
             let complement = degrees(900 - tenths, 10);
-            let (sine, cosine) = turn_by(&angle, &mut ring);
+            let (sine, cosine) = sin_cos_of_degrees(&angle, &mut ring);
             let float = (tenths as f64 / 10.0).to_radians();
             assert_close(value(&ring, &sine, &[]), float.sin());
             assert_close(value(&ring, &cosine, &[]), float.cos());
-            prop_assert_eq!(turn_by(&complement, &mut ring), (cosine.clone(), sine.clone()));
+            prop_assert_eq!(sin_cos_of_degrees(&complement, &mut ring), (cosine.clone(), sine.clone()));
             let expected = match quarters.rem_euclid(4) {
                 0 => (sine, cosine),
                 1 => (cosine, -&sine),
                 2 => (-&sine, -&cosine),
                 _ => (-&cosine, sine),
             };
-            prop_assert_eq!(turn_by(&turned, &mut ring), expected);
+            prop_assert_eq!(sin_cos_of_degrees(&turned, &mut ring), expected);
         }
     }
 
     #[test]
     fn does_not_join_angles_that_differ() {
         let mut ring = Ring::default();
-        let (sine, cosine) = turn_by(&degrees(10, 1), &mut ring);
-        let other = turn_by(&degrees(11, 1), &mut ring);
+        let (sine, cosine) = sin_cos_of_degrees(&degrees(10, 1), &mut ring);
+        let other = sin_cos_of_degrees(&degrees(11, 1), &mut ring);
         assert!(sine != other.0 && cosine != other.1);
         // Nor if they are the same float.
         let near = &degrees(10, 1) + &BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(40));
-        assert_ne!(turn_by(&near, &mut ring).0, sine);
+        assert_ne!(sin_cos_of_degrees(&near, &mut ring).0, sine);
     }
 }
 

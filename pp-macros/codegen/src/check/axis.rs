@@ -6,14 +6,14 @@ use num_traits::Signed;
 
 use super::names::{LETTERS, kind_of};
 use super::quantity::{self, DimensionNames, Fault};
-use crate::model::{Axis, Kind, Side};
+use crate::model::{Axis, AxisKind, Side};
 use crate::report::Errors;
-use crate::symbolic::{P3, Poly, Ring, Surd};
-use crate::syntax::{Assign, Base, Declaration, Direction, Limits, Offsets, Spot, Unit, Vector};
+use crate::symbolic::{Poly, PolyVector, Ring, Surd};
+use crate::syntax::{Assign, Base, Declaration, Direction, Limits, Offsets, SpannedName, Unit, Vector};
 
 /// One axis of the chain with everything that the declaration gives it; `None` if its letter is not one.
 pub(crate) fn axis(
-    spot: &Spot,
+    spot: &SpannedName,
     side: Side,
     declaration: &Declaration,
     names: &DimensionNames<'_>,
@@ -27,7 +27,7 @@ pub(crate) fn axis(
         None => coordinate(LETTERS.iter().position(|known| *known == letter)? % 3),
     };
     let point = match (&declaration.offsets, kind) {
-        (Some(Offsets::Common(vector)), Kind::Rotary) => Some(vector),
+        (Some(Offsets::Common(vector)), AxisKind::Rotary) => Some(vector),
         (Some(Offsets::Each(entries)), _) => find(entries, letter).map(|entry| &entry.value),
         _ => None,
     };
@@ -47,7 +47,7 @@ pub(crate) fn axis(
         limits,
         speed,
         word: ring.symbol(format!("word_{lower}")),
-        turn: ring.sin_cos(format!("sin_{lower}"), format!("cos_{lower}")),
+        sin_cos: ring.sin_cos(format!("sin_{lower}"), format!("cos_{lower}")),
     })
 }
 
@@ -55,7 +55,7 @@ pub(crate) fn axis(
 fn limits(
     declaration: &Declaration,
     letter: &str,
-    kind: Kind,
+    kind: AxisKind,
     errors: &mut Errors,
 ) -> Option<(BigRational, BigRational)> {
     match find(&declaration.limits, letter).map(|entry| &entry.value) {
@@ -78,7 +78,7 @@ fn limits(
     }
 }
 
-fn speed(declaration: &Declaration, letter: &str, kind: Kind, errors: &mut Errors) -> Option<BigRational> {
+fn speed(declaration: &Declaration, letter: &str, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
     find(&declaration.speeds, letter).and_then(|entry| {
         let value = axis_value(&entry.value, kind, errors)?;
         if !value.is_positive() {
@@ -97,12 +97,12 @@ fn find<'a, T>(entries: &'a [Assign<T>], letter: &str) -> Option<&'a Assign<T>> 
 }
 
 /// A constant in the unit of an axis: degrees for rotary, mm for linear.
-fn axis_value(value: &crate::syntax::Expr, kind: Kind, errors: &mut Errors) -> Option<BigRational> {
+fn axis_value(value: &crate::syntax::Expr, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
     match quantity::number(value) {
         Ok((number, unit)) => {
             let wrong = match (kind, unit) {
-                (Kind::Linear, Some(Unit::Degree)) => Some("an angle for a linear axis"),
-                (Kind::Rotary, Some(Unit::Millimetre)) => Some("a length for a rotary axis"),
+                (AxisKind::Linear, Some(Unit::Degree)) => Some("an angle for a linear axis"),
+                (AxisKind::Rotary, Some(Unit::Millimetre)) => Some("a length for a rotary axis"),
                 _ => None,
             };
             if let Some(wrong) = wrong {
@@ -117,16 +117,16 @@ fn axis_value(value: &crate::syntax::Expr, kind: Kind, errors: &mut Errors) -> O
     }
 }
 
-fn zeros() -> P3 {
+fn zeros() -> PolyVector {
     std::array::from_fn(|_| Poly::zero())
 }
 
 /// The direction of a coordinate: 0, 1, 2 for X, Y, Z.
-pub(crate) fn coordinate(index: usize) -> P3 {
+pub(crate) fn coordinate(index: usize) -> PolyVector {
     std::array::from_fn(|row| if row == index { Poly::one() } else { Poly::zero() })
 }
 
-fn lengths(vector: &Vector, names: &DimensionNames<'_>, ring: &Ring, errors: &mut Errors) -> P3 {
+fn lengths(vector: &Vector, names: &DimensionNames<'_>, ring: &Ring, errors: &mut Errors) -> PolyVector {
     std::array::from_fn(|index| {
         quantity::length(&vector.parts[index], names, ring).unwrap_or_else(|fault| {
             fault.report(errors);
@@ -141,8 +141,8 @@ pub(crate) fn unit_direction(
     names: &DimensionNames<'_>,
     ring: &mut Ring,
     errors: &mut Errors,
-) -> P3 {
-    let result = (|| -> Result<P3, Fault> {
+) -> PolyVector {
+    let result = (|| -> Result<PolyVector, Fault> {
         let mut unit = match &direction.base {
             Base::Coordinate(index) => coordinate(*index),
             Base::Vector(vector) => normalised(vector, ring)?,
@@ -151,9 +151,9 @@ pub(crate) fn unit_direction(
             unit = unit.map(|part| -&part);
         }
         // The product is a matrix product: the factor next to the vector acts first.
-        for (axis, angle) in direction.turns.iter().rev() {
+        for (axis, angle) in direction.rotations.iter().rev() {
             let (sine, cosine) = quantity::angle(angle, names, ring)?;
-            unit = crate::symbolic::rotation(&coordinate(*axis), &sine, &cosine, ring).turn(&unit, ring);
+            unit = crate::symbolic::rotation(&coordinate(*axis), &sine, &cosine, ring).rotate(&unit, ring);
         }
         Ok(unit)
     })();
@@ -163,7 +163,7 @@ pub(crate) fn unit_direction(
     })
 }
 
-fn normalised(vector: &Vector, ring: &mut Ring) -> Result<P3, Fault> {
+fn normalised(vector: &Vector, ring: &mut Ring) -> Result<PolyVector, Fault> {
     let mut parts: Vec<Surd> = Vec::new();
     for part in &vector.parts {
         parts.push(quantity::ratio(part)?);

@@ -7,11 +7,11 @@ mod quantity;
 
 use syn::ext::IdentExt;
 
-use crate::model::{Axis, Dimension, Frame, Kind, LOCALS, Model, Quantity, Side};
+use crate::model::{Axis, AxisKind, Dimension, LOCALS, Model, ModelSymbols, Quantity, Side};
 use crate::report::{Errors, Phrase, Refused};
 use crate::solve::Refusal;
 use crate::symbolic::Ring;
-use crate::syntax::{Assign, Declaration, Offsets, Spot, Unit};
+use crate::syntax::{Assign, Declaration, Offsets, SpannedName, Unit};
 use axis::{axis, coordinate, unit_direction};
 use chain::check_chain;
 pub(crate) use names::is_reserved;
@@ -20,18 +20,18 @@ pub(crate) use quantity::{DimensionNames, Fault, angle, length};
 
 /// Places of the chain's letters in the source, for refusals of the solver.
 #[derive(Debug)]
-pub struct Spots {
+pub struct ChainPhrases {
     chain: Phrase,
-    axes: Vec<Spot>,
+    axes: Vec<SpannedName>,
 }
 
 /// Checks a declaration.
 ///
 /// # Errors
 /// Every rule that it breaks.
-pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, Spots), Refused> {
+pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, ChainPhrases), Refused> {
     let mut ring = Ring::default();
-    let frame = frame(&mut ring);
+    let symbols = model_symbols(&mut ring);
     let dimensions = dimensions(declaration, &mut ring, errors);
     let Some(chain) = &declaration.chain else {
         if !declaration.unreadable.iter().any(|field| field == "chain") {
@@ -59,16 +59,16 @@ pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, S
     check_derives(declaration, errors);
     errors.propagate()?;
     let name = declaration.name.unraw().to_string();
-    let spots = Spots { chain: chain.phrase, axes: chain.axes.clone() };
-    Ok((Model { name, axes, dimensions, tool_axis, frame, ring }, spots))
+    let phrases = ChainPhrases { chain: chain.phrase, axes: chain.axes.clone() };
+    Ok((Model { name, axes, dimensions, tool_axis, symbols, ring }, phrases))
 }
 
 /// Turns refusals of the solver into messages at the letters they name.
-pub fn refused(refusals: &[Refusal], model: &Model, spots: &Spots, errors: &mut Errors) -> Refused {
+pub fn refused(refusals: &[Refusal], model: &Model, phrases: &ChainPhrases, errors: &mut Errors) -> Refused {
     for refusal in refusals {
         match *refusal {
             Refusal::DependentLinears => errors.push(
-                spots.chain,
+                phrases.chain,
                 format!(
                     "the linear axes {} cannot move the tip in every direction",
                     model.letters(model.solved_linears())
@@ -78,7 +78,7 @@ pub fn refused(refusals: &[Refusal], model: &Model, spots: &Spots, errors: &mut 
             Refusal::CannotTilt(axis) => {
                 let letter = model.axes[axis].letter;
                 errors.push(
-                    spots.axes[axis].phrase,
+                    phrases.axes[axis].phrase,
                     format!("`{letter}` turns about the tool axis, so it cannot tilt the tool"),
                     format!("put {letter} in `hold`: `hold = {{ {letter}: 0 }};`"),
                 );
@@ -86,7 +86,7 @@ pub fn refused(refusals: &[Refusal], model: &Model, spots: &Spots, errors: &mut 
             Refusal::SameDirection(first, second) => {
                 let (first, letter) = (model.axes[first].letter, model.axes[second].letter);
                 errors.push(
-                    spots.axes[second].phrase,
+                    phrases.axes[second].phrase,
                     format!("`{first}` and `{letter}` turn about the same direction, so the tool cannot tilt"),
                     format!("give one of them another direction in `axes`, or put {letter} in `hold`"),
                 );
@@ -97,17 +97,17 @@ pub fn refused(refusals: &[Refusal], model: &Model, spots: &Spots, errors: &mut 
 }
 
 /// A claim that the proof could not confirm: a fault of the engine, not of the declaration.
-pub fn unproven(claim: &str, spots: &Spots, errors: &mut Errors) -> Refused {
+pub fn unproven(claim: &str, phrases: &ChainPhrases, errors: &mut Errors) -> Refused {
     errors.push(
-        spots.chain,
+        phrases.chain,
         format!("this machine could not be proven: {claim}"),
         "this is a fault of the generator; please report the declaration",
     );
     errors.refused()
 }
 
-fn frame(ring: &mut Ring) -> Frame {
-    Frame {
+fn model_symbols(ring: &mut Ring) -> ModelSymbols {
+    ModelSymbols {
         tip: ["x", "y", "z"].map(|name| ring.symbol(name)),
         axis: ring.unit_vector(["i", "j", "k"]),
         part: ["part_x", "part_y", "part_z"].map(|name| ring.symbol(name)),
@@ -138,7 +138,7 @@ fn check_letters(declaration: &Declaration, known: &[&str], errors: &mut Errors)
     check("speeds", &declaration.speeds, known, errors);
     if let Some(Offsets::Each(entries)) = &declaration.offsets {
         check("d", entries, known, errors);
-        for entry in entries.iter().filter(|entry| kind_of(&entry.key.name) == Some(Kind::Linear)) {
+        for entry in entries.iter().filter(|entry| kind_of(&entry.key.name) == Some(AxisKind::Linear)) {
             errors.push(
                 entry.key.phrase,
                 format!("`{}` is a linear axis: it has no centre line", entry.key.name),
@@ -150,7 +150,7 @@ fn check_letters(declaration: &Declaration, known: &[&str], errors: &mut Errors)
 
 fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) {
     let Some(Offsets::Common(vector)) = &declaration.offsets else { return };
-    let mut sides = axes.iter().filter(|axis| axis.kind == Kind::Rotary).map(|axis| axis.side);
+    let mut sides = axes.iter().filter(|axis| axis.kind == AxisKind::Rotary).map(|axis| axis.side);
     let Some(first) = sides.next() else {
         errors.push(vector.phrase, "`d` is given, but the chain has no rotary axis", "leave `d` out");
         return;

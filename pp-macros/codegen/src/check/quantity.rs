@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 
 use crate::model::{Dimension, Quantity, to_f64};
 use crate::report::{Errors, Phrase};
-use crate::symbolic::{Poly, Ring, Surd, angle_sum, turn_by};
+use crate::symbolic::{Poly, Ring, Surd, angle_sum, sin_cos_of_degrees};
 use crate::syntax::{Expr, ExprKind, Unit};
 
 /// One mistake inside an expression.
@@ -170,8 +170,10 @@ fn measured(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Result<(Pol
 /// Sine and cosine of an angle: degrees, angles of `dims`, sums and whole multiples of them.
 pub(crate) fn angle(expr: &Expr, names: &DimensionNames<'_>, ring: &mut Ring) -> Result<(Poly, Poly), Fault> {
     match &expr.kind {
-        ExprKind::Number(degrees, Some(Unit::Degree)) => Ok(turn_by(degrees, ring)),
-        ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => Ok(turn_by(value, ring)),
+        ExprKind::Number(degrees, Some(Unit::Degree)) => Ok(sin_cos_of_degrees(degrees, ring)),
+        ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => {
+            Ok(sin_cos_of_degrees(value, ring))
+        }
         ExprKind::Number(_, None) => Err(Fault::new(expr.phrase, "an angle needs its unit", "write `45 deg`")),
         ExprKind::Number(_, Some(Unit::Millimetre)) => {
             Err(Fault::new(expr.phrase, "a length where an angle is needed", "write `45 deg`"))

@@ -7,11 +7,11 @@ use std::collections::BTreeMap;
 
 use super::chain::letter;
 use super::linear::linear;
-use super::page::{Section, line};
+use super::section::{Section, line};
 use super::steps::steps;
 use crate::formula::{ClosedForm, Formula, angle_of_one, common_number};
 use crate::model::{AxisId, Model};
-use crate::solve::{AngleRelation, Orientation, Solved, Two};
+use crate::solve::{AngleRelation, Orientation, Solved, TwoRotaries};
 use crate::symbolic::{Id, Interpreter, Operations, Surd};
 
 /// Rotary axes of both branches, then the linear axes.
@@ -20,7 +20,7 @@ pub(crate) fn formulas(model: &Model, solved: &Solved) -> Section {
     match &solved.orientation {
         Orientation::Fixed { .. } => {}
         Orientation::One(one) => {
-            section.say("Rotary axis from the tool axis (i, j, k):");
+            section.words("Rotary axis from the tool axis (i, j, k):");
             match angle_of_one(model, solved, one) {
                 Some(angle) => section.equations(&[(letter(model, one.rotary), angle)]),
                 None => in_steps(model, solved, &[(one.rotary, one.word)], &mut section),
@@ -33,18 +33,18 @@ pub(crate) fn formulas(model: &Model, solved: &Solved) -> Section {
     section
 }
 
-fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {
-    section.say("Rotary axes from the tool axis (i, j, k):");
+fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries, section: &mut Section) {
+    section.words("Rotary axes from the tool axis (i, j, k):");
     let Some(closed) = ClosedForm::of_two(model, solved, two) else {
         let words = two.rotaries.into_iter().zip(two.branches[0].words).collect::<Vec<_>>();
-        section.say("first branch, step by step:");
+        section.words("first branch, step by step:");
         in_steps(model, solved, &words, section);
-        section.say("second branch: the same with -root for root");
+        section.words("second branch: the same with -root for root");
         return;
     };
     section.equations(closed.named_root().as_slice());
     for (title, branch) in ["first branch:", "second branch:"].into_iter().zip(closed.branches()) {
-        section.say(title);
+        section.words(title);
         let equations: Vec<(Formula, Formula)> =
             two.rotaries.into_iter().map(|axis| letter(model, axis)).zip(branch).collect();
         section.equations(&equations);
@@ -66,7 +66,7 @@ fn in_steps(model: &Model, solved: &Solved, words: &[(AxisId, (Id, Id))], sectio
 pub(crate) fn branches(model: &Model, solved: &Solved) -> Section {
     let mut section = Section::default();
     let Orientation::Two(two) = &solved.orientation else {
-        section.say("one solution");
+        section.words("one solution");
         return section;
     };
     let second = &model.axes[two.rotaries[1]];
@@ -90,14 +90,18 @@ pub(crate) fn branches(model: &Model, solved: &Solved) -> Section {
     let (sign, other) = if positive { (">=", "<=") } else { ("<=", ">=") };
     for (title, sign) in [("first branch:  ", sign), ("second branch: ", other)] {
         section.line(
-            line(title).math(&quantity).say(" ").both(sign, if sign == ">=" { "$\\geq$" } else { "$\\leq$" }).say(" 0"),
+            line(title)
+                .math(&quantity)
+                .words(" ")
+                .both(sign, if sign == ">=" { "$\\geq$" } else { "$\\leq$" })
+                .words(" 0"),
         );
     }
-    section.line(line("Where ").math(&quantity).say(" = 0 both are one."));
+    section.line(line("Where ").math(&quantity).words(" = 0 both are one."));
     section
 }
 
-fn general_side(model: &Model, solved: &Solved, two: &Two) -> Formula {
+fn general_side(model: &Model, solved: &Solved, two: &TwoRotaries) -> Formula {
     let mut graph = solved.graph.clone();
     let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
     let side = two.side(model, &mut reader);
@@ -139,7 +143,7 @@ pub(crate) fn operations(solved: &Solved) -> Section {
     let Operations { additions, products, divisions, roots } = count;
     let many = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     let mut section = Section::default();
-    section.say(&format!(
+    section.words(&format!(
         "all branches: {atan2} atan2, {roots} sqrt, {}, {}, {}",
         many(divisions, "division"),
         many(products, "multiplication"),

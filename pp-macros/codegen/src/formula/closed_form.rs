@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use super::expression::Formula;
 use super::factor::common_number;
 use crate::model::{AxisId, Model};
-use crate::solve::{One, Orientation, Solved, Two};
+use crate::solve::{OneRotary, Orientation, Solved, TwoRotaries};
 use crate::symbolic::{Graph, Id, Interpreter, Node, Poly, Surd, Symbol};
 
 /// Polynomials with more terms than this are shown step by step, as they are computed.
@@ -28,7 +28,7 @@ pub(crate) struct ClosedForm {
 
 impl ClosedForm {
     /// Angles of a machine with two solved rotary axes; `None` if they are too long to be read in one line.
-    pub(crate) fn of_two(model: &Model, solved: &Solved, two: &Two) -> Option<Self> {
+    pub(crate) fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries) -> Option<Self> {
         let mut graph = solved.graph.clone();
         // r² = D - w², however the code computes it.
         let square = {
@@ -79,7 +79,7 @@ impl ClosedForm {
 }
 
 /// The angle of the only solved rotary axis; `None` if it is too long to be read in one line.
-pub(crate) fn angle_of_one(model: &Model, solved: &Solved, one: &One) -> Option<Formula> {
+pub(crate) fn angle_of_one(model: &Model, solved: &Solved, one: &OneRotary) -> Option<Formula> {
     let mut graph = solved.graph.clone();
     let word = without_factor(&graph, one.word, one.inverse);
     let arguments = arguments(&mut Interpreter::new(&mut graph, BTreeMap::new()), word, None)?;

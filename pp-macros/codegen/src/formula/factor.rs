@@ -64,7 +64,7 @@ impl Writer<'_> {
         for (symbol, power) in powers {
             let base = self.names.formula(symbol);
             let factor = if power == 1 { base } else { Formula::Power(Box::new(base), power) };
-            if self.names.is_turn(symbol) { turns.push(factor) } else { names.push(factor) }
+            if self.names.is_sin_or_cos(symbol) { turns.push(factor) } else { names.push(factor) }
         }
         // Sines before cosines: `sin B cos C`.
         turns.sort_by_key(|turn| !is_sine(turn));
@@ -134,13 +134,13 @@ impl Writer<'_> {
         })
     }
 
-    fn with(&self, terms: &Terms, option: Step, whole: &Terms) -> Vec<Part> {
+    fn with(&self, terms: &Terms, option: HornerStep, whole: &Terms) -> Vec<Part> {
         let first = |part: &Terms| part.keys().map(|monomial| self.key(monomial, whole)).min().unwrap_or_default();
         let has = |monomial: &Monomial, symbol: Symbol| monomial.iter().any(|(other, _)| *other == symbol);
         let mut rest = Terms::new();
         let mut parts = Vec::new();
         match option {
-            Step::Factor(symbol) => {
+            HornerStep::Factor(symbol) => {
                 let power = vec![(symbol, 1)];
                 let (mut inside, mut drawn) = (Terms::new(), Terms::new());
                 for (monomial, factor) in terms {
@@ -153,7 +153,7 @@ impl Writer<'_> {
                 }
                 parts.push((first(&drawn), self.drawn(inside, &power, None)));
             }
-            Step::OneAnd(symbol) => {
+            HornerStep::OneAnd(symbol) => {
                 let (mut plus, mut minus) = (Terms::new(), Terms::new());
                 for (monomial, factor) in terms.iter().filter(|(monomial, _)| !has(monomial, symbol)) {
                     let mut with = monomial.clone();
@@ -204,22 +204,22 @@ impl Writer<'_> {
     }
 
     /// Factors that can be drawn out of a part of the sum, best first.
-    fn options(&self, terms: &Terms) -> Vec<Step> {
+    fn options(&self, terms: &Terms) -> Vec<HornerStep> {
         let mut counts: BTreeMap<Symbol, usize> = BTreeMap::new();
         for (symbol, _) in terms.keys().flatten().filter(|(symbol, _)| self.names.is_factor(*symbol)) {
             *counts.entry(*symbol).or_default() += 1;
         }
         let most = counts.values().copied().max().unwrap_or_default();
-        let mut steps: Vec<Step> = Vec::new();
+        let mut steps: Vec<HornerStep> = Vec::new();
         let mut symbols: Vec<Symbol> = counts.keys().copied().collect();
         symbols.sort_by_key(|symbol| (self.names.place(*symbol), std::cmp::Reverse(*symbol)));
         for symbol in &symbols {
-            if self.names.is_turn(*symbol) && !is_sine(&self.names.formula(*symbol)) && pairs(terms, *symbol) {
-                steps.push(Step::OneAnd(*symbol));
+            if self.names.is_sin_or_cos(*symbol) && !is_sine(&self.names.formula(*symbol)) && pairs(terms, *symbol) {
+                steps.push(HornerStep::OneAnd(*symbol));
             }
         }
         let frequent = symbols.iter().filter(|symbol| most > 1 && counts[symbol] == most);
-        steps.extend(frequent.map(|symbol| Step::Factor(*symbol)));
+        steps.extend(frequent.map(|symbol| HornerStep::Factor(*symbol)));
         steps
     }
 
@@ -248,10 +248,10 @@ impl Writer<'_> {
     fn key(&self, monomial: &Monomial, among: &Terms) -> Vec<usize> {
         let mut key: Vec<usize> = monomial.iter().map(|(symbol, _)| self.names.place(*symbol)).collect();
         key.sort_unstable();
-        if monomial.iter().all(|(symbol, _)| self.names.is_turn(*symbol)) {
+        if monomial.iter().all(|(symbol, _)| self.names.is_sin_or_cos(*symbol)) {
             let mut symbols = among.keys().flatten().map(|(symbol, _)| *symbol);
             let length = symbols.clone().any(|symbol| !self.names.is_factor(symbol));
-            let turns = symbols.all(|symbol| self.names.is_turn(symbol));
+            let turns = symbols.all(|symbol| self.names.is_sin_or_cos(symbol));
             let like =
                 |factor: &Surd| among.len() == 2 && among.values().all(|other| other == factor || *other == -factor);
             let first = |factor: &Surd| !is_negative(factor) || like(factor);
@@ -265,7 +265,7 @@ impl Writer<'_> {
 
 /// One step of Horner's scheme.
 #[derive(Debug, Clone, Copy)]
-enum Step {
+enum HornerStep {
     /// This symbol is drawn out of all terms that have it.
     Factor(Symbol),
     /// One plus and one minus this cosine are drawn out.

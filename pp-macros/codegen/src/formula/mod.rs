@@ -14,7 +14,7 @@ use crate::symbolic::{Graph, Id, Poly, Ring};
 pub(crate) use closed_form::{ClosedForm, angle_of_one, first_branch, is_readable};
 pub use expression::Formula;
 pub(crate) use factor::common_number;
-pub use node::Known;
+pub use node::NamedNodes;
 
 impl Formula {
     /// A polynomial, factored: common factors first, then Horner's scheme by the most frequent sine or cosine.
@@ -27,7 +27,7 @@ impl Formula {
 
     /// A node of a graph with its structure kept; nodes in `known` are written as given there.
     #[must_use]
-    pub fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Self {
+    pub fn of_node(model: &Model, graph: &Graph, node: Id, known: &NamedNodes) -> Self {
         node::of_node(model, graph, node, known)
     }
 

@@ -8,9 +8,9 @@ use crate::model::Model;
 use crate::symbolic::{Graph, Id, Node};
 
 /// Nodes that are written by a name of their own.
-pub type Known = BTreeMap<Id, Formula>;
+pub type NamedNodes = BTreeMap<Id, Formula>;
 
-pub(crate) fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Formula {
+pub(crate) fn of_node(model: &Model, graph: &Graph, node: Id, known: &NamedNodes) -> Formula {
     let names = SymbolNames::new(model, graph.ring());
     Reader { model, graph, names, known }.read(node)
 }
@@ -19,7 +19,7 @@ struct Reader<'a> {
     model: &'a Model,
     graph: &'a Graph,
     names: SymbolNames<'a>,
-    known: &'a Known,
+    known: &'a NamedNodes,
 }
 
 impl Reader<'_> {

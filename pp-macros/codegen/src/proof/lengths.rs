@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::claim::holds;
 use crate::model::Model;
-use crate::solve::{Solved, Two};
+use crate::solve::{Solved, TwoRotaries};
 use crate::symbolic::{Interpreter, Poly, Ring};
 
 /// `r² = D - w²`, and the own length of the first angle's direction is `g² + e²`.
@@ -12,7 +12,7 @@ use crate::symbolic::{Interpreter, Poly, Ring};
 /// Both follow from `p = n·m`, `q = m·t` and `n·a` alone, whatever these are made of: with symbols for the three the
 /// identities are small. What the symbols leave out is shown before: `|m×n|² = 1-p²`, `D = (1-p²)(1-q²)`,
 /// `|n×a|² = 1-(n·a)²`, `g² + e² = (1-p²)|n×a|²`. Roots are replaced by what has the same square and is not negative.
-pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), String> {
+pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &TwoRotaries) -> Result<(), String> {
     let letters = model.letters(two.rotaries);
     let graph = &mut solved.graph;
     let cosines = [two.tilt.between.1, two.tilt.tool.1, two.edge.along.0];
@@ -62,7 +62,7 @@ pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Re
     Err(format!("the root of {letters} is √(D - w²), and their direction has the length g² + e²"))
 }
 
-fn lengths_hold(reader: &mut Interpreter<'_>, two: &Two) -> bool {
+fn lengths_hold(reader: &mut Interpreter<'_>, two: &TwoRotaries) -> bool {
     let (height, capacity) = (reader.value(two.second.height), reader.value(two.second.capacity));
     let square = &capacity - &reader.ring().mul(&height, &height);
     let radicand = reader.value(two.second.root_squared);

@@ -3,16 +3,20 @@
 use std::collections::BTreeMap;
 
 use super::claim::holds;
-use super::unit_vectors::General;
+use super::unit_vectors::GeneralDirections;
 use crate::model::{AxisId, Model};
-use crate::solve::{Branch, Solved, Two};
-use crate::symbolic::{Id, Interpreter, P3, Poly, Ring, Symbol};
+use crate::solve::{Branch, Solved, TwoRotaries};
+use crate::symbolic::{Id, Interpreter, Poly, PolyVector, Ring, Symbol};
 
 /// Both branches, and what is taken at the rim; returns the claims in words.
 ///
 /// # Errors
 /// The claim that is not proven.
-pub(crate) fn prove_two(general: &General, solved: &mut Solved, two: &Two) -> Result<Vec<String>, String> {
+pub(crate) fn prove_two(
+    general: &GeneralDirections,
+    solved: &mut Solved,
+    two: &TwoRotaries,
+) -> Result<Vec<String>, String> {
     let mut claims = Vec::new();
     for branch in &two.branches {
         claims.push(prove_branch(general, solved, two, branch)?);
@@ -21,7 +25,12 @@ pub(crate) fn prove_two(general: &General, solved: &mut Solved, two: &Two) -> Re
     Ok(claims)
 }
 
-fn prove_branch(general: &General, solved: &mut Solved, two: &Two, branch: &Branch) -> Result<String, String> {
+fn prove_branch(
+    general: &GeneralDirections,
+    solved: &mut Solved,
+    two: &TwoRotaries,
+    branch: &Branch,
+) -> Result<String, String> {
     let model = general.model();
     let letters = model.letters(two.rotaries);
     let mut reader = general.reader(&mut solved.graph, BTreeMap::new());
@@ -43,14 +52,14 @@ fn prove_branch(general: &General, solved: &mut Solved, two: &Two, branch: &Bran
     let after = two.rotaries[0] + 1;
     let tool = model.product_of((after..model.axes.len()).map(|axis| model.joint(axis)));
     let undone = model.product_of((0..after).rev().map(|axis| model.joint_inverse(axis)));
-    let reached = tool.turn(&model.tool_axis, reader.ring());
-    let wanted = undone.turn(&model.frame.axis.map(Poly::from), reader.ring());
+    let reached = tool.rotate(&model.tool_axis, reader.ring());
+    let wanted = undone.rotate(&model.symbols.axis.map(Poly::from), reader.ring());
     for (reached, wanted) in reached.iter().zip(&wanted) {
         let [reached, wanted] = [reached, wanted].map(|part| reader.ring().substitute(part, &words));
         holds(&reader, &reached, &wanted, &claim)?;
     }
     // The branch: α1 s2 - α2 c2 = σ r, and a root is never negative.
-    let (_, cosine) = model.axes[two.rotaries[1]].turn;
+    let (_, cosine) = model.axes[two.rotaries[1]].sin_cos;
     let sine = reader.ring().substitute(&model.joint_sine(two.rotaries[1]), &words);
     let [first, second] = two.second.alpha.map(|node| reader.value(node));
     let side = &reader.ring().mul(&first, &sine) - &reader.ring().mul(&second, &words[&cosine]);
@@ -60,7 +69,7 @@ fn prove_branch(general: &General, solved: &mut Solved, two: &Two, branch: &Bran
     Ok(claim)
 }
 
-fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<String, String> {
+fn prove_edge(general: &GeneralDirections, solved: &mut Solved, two: &TwoRotaries) -> Result<String, String> {
     let model = general.model();
     let [first, second] = two.rotaries;
     let edge = &two.edge;
@@ -71,15 +80,15 @@ fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<Strin
     let mut reader = general.reader(&mut solved.graph, BTreeMap::from([(edge.root, root)]));
     let mut words = turns(model, &mut reader, &[second], &[edge.second]);
     on_circle(model, &reader, second, &words)?;
-    let (sine, cosine) = model.axes[first].turn;
+    let (sine, cosine) = model.axes[first].sin_cos;
     words.insert(sine, Poly::zero());
     words.insert(cosine, Poly::one());
 
     let ring = reader.ring().clone();
-    let reached = model.product().turn(&model.tool_axis, &ring).map(|part| ring.substitute(&part, &words));
+    let reached = model.product().rotate(&model.tool_axis, &ring).map(|part| ring.substitute(&part, &words));
     let before = model.product_of((0..first).map(|axis| model.joint(axis)));
-    let direction = before.turn(&model.axes[first].direction, &ring);
-    let wanted = model.frame.axis.map(Poly::from);
+    let direction = before.rotate(&model.axes[first].direction, &ring);
+    let wanted = model.symbols.axis.map(Poly::from);
     let (n_b, n_a) = (cross(&direction, &reached, &ring), cross(&direction, &wanted, &ring));
     let room = {
         let (p, one) = (reader.value(two.tilt.between.1), Poly::one());
@@ -106,7 +115,7 @@ fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<Strin
 fn turns(model: &Model, reader: &mut Interpreter<'_>, axes: &[AxisId], words: &[(Id, Id)]) -> BTreeMap<Symbol, Poly> {
     let mut values = BTreeMap::new();
     for (axis, (sine, cosine)) in axes.iter().zip(words) {
-        let turn = model.axes[*axis].turn;
+        let turn = model.axes[*axis].sin_cos;
         values.insert(turn.0, reader.value(*sine));
         values.insert(turn.1, reader.value(*cosine));
     }
@@ -119,13 +128,13 @@ fn on_circle(
     axis: AxisId,
     words: &BTreeMap<Symbol, Poly>,
 ) -> Result<(), String> {
-    let (sine, cosine) = model.axes[axis].turn;
+    let (sine, cosine) = model.axes[axis].sin_cos;
     let squares = [&words[&sine], &words[&cosine]].map(|part| reader.ring().mul(part, part));
     let letter = model.axes[axis].letter;
     holds(reader, &(&squares[0] + &squares[1]), &Poly::one(), &format!("sin² {letter} + cos² {letter} = 1"))
 }
 
-fn cross(a: &P3, b: &P3, ring: &Ring) -> P3 {
+fn cross(a: &PolyVector, b: &PolyVector, ring: &Ring) -> PolyVector {
     std::array::from_fn(|index| {
         let (next, last) = ((index + 1) % 3, (index + 2) % 3);
         &ring.mul(&a[next], &b[last]) - &ring.mul(&a[last], &b[next])

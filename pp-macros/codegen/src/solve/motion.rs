@@ -14,8 +14,8 @@
 //! `pp_runtime::kinematics::MotionBound`, makes the deviation of the block from these.
 
 use super::derivation::{Derivation, Point};
-use crate::model::{Axis, AxisId, Kind, Model};
-use crate::symbolic::{Graph, GraphBuilder, Id, Node, Symbol, Term, V3, Vec3};
+use crate::model::{Axis, AxisId, AxisKind, Model};
+use crate::symbolic::{Graph, GraphBuilder, Id, Node, NodeVector, Symbol, Term, TermVector};
 
 /// Nodes of the moving tool, in a graph of their own.
 #[derive(Debug)]
@@ -29,20 +29,20 @@ pub struct Motion {
     /// The tip's curve.
     pub tip: Curve,
     /// The tool axis.
-    pub axis: V3,
+    pub axis: NodeVector,
     /// The tool axis' curve.
     pub axis_curve: Curve,
     /// Centres of the rotary axes for the current set-up.
-    pub centres: Vec<V3>,
+    pub centres: Vec<NodeVector>,
 }
 
 /// Two derivatives, and a bound of the third over a block with these values in its middle.
 #[derive(Debug, Clone, Copy)]
 pub struct Curve {
     /// First derivative.
-    pub rate: V3,
+    pub rate: NodeVector,
     /// Second derivative.
-    pub bend: V3,
+    pub bend: NodeVector,
     /// Largest third derivative.
     pub third: Id,
 }
@@ -60,12 +60,12 @@ pub(crate) fn solve(model: &Model) -> Motion {
     let (mut axis, mut axis_curve) = (derivation.tool_axis(), moving.still());
     for (id, joint) in model.axes.iter().enumerate().rev() {
         match joint.kind {
-            Kind::Linear => {
+            AxisKind::Linear => {
                 let displacement = derivation.displacement(id);
                 tip.offset = tip.offset + displacement;
                 tip_curve.rate = moving.slid(id, tip_curve.rate);
             }
-            Kind::Rotary => {
+            AxisKind::Rotary => {
                 tip = derivation.seen_from(tip, Some(id));
                 tip_curve = moving.rotated("tip", id, tip.offset, tip_curve);
                 tip = Point { offset: derivation.rotated(id, tip.offset), ..tip };
@@ -74,7 +74,7 @@ pub(crate) fn solve(model: &Model) -> Motion {
             }
         }
     }
-    let rotary = |id: &AxisId| model.axes[*id].kind == Kind::Rotary;
+    let rotary = |id: &AxisId| model.axes[*id].kind == AxisKind::Rotary;
     let centres = (0..model.axes.len()).filter(rotary).map(|id| derivation.joint_centre(id).ids()).collect();
     let (tip, axis, axis_curve) = (tip_curve.nodes(), axis.ids(), axis_curve.nodes());
     Motion { graph: derivation.graph.finish(), changes, sizes, tip, axis, axis_curve, centres }
@@ -90,8 +90,8 @@ struct Moving<'a> {
 /// A [`Curve`] under construction: `y'`, `y''` and `M`.
 #[derive(Clone, Copy)]
 struct Derivatives<'g> {
-    rate: Vec3<'g>,
-    bend: Vec3<'g>,
+    rate: TermVector<'g>,
+    bend: TermVector<'g>,
     third: Term<'g>,
 }
 
@@ -108,13 +108,13 @@ impl<'g> Moving<'g> {
     }
 
     /// The first derivative with what a linear axis adds to it.
-    fn slid(&self, axis: AxisId, rate: Vec3<'g>) -> Vec3<'g> {
+    fn slid(&self, axis: AxisId, rate: TermVector<'g>) -> TermVector<'g> {
         let change = self.change(axis);
         rate + change * self.derivation.step(axis)
     }
 
     /// The curve of a point, seen through a rotary axis from whose centre it is `lever` away.
-    fn rotated(&self, what: &str, axis: AxisId, lever: Vec3<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
+    fn rotated(&self, what: &str, axis: AxisId, lever: TermVector<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
         let Derivatives { rate, bend, .. } = curve;
         let direction = self.derivation.step(axis);
         let change = self.change(axis);
@@ -128,7 +128,7 @@ impl<'g> Moving<'g> {
     }
 
     /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`, from inside outwards.
-    fn third(&self, axis: AxisId, swing: Vec3<'g>, curve: Derivatives<'g>) -> Term<'g> {
+    fn third(&self, axis: AxisId, swing: TermVector<'g>, curve: Derivatives<'g>) -> Term<'g> {
         let Derivatives { rate, bend, third } = curve;
         let (bend, rate, swing) = (self.norm(bend), self.norm(rate), self.norm(swing));
         let size = self.size(axis);
@@ -142,7 +142,7 @@ impl<'g> Moving<'g> {
     }
 
     /// Length of a vector; of a single axis' motion its magnitude.
-    fn norm(&self, v: Vec3<'g>) -> Term<'g> {
+    fn norm(&self, v: TermVector<'g>) -> Term<'g> {
         match self.derivation.graph.with(|graph| self.single_axis(graph, v.ids())) {
             Some(axis) => self.size(axis),
             None => v.norm(),
@@ -150,7 +150,7 @@ impl<'g> Moving<'g> {
     }
 
     /// The axis whose change, or its negative, is the only component that is not zero.
-    fn single_axis(&self, graph: &Graph, v: V3) -> Option<AxisId> {
+    fn single_axis(&self, graph: &Graph, v: NodeVector) -> Option<AxisId> {
         let mut parts = v.into_iter().filter(|id| !graph.is_zero(*id));
         let (Some(only), None) = (parts.next(), parts.next()) else { return None };
         let unsigned = match *graph.node(only) {

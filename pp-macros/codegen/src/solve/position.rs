@@ -6,8 +6,8 @@
 //! the fewest operations is kept.
 
 use super::derivation::{Derivation, Point};
-use crate::model::{AxisId, Kind};
-use crate::symbolic::{Id, Operations, Term, Vec3};
+use crate::model::{AxisId, AxisKind};
+use crate::symbolic::{Id, Operations, Term, TermVector};
 
 /// Nodes of the linear axes.
 #[derive(Debug, Clone)]
@@ -34,7 +34,7 @@ pub(crate) fn solve(derivation: &Derivation<'_>) -> Position {
 }
 
 /// A solved linear axis, and its direction as seen at the cut.
-type Column<'g> = (AxisId, Vec3<'g>);
+type Column<'g> = (AxisId, TermVector<'g>);
 
 fn solve_at(derivation: &Derivation<'_>, cut: usize) -> Position {
     let (wanted, before) = wanted_at(derivation, cut);
@@ -51,13 +51,13 @@ fn solve_at(derivation: &Derivation<'_>, cut: usize) -> Position {
 /// The wanted tip with the joints before the cut undone, and the linear axes among these.
 fn wanted_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Column<'g>>) {
     let model = derivation.model;
-    let mut wanted = Point { from: None, offset: derivation.graph.inputs(model.frame.tip) };
+    let mut wanted = Point { from: None, offset: derivation.graph.inputs(model.symbols.tip) };
     let mut columns: Vec<Column<'g>> = Vec::new();
     for (id, axis) in model.axes.iter().enumerate().take(cut) {
         match axis.kind {
-            Kind::Linear if axis.held.is_some() => wanted.offset = wanted.offset - derivation.displacement(id),
-            Kind::Linear => columns.push((id, derivation.step(id))),
-            Kind::Rotary => {
+            AxisKind::Linear if axis.held.is_some() => wanted.offset = wanted.offset - derivation.displacement(id),
+            AxisKind::Linear => columns.push((id, derivation.step(id))),
+            AxisKind::Rotary => {
                 wanted = derivation.seen_from(wanted, Some(id));
                 derivation.name("tip_from", id, wanted.offset);
                 wanted.offset = derivation.rotated_back(id, wanted.offset);
@@ -77,9 +77,9 @@ fn tool_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Co
     let mut columns: Vec<Column<'g>> = Vec::new();
     for (id, axis) in derivation.model.axes.iter().enumerate().skip(cut).rev() {
         match axis.kind {
-            Kind::Linear if axis.held.is_some() => tool.offset = tool.offset + derivation.displacement(id),
-            Kind::Linear => columns.insert(0, (id, derivation.step(id))),
-            Kind::Rotary => {
+            AxisKind::Linear if axis.held.is_some() => tool.offset = tool.offset + derivation.displacement(id),
+            AxisKind::Linear => columns.insert(0, (id, derivation.step(id))),
+            AxisKind::Rotary => {
                 tool = derivation.seen_from(tool, Some(id));
                 tool.offset = derivation.rotated(id, tool.offset);
                 derivation.name("tool_on", id, tool.offset);
@@ -93,8 +93,8 @@ fn tool_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Co
 }
 
 /// `q` with `Σ q_i w_i = gap`, and the determinant of the `w_i`.
-fn solve_three<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
-    let is_fixed = |w: Vec3<'_>| w.components().into_iter().all(Term::is_constant);
+fn solve_three<'g>(w: [TermVector<'g>; 3], gap: TermVector<'g>) -> ([Term<'g>; 3], Term<'g>) {
+    let is_fixed = |w: TermVector<'_>| w.components().into_iter().all(Term::is_constant);
     let varying: Vec<usize> = (0..3).filter(|index| !is_fixed(w[*index])).collect();
     if varying.len() > 1 {
         return by_volumes(w, gap);
@@ -103,8 +103,8 @@ fn solve_three<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>)
 }
 
 /// Cramer's rule: `q_a = gap · (w_b × w_c) / det`, and cyclic.
-fn by_volumes<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
-    let faces: [Vec3<'g>; 3] = std::array::from_fn(|index| w[(index + 1) % 3].cross(w[(index + 2) % 3]));
+fn by_volumes<'g>(w: [TermVector<'g>; 3], gap: TermVector<'g>) -> ([Term<'g>; 3], Term<'g>) {
+    let faces: [TermVector<'g>; 3] = std::array::from_fn(|index| w[(index + 1) % 3].cross(w[(index + 2) % 3]));
     let determinant = w[0].dot(faces[0]).named("determinant");
     if determinant.is_zero() {
         return ([determinant; 3], determinant);
@@ -115,7 +115,7 @@ fn by_volumes<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) 
 
 /// All but `w_c` are fixed: first `q_c`, seen perpendicular to the two others, then these within their plane by the dual
 /// vectors.
-fn by_planes<'g>(w: [Vec3<'g>; 3], c: usize, gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
+fn by_planes<'g>(w: [TermVector<'g>; 3], c: usize, gap: TermVector<'g>) -> ([Term<'g>; 3], Term<'g>) {
     let (a, b) = ((c + 1) % 3, (c + 2) % 3);
     let normal = w[a].cross(w[b]);
     let determinant = normal.dot(w[c]);

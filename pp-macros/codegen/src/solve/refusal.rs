@@ -3,7 +3,7 @@
 use crate::model::AxisId;
 
 /// Square of the sine below which two directions count as parallel.
-pub const PARALLEL: f64 = 1e-18;
+pub const PARALLEL_SINE_SQUARED: f64 = 1e-18;
 
 /// The reason that a chain has no kinematics.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -13,7 +13,7 @@ use super::surd::exact_sin_cos;
 ///
 /// Rule `quarter-turn`: angles that differ by quarter turns, or add up to one, share their constants, so
 /// `sin 123° = cos 33°` is exact.
-pub fn turn_by(degrees: &BigRational, ring: &mut Ring) -> (Poly, Poly) {
+pub fn sin_cos_of_degrees(degrees: &BigRational, ring: &mut Ring) -> (Poly, Poly) {
     if let Some((sine, cosine)) = exact_sin_cos(degrees) {
         return (Poly::from(sine), Poly::from(cosine));
     }

@@ -15,7 +15,7 @@ use super::ring::Ring;
 pub struct Id(u32);
 
 /// Three nodes.
-pub type V3 = [Id; 3];
+pub type NodeVector = [Id; 3];
 
 /// One operation.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]

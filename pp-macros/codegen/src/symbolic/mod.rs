@@ -28,7 +28,7 @@
 //! | `product-of-roots` | `√n √m → g √(n m / g²)`, `g = gcd(n, m)` | `n` and `m` are square-free | [`Surd`] |
 //! | `conjugate` | `1/(a + c √b) → (a - c √b)/(a² - b c²)` | the number is not zero | [`Surd::inverse`] |
 //! | `exact-sine` | sine and cosine → surds | the angle is a whole multiple of 15° | [`exact_sin_cos`] |
-//! | `quarter-turn` | `sin(q 90° ± a)` → `± sin a` or `± cos a` | both are the same exact number of degrees | [`turn_by`] |
+//! | `quarter-turn` | `sin(q 90° ± a)` → `± sin a` or `± cos a` | both are the same exact number of degrees | [`sin_cos_of_degrees`] |
 //! | `angle-sum` | `sin(a+b) → sin a cos b + cos a sin b`, and the cosine | each pair is of one angle | [`angle_sum`] |
 //! | `fold-numbers` | an operation on numbers → its exact result | no divisor is 0 and no radicand negative | [`Graph`] |
 //! | `neutral` | `a + 0`, `a - 0`, `1 a → a`; `0 a`, `0 / b → 0` | the constant is exactly 0 or 1, and `b` not the constant 0 | [`Graph`] |
@@ -47,14 +47,14 @@ mod sign;
 mod surd;
 mod term;
 
-pub use angle::{angle_sum, turn_by};
-pub use graph::{Graph, Id, Node, V3};
+pub use angle::{angle_sum, sin_cos_of_degrees};
+pub use graph::{Graph, Id, Node, NodeVector};
 pub use interpret::Interpreter;
-pub use matrix::{Matrix, P3, rotation, translation};
+pub use matrix::{Matrix, PolyVector, rotation, translation};
 pub(crate) use operations::Operations;
 pub use poly::{Poly, Symbol};
 pub use ring::Ring;
 pub use sign::{Sign, hidden_zeros_of, sign_of, zeros_of};
 pub use surd::{Surd, exact_sin_cos};
 pub(crate) use term::nodes;
-pub use term::{GraphBuilder, Term, Vec3};
+pub use term::{GraphBuilder, Term, TermVector};

@@ -14,7 +14,7 @@ use super::surd::Surd;
 
 /// Facts about a symbol.
 #[derive(Debug, Clone)]
-struct Known {
+struct SymbolFacts {
     name: String,
     /// Set for constants (the sine of a fixed angle, the root of a number).
     value: Option<f64>,
@@ -31,7 +31,7 @@ struct Known {
 /// Symbols and relations.
 #[derive(Debug, Clone, Default)]
 pub struct Ring {
-    known: Vec<Known>,
+    known: Vec<SymbolFacts>,
 }
 
 impl Ring {
@@ -71,7 +71,7 @@ impl Ring {
     /// Rule `one-root`: a constant has one root, so asking again gives the same symbol.
     pub fn root(&mut self, name: impl Into<String>, radicand: Poly) -> Symbol {
         let value = self.value(&radicand).map(f64::sqrt);
-        let same = |known: &Known| known.value.is_some() && known.square.as_ref() == Some(&radicand);
+        let same = |known: &SymbolFacts| known.value.is_some() && known.square.as_ref() == Some(&radicand);
         if let (Some(_), Some(index)) = (value, self.known.iter().position(same)) {
             return symbol_at(index);
         }
@@ -273,7 +273,7 @@ impl Ring {
 
     fn push(&mut self, name: String, value: Option<f64>, square: Option<Poly>, divisor: Option<Poly>) -> Symbol {
         let symbol = symbol_at(self.known.len());
-        self.known.push(Known { name, value, square, divisor, angle: None, root: false });
+        self.known.push(SymbolFacts { name, value, square, divisor, angle: None, root: false });
         symbol
     }
 

@@ -59,7 +59,7 @@ pub struct Equation {
 
 /// A name and its place in the source.
 #[derive(Debug, Clone)]
-pub struct Spot {
+pub struct SpannedName {
     /// As written.
     pub name: String,
     /// Where.
@@ -70,7 +70,7 @@ pub struct Spot {
 #[derive(Debug, Clone)]
 pub struct Assign<T> {
     /// An axis letter or a dimension.
-    pub key: Spot,
+    pub key: SpannedName,
     /// The text after the colon.
     pub value: T,
 }
@@ -81,13 +81,10 @@ pub struct Chain {
     /// All letters and bars after `chain:`.
     pub phrase: Phrase,
     /// Letters in order.
-    pub axes: Vec<Axis>,
+    pub axes: Vec<SpannedName>,
     /// For each `|`, the number of letters before it.
     pub bars: Vec<(usize, Phrase)>,
 }
-
-/// One letter of the chain.
-pub type Axis = Spot;
 
 /// `d`.
 #[derive(Debug, Clone)]
@@ -113,7 +110,7 @@ pub struct Direction {
     /// The whole product.
     pub phrase: Phrase,
     /// Turns from left to right: 0, 1, 2 for Rx, Ry, Rz, and the angle.
-    pub turns: Vec<(usize, Expr)>,
+    pub rotations: Vec<(usize, Expr)>,
     /// True for `-Z`.
     pub negated: bool,
     /// The vector that is turned.

@@ -6,6 +6,6 @@ mod expr;
 mod parse;
 mod source;
 
-pub use ast::{Assign, Axis, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, Spot, Vector, Verify};
+pub use ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, SpannedName, Vector, Verify};
 pub use expr::{Expr, ExprKind, Unit};
 pub use parse::parse;

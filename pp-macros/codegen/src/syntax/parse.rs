@@ -5,7 +5,7 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Token, token};
 
 use super::arithmetic::expression;
-use super::ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, Spot, Vector, Verify};
+use super::ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, SpannedName, Vector, Verify};
 use super::source::Source;
 use crate::report::{Errors, Phrase, Refused};
 
@@ -69,7 +69,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
         speeds: Vec::new(),
         verify: Vec::new(),
     };
-    let mut seen: Vec<Spot> = Vec::new();
+    let mut seen: Vec<SpannedName> = Vec::new();
     while !input.is_empty() {
         if let Err(error) = field(input, &source, &mut declaration, &mut seen, errors) {
             errors.push_syntax(source.next(), error);
@@ -84,10 +84,10 @@ fn field(
     input: ParseStream<'_>,
     source: &Source,
     declaration: &mut Declaration,
-    seen: &mut Vec<Spot>,
+    seen: &mut Vec<SpannedName>,
     errors: &mut Errors,
 ) -> syn::Result<()> {
-    let key = source.spot(input, &format!("a field\n\nhelp: the fields are {}", list_of(&FIELDS)))?;
+    let key = source.name(input, &format!("a field\n\nhelp: the fields are {}", list_of(&FIELDS)))?;
     if !FIELDS.contains(&key.name.as_str()) {
         let text = format!("unknown field `{}`\n\nhelp: the fields are {}", key.name, list_of(&FIELDS));
         return Err(syn::Error::new_spanned(key.phrase, text));
@@ -108,16 +108,16 @@ fn field(
         }
         name => {
             separator(input, '=', &format!("`{name}` is followed by `=`: `{name} = ...;`"))?;
-            let faults = &mut Faults { errors, unreadable: &mut declaration.unreadable };
+            let sink = &mut ErrorSink { errors, unreadable: &mut declaration.unreadable };
             match name {
-                "d" => declaration.offsets = Some(offsets(input, source, faults)?),
-                "signs" => declaration.signs.extend(assigns(input, source, faults, sign)?),
-                "axes" => declaration.directions.extend(assigns(input, source, faults, direction)?),
-                "dims" => declaration.dimensions.extend(assigns(input, source, faults, expression)?),
+                "d" => declaration.offsets = Some(offsets(input, source, sink)?),
+                "signs" => declaration.signs.extend(assigns(input, source, sink, sign)?),
+                "axes" => declaration.directions.extend(assigns(input, source, sink, direction)?),
+                "dims" => declaration.dimensions.extend(assigns(input, source, sink, expression)?),
                 "tool_axis" => declaration.tool_axis = Some(direction(input, source)?),
-                "hold" => declaration.hold.extend(assigns(input, source, faults, expression)?),
-                "limits" => declaration.limits.extend(assigns(input, source, faults, limits)?),
-                _ => declaration.speeds.extend(assigns(input, source, faults, expression)?),
+                "hold" => declaration.hold.extend(assigns(input, source, sink, expression)?),
+                "limits" => declaration.limits.extend(assigns(input, source, sink, limits)?),
+                _ => declaration.speeds.extend(assigns(input, source, sink, expression)?),
             }
         }
     }
@@ -161,7 +161,7 @@ fn chain(input: ParseStream<'_>, source: &Source, key: Phrase) -> syn::Result<Ch
         let (phrase, token) = source.take(input)?;
         chain.phrase = first.get_or_insert(phrase).to(phrase);
         match token {
-            TokenTree::Ident(ident) => chain.axes.push(Spot { name: ident.to_string(), phrase }),
+            TokenTree::Ident(ident) => chain.axes.push(SpannedName { name: ident.to_string(), phrase }),
             TokenTree::Punct(punct) if punct.as_char() == '|' => chain.bars.push((chain.axes.len(), phrase)),
             other => {
                 let text = format!(
@@ -174,9 +174,9 @@ fn chain(input: ParseStream<'_>, source: &Source, key: Phrase) -> syn::Result<Ch
     Ok(chain)
 }
 
-fn offsets(input: ParseStream<'_>, source: &Source, faults: &mut Faults<'_>) -> syn::Result<Offsets> {
+fn offsets(input: ParseStream<'_>, source: &Source, sink: &mut ErrorSink<'_>) -> syn::Result<Offsets> {
     if input.peek(token::Brace) {
-        Ok(Offsets::Each(assigns(input, source, faults, vector)?))
+        Ok(Offsets::Each(assigns(input, source, sink, vector)?))
     } else {
         Ok(Offsets::Common(vector(input, source)?))
     }
@@ -186,7 +186,7 @@ fn offsets(input: ParseStream<'_>, source: &Source, faults: &mut Faults<'_>) -> 
 fn assigns<T>(
     input: ParseStream<'_>,
     source: &Source,
-    faults: &mut Faults<'_>,
+    sink: &mut ErrorSink<'_>,
     value: impl Fn(ParseStream<'_>, &Source) -> syn::Result<T>,
 ) -> syn::Result<Vec<Assign<T>>> {
     if !input.peek(token::Brace) {
@@ -196,8 +196,8 @@ fn assigns<T>(
     syn::braced!(content in input);
     let mut list = Vec::new();
     while !content.is_empty() {
-        let entry = |key: &mut Option<Spot>| {
-            let name = source.spot(&content, "a name\n\nhelp: write `NAME: value`")?;
+        let entry = |key: &mut Option<SpannedName>| {
+            let name = source.name(&content, "a name\n\nhelp: write `NAME: value`")?;
             *key = Some(name.clone());
             separator(&content, ':', "write `NAME: value`")?;
             let assign = Assign { key: name, value: value(&content, source)? };
@@ -210,8 +210,8 @@ fn assigns<T>(
         match entry(&mut key) {
             Ok(assign) => list.push(assign),
             Err(error) => {
-                faults.errors.push_syntax(source.next(), error);
-                faults.unreadable.extend(key.map(|key| key.name));
+                sink.errors.push_syntax(source.next(), error);
+                sink.unreadable.extend(key.map(|key| key.name));
                 while !content.is_empty() && !content.peek(Token![,]) {
                     content.parse::<TokenTree>()?;
                 }
@@ -223,7 +223,7 @@ fn assigns<T>(
 }
 
 /// Mistakes found, and the names whose entries could not be read: nothing more is reported about these.
-struct Faults<'a> {
+struct ErrorSink<'a> {
     errors: &'a mut Errors,
     unreadable: &'a mut Vec<String>,
 }
@@ -261,7 +261,7 @@ fn vector(input: ParseStream<'_>, source: &Source) -> syn::Result<Vector> {
 }
 
 fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> {
-    let mut turns = Vec::new();
+    let mut rotations = Vec::new();
     let mut start: Option<Phrase> = None;
     loop {
         let mut negated = false;
@@ -273,15 +273,20 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
         if input.peek(token::Paren) {
             let base = vector(input, source)?;
             let phrase = start.map_or(base.phrase, |start| start.to(base.phrase));
-            return Ok(Direction { phrase, turns, negated, base: Base::Vector(base) });
+            return Ok(Direction { phrase, rotations, negated, base: Base::Vector(base) });
         }
-        let word = source.spot(
+        let word = source.name(
             input,
             "a direction\n\nhelp: write a turned coordinate such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`",
         )?;
         let start = *start.get_or_insert(word.phrase);
         if let Some(coordinate) = ["X", "Y", "Z"].iter().position(|name| word.name == *name) {
-            return Ok(Direction { phrase: start.to(word.phrase), turns, negated, base: Base::Coordinate(coordinate) });
+            return Ok(Direction {
+                phrase: start.to(word.phrase),
+                rotations,
+                negated,
+                base: Base::Coordinate(coordinate),
+            });
         }
         let turn = ["Rx", "Ry", "Rz"].iter().position(|name| word.name == *name);
         let (Some(turn), false) = (turn, negated) else {
@@ -295,7 +300,7 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
             return Err(input.error(format!("expected `(`\n\nhelp: write `{}(45 deg) * Y`", word.name)));
         }
         let (_, content) = source.parenthesized(input)?;
-        turns.push((turn, expression(&content, source)?));
+        rotations.push((turn, expression(&content, source)?));
         if !content.is_empty() {
             return Err(content.error("expected `)`\n\nhelp: a turn has one angle"));
         }
@@ -351,7 +356,7 @@ fn verify(input: ParseStream<'_>, source: &Source, errors: &mut Errors) -> syn::
 fn statement(content: ParseStream<'_>, source: &Source, block: &mut Verify) -> syn::Result<()> {
     if content.peek(Token![where]) {
         content.parse::<Token![where]>()?;
-        let key = source.spot(content, "a name\n\nhelp: write `where alpha = -45 deg;`")?;
+        let key = source.name(content, "a name\n\nhelp: write `where alpha = -45 deg;`")?;
         separator(content, '=', "write `where alpha = -45 deg;`")?;
         block.assumptions.push(Assign { key, value: expression(content, source)? });
     } else {

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use proc_macro2::{Span, TokenTree};
 use syn::parse::{ParseBuffer, ParseStream};
 
-use super::ast::Spot;
+use super::ast::SpannedName;
 use crate::report::Phrase;
 
 /// Numbers the phrases in the order of reading.
@@ -40,11 +40,11 @@ impl Source {
     }
 
     /// The next name.
-    pub(crate) fn spot(&self, input: ParseStream<'_>, what: &str) -> syn::Result<Spot> {
+    pub(crate) fn name(&self, input: ParseStream<'_>, what: &str) -> syn::Result<SpannedName> {
         match input.fork().parse::<TokenTree>() {
             Ok(TokenTree::Ident(_)) => {
                 let (phrase, token) = self.take(input)?;
-                Ok(Spot { name: token.to_string(), phrase })
+                Ok(SpannedName { name: token.to_string(), phrase })
             }
             _ => Err(input.error(format!("expected {what}"))),
         }

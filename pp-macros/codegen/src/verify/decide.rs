@@ -18,7 +18,7 @@ use super::scope::Scope;
 use super::value::{Angle, Inverse, Value, zero_as_angle};
 use crate::check::Fault;
 use crate::formula::Formula;
-use crate::model::{Kind, Quantity, to_f64};
+use crate::model::{AxisKind, Quantity, to_f64};
 use crate::symbolic::{Poly, Ring, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
 use crate::syntax::{Equation, Expr};
 
@@ -277,9 +277,9 @@ impl Decision<'_, '_, '_> {
         let fixed = defaults(scope);
         let symbols: Vec<Symbol> = {
             let mut symbols: Vec<Symbol> =
-                scope.model().axes.iter().flat_map(|axis| [axis.word, axis.turn.0, axis.turn.1]).collect();
-            symbols.extend(scope.model().frame.part);
-            symbols.push(scope.model().frame.gauge);
+                scope.model().axes.iter().flat_map(|axis| [axis.word, axis.sin_cos.0, axis.sin_cos.1]).collect();
+            symbols.extend(scope.model().symbols.part);
+            symbols.push(scope.model().symbols.gauge);
             symbols
         };
         let sines: BTreeMap<Symbol, Symbol> = scope.circles().into_iter().collect();
@@ -365,7 +365,7 @@ fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
             }
         }
     }
-    for axis in scope.model().axes.iter().filter(|axis| axis.kind == Kind::Linear) {
+    for axis in scope.model().axes.iter().filter(|axis| axis.kind == AxisKind::Linear) {
         if let Some(held) = &axis.held {
             values.insert(axis.word, to_f64(held));
         }

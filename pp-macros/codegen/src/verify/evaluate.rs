@@ -3,7 +3,7 @@
 use super::scope::Scope;
 use super::value::{Angle, Inverse, Value};
 use crate::check::Fault;
-use crate::symbolic::{Poly, Surd, turn_by};
+use crate::symbolic::{Poly, Surd, sin_cos_of_degrees};
 use crate::syntax::{Expr, ExprKind, Unit};
 
 impl Scope<'_> {
@@ -11,7 +11,7 @@ impl Scope<'_> {
     pub(crate) fn value(&mut self, expr: &Expr) -> Result<Value, Fault> {
         match &expr.kind {
             ExprKind::Number(degrees, Some(Unit::Degree)) => {
-                let (sine, cosine) = turn_by(degrees, self.algebra_mut().ring_mut());
+                let (sine, cosine) = sin_cos_of_degrees(degrees, self.algebra_mut().ring_mut());
                 Ok(Value::Angle(Angle { cosine, sine, inverse: None }))
             }
             ExprKind::Number(value, _) => Ok(Value::Number(Poly::from(Surd::from(value.clone())))),

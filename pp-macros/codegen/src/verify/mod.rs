@@ -18,7 +18,7 @@ use scope::Scope;
 use value::Value;
 
 use crate::formula::{Formula, first_branch};
-use crate::model::{AxisId, Kind, Model};
+use crate::model::{AxisId, AxisKind, Model};
 use crate::report::Errors;
 use crate::solve::{Orientation, SideCondition, Solved};
 use crate::symbolic::{Interpreter, Matrix, Poly, Ring, Sign, Surd, sign_of};
@@ -65,7 +65,7 @@ pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mu
             let divisor = solved.graph.declared(divisor);
             if !solved.conditions.iter().any(|known| known.divisor == divisor) {
                 let meaning = format!("equations of \"{source}\" divide by it");
-                solved.conditions.push(SideCondition { divisor, zero: 1e-9, meaning });
+                solved.conditions.push(SideCondition { divisor, tolerance: 1e-9, meaning });
             }
         }
     }
@@ -251,7 +251,7 @@ fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
 fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Derived) -> (String, Option<String>) {
     if let Some(value) = derived.linear(scope, &equation.left) {
         let mut free = scope.with_free_tip();
-        let mut linears = scope.model().axes.iter().filter(|axis| axis.kind == Kind::Linear);
+        let mut linears = scope.model().axes.iter().filter(|axis| axis.kind == AxisKind::Linear);
         let speaks_of_words = linears.any(|axis| equation.right.mentions(&axis.letter.to_string()));
         if !speaks_of_words && let Ok(Value::Number(written)) = free.value(&equation.right) {
             let gap = free.algebra().formula(&(&value - &written));

@@ -1,6 +1,6 @@
 //! One small change that makes a false equation true: the misprints of papers, and the slips of those who copy them.
 
-use crate::model::{Kind, Model};
+use crate::model::{AxisKind, Model};
 use crate::syntax::{Expr, ExprKind};
 
 /// An expression with one change, and the change in words.
@@ -26,7 +26,7 @@ fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
     let mut names = Vec::new();
     collect(expr, &mut names);
     let rotary =
-        |name: &str| model.axes.iter().any(|axis| axis.kind == Kind::Rotary && axis.letter.to_string() == name);
+        |name: &str| model.axes.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.letter.to_string() == name);
     for name in names {
         let is_call = |call: &Expr, function: &str| match &call.kind {
             ExprKind::Call(known, arguments) if known == function => {
@@ -186,8 +186,8 @@ fn alternatives(name: &str, model: &Model) -> Vec<String> {
         .flat_map(|group| group.iter().map(ToString::to_string))
         .collect();
     let kind = |letter: &str| model.axes.iter().find(|axis| axis.letter.to_string() == letter).map(|axis| axis.kind);
-    if kind(name) == Some(Kind::Rotary) {
-        let rotaries = model.axes.iter().filter(|axis| axis.kind == Kind::Rotary);
+    if kind(name) == Some(AxisKind::Rotary) {
+        let rotaries = model.axes.iter().filter(|axis| axis.kind == AxisKind::Rotary);
         others.extend(rotaries.map(|axis| axis.letter.to_string()));
     }
     others.retain(|other| other != name);

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::algebra::Algebra;
 use super::value::{Angle, Value};
 use crate::check::{self, DimensionNames, Fault};
-use crate::model::{AxisId, Kind, Model, Quantity};
-use crate::symbolic::{Matrix, P3, Poly, Ring, Symbol};
+use crate::model::{AxisId, AxisKind, Model, Quantity};
+use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Symbol};
 use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
 
 /// Names of one block of equations, and the algebra of the equation at hand.
@@ -17,8 +17,8 @@ pub(crate) struct Scope<'a> {
     assumed: BTreeMap<Symbol, Poly>,
     locals: Vec<(String, Value)>,
     /// Values of x y z and i j k.
-    tip: P3,
-    axis: P3,
+    tip: PolyVector,
+    axis: PolyVector,
 }
 
 impl<'a> Scope<'a> {
@@ -29,7 +29,7 @@ impl<'a> Scope<'a> {
             assumed: BTreeMap::new(),
             locals: Vec::new(),
             tip: product.origin(),
-            axis: product.turn(&model.tool_axis, &model.ring),
+            axis: product.rotate(&model.tool_axis, &model.ring),
         };
         let mut faults = Vec::new();
         for (place, assumption) in block.assumptions.iter().enumerate() {
@@ -79,13 +79,13 @@ impl<'a> Scope<'a> {
 
     /// The same names with x y z as unknowns.
     pub(crate) fn with_free_tip(&self) -> Self {
-        Self { tip: self.model().frame.tip.map(Poly::from), ..self.clone() }
+        Self { tip: self.model().symbols.tip.map(Poly::from), ..self.clone() }
     }
 
     /// Set-up symbols that a block does not mention: they are zero in it.
     pub(crate) fn unmentioned(&self, block: &Verify) -> Vec<(&'static str, Symbol)> {
-        let [x, y, z] = self.model().frame.part;
-        let known = [("gauge", self.model().frame.gauge), ("part_x", x), ("part_y", y), ("part_z", z)];
+        let [x, y, z] = self.model().symbols.part;
+        let known = [("gauge", self.model().symbols.gauge), ("part_x", x), ("part_y", y), ("part_z", z)];
         let mentioned = |name: &str| {
             block.assumptions.iter().any(|assumption| assumption.key.name == name)
                 || block.equations.iter().any(|equation| equation.left.mentions(name) || equation.right.mentions(name))
@@ -95,7 +95,7 @@ impl<'a> Scope<'a> {
 
     /// Pairs (sine, cosine) of all unknown angles.
     pub(crate) fn circles(&self) -> Vec<(Symbol, Symbol)> {
-        let axes = self.model().axes.iter().filter(|axis| axis.kind == Kind::Rotary).map(|axis| axis.turn);
+        let axes = self.model().axes.iter().filter(|axis| axis.kind == AxisKind::Rotary).map(|axis| axis.sin_cos);
         let dimensions = self.model().dimensions.iter().filter_map(|dimension| match dimension.quantity {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),
             Quantity::Length(_) => None,
@@ -115,13 +115,13 @@ impl<'a> Scope<'a> {
         let held = self.axis_named(&key.name).filter(|axis| self.model().axes[*axis].held.is_some());
         let dimension = self.model().dimensions.iter().find(|dimension| dimension.name == key.name);
         let quantity = match (set_up, held, dimension) {
-            (Some(0), ..) => Some(Quantity::Length(self.model().frame.gauge)),
-            (Some(place), ..) => Some(Quantity::Length(self.model().frame.part[place - 1])),
+            (Some(0), ..) => Some(Quantity::Length(self.model().symbols.gauge)),
+            (Some(place), ..) => Some(Quantity::Length(self.model().symbols.part[place - 1])),
             (_, Some(axis), _) => {
                 let axis = &self.model().axes[axis];
                 Some(match axis.kind {
-                    Kind::Linear => Quantity::Length(axis.word),
-                    Kind::Rotary => Quantity::Angle(axis.turn.0, axis.turn.1),
+                    AxisKind::Linear => Quantity::Length(axis.word),
+                    AxisKind::Rotary => Quantity::Angle(axis.sin_cos.0, axis.sin_cos.1),
                 })
             }
             (_, _, Some(dimension)) => Some(dimension.quantity),
@@ -158,7 +158,7 @@ impl<'a> Scope<'a> {
 
     /// The value of a name.
     pub(crate) fn name(&self, name: &str, expr: &Expr) -> Result<Value, Fault> {
-        let frame = &self.model().frame;
+        let symbols = &self.model().symbols;
         if let Some(place) = ["x", "y", "z"].iter().position(|known| *known == name) {
             return Ok(Value::Number(self.tip[place].clone()));
         }
@@ -172,15 +172,15 @@ impl<'a> Scope<'a> {
         if let Some(axis) = self.axis_named(name) {
             let axis = &self.model().axes[axis];
             return Ok(match axis.kind {
-                Kind::Linear => number(axis.word),
-                Kind::Rotary => angle(axis.turn),
+                AxisKind::Linear => number(axis.word),
+                AxisKind::Rotary => angle(axis.sin_cos),
             });
         }
         if name == "gauge" {
-            return Ok(number(frame.gauge));
+            return Ok(number(symbols.gauge));
         }
         if let Some(place) = ["part_x", "part_y", "part_z"].iter().position(|known| *known == name) {
-            return Ok(number(frame.part[place]));
+            return Ok(number(symbols.part[place]));
         }
         if let Some((_, value)) = self.locals.iter().find(|(known, _)| known == name) {
             return Ok(value.clone());

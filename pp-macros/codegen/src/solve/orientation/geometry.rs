@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use crate::model::AxisId;
-use crate::solve::refusal::{PARALLEL, Refusal};
-use crate::symbolic::{GraphBuilder, Poly, Symbol, Term, Vec3};
+use crate::solve::refusal::{PARALLEL_SINE_SQUARED, Refusal};
+use crate::symbolic::{GraphBuilder, Poly, Symbol, Term, TermVector};
 
 /// Whether and where the tool can be laid parallel to the first rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,10 +37,10 @@ impl Pole {
 /// Directions at the held values: both rotaries, the tool axis, the wanted axis.
 #[derive(Clone, Copy)]
 pub(crate) struct Directions<'g> {
-    pub(crate) n: Vec3<'g>,
-    pub(crate) m: Vec3<'g>,
-    pub(crate) t: Vec3<'g>,
-    pub(crate) a: Vec3<'g>,
+    pub(crate) n: TermVector<'g>,
+    pub(crate) m: TermVector<'g>,
+    pub(crate) t: TermVector<'g>,
+    pub(crate) a: TermVector<'g>,
 }
 
 /// Quantities that do not depend on the wanted axis.
@@ -53,7 +53,7 @@ pub(crate) struct Invariants<'g> {
     /// `|m×t|² = 1 - q²`.
     pub(crate) tool_squared: Term<'g>,
     /// `m×n`
-    m_n: Vec3<'g>,
+    m_n: TermVector<'g>,
 }
 
 impl<'g> Invariants<'g> {
@@ -66,10 +66,11 @@ impl<'g> Invariants<'g> {
         let (between_squared, tool_squared) = (m_n.dot(m_n), m_t.dot(m_t));
         let between_squared = between_squared.settled();
         let (between, tool) = (m_n.squared_at(defaults), m_t.squared_at(defaults));
-        if between * tool <= PARALLEL {
+        if between * tool <= PARALLEL_SINE_SQUARED {
             let [first, second] = rotaries;
-            let same = (between <= PARALLEL || between <= tool).then_some(Refusal::SameDirection(first, second));
-            let still = (tool <= PARALLEL || tool < between).then_some(Refusal::CannotTilt(second));
+            let same =
+                (between <= PARALLEL_SINE_SQUARED || between <= tool).then_some(Refusal::SameDirection(first, second));
+            let still = (tool <= PARALLEL_SINE_SQUARED || tool < between).then_some(Refusal::CannotTilt(second));
             return Err(same.into_iter().chain(still).collect());
         }
         let [p, q] = [n.dot(m), m.dot(t)].map(Term::settled);

@@ -15,12 +15,12 @@ use std::collections::BTreeMap;
 
 use super::derivation::Derivation;
 use super::refusal::Refusal;
-use crate::model::{AxisId, Kind};
+use crate::model::{AxisId, AxisKind};
 use crate::symbolic::{Id, Poly, Symbol};
 use geometry::Directions;
 pub use geometry::Pole;
-pub use one::One;
-pub use pair::{Branch, Edge, FirstAngle, SecondAngle, Two};
+pub use one::OneRotary;
+pub use pair::{Branch, Edge, FirstAngle, SecondAngle, TwoRotaries};
 pub use relation::AngleRelation;
 pub use tilt::Tilt;
 
@@ -33,9 +33,9 @@ pub enum Orientation {
         deviation: Id,
     },
     /// One solved rotary axis.
-    One(One),
+    One(OneRotary),
     /// Two solved rotary axes.
-    Two(Box<Two>),
+    Two(Box<TwoRotaries>),
 }
 
 pub(crate) fn solve(
@@ -44,10 +44,10 @@ pub(crate) fn solve(
 ) -> Result<Orientation, Vec<Refusal>> {
     let model = derivation.model;
     let solved: Vec<AxisId> = model.solved_rotaries().collect();
-    let held = |id: &AxisId| model.axes[*id].kind == Kind::Rotary && model.axes[*id].held.is_some();
+    let held = |id: &AxisId| model.axes[*id].kind == AxisKind::Rotary && model.axes[*id].held.is_some();
     let first = solved.first().copied().unwrap_or(model.axes.len());
     let after_last = solved.last().map_or(first, |last| last + 1);
-    let axis = derivation.graph.inputs(model.frame.axis);
+    let axis = derivation.graph.inputs(model.symbols.axis);
     let axis = (0..first).filter(held).fold(axis, |axis, id| derivation.rotated_back(id, axis));
     let after_last = (after_last..model.axes.len()).filter(held).rev();
     let tool = after_last.fold(derivation.tool_axis(), |tool, id| derivation.rotated(id, tool));

@@ -8,7 +8,7 @@ use crate::symbolic::{Id, Interpreter, Poly, Symbol};
 
 /// Two solved rotary axes.
 #[derive(Debug, Clone)]
-pub struct Two {
+pub struct TwoRotaries {
     /// First and second from the workpiece.
     pub rotaries: [AxisId; 2],
     /// Common parts of the second angle on both branches.
@@ -25,7 +25,7 @@ pub struct Two {
     pub tilt: Tilt,
 }
 
-impl Two {
+impl TwoRotaries {
     /// Whether `σ` is plus on the first branch.
     #[must_use]
     pub fn first_is_plus(&self) -> bool {
@@ -37,7 +37,7 @@ impl Two {
     pub fn side(&self, model: &Model, reader: &mut Interpreter<'_>) -> Poly {
         let second = self.rotaries[1];
         let [sine_factor, cosine_factor] = self.second.alpha.map(|node| reader.value(node));
-        let (ring, cosine) = (reader.ring(), Poly::from(model.axes[second].turn.1));
+        let (ring, cosine) = (reader.ring(), Poly::from(model.axes[second].sin_cos.1));
         &ring.mul(&sine_factor, &model.joint_sine(second)) - &ring.mul(&cosine_factor, &cosine)
     }
 }

@@ -4,7 +4,7 @@
 //!
 //! `n` and `m` are the directions of the first and second solved rotary, counted from the workpiece, `t` is the tool
 //! axis, `a` the wanted axis, `b` the tool axis rotated by the second rotary alone. One word names a quantity here, in the
-//! fields of [`Two`] and in generated code; papers use the symbol.
+//! fields of [`TwoRotaries`] and in generated code; papers use the symbol.
 //!
 //! | word | symbol | value | meaning |
 //! |---|---|---|---|
@@ -47,7 +47,7 @@
 use std::collections::BTreeMap;
 
 use super::geometry::{Coordinates, Directions, FirstScale, Invariants, Pole, Radicand};
-use super::pair::{Branch, Edge, FirstAngle, SecondAngle, Two};
+use super::pair::{Branch, Edge, FirstAngle, SecondAngle, TwoRotaries};
 use super::relation::{AngleRelation, relation};
 use super::tilt::{Tilt, in_workpiece};
 use crate::model::AxisId;
@@ -64,7 +64,7 @@ pub(crate) fn solve<'g>(
     rotaries: [AxisId; 2],
     directions: Directions<'g>,
     defaults: &BTreeMap<Symbol, Poly>,
-) -> Result<Two, Vec<Refusal>> {
+) -> Result<TwoRotaries, Vec<Refusal>> {
     let machine = Invariants::of(directions, rotaries, defaults)?;
     let pole = Pole::of(machine.p, machine.q);
     let wanted = Coordinates::of(directions, &machine);
@@ -72,7 +72,7 @@ pub(crate) fn solve<'g>(
     let root = radicand.squared.named("root_squared").sqrt().named("root");
     let lean = radicand.lean.named("lean");
     let plus = first_branch_is_plus(machine.alpha, derivation.model.axes[rotaries[1]].reversed, defaults);
-    let words = Words { reversed: rotaries.map(|id| derivation.model.axes[id].reversed), machine: &machine };
+    let words = RotaryWords { reversed: rotaries.map(|id| derivation.model.axes[id].reversed), machine: &machine };
     let scale = FirstScale::of(pole, root, lean, wanted.spread);
     let branches = [plus, !plus].map(|plus| {
         let root = root.signed(plus);
@@ -90,7 +90,7 @@ pub(crate) fn solve<'g>(
         tool: nodes((roots[2], machine.q)),
         direction: in_workpiece(derivation, rotaries[0]).ids(),
     };
-    Ok(Two {
+    Ok(TwoRotaries {
         rotaries,
         second: SecondAngle {
             alpha: machine.alpha.map(Term::id),
@@ -115,12 +115,12 @@ pub(crate) fn solve<'g>(
 }
 
 /// Sine and cosine of the words, with the sign of each axis.
-struct Words<'a, 'g> {
+struct RotaryWords<'a, 'g> {
     reversed: [bool; 2],
     machine: &'a Invariants<'g>,
 }
 
-impl<'g> Words<'_, 'g> {
+impl<'g> RotaryWords<'_, 'g> {
     /// `(α1, α2)` to `(height, root)`; the root has the sign `σ`.
     fn second(&self, height: Term<'g>, root: Term<'g>) -> (Term<'g>, Term<'g>) {
         let Invariants { alpha, capacity, .. } = *self.machine;
@@ -145,7 +145,7 @@ fn edge<'g>(
     graph: &'g GraphBuilder,
     machine: &Invariants<'g>,
     wanted: &Coordinates<'g>,
-    words: &Words<'_, 'g>,
+    words: &RotaryWords<'_, 'g>,
     plus: bool,
 ) -> Edge {
     let (height_symbol, root_symbol) = (graph.symbol("edge_height"), graph.symbol("edge_root"));

@@ -23,12 +23,12 @@ pub(crate) struct Line {
 
 /// Starts a line.
 pub(crate) fn line(words: &str) -> Line {
-    Line::default().say(words)
+    Line::default().words(words)
 }
 
 impl Line {
     /// Words.
-    pub(crate) fn say(mut self, words: &str) -> Self {
+    pub(crate) fn words(mut self, words: &str) -> Self {
         self.text += words;
         self.latex += &escaped(words);
         self
@@ -73,7 +73,7 @@ impl Section {
     }
 
     /// Words alone.
-    pub(crate) fn say(&mut self, words: &str) {
+    pub(crate) fn words(&mut self, words: &str) {
         self.line(line(words));
     }
 
