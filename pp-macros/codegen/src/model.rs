@@ -1,6 +1,6 @@
 //! A checked machine: exact, without syntax and without spans.
 //!
-//! Axes are known by their place in the chain. Whoever has the spans maps a place back to the words of the declaration.
+//! An axis is identified by its index in the chain; `check` has the spans and maps an index back to the declaration.
 
 use std::collections::BTreeMap;
 
@@ -8,10 +8,10 @@ use num_rational::BigRational;
 
 use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Surd, Symbol, rotation, sin_cos_of_degrees, translation};
 
-/// Place of an axis in the chain, from the workpiece.
+/// Index of an axis in the chain, counted from the workpiece.
 pub type AxisId = usize;
 
-/// Variables of the generated functions: no quantity of a model may have one of these names there.
+/// Local variables of generated functions; a dimension with one of these names gets another name there.
 pub(crate) const LOCALS: &[&str] = &[
     "axes",
     "axis",
@@ -59,13 +59,13 @@ pub enum Side {
 /// One axis of the chain.
 #[derive(Debug, Clone)]
 pub struct Axis {
-    /// Its address.
+    /// Address letter.
     pub letter: char,
     /// Linear or rotary.
     pub kind: AxisKind,
     /// Workpiece side or tool side.
     pub side: Side,
-    /// True if the word runs against ISO 841.
+    /// True for sign `-`: a positive word moves the axis against ISO 841.
     pub reversed: bool,
     /// Unit direction with all axes at zero.
     pub direction: PolyVector,
@@ -73,13 +73,13 @@ pub struct Axis {
     pub point: PolyVector,
     /// Default value of a held axis, mm or degrees.
     pub held: Option<BigRational>,
-    /// Travel in mm or degrees; `None` is endless.
+    /// Travel limits in mm or degrees; `None`: no limits.
     pub limits: Option<(BigRational, BigRational)>,
     /// Largest speed in mm/min or deg/min.
     pub speed: Option<BigRational>,
-    /// Value of a linear axis, or of a held one.
+    /// Symbol of the axis value; formulas have it for linear axes only.
     pub word: Symbol,
-    /// Sine and cosine of a rotary word.
+    /// Symbols of sine and cosine of the axis value; formulas have them for rotary axes only.
     pub sin_cos: (Symbol, Symbol),
 }
 
@@ -97,13 +97,13 @@ pub struct Dimension {
 /// The symbols by which a dimension enters the formulas.
 #[derive(Debug, Clone, Copy)]
 pub enum Quantity {
-    /// As itself.
+    /// A length, mm: its own symbol.
     Length(Symbol),
-    /// As its sine and cosine.
+    /// An angle: its sine and cosine.
     Angle(Symbol, Symbol),
 }
 
-/// Symbols of the set-up and of the pose.
+/// Symbols of the pose and of the set-up.
 #[derive(Debug, Clone, Copy)]
 pub struct ModelSymbols {
     /// Tool tip x y z.
@@ -121,7 +121,7 @@ pub struct ModelSymbols {
 pub struct Model {
     /// Identifier of the struct.
     pub name: String,
-    /// From workpiece to tool.
+    /// Axes from workpiece to tool.
     pub axes: Vec<Axis>,
     /// Named dimensions in the order of the declaration.
     pub dimensions: Vec<Dimension>,
@@ -129,7 +129,7 @@ pub struct Model {
     pub tool_axis: PolyVector,
     /// Symbols of pose and set-up.
     pub symbols: ModelSymbols,
-    /// Owner of all symbols.
+    /// Ring that owns all symbols and their relations.
     pub ring: Ring,
 }
 
@@ -151,7 +151,7 @@ impl Model {
         letters.join(" ")
     }
 
-    /// Sine of a joint's angle: of the word, with the axis' sign.
+    /// Sine of the joint angle: the sine of the word times the sign of the axis.
     #[must_use]
     pub fn joint_sine(&self, axis: AxisId) -> Poly {
         self.signed(axis, self.axes[axis].sin_cos.0)
@@ -168,25 +168,26 @@ impl Model {
         })
     }
 
-    /// The elementary matrices of one joint, multiplied: `Trans(q·u)`, or `Trans(c)·Rot(n, q)·Trans(-c)`.
+    /// Matrix of one joint: `Trans(q·u)` if linear, `Trans(c)·Rot(n, q)·Trans(-c)` if rotary.
     #[must_use]
     pub fn joint(&self, axis: AxisId) -> Matrix {
         self.joint_or_inverse(axis, false)
     }
 
-    /// The same with `-q` for `q`.
+    /// Matrix of one joint with `-q` in place of `q`: its inverse.
     #[must_use]
     pub fn joint_inverse(&self, axis: AxisId) -> Matrix {
         self.joint_or_inverse(axis, true)
     }
 
-    /// The product of some joints, in the given order.
+    /// Product of joint matrices, in the given order.
     #[must_use]
     pub fn product_of(&self, joints: impl IntoIterator<Item = Matrix>) -> Matrix {
         joints.into_iter().fold(Matrix::identity(), |product, joint| product.times(&joint, &self.ring))
     }
 
-    /// `T(q)`: the product of all joints from workpiece to tool. The tip is its origin, the tool axis its image of `t`.
+    /// `T(q)`: product of all joint matrices from workpiece to tool. It maps the origin to the tip and `t` to the tool
+    /// axis.
     #[must_use]
     pub fn product(&self) -> Matrix {
         self.product_of((0..self.axes.len()).map(|axis| self.joint(axis)))
@@ -209,7 +210,7 @@ impl Model {
         }
     }
 
-    /// Symbols by which dimensions enter.
+    /// Symbols of all dimensions.
     #[must_use]
     pub fn dimension_symbols(&self) -> Vec<Symbol> {
         let symbols = |dimension: &Dimension| match dimension.quantity {
@@ -219,7 +220,7 @@ impl Model {
         self.dimensions.iter().flat_map(symbols).collect()
     }
 
-    /// A point at which formulas can be compared by their values: all relations between symbols hold there.
+    /// Sample values for a numeric comparison of formulas; all relations between symbols hold for them.
     #[must_use]
     pub fn sample(&self) -> BTreeMap<Symbol, f64> {
         let angles = self.axes.iter().map(|axis| axis.sin_cos);
@@ -227,7 +228,7 @@ impl Model {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),
             Quantity::Length(_) => None,
         });
-        // Any values will do that no formula is made for.
+        // Arbitrary values at which no formula is a special case.
         let mut values: BTreeMap<Symbol, f64> = self.symbols.axis.into_iter().zip([0.36, 0.48, 0.8]).collect();
         for (index, (sine, cosine)) in angles.chain(dimensions).enumerate() {
             let (s, c) = (0.123_4 + 0.271_8 * index as f64).sin_cos();
@@ -237,7 +238,7 @@ impl Model {
         values
     }
 
-    /// Values at the defaults of `hold` and `dims`, for the symbols these enter by.
+    /// Default values of `hold` and `dims`, for their symbols.
     #[must_use]
     pub fn defaults(&mut self) -> BTreeMap<Symbol, Poly> {
         let mut values = BTreeMap::new();

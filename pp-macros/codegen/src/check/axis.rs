@@ -1,4 +1,4 @@
-//! One axis of the chain: its direction, exactly, its centre line, its travel and speed.
+//! One axis of the chain: exact direction, point of the centre line, travel limits, speed.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -11,7 +11,7 @@ use crate::report::Errors;
 use crate::symbolic::{Poly, PolyVector, Ring, Surd};
 use crate::syntax::{Assign, Base, Declaration, Direction, Limits, Offsets, SpannedName, Unit, Vector};
 
-/// One axis of the chain with everything that the declaration gives it; `None` if its letter is not one.
+/// One axis of the chain with everything declared for it; `None` if the name is not an axis letter.
 pub(crate) fn axis(
     spot: &SpannedName,
     side: Side,
@@ -51,7 +51,7 @@ pub(crate) fn axis(
     })
 }
 
-/// Both ends of the travel; `None` is endless.
+/// Both ends of the travel; `None`: no limits.
 fn limits(
     declaration: &Declaration,
     letter: &str,
@@ -135,7 +135,7 @@ fn lengths(vector: &Vector, names: &DimensionNames<'_>, ring: &Ring, errors: &mu
     })
 }
 
-/// The unit vector of a direction, exactly.
+/// Exact unit vector of a direction.
 pub(crate) fn unit_direction(
     direction: &Direction,
     names: &DimensionNames<'_>,
@@ -168,7 +168,7 @@ fn normalised(vector: &Vector, ring: &mut Ring) -> Result<PolyVector, Fault> {
     for part in &vector.parts {
         parts.push(quantity::ratio(part)?);
     }
-    // Without the common factor (0.7071067811865476, 0, 0.7071067811865476) is (1, 0, 1).
+    // Divided by its largest component, (0.7071067811865476, 0, 0.7071067811865476) becomes (1, 0, 1).
     let rationals: Option<Vec<BigRational>> = parts.iter().map(Surd::as_rational).collect();
     if let Some(rationals) = rationals {
         let largest = rationals.iter().map(BigRational::abs).max().unwrap_or_else(|| BigInt::from(0).into());

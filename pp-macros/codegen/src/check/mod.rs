@@ -1,4 +1,4 @@
-//! Rules of the language: [`Declaration`] to [`Model`], collecting every mistake before giving up.
+//! Rules of the language: [`Declaration`] to [`Model`]. All mistakes are collected before compilation stops.
 
 mod axis;
 mod chain;
@@ -18,7 +18,7 @@ pub(crate) use names::is_reserved;
 use names::kind_of;
 pub(crate) use quantity::{DimensionNames, Fault, angle, length};
 
-/// Places of the chain's letters in the source, for refusals of the solver.
+/// Source locations of the chain and its letters, for refusals of the solver.
 #[derive(Debug)]
 pub struct ChainPhrases {
     chain: Phrase,
@@ -63,7 +63,7 @@ pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, C
     Ok((Model { name, axes, dimensions, tool_axis, symbols, ring }, phrases))
 }
 
-/// Turns refusals of the solver into messages at the letters they name.
+/// Reports refusals of the solver at the letters that they name.
 pub fn refused(refusals: &[Refusal], model: &Model, phrases: &ChainPhrases, errors: &mut Errors) -> Refused {
     for refusal in refusals {
         match *refusal {
@@ -96,7 +96,7 @@ pub fn refused(refusals: &[Refusal], model: &Model, phrases: &ChainPhrases, erro
     errors.refused()
 }
 
-/// A claim that the proof could not confirm: a fault of the engine, not of the declaration.
+/// Reports a claim that could not be proven: a fault of the engine, not of the declaration.
 pub fn unproven(claim: &str, phrases: &ChainPhrases, errors: &mut Errors) -> Refused {
     errors.push(
         phrases.chain,
@@ -115,7 +115,7 @@ fn model_symbols(ring: &mut Ring) -> ModelSymbols {
     }
 }
 
-/// Keys of the fields that speak of axes: known, and named once.
+/// Checks that the keys of fields with axis letters are axes of the chain, each given once.
 fn check_letters(declaration: &Declaration, known: &[&str], errors: &mut Errors) {
     fn check<T>(field: &str, entries: &[Assign<T>], known: &[&str], errors: &mut Errors) {
         for (place, entry) in entries.iter().enumerate() {
@@ -164,10 +164,10 @@ fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) 
     }
 }
 
-/// Traits that are generated cannot be derived again.
+/// Refuses `derive` of traits that are generated.
 fn check_derives(declaration: &Declaration, errors: &mut Errors) {
     for attribute in declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("derive")) {
-        // What cannot be read here is reported by rustc.
+        // rustc reports a `derive` that cannot be parsed here.
         let _ = attribute.parse_nested_meta(|meta| {
             if let Some(last) = meta.path.segments.last()
                 && ["Clone", "Debug", "Default"].iter().any(|name| last.ident == name)
@@ -214,8 +214,8 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
     dimensions
 }
 
-/// Name of a length inside generated functions: its own, unless that is a variable there. The ring keeps
-/// all other names apart.
+/// Name of a length inside generated functions: its own, or with `dim_` in front where a local variable has that name.
+/// The ring keeps all other names distinct.
 fn local_name(name: &str) -> String {
     if LOCALS.contains(&name) { format!("dim_{name}") } else { name.to_string() }
 }

@@ -42,7 +42,7 @@ pub(crate) fn kind_of(letter: &str) -> Option<AxisKind> {
     Some(if place < 6 { AxisKind::Linear } else { AxisKind::Rotary })
 }
 
-/// Whether a name means something else in the language.
+/// True if a name has a meaning in the language.
 pub(crate) fn is_reserved(name: &str) -> bool {
     LETTERS.contains(&name) || name.starts_with("r#") || RESERVED.contains(&name)
 }

@@ -15,7 +15,7 @@ pub(crate) struct Fault {
     phrase: Phrase,
     text: String,
     help: String,
-    /// The cause is reported elsewhere.
+    /// True if the cause is reported elsewhere, so that this mistake gives no message.
     silent: bool,
 }
 
@@ -34,7 +34,7 @@ impl Fault {
 /// Dimensions that expressions may name.
 pub(crate) struct DimensionNames<'a> {
     pub(crate) dimensions: &'a [Dimension],
-    /// Entries that could not be read; nothing more is said about them.
+    /// Entries that could not be parsed; no further message mentions them.
     pub(crate) unreadable: &'a [String],
 }
 
@@ -137,7 +137,7 @@ pub(crate) fn length(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Re
     Err(Fault::new(expr.phrase, "this product is an area, not a length", "multiply a length by a plain number"))
 }
 
-/// A polynomial and its power of millimetres; a bare number may be a length.
+/// A polynomial and its power of mm. A number without a unit has power 0 and is accepted as a length.
 fn measured(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Result<(Poly, u32), Fault> {
     let angle = || Fault::new(expr.phrase, "an angle where a length is needed", "components of `d` are lengths in mm");
     match &expr.kind {
@@ -193,8 +193,8 @@ pub(crate) fn angle(expr: &Expr, names: &DimensionNames<'_>, ring: &mut Ring) ->
             Ok(angle_sum(&a, &(s, c), ring))
         }
         ExprKind::Binary(left, '*', right) => {
-            let (factor, turned) = if ratio(left).is_ok() { (left, right) } else { (right, left) };
-            let turn = angle(turned, names, ring)?;
+            let (factor, angle_part) = if ratio(left).is_ok() { (left, right) } else { (right, left) };
+            let pair = angle(angle_part, names, ring)?;
             let times = ratio(factor).ok().and_then(|f| f.as_rational()).filter(BigRational::is_integer);
             let Some(times) = times.and_then(|times| times.to_integer().to_i32()).filter(|n| n.abs() <= 24) else {
                 return Err(Fault::new(
@@ -203,7 +203,7 @@ pub(crate) fn angle(expr: &Expr, names: &DimensionNames<'_>, ring: &mut Ring) ->
                     "write `2 * alpha`",
                 ));
             };
-            let step = if times < 0 { (-&turn.0, turn.1) } else { turn };
+            let step = if times < 0 { (-&pair.0, pair.1) } else { pair };
             let start = (Poly::zero(), Poly::one());
             Ok((0..times.abs()).fold(start, |sum, _| angle_sum(&sum, &step, ring)))
         }

@@ -1,4 +1,4 @@
-//! The struct and everything about it that is data.
+//! The struct, its constants, access to dimensions and set-up, and `validate`.
 
 use num_rational::BigRational;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -64,7 +64,7 @@ pub(crate) fn item(
     }
 }
 
-/// `#[cfg(...)]` of the struct: what it takes away takes the rest with it.
+/// `#[cfg(...)]` attributes of the struct, for all items that are generated with it.
 pub(crate) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
     declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")).collect()
 }

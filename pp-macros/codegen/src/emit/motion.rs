@@ -1,4 +1,4 @@
-//! `motion` and `rates`: what the derivatives of the pose become.
+//! `motion` and `rates`, from the derivatives of the pose.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
@@ -69,7 +69,7 @@ fn bound(model: &Model, motion: &Motion) -> TokenStream {
     }
 }
 
-/// `+ 4 Σ |c|`, component by component; what is known is added up here.
+/// `+ 4 Σ |c|`, component by component; constants are added up here.
 fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
     let mut known = 0.0;
     let mut terms = TokenStream::new();

@@ -130,7 +130,7 @@ fn rotary(model: &Model, id: AxisId, name: &Formula, section: &mut Section) {
     section.gap();
 }
 
-/// `x`, `y` or `z`, and whether it is turned round.
+/// `x`, `y` or `z`, and whether the direction is its negative.
 pub(crate) fn coordinate(direction: &PolyVector) -> Option<(&'static str, bool)> {
     let numbers = direction.each_ref().map(Poly::as_number);
     for (index, name) in ["x", "y", "z"].into_iter().enumerate() {
@@ -187,7 +187,7 @@ pub(crate) fn part(model: &Model) -> [Formula; 3] {
     model.symbols.part.map(|symbol| Formula::of_poly(model, &model.ring, &Poly::from(symbol)))
 }
 
-/// The polynomial with the part origin at zero.
+/// The polynomial with the part origin at the table's reference point.
 pub(crate) fn at_the_table(model: &Model, poly: &Poly) -> Poly {
     let none: BTreeMap<Symbol, Poly> = model.symbols.part.into_iter().map(|symbol| (symbol, Poly::zero())).collect();
     model.ring.substitute(poly, &none)

@@ -1,7 +1,7 @@
 //! The inverse kinematics: formulas, branches, and the operations that they take.
 //!
 //! Formulas are read from the nodes of the code as polynomials and factored. They are the same functions, but not the
-//! same operations: what keeps the digits near the pole stays in the code.
+//! same operations: the well-conditioned form near the pole is in the code only.
 
 use std::collections::BTreeMap;
 
@@ -62,7 +62,8 @@ fn in_steps(model: &Model, solved: &Solved, words: &[(AxisId, (Id, Id))], sectio
     section.equations(&angles.collect::<Vec<_>>());
 }
 
-/// `α1 s2 - α2 c2` has the sign of `σ`; with one of the two identically zero that is a sine or a cosine alone.
+/// Signs that distinguish the branches: `α1 s2 - α2 c2` has the sign of `σ`. If `α1` or `α2` is identically zero, this
+/// is the sign of a single cosine or sine.
 pub(crate) fn branches(model: &Model, solved: &Solved) -> Section {
     let mut section = Section::default();
     let Orientation::Two(two) = &solved.orientation else {
@@ -75,15 +76,15 @@ pub(crate) fn branches(model: &Model, solved: &Solved) -> Section {
         two.second.alpha.map(|node| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly)));
     let reversed = second.reversed;
     let mut positive = two.first_is_plus();
-    let turn = |function: &str| Formula::call(function, [name.clone()]);
+    let of_axis = |function: &str| Formula::call(function, [name.clone()]);
     let quantity = match alpha {
         [Some(factor), Some(other)] if other.abs() < 1e-12 => {
             positive = positive == ((factor > 0.0) != reversed);
-            turn("sin")
+            of_axis("sin")
         }
         [Some(other), Some(factor)] if other.abs() < 1e-12 => {
             positive = positive == (factor < 0.0);
-            turn("cos")
+            of_axis("cos")
         }
         _ => general_side(model, solved, two),
     };

@@ -1,10 +1,10 @@
-//! The jog sheet: the motion that must be seen for a positive word of each axis.
+//! The jog sheet: the visible motion that each axis must make for a positive word.
 //!
-//! A proof cannot catch a sign that was declared wrongly: the formulas follow from it. So each axis is moved alone at
+//! A proof cannot find a wrongly declared sign, because the formulas follow from it. So each axis is jogged alone at
 //! the machine and compared with a sentence. The sentences are computed from the chain: a positive word with sign `+`
-//! moves the tool relative to the workpiece along the direction, or right-handed about it (ISO 841). Hence what carries
-//! the tool moves with the direction, and what carries the workpiece moves against it. Directions are turned by the held
-//! axes between the axis and the bed.
+//! moves the tool relative to the workpiece along the direction, or right-handed about it (ISO 841). Hence an axis that
+//! carries the tool moves along the direction, and one that carries the workpiece moves against it. Directions are
+//! rotated by the held axes between the axis and the bed.
 
 use num_traits::Zero;
 
@@ -20,13 +20,13 @@ const ANGLES_DEG: [f64; 6] = [90.0, 45.0, 30.0, 10.0, 5.0, 1.0];
 /// Distances to jog by, largest first; mm.
 const DISTANCES_MM: [f64; 5] = [100.0, 50.0, 10.0, 5.0, 1.0];
 
-/// Cosine above which a direction counts as along another: 3 degrees.
+/// Cosine of 3 degrees: two directions closer than that count as the same.
 const ALONG_COSINE: f64 = 0.998_6;
 
-/// Components below this share of a direction are left out of its words.
+/// Components of a unit vector below this are left out of its description.
 const FAINT_SHARE: f64 = 0.2;
 
-/// From this angle on a marker faces another direction; below it leans. Degrees.
+/// Rotation from which a marker faces a new direction in the text; a smaller one makes it lean. Degrees.
 const FACING_DEG: f64 = 80.0;
 
 /// One line for every axis of the chain, held ones included.
@@ -72,7 +72,8 @@ impl<'a> MachineAtDefaults<'a> {
         let declared: Vec<Xyz> = model.axes.iter().map(|axis| vector(&axis.direction)).collect();
         let mut machine = Self { model, directions: declared.clone(), tool: vector(&model.tool_axis) };
         for (id, axis) in model.axes.iter().enumerate() {
-            // As seen from the bed: axes between this one and the bed have rotated it, against their words in the table.
+            // In the frame of the bed: held axes between this one and the bed rotate it, in the table against their
+            // words.
             let between: Vec<AxisId> = match axis.side {
                 Side::Workpiece => {
                     (id + 1..model.axes.len()).filter(|other| model.axes[*other].side == Side::Workpiece).collect()
@@ -118,13 +119,13 @@ impl<'a> MachineAtDefaults<'a> {
             }
             AxisKind::Rotary => {
                 let value = jog_angle_deg(axis);
-                format!("{}{value:+}{held}: {}", axis.letter, self.turning(id, value * self.visible_sign(id)))
+                format!("{}{value:+}{held}: {}", axis.letter, self.rotation_seen(id, value * self.visible_sign(id)))
             }
         }
     }
 
-    /// The motion that is seen when the axis turns by `degrees`, right-handed about its direction.
-    fn turning(&self, id: AxisId, degrees: f64) -> String {
+    /// The visible motion when the axis rotates by `degrees`, right-handed about its direction.
+    fn rotation_seen(&self, id: AxisId, degrees: f64) -> String {
         let about = self.directions[id];
         let table = self.model.axes[id].side == Side::Workpiece;
         let thing = if table { "table" } else { "spindle head" };
@@ -136,7 +137,7 @@ impl<'a> MachineAtDefaults<'a> {
                 (marker, after, dot(marker.1, after).clamp(-1.0, 1.0).acos().to_degrees())
             })
             .collect();
-        // What moves most, then what ends nearest a coordinate direction, then in the order of the list.
+        // The marker that moves most; among equals the one that ends nearest a coordinate direction; then the first.
         let rank = |(_, after, angle): &(&(String, Xyz), Xyz, f64)| {
             let nearest = after.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
             (angle.round(), (nearest * 100.0).round())
@@ -144,7 +145,7 @@ impl<'a> MachineAtDefaults<'a> {
         let best = moved.iter().fold(&moved[0], |best, marker| if rank(marker) > rank(best) { marker } else { best });
         let sense = sense(about, degrees).map(|sense| format!("the {thing} turns {sense}; ")).unwrap_or_default();
         let mut sentence = format!("{sense}{}", shown(best));
-        // About an inclined axis one marker leaves the rest to the imagination.
+        // About an inclined axis one marker does not determine the motion.
         if sense.is_empty() && best.0.0 != moved[0].0.0 && moved[0].2 > 1.0 {
             sentence += &format!("; {}", shown(&moved[0]));
         }
@@ -177,7 +178,7 @@ fn shown(((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) -> String 
         let verb = if tool { "points" } else { "faces" };
         return format!("{name} now {verb} {}", heading(*after)).replace("faces towards you", "faces you");
     }
-    // Direction of its motion, perpendicular to where it was.
+    // Direction of its motion, perpendicular to its old direction.
     let along = dot(*before, *after);
     let across: Xyz = std::array::from_fn(|index| after[index] - along * before[index]);
     let length = dot(across, across).sqrt();
@@ -189,19 +190,19 @@ fn shown(((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) -> String 
     format!("{name} {verb} {angle:.0} degrees {way}")
 }
 
-/// Clockwise or not, seen from where an operator can look; for coordinate directions only.
+/// Clockwise or counterclockwise, with the side it is seen from; for coordinate directions only.
 fn sense(about: Xyz, degrees: f64) -> Option<String> {
-    // The eye is above, in front (looking along +Y), or on the right.
+    // The observer is above, in front (looking along +Y), or on the right.
     let views = [("above", [0.0, 0.0, 1.0]), ("the front", [0.0, -1.0, 0.0]), ("the right", [1.0, 0.0, 0.0])];
     views.into_iter().find_map(|(from, to_the_eye)| {
         let along = dot(about, to_the_eye);
-        // Right-handed about what points at the eye is counterclockwise.
+        // Right-handed about a direction towards the observer is counterclockwise.
         let word = if along * degrees > 0.0 { "counterclockwise" } else { "clockwise" };
         (along.abs() > ALONG_COSINE).then(|| format!("{word} seen from {from}"))
     })
 }
 
-/// The largest round angle inside the travel, negative if there is no room for a positive one.
+/// The largest angle of [`ANGLES_DEG`] inside the travel; negative if the travel has no room for a positive one.
 fn jog_angle_deg(axis: &Axis) -> f64 {
     let Some((lower, upper)) = &axis.limits else { return ANGLES_DEG[0] };
     let (lower, upper) = (to_f64(lower), to_f64(upper));
@@ -209,7 +210,7 @@ fn jog_angle_deg(axis: &Axis) -> f64 {
     largest(upper).or_else(|| largest(-lower).map(|angle| -angle)).unwrap_or(1.0)
 }
 
-/// The largest round distance that half the travel has room for; limits of linear axes are machine coordinates.
+/// The largest distance of [`DISTANCES_MM`] within half the travel; limits of linear axes are machine coordinates.
 fn jog_distance_mm(axis: &Axis) -> f64 {
     let Some((lower, upper)) = &axis.limits else { return DISTANCES_MM[0] };
     let span = upper - lower;
@@ -220,7 +221,7 @@ fn jog_distance_mm(axis: &Axis) -> f64 {
     DISTANCES_MM.into_iter().find(|distance| *distance <= room).unwrap_or(DISTANCES_MM[4])
 }
 
-/// Words for both directions along X, Y and Z.
+/// Words for the positive and the negative direction of X, Y and Z.
 type DirectionWords = [[&'static str; 2]; 3];
 
 const HEADING: DirectionWords = [["right", "left"], ["away from you", "towards you"], ["up", "down"]];
@@ -259,7 +260,7 @@ fn minus(v: Xyz) -> Xyz {
     scaled(v, -1.0)
 }
 
-/// Right-handed turn about a unit vector (Rodrigues).
+/// Right-handed rotation about a unit vector (Rodrigues).
 fn rotated(about: Xyz, degrees: f64, v: Xyz) -> Xyz {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let along = dot(about, v) * (1.0 - cosine);

@@ -10,7 +10,7 @@ use crate::model::{AxisId, Model};
 use crate::solve::{Position, Solved};
 use crate::symbolic::{Graph, Id, Interpreter, Node, Poly};
 
-/// Equations of the linear axes, by a common determinant where it varies.
+/// Equations of the linear axes, over a common determinant where it varies.
 pub(crate) fn linear(model: &Model, solved: &Solved, section: &mut Section) {
     section.words("Linear axes from the tip (x, y, z), for any values of the rotary axes:");
     let mut graph = solved.graph.clone();
@@ -48,7 +48,7 @@ struct LinearAxis {
     value: Poly,
 }
 
-/// All solved linear axes; those that are divided come first, and the others may contain their words.
+/// All solved linear axes. Those over the determinant come first; the equations of the others may contain their words.
 struct Linears {
     axes: Vec<LinearAxis>,
     determinant: Poly,

@@ -1,4 +1,4 @@
-//! A machine explained to people: its `EXPLANATION` and its documentation.
+//! The explanation of a machine: its constant `EXPLANATION` and its documentation.
 
 mod chain;
 mod inverse;
@@ -37,12 +37,12 @@ pub struct Explanation {
     pub proofs: Section,
     /// Operations of the inverse kinematics.
     pub operations: Section,
-    /// The motion that must be seen for a positive word of each axis.
+    /// The visible motion that each axis must make for a positive word.
     pub jog_sheet: Section,
 }
 
 impl Explanation {
-    /// As lines of rustdoc.
+    /// Lines of rustdoc.
     pub(crate) fn doc(&self) -> Vec<String> {
         let mut doc = vec![
             String::new(),

@@ -51,7 +51,7 @@ fn direction(model: &Model, solved: &Solved, tilt: &Tilt) -> Option<PolyVector> 
     let parts = tilt.direction.map(|node| solved.graph.constant_of(node).cloned());
     let [x, y, z] = parts;
     let direction = [x?, y?, z?];
-    // What the solver has found to be constant can be written in the model's ring.
+    // Directions that the solver found to be constant can be written in the model's ring.
     direction.iter().all(|part| model.ring.value(part).is_some() || part.is_zero()).then_some(direction)
 }
 

@@ -1,4 +1,4 @@
-//! Formulas step by step, as the code computes them: for those that are too long for one line.
+//! Formulas step by step, as the code computes them, where they are too long for one line.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,7 +7,7 @@ use crate::formula::{Formula, NamedNodes};
 use crate::model::Model;
 use crate::symbolic::{Graph, Id, Node};
 
-/// One equation for everything that is named in the code or needed more than once.
+/// Adds one equation for each node that is named in the code or used more than once.
 pub(crate) fn steps(model: &Model, graph: &Graph, outputs: &[Id], section: &mut Section) -> NamedNodes {
     let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
     let reachable = graph.reachable(outputs);

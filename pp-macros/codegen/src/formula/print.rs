@@ -1,4 +1,4 @@
-//! Formulas as characters.
+//! Formulas as text, as source of the macro and as LaTeX.
 
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
@@ -8,10 +8,10 @@ use num_traits::{One, Signed};
 use super::expression::Formula;
 use crate::symbolic::Surd;
 
-/// Rational numbers with more binary digits than this, above or below, are rounded where people read them.
+/// Rational numbers with more binary digits than this in numerator or denominator are rounded in text and LaTeX.
 const EXACT_BITS: u64 = 30;
 
-/// Digits after the point of a rounded number.
+/// Reciprocal of the rounding step: nine decimals.
 const ROUNDED: f64 = 1e9;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,7 +33,7 @@ enum Binding {
 struct Piece {
     text: String,
     binding: Binding,
-    /// Ends with a function's argument without brackets.
+    /// True if it ends with a function's argument without brackets.
     open: bool,
 }
 
@@ -277,9 +277,9 @@ fn rational(value: &BigRational, style: Style) -> Piece {
     if value.is_integer() {
         return Piece::new(value.numer().to_string(), Binding::Atom);
     }
-    // 60.5 is a length, 1/2 a factor.
-    let thousand = BigRational::from(BigInt::from(1_000_000));
-    let scaled = value * &thousand;
+    // Decimals above 1 (60.5, a length), a fraction below (1/2, a factor).
+    let million = BigRational::from(BigInt::from(1_000_000));
+    let scaled = value * &million;
     if scaled.is_integer() && value > &BigRational::one() {
         let digits = format!("{:0>7}", scaled.to_integer().to_string());
         let (whole, fraction) = digits.split_at(digits.len() - 6);
@@ -292,7 +292,7 @@ fn rational(value: &BigRational, style: Style) -> Piece {
     )
 }
 
-/// Greek letters by their names, subscripts after `_`, other words upright in one piece.
+/// A name in LaTeX: Greek letters by their names, subscripts after `_`, other words in one piece.
 fn latex_name(name: &str) -> String {
     const GREEK: &[&str] = &[
         "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu",

@@ -1,4 +1,4 @@
-//! The root and the lengths that the formulas of two rotary axes are normalised by.
+//! The root and the lengths by which the formulas of two rotary axes are normalised.
 
 use std::collections::BTreeMap;
 
@@ -7,11 +7,11 @@ use crate::model::Model;
 use crate::solve::{Solved, TwoRotaries};
 use crate::symbolic::{Interpreter, Poly, Ring};
 
-/// `r² = D - w²`, and the own length of the first angle's direction is `g² + e²`.
+/// Proves `r² = D - w²`, and that the direction of the first angle has the length `g² + e²`.
 ///
-/// Both follow from `p = n·m`, `q = m·t` and `n·a` alone, whatever these are made of: with symbols for the three the
-/// identities are small. What the symbols leave out is shown before: `|m×n|² = 1-p²`, `D = (1-p²)(1-q²)`,
-/// `|n×a|² = 1-(n·a)²`, `g² + e² = (1-p²)|n×a|²`. Roots are replaced by what has the same square and is not negative.
+/// Both follow from `p = n·m`, `q = m·t` and `n·a` alone: with symbols for these three the identities are small. The
+/// relations that the symbols leave out are shown before: `|m×n|² = 1-p²`, `D = (1-p²)(1-q²)`, `|n×a|² = 1-(n·a)²`,
+/// `g² + e² = (1-p²)|n×a|²`. A root is replaced by an expression that has the same square and is not negative.
 pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &TwoRotaries) -> Result<(), String> {
     let letters = model.letters(two.rotaries);
     let graph = &mut solved.graph;
@@ -55,7 +55,7 @@ pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &TwoRotarie
     if lengths_hold(&mut reader, two) {
         return Ok(());
     }
-    // Folding may have taken a symbol's node apart: then the same with everything written out.
+    // Folding may have removed a node that has a symbol; then the same is shown with everything written out.
     if lengths_hold(&mut Interpreter::new(&mut solved.graph, BTreeMap::new()), two) {
         return Ok(());
     }

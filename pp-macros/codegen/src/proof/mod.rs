@@ -1,10 +1,10 @@
-//! forward∘inverse = identity, for every branch, over the very graph that is printed.
+//! forward∘inverse = identity, proven for every branch on the same graph that is printed.
 //!
 //! The forward side is the product of the elementary matrices; the inverse side is read from the emitted nodes. A `√`
-//! node becomes a generator whose square is its radicand, `1/x` one whose product with `x` is 1; with `sin² + cos² = 1`
-//! and `i² + j² + k² = 1` that is all there is, and everything is proven by remainders.
+//! node becomes a generator whose square is its radicand, `1/x` one whose product with `x` is 1. These relations,
+//! `sin² + cos² = 1` and `i² + j² + k² = 1` are the only ones; everything is proven by remainders.
 //!
-//! A root that is claimed to equal a sum of squares is replaced by it: both are not negative and their squares are
+//! A root that is claimed to equal a sum of squares is replaced by it: neither is negative, and their squares are
 //! compared exactly.
 
 mod claim;
@@ -57,7 +57,7 @@ pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> 
     Ok(claims)
 }
 
-/// The joints are those of the declaration, and the joint with `-q` undoes the joint.
+/// Proves that the joints are those of the declaration, and that the joint with `-q` is the inverse of the joint.
 fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
     let (directions, centres, tool_axis) = (solved.directions.clone(), solved.centres.clone(), solved.tool_axis);
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
@@ -103,9 +103,9 @@ fn position(model: &Model, solved: &mut Solved) -> Result<String, String> {
     let tool = model.product_of((cut..model.axes.len()).map(|axis| model.joint(axis)));
     let wanted = {
         let tip = model.symbols.tip.map(Poly::from);
-        let turned = undone.rotate(&tip, &model.ring);
+        let rotated = undone.rotate(&tip, &model.ring);
         let origin = undone.origin();
-        turned.into_iter().zip(origin).map(|(a, b)| &a + &b).collect::<Vec<_>>()
+        rotated.into_iter().zip(origin).map(|(a, b)| &a + &b).collect::<Vec<_>>()
     };
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
     let words = values.iter().map(|(axis, node)| (model.axes[*axis].word, reader.value(*node))).collect();

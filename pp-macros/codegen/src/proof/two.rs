@@ -1,4 +1,4 @@
-//! Two rotary axes turn the tool to the wanted axis, on both branches and at the edge.
+//! Two rotary axes rotate the tool to the wanted axis, on both branches and at the edge.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use crate::model::{AxisId, Model};
 use crate::solve::{Branch, Solved, TwoRotaries};
 use crate::symbolic::{Id, Interpreter, Poly, PolyVector, Ring, Symbol};
 
-/// Both branches, and what is taken at the rim; returns the claims in words.
+/// Proves both branches, and the axis that is taken at the rim; returns the claims in words.
 ///
 /// # Errors
 /// The claim that is not proven.
@@ -42,13 +42,13 @@ fn prove_branch(
         let spread = reader.value(two.first.spread);
         reader.assume(length, spread);
     }
-    let words = turns(model, &mut reader, &two.rotaries, &branch.words);
+    let words = sin_cos_values(model, &mut reader, &two.rotaries, &branch.words);
     for axis in two.rotaries {
         on_circle(model, &reader, axis, &words)?;
     }
     let name = if branch.plus == two.first_is_plus() { "first" } else { "second" };
     let claim = format!("{letters} turn the tool to (i, j, k), {name} branch");
-    // R1 R2 t = a, shown as R2 t = R1⁻¹ a, and likewise for what is held: far fewer products of sines.
+    // R1 R2 t = a, shown as R2 t = R1⁻¹ a, with held axes on their side of it: far fewer products of sines.
     let after = two.rotaries[0] + 1;
     let tool = model.product_of((after..model.axes.len()).map(|axis| model.joint(axis)));
     let undone = model.product_of((0..after).rev().map(|axis| model.joint_inverse(axis)));
@@ -78,7 +78,7 @@ fn prove_edge(general: &GeneralDirections, solved: &mut Solved, two: &TwoRotarie
     let radicand = &capacity - &solved.graph.ring().mul(&height, &height);
     let root = Poly::from(solved.graph.root("edge", radicand));
     let mut reader = general.reader(&mut solved.graph, BTreeMap::from([(edge.root, root)]));
-    let mut words = turns(model, &mut reader, &[second], &[edge.second]);
+    let mut words = sin_cos_values(model, &mut reader, &[second], &[edge.second]);
     on_circle(model, &reader, second, &words)?;
     let (sine, cosine) = model.axes[first].sin_cos;
     words.insert(sine, Poly::zero());
@@ -112,12 +112,17 @@ fn prove_edge(general: &GeneralDirections, solved: &mut Solved, two: &TwoRotarie
     Ok(claim.into())
 }
 
-fn turns(model: &Model, reader: &mut Interpreter<'_>, axes: &[AxisId], words: &[(Id, Id)]) -> BTreeMap<Symbol, Poly> {
+fn sin_cos_values(
+    model: &Model,
+    reader: &mut Interpreter<'_>,
+    axes: &[AxisId],
+    words: &[(Id, Id)],
+) -> BTreeMap<Symbol, Poly> {
     let mut values = BTreeMap::new();
     for (axis, (sine, cosine)) in axes.iter().zip(words) {
-        let turn = model.axes[*axis].sin_cos;
-        values.insert(turn.0, reader.value(*sine));
-        values.insert(turn.1, reader.value(*cosine));
+        let symbols = model.axes[*axis].sin_cos;
+        values.insert(symbols.0, reader.value(*sine));
+        values.insert(symbols.1, reader.value(*cosine));
     }
     values
 }

@@ -1,4 +1,5 @@
-//! A symbol for each component of a direction that is a product: what holds for every unit vector holds for the declared.
+//! Symbols for the components of directions that are products: what holds for every unit vector holds for the declared
+//! ones.
 
 use std::collections::BTreeMap;
 
@@ -6,10 +7,10 @@ use crate::model::{AxisKind, Model};
 use crate::solve::Solved;
 use crate::symbolic::{Graph, Id, Interpreter, Node, NodeVector, Poly, PolyVector, Symbol};
 
-/// A machine of which only this is known: its rotary axes and its tool axis are unit vectors.
+/// A machine whose rotary directions and tool axis are general unit vectors.
 ///
-/// Directions that are products of sines of dimensions make long polynomials. What holds with a symbol for each of their
-/// components and `n_z² = 1 - n_x² - n_y²` alone holds for every unit vector, hence for the declared ones.
+/// Directions that are products of sines of dimensions make long polynomials. A claim that holds with a symbol for each
+/// of their components and `n_z² = 1 - n_x² - n_y²` alone holds for every unit vector, hence for the declared ones.
 pub(crate) struct GeneralDirections {
     model: Model,
     /// Nodes of components, and their symbols.
@@ -27,8 +28,8 @@ impl GeneralDirections {
         &self.model
     }
 
-    /// With symbols for the directions that are products; `None` if there is none, or if one is no unit vector. `joints`
-    /// has shown that the nodes are the declaration.
+    /// With symbols for the directions that are products; `None` if there is none, or if one is not a unit vector.
+    /// `joints` has proven that the nodes are as declared.
     pub(crate) fn of(model: &Model, solved: &mut Solved) -> Option<Self> {
         let mut general = Self::written_out(model);
         let graph = &mut solved.graph;
@@ -65,7 +66,7 @@ impl GeneralDirections {
     }
 }
 
-/// Makes symbols for the components of a unit vector that are products; numbers and single sines stay what they are.
+/// Makes symbols for the components of a unit vector that are products; numbers and single sines stay as they are.
 fn generalise(graph: &mut Graph, direction: &PolyVector, nodes: NodeVector, known: &mut Vec<(Id, Poly)>) {
     let is_product = |node: &Id| !matches!(graph.node(*node), Node::Constant(_) | Node::Input(_));
     let nodes_without_sign = nodes.map(|node| unsigned(graph, node).0);

@@ -1,15 +1,15 @@
-//! The chain as terms: directions, centres and rotations that formulas are written with.
+//! Directions, centres and rotations of the chain as terms, from which the formulas are built.
 
 use crate::model::{AxisId, AxisKind, Model};
 use crate::symbolic::{GraphBuilder, Poly, PolyVector, TermVector};
 
-/// A model, and the graph that its formulas are written into.
+/// A model, and the graph that receives its formulas.
 pub(crate) struct Derivation<'a> {
     pub(crate) model: &'a Model,
     pub(crate) graph: GraphBuilder,
 }
 
-/// A point given from the centre of a rotary axis, or from the origin.
+/// A point relative to the centre of the rotary axis `from`; `None`: relative to the origin.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Point<'g> {
     pub(crate) from: Option<AxisId>,
@@ -41,7 +41,7 @@ impl Derivation<'_> {
         self.rotated_by(axis, v, self.model.axes[axis].reversed)
     }
 
-    /// Rotates a vector against a rotary joint.
+    /// Rotates a vector by the inverse of a rotary joint.
     pub(crate) fn rotated_back<'g>(&'g self, axis: AxisId, v: TermVector<'g>) -> TermVector<'g> {
         self.rotated_by(axis, v, !self.model.axes[axis].reversed)
     }
@@ -53,7 +53,7 @@ impl Derivation<'_> {
         v.rotated(self.direction(axis), sine, cosine)
     }
 
-    /// Signed direction of an axis: what a millimetre, or a radian, of the word does.
+    /// Signed direction of an axis: the displacement for 1 mm, or the rotation vector for 1 rad, of the word.
     pub(crate) fn step(&self, axis: AxisId) -> TermVector<'_> {
         let direction = self.direction(axis);
         if self.model.axes[axis].reversed { -direction } else { direction }
@@ -63,7 +63,7 @@ impl Derivation<'_> {
         self.graph.input(self.model.axes[axis].word) * self.step(axis)
     }
 
-    /// Names the components of a point after the axis it is seen from.
+    /// Names the components of a point after the axis to whose centre it is relative.
     pub(crate) fn name(&self, what: &str, axis: AxisId, offset: TermVector<'_>) {
         let letter = self.model.axes[axis].letter.to_ascii_lowercase();
         for (term, component) in offset.components().into_iter().zip(["x", "y", "z"]) {
@@ -71,7 +71,7 @@ impl Derivation<'_> {
         }
     }
 
-    /// The same point, given from another centre. Centres on one side differ by their `d` alone, whatever the set-up.
+    /// The same point, relative to another centre. Centres on one side differ by their `d` only, whatever the set-up.
     pub(crate) fn seen_from<'g>(&'g self, point: Point<'g>, from: Option<AxisId>) -> Point<'g> {
         if point.from == from {
             return point;

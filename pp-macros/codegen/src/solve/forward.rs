@@ -4,7 +4,7 @@ use super::derivation::{Derivation, Point};
 use crate::model::AxisKind;
 use crate::symbolic::NodeVector;
 
-/// Nodes of the forward map.
+/// Nodes of the forward kinematics.
 #[derive(Debug, Clone, Copy)]
 pub struct Forward {
     /// Tool tip.

@@ -1,7 +1,7 @@
-//! Closed-form kinematics as a graph: forward map, rotary angles, linear axes, and how the tool moves.
+//! Closed-form kinematics as a graph: forward kinematics, rotary angles, linear axes, and derivatives of the pose.
 //!
-//! Input is the span-free [`Model`]; refusals name axes by their place in the chain. Limits, turns and the choice
-//! between branches live in the runtime.
+//! Input is the span-free [`Model`]; refusals name axes by their index in the chain. Limits, whole turns and the choice
+//! between branches are decided in the runtime.
 
 mod derivation;
 mod forward;
@@ -54,7 +54,7 @@ pub struct SideCondition {
     pub divisor: Id,
     /// Absolute values up to this count as zero.
     pub tolerance: f64,
-    /// Its meaning if it is zero.
+    /// Consequence for the machine if it is zero, for the message.
     pub meaning: String,
 }
 
@@ -85,7 +85,7 @@ pub fn solve(model: &mut Model) -> Result<Solved, Vec<Refusal>> {
     Ok(Solved { graph, forward, orientation, position, motion, directions, centres, tool_axis, conditions })
 }
 
-/// Whether a determinant is zero identically, or at the defaults of dimensions and held axes.
+/// True if a determinant is zero identically, or at the defaults of dimensions and held axes.
 fn vanishes(determinant: Term<'_>, defaults: &BTreeMap<Symbol, Poly>) -> bool {
     determinant.read(|reader, node| {
         let value = reader.value(node);

@@ -1,7 +1,7 @@
-//! Motion of tip and tool axis when the axes move linearly: two derivatives, and a bound of the third.
+//! Derivatives of tip and tool axis while the axes move linearly: the first two, and a bound of the third.
 //!
-//! From the tool to the workpiece. A linear axis adds to the first derivative; a rotary axis about `n` through `c` with
-//! the rate `δ` makes of `y` the point `z = c + R (y - c)` with
+//! Computed from the tool to the workpiece. A linear axis adds to the first derivative; a rotary axis about `n` through
+//! `c` with the rate `δ` maps a point `y` to `z = c + R (y - c)` with
 //!
 //! ```text
 //! z'  = R (y' + δ n × (y - c))
@@ -9,28 +9,28 @@
 //! |z'''| <= M + |δ| (3 A + |δ| (3 V + |δ| ρ))
 //! ```
 //!
-//! where `V A M` are the largest `|y'| |y''| |y'''|` of the block and `ρ` the largest `|n × (y - c)|`. What is known in
-//! the middle of the block bounds them: `A <= |y''| + M/2`, `V <= |y'| + A/2`, `ρ <= |n × (y - c)| + V/2`. The runtime,
-//! `pp_runtime::kinematics::MotionBound`, makes the deviation of the block from these.
+//! where `V A M` are the largest `|y'| |y''| |y'''|` of the block and `ρ` the largest `|n × (y - c)|`. The values in
+//! the middle of the block bound them: `A <= |y''| + M/2`, `V <= |y'| + A/2`, `ρ <= |n × (y - c)| + V/2`. From these
+//! the runtime, `pp_runtime::kinematics::MotionBound`, computes the deviation of the block.
 
 use super::derivation::{Derivation, Point};
 use crate::model::{Axis, AxisId, AxisKind, Model};
 use crate::symbolic::{Graph, GraphBuilder, Id, Node, NodeVector, Symbol, Term, TermVector};
 
-/// Nodes of the moving tool, in a graph of their own.
+/// Nodes of the derivatives, in a graph of their own.
 #[derive(Debug)]
 pub struct Motion {
     /// The nodes.
     pub graph: Graph,
-    /// Change of every axis in a unit of time: rates of the values in mm or rad.
+    /// Change of every axis over the block, mm or rad; the block takes one unit of time, so these are the rates.
     pub changes: Vec<Symbol>,
-    /// Magnitudes of these.
+    /// Absolute values of the changes.
     pub sizes: Vec<Symbol>,
-    /// The tip's curve.
+    /// Derivatives of the tip.
     pub tip: Curve,
     /// The tool axis.
     pub axis: NodeVector,
-    /// The tool axis' curve.
+    /// Derivatives of the tool axis.
     pub axis_curve: Curve,
     /// Centres of the rotary axes for the current set-up.
     pub centres: Vec<NodeVector>,
@@ -43,7 +43,7 @@ pub struct Curve {
     pub rate: NodeVector,
     /// Second derivative.
     pub bend: NodeVector,
-    /// Largest third derivative.
+    /// Upper bound of the length of the third derivative.
     pub third: Id,
 }
 
@@ -107,13 +107,13 @@ impl<'g> Moving<'g> {
         Derivatives { rate: zero, bend: zero, third: self.derivation.graph.integer(0) }
     }
 
-    /// The first derivative with what a linear axis adds to it.
+    /// First derivative after adding the motion of a linear axis.
     fn slid(&self, axis: AxisId, rate: TermVector<'g>) -> TermVector<'g> {
         let change = self.change(axis);
         rate + change * self.derivation.step(axis)
     }
 
-    /// The curve of a point, seen through a rotary axis from whose centre it is `lever` away.
+    /// Derivatives of a point after a rotary axis; `lever` is the vector from the centre of the axis to the point.
     fn rotated(&self, what: &str, axis: AxisId, lever: TermVector<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
         let Derivatives { rate, bend, .. } = curve;
         let direction = self.derivation.step(axis);
@@ -127,7 +127,7 @@ impl<'g> Moving<'g> {
         Derivatives { rate: self.derivation.rotated(axis, rate), bend: self.derivation.rotated(axis, bend), third }
     }
 
-    /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`, from inside outwards.
+    /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`, computed from the innermost bracket outwards.
     fn third(&self, axis: AxisId, swing: TermVector<'g>, curve: Derivatives<'g>) -> Term<'g> {
         let Derivatives { rate, bend, third } = curve;
         let (bend, rate, swing) = (self.norm(bend), self.norm(rate), self.norm(swing));
@@ -141,7 +141,7 @@ impl<'g> Moving<'g> {
         third + sum
     }
 
-    /// Length of a vector; of a single axis' motion its magnitude.
+    /// Length of a vector; the absolute value where it is the motion of a single axis.
     fn norm(&self, v: TermVector<'g>) -> Term<'g> {
         match self.derivation.graph.with(|graph| self.single_axis(graph, v.ids())) {
             Some(axis) => self.size(axis),

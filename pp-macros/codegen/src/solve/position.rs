@@ -1,9 +1,9 @@
 //! Linear axes from the tip and the sines and cosines of all rotary axes.
 //!
-//! The chain is cut at one place: joints before the cut are undone on the wanted tip, joints after it are applied to
-//! the tool point, and what is left between the two is `Σ q_i w_i` with the directions `w_i` of the linear axes as seen
-//! at the cut. Axes in the group that is cut have constant directions. Every cut gives the same answer; the one with
-//! the fewest operations is kept.
+//! The chain is cut at one place: the inverses of the joints before the cut are applied to the wanted tip, the joints
+//! after it to the tool point. The difference between the two is `Σ q_i w_i` with the directions `w_i` of the linear
+//! axes in the frame at the cut. Axes with no rotary axis between them and the cut have constant directions. Every cut
+//! gives the same values; the one with the fewest operations is kept.
 
 use super::derivation::{Derivation, Point};
 use crate::model::{AxisId, AxisKind};
@@ -16,7 +16,7 @@ pub struct Position {
     pub values: Vec<(AxisId, Id)>,
     /// Determinant of their unit directions.
     pub determinant: Id,
-    /// Place in the chain where it was cut.
+    /// Index of the first axis after the cut.
     pub cut: usize,
 }
 
@@ -33,7 +33,7 @@ pub(crate) fn solve(derivation: &Derivation<'_>) -> Position {
         .expect("a chain has at least one place to cut")
 }
 
-/// A solved linear axis, and its direction as seen at the cut.
+/// A solved linear axis, and its direction in the frame at the cut.
 type Column<'g> = (AxisId, TermVector<'g>);
 
 fn solve_at(derivation: &Derivation<'_>, cut: usize) -> Position {
@@ -48,7 +48,7 @@ fn solve_at(derivation: &Derivation<'_>, cut: usize) -> Position {
     Position { values, determinant: determinant.id(), cut }
 }
 
-/// The wanted tip with the joints before the cut undone, and the linear axes among these.
+/// The wanted tip after the inverses of the joints before the cut, and the linear axes among these joints.
 fn wanted_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Column<'g>>) {
     let model = derivation.model;
     let mut wanted = Point { from: None, offset: derivation.graph.inputs(model.symbols.tip) };
@@ -71,7 +71,7 @@ fn wanted_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<
     (wanted, columns)
 }
 
-/// The tool point with the joints after the cut applied, and the linear axes among these.
+/// The tool point after the joints from the cut on, and the linear axes among these joints.
 fn tool_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Column<'g>>) {
     let mut tool = derivation.origin();
     let mut columns: Vec<Column<'g>> = Vec::new();
@@ -113,8 +113,8 @@ fn by_volumes<'g>(w: [TermVector<'g>; 3], gap: TermVector<'g>) -> ([Term<'g>; 3]
     (faces.map(|face| gap.dot(face) * inverse), determinant)
 }
 
-/// All but `w_c` are fixed: first `q_c`, seen perpendicular to the two others, then these within their plane by the dual
-/// vectors.
+/// Solution where all directions but `w_c` are fixed: first `q_c`, along the normal of the other two, then these two in
+/// their plane by dual vectors.
 fn by_planes<'g>(w: [TermVector<'g>; 3], c: usize, gap: TermVector<'g>) -> ([Term<'g>; 3], Term<'g>) {
     let (a, b) = ((c + 1) % 3, (c + 2) % 3);
     let normal = w[a].cross(w[b]);

@@ -1,4 +1,4 @@
-//! Chains without kinematics.
+//! Reasons to refuse a chain.
 
 use crate::model::AxisId;
 
@@ -12,6 +12,6 @@ pub enum Refusal {
     DependentLinears,
     /// The solved rotary nearest the tool is parallel to the tool axis.
     CannotTilt(AxisId),
-    /// Both solved rotaries turn about the same direction.
+    /// Both solved rotaries rotate about the same direction.
     SameDirection(AxisId, AxisId),
 }

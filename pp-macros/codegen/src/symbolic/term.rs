@@ -98,7 +98,7 @@ impl Term<'_> {
         self.id
     }
 
-    /// The same term with a name for the reader of the code; see [`Graph::name`].
+    /// The same term with a name in generated code; see [`Graph::name`].
     #[expect(clippy::return_self_not_must_use, reason = "the name stays with the node")]
     pub fn named(self, name: impl Into<String>) -> Self {
         self.builder.with(|graph| graph.name(self.id, name));

@@ -9,10 +9,10 @@ use super::source::Source;
 use crate::model::to_f64;
 use crate::report::Phrase;
 
-/// Deepest nesting of an expression; deeper ones come from no hand.
+/// Deepest nesting of an expression; hand-written ones are far below.
 const DEEPEST: usize = 64;
 
-/// Largest exponent after `^` or `e`.
+/// Largest exponent after `^`, and largest product of nested exponents.
 const LARGEST_POWER: u32 = 64;
 
 /// Reads a sum.
@@ -119,7 +119,7 @@ fn atom(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Ex
     }
 }
 
-/// A literal with its unit, glued on (`45deg`) or after it (`45 deg`).
+/// A literal with its unit, as a suffix (`45deg`) or as the next word (`45 deg`).
 fn number(input: ParseStream<'_>, source: &Source, mut phrase: Phrase, literal: &Literal) -> syn::Result<Expr> {
     let text = literal.to_string().replace('_', "");
     let wrong = |help: &str| {

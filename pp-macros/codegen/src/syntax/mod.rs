@@ -1,4 +1,4 @@
-//! Tokens to [`Declaration`]: the only place that knows how `machine!` is written, and where.
+//! Tokens to [`Declaration`]: the grammar of `machine!`, and the source locations of its parts.
 
 mod arithmetic;
 mod ast;

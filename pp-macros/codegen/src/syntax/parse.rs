@@ -1,4 +1,4 @@
-//! Token streams to declarations. A field that cannot be read is reported and skipped; reading goes on after it.
+//! Token streams to declarations. A field that cannot be parsed is reported and skipped; parsing continues after it.
 
 use proc_macro2::{TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
@@ -22,7 +22,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Result<Declaration, Re
         found = Some(declaration(input, errors));
         Ok(())
     };
-    // What a failed field leaves unread in its brackets is reported by that field already.
+    // Tokens that a failed field leaves unread in its brackets are covered by the message of that field.
     let rest = read.parse2(tokens);
     match (found, rest) {
         (Some(Ok(declaration)), Ok(())) => Ok(declaration),
@@ -40,7 +40,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
     let attributes = input.call(syn::Attribute::parse_outer)?;
     let visibility = input.parse()?;
     if !input.peek(Token![struct]) {
-        // The rest is swallowed: its meaning hangs on the name.
+        // The rest is skipped: without `struct` it has no meaning.
         let error = input.error("expected `struct`\n\nhelp: begin with `pub struct MyMachine;`");
         input.parse::<TokenStream>()?;
         return Err(error);
@@ -137,7 +137,7 @@ fn separator(input: ParseStream<'_>, wanted: char, help: &str) -> syn::Result<()
     if found { Ok(()) } else { Err(input.error(format!("expected `{wanted}`\n\nhelp: {help}"))) }
 }
 
-/// To the end of the next semicolon, or to the next thing that looks like a field.
+/// Skips past the next semicolon, or up to a word that looks like the next field.
 fn skip_field(input: ParseStream<'_>) -> syn::Result<()> {
     while !input.is_empty() {
         if input.parse::<Option<Token![;]>>()?.is_some() {
@@ -182,7 +182,7 @@ fn offsets(input: ParseStream<'_>, source: &Source, sink: &mut ErrorSink<'_>) ->
     }
 }
 
-/// `{ A: value, B: value }`. An entry that cannot be read is reported and left out; the others stay.
+/// `{ A: value, B: value }`. An entry that cannot be parsed is reported and left out; the others are kept.
 fn assigns<T>(
     input: ParseStream<'_>,
     source: &Source,
@@ -222,7 +222,7 @@ fn assigns<T>(
     Ok(list)
 }
 
-/// Mistakes found, and the names whose entries could not be read: nothing more is reported about these.
+/// Messages so far, and names of entries that could not be parsed; no later message complains about these names.
 struct ErrorSink<'a> {
     errors: &'a mut Errors,
     unreadable: &'a mut Vec<String>,
@@ -288,8 +288,8 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
                 base: Base::Coordinate(coordinate),
             });
         }
-        let turn = ["Rx", "Ry", "Rz"].iter().position(|name| word.name == *name);
-        let (Some(turn), false) = (turn, negated) else {
+        let rotation = ["Rx", "Ry", "Rz"].iter().position(|name| word.name == *name);
+        let (Some(rotation), false) = (rotation, negated) else {
             let text = format!(
                 "`{}` is not a direction\n\nhelp: use X, Y, Z, a vector, and turns Rx(...), Ry(...), Rz(...) in front of them",
                 word.name
@@ -300,7 +300,7 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
             return Err(input.error(format!("expected `(`\n\nhelp: write `{}(45 deg) * Y`", word.name)));
         }
         let (_, content) = source.parenthesized(input)?;
-        rotations.push((turn, expression(&content, source)?));
+        rotations.push((rotation, expression(&content, source)?));
         if !content.is_empty() {
             return Err(content.error("expected `)`\n\nhelp: a turn has one angle"));
         }
@@ -328,7 +328,7 @@ fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
     Ok(Limits::Range(Box::new((lower, expression(input, source)?))))
 }
 
-/// `"source" { equations }`. A statement that cannot be read is reported and left out; the others stay.
+/// `"source" { equations }`. A statement that cannot be parsed is reported and left out; the others are kept.
 fn verify(input: ParseStream<'_>, source: &Source, errors: &mut Errors) -> syn::Result<Verify> {
     const FORM: &str = "write `verify \"paper, eqs. (1)-(5)\" { i = sin(B) * cos(C); ... }`";
     if !input.peek(syn::LitStr) {

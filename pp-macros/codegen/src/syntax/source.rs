@@ -1,4 +1,4 @@
-//! Tokens with their places in the source.
+//! Tokens with their locations in the source.
 
 use std::cell::Cell;
 
@@ -15,7 +15,7 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    /// Place of the next phrase.
+    /// Number of the next phrase.
     pub(crate) fn next(&self) -> usize {
         self.read.set(self.read.get() + 1);
         self.read.get()
@@ -32,7 +32,7 @@ impl Source {
         Ok((self.phrase(token.span(), token.span()), token))
     }
 
-    /// The text in parentheses.
+    /// Location and content of parentheses.
     pub(crate) fn parenthesized<'a>(&self, input: ParseStream<'a>) -> syn::Result<(Phrase, ParseBuffer<'a>)> {
         let content;
         let paren = syn::parenthesized!(content in input);

@@ -1,4 +1,4 @@
-//! One small change that makes a false equation true: the misprints of papers, and the slips of those who copy them.
+//! One small change that makes a false equation true: misprints of papers, and mistakes made in copying them.
 
 use crate::model::{AxisKind, Model};
 use crate::syntax::{Expr, ExprKind};
@@ -7,7 +7,7 @@ use crate::syntax::{Expr, ExprKind};
 pub(crate) struct Change {
     pub(crate) expr: Expr,
     pub(crate) words: String,
-    /// Order of trying: likelier slips first.
+    /// Order of trying: likelier mistakes first.
     rank: u8,
 }
 
@@ -20,8 +20,8 @@ pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
     found
 }
 
-/// Changes of every occurrence of a name: a source that counts it the other way round, or an angle from another
-/// direction.
+/// Changes of every occurrence of a name: the source counts it in the opposite direction, or measures the angle from
+/// another direction.
 fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
     let mut names = Vec::new();
     collect(expr, &mut names);
@@ -76,7 +76,7 @@ fn collect(expr: &Expr, names: &mut Vec<String>) {
     }
 }
 
-/// Collects the changes at and inside `expr`; `whole` puts it back into the equation.
+/// Collects the changes at and inside `expr`; `whole` puts a changed `expr` back into the equation.
 fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
     here(expr, model, found, whole);
     let is_sum = matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _) | ExprKind::Neg(_));
@@ -177,7 +177,7 @@ fn negated(expr: &Expr) -> Expr {
     Expr { phrase: expr.phrase, kind }
 }
 
-/// Names that are mistaken for each other.
+/// Names that are often confused with `name`.
 fn alternatives(name: &str, model: &Model) -> Vec<String> {
     let groups: [&[&str]; 2] = [&["x", "y", "z"], &["i", "j", "k"]];
     let mut others: Vec<String> = groups

@@ -9,7 +9,7 @@ use crate::model::{AxisId, AxisKind, Model, Quantity};
 use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Symbol};
 use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
 
-/// Names of one block of equations, and the algebra of the equation at hand.
+/// Names of one block of equations, and the algebra of the current equation.
 #[derive(Debug, Clone)]
 pub(crate) struct Scope<'a> {
     algebra: Algebra<'a>,
@@ -22,7 +22,7 @@ pub(crate) struct Scope<'a> {
 }
 
 impl<'a> Scope<'a> {
-    /// The names of a block, x y z and i j k made by the axes. `product` is `T(q)`.
+    /// The names of a block; x y z and i j k are the forward kinematics. `product` is `T(q)`.
     pub(crate) fn new(model: &'a Model, ring: Ring, product: &Matrix, block: &Verify) -> Result<Self, Vec<Fault>> {
         let mut scope = Self {
             algebra: Algebra::new(model, ring),
@@ -62,17 +62,17 @@ impl<'a> Scope<'a> {
         self.algebra.ring()
     }
 
-    /// The algebra of the equation at hand.
+    /// The algebra of the current equation.
     pub(crate) fn algebra(&self) -> &Algebra<'a> {
         &self.algebra
     }
 
-    /// The algebra of the equation at hand, to go on with.
+    /// The algebra of the current equation, mutable.
     pub(crate) fn algebra_mut(&mut self) -> &mut Algebra<'a> {
         &mut self.algebra
     }
 
-    /// A polynomial at the assumptions of the block.
+    /// A polynomial with the assumptions of the block put in.
     pub(crate) fn assumed(&self, poly: &Poly) -> Poly {
         self.ring().substitute(poly, &self.assumed)
     }
@@ -133,9 +133,9 @@ impl<'a> Scope<'a> {
                 self.assumed.insert(symbol, length);
             }
             Some(Quantity::Angle(sine, cosine)) => {
-                let turn = check::angle(value, &names, self.algebra.ring_mut())?;
-                self.assumed.insert(sine, turn.0);
-                self.assumed.insert(cosine, turn.1);
+                let pair = check::angle(value, &names, self.algebra.ring_mut())?;
+                self.assumed.insert(sine, pair.0);
+                self.assumed.insert(cosine, pair.1);
             }
             None if is_taken(&key.name) => {
                 return Err(Fault::new(
@@ -220,7 +220,7 @@ fn is_taken(name: &str) -> bool {
     check::is_reserved(name)
 }
 
-/// Whether an assumption gives an angle: it names one, or has the unit.
+/// True if an assumption gives an angle: it names one, or has the unit `deg`.
 fn is_angle(expr: &Expr, model: &Model) -> bool {
     let dimension = |name: &str| {
         model.dimensions.iter().any(|known| known.name == name && matches!(known.quantity, Quantity::Angle(..)))

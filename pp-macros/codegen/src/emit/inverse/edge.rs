@@ -1,4 +1,4 @@
-//! The cold path of a machine with two rotary axes: pole, rim, just beyond the rim, and what is no pose at all.
+//! The cold path of a machine with two rotary axes: pole, rim, just beyond the rim, and poses that are not numbers.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -72,7 +72,7 @@ fn statements(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenStream 
     }
 }
 
-/// No solution for what is not a number, or where the rotary axes cannot tilt the tool.
+/// No solution for a pose that is not a number, or where the rotary axes cannot tilt the tool.
 fn is_a_pose(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let capacity = solved.graph.constant_of(two.second.capacity).is_none().then(|| {
         let (capacity, least) = (body.tokens(two.second.capacity), parallel());
@@ -97,7 +97,7 @@ fn onto_the_rim(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     }
 }
 
-/// Distance of that from the wanted axis; no solution beyond the tolerance.
+/// Distance of the nearest axis from the wanted one; no solution beyond the tolerance.
 fn deviation(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let [along, reached_along, sine_squared, reached_squared] =
         [two.edge.along.0, two.edge.along.1, two.first.sine_squared, two.edge.reached_squared]
@@ -114,7 +114,7 @@ fn deviation(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     }
 }
 
-/// `first` and `value`, the (sine, cosine) and the angle of the first rotary; at the pole those that are held.
+/// `first` and `value`, the (sine, cosine) and the angle of the first rotary; at the pole those of its given value.
 fn first_angle(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let rotary = two.rotaries[0];
     let [sine_squared, first_squared, sine, cosine] =

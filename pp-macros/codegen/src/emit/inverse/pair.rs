@@ -36,11 +36,11 @@ pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenSt
     }
 }
 
-/// Whether both branches meet, the first rotary is free, or the rotary axes cannot tilt the tool.
+/// Test that both branches meet, the first rotary is free, or the rotary axes cannot tilt the tool.
 fn near_the_edge(solved: &Solved, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let [root, sine_squared, capacity] =
         [two.second.root, two.first.sine_squared, two.second.capacity].map(|node| body.tokens(node));
-    // In the orthogonal form the root is zero at the pole, too.
+    // In the orthogonal form the root is also zero at the pole.
     let pole = (two.pole != Pole::Orthogonal).then(|| {
         quote!(|| !(#sine_squared >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE))
     });

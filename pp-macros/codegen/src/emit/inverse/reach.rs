@@ -1,4 +1,4 @@
-//! `reach`: why a tool axis cannot be reached.
+//! `reach`: the reason why a tool axis cannot be reached.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -68,7 +68,7 @@ pub(crate) fn reach(model: &Model, solved: &Solved) -> TokenStream {
     }
 }
 
-/// Held axes and angles of `dims`: what can make a rotary unable to tilt the tool.
+/// Names of held axes and of angles of `dims`: their values can make a rotary unable to tilt the tool.
 fn inputs(model: &Model) -> String {
     let held = model.axes.iter().filter(|axis| axis.held.is_some()).map(|axis| axis.letter.to_string());
     let angles = model.dimensions.iter().filter(|dimension| matches!(dimension.quantity, Quantity::Angle(..)));

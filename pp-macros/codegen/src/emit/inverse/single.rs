@@ -11,7 +11,7 @@ use crate::model::Model;
 use crate::solve::{OneRotary, Solved};
 use crate::symbolic::Id;
 
-/// Sine of a cone whose axis may come within the reach tolerance of it, with room to spare.
+/// Sine of the half angle of a cone below which its axis may be within the reach tolerance of the cone, with a margin.
 const SLIM: f64 = 1e-5;
 
 /// No solved rotary axis.
@@ -55,7 +55,7 @@ pub(crate) fn one(model: &Model, solved: &Solved, one: &OneRotary) -> TokenStrea
     }
 }
 
-/// No solution where dimensions or held axes lay the rotary parallel to the tool.
+/// No solution where dimensions or held axes make the rotary parallel to the tool.
 fn can_tilt(solved: &Solved, body: &mut Body<'_>, one: &OneRotary) -> Option<TokenStream> {
     if solved.graph.constant_of(one.length_claim).is_some() {
         return None;
@@ -71,7 +71,7 @@ fn can_tilt(solved: &Solved, body: &mut Body<'_>, one: &OneRotary) -> Option<Tok
     })
 }
 
-/// No solution where the wanted axis is off the reachable ones, or is not a number.
+/// No solution where the wanted axis is off the cone by more than the tolerance, or is not a number.
 fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStream {
     let statements = lets(&body.statements(&[deviation]));
     let deviation = body.tokens(deviation);
@@ -87,7 +87,7 @@ fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStrea
 /// `first` and `value`, the (sine, cosine) and the angle; and whether it is singular.
 fn angle(solved: &Solved, body: &Body<'_>, one: &OneRotary) -> (TokenStream, TokenStream) {
     let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
-    // A cone so slim that its axis is within tolerance of it: there the rotary is free.
+    // The axis of a very slim cone is within the tolerance of it, and there the rotary is free.
     let claim = solved.graph.constant_of(one.length_claim).and_then(|poly| solved.graph.ring().value(poly));
     if claim.is_some_and(|squared| squared >= SLIM * SLIM) {
         let angle = quote!(let (first, value) = ((#sine, #cosine), math::angle(#sine, #cosine)););

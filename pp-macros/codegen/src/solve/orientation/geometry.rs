@@ -1,4 +1,4 @@
-//! Quantities that both angles are made of; the words are those of the table in [`two`](super::two).
+//! Quantities from which both angles are computed; names as in the table of [`two`](super::two).
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use crate::model::AxisId;
 use crate::solve::refusal::{PARALLEL_SINE_SQUARED, Refusal};
 use crate::symbolic::{GraphBuilder, Poly, Symbol, Term, TermVector};
 
-/// Whether and where the tool can be laid parallel to the first rotary.
+/// Directions in which the tool axis can be parallel to the first rotary axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pole {
     /// At `n` and `-n`: the rotaries are perpendicular to each other and to the tool.
@@ -15,7 +15,7 @@ pub enum Pole {
     Plus,
     /// At `-n`.
     Minus,
-    /// Not for all values of held axes and dimensions.
+    /// Nowhere, or only at particular values of held axes and dimensions.
     Elsewhere,
 }
 
@@ -85,7 +85,7 @@ impl<'g> Invariants<'g> {
     }
 }
 
-/// Place of the wanted axis: its height, and its coordinates in the plane perpendicular to the first rotary.
+/// Coordinates of the wanted axis: its height along the first rotary, and two in the plane perpendicular to it.
 pub(crate) struct Coordinates<'g> {
     pub(crate) along: Term<'g>,
     pub(crate) mean: Term<'g>,
@@ -115,7 +115,7 @@ impl<'g> Coordinates<'g> {
     }
 }
 
-/// The root squared in the form that keeps its digits, and what belongs to that form.
+/// The root squared in its well-conditioned form, with rim and lean in the same form.
 pub(crate) struct Radicand<'g> {
     pub(crate) rim: Term<'g>,
     pub(crate) squared: Term<'g>,
@@ -158,7 +158,7 @@ impl<'g> Radicand<'g> {
     }
 }
 
-/// The factor of sine and cosine of the first angle.
+/// Common factor of sine and cosine of the first angle.
 pub(crate) struct FirstScale<'g> {
     pub(crate) length: Option<Term<'g>>,
     pub(crate) inverse: Term<'g>,

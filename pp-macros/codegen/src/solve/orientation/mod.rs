@@ -24,7 +24,7 @@ pub use pair::{Branch, Edge, FirstAngle, SecondAngle, TwoRotaries};
 pub use relation::AngleRelation;
 pub use tilt::Tilt;
 
-/// How the tool axis is reached.
+/// Rotary angles from the tool axis.
 #[derive(Debug, Clone)]
 pub enum Orientation {
     /// No solved rotary axis.
@@ -54,7 +54,7 @@ pub(crate) fn solve(
     match solved[..] {
         [] => Ok(Orientation::Fixed { deviation: (axis - tool).norm().named("deviation").id() }),
         [rotary] => Ok(Orientation::One(one::solve(derivation, rotary, axis, tool, defaults)?)),
-        // The check lets no third pass.
+        // `check` refuses a third one.
         [first, second, ..] => {
             let mut m = derivation.direction(second);
             let mut t = tool;

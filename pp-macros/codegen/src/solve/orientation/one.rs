@@ -1,8 +1,8 @@
 //! The angle of a single rotary axis from a tool axis.
 //!
 //! With `n` the direction of the rotary, `t` the tool axis and `a` the wanted axis, the rotated tool describes a cone
-//! about `n`. Its angle to `t` is that of `a`, seen along `n`: sine `(n×t)·a`, cosine `((n×t)×n)·a`, both times the
-//! length of `n×t`. What lies off the cone is the deviation.
+//! about `n`. The angle is that from `t` to `a`, seen along `n`: sine `(n×t)·a`, cosine `((n×t)×n)·a`, both times the
+//! length of `n×t`. The distance of `a` from the cone is the deviation.
 
 use std::collections::BTreeMap;
 
@@ -27,7 +27,7 @@ pub struct OneRotary {
     pub inverse: Id,
     /// `|n×t|²`, the exact value of `length` on the cone.
     pub length_claim: Id,
-    /// The angle to the rotary, wanted and reached.
+    /// Angles to the rotary axis, for diagnostics.
     pub tilt: Tilt,
 }
 

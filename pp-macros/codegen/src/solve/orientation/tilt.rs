@@ -1,4 +1,4 @@
-//! Angles to the first rotary axis: what a tool axis that cannot be reached is explained by.
+//! Angles to the first rotary axis, for the message about a tool axis that cannot be reached.
 
 use crate::model::{AxisId, AxisKind};
 use crate::solve::derivation::Derivation;
