@@ -1,4 +1,4 @@
-//! Formulas for people: equal to the polynomial they were made of, and written as a person writes them.
+//! Formulas for reading: equal to their polynomial, and in the form in which people write them.
 
 use std::collections::BTreeMap;
 
@@ -24,7 +24,7 @@ const LOLA: &str = "chain: X | Y Z B A;";
 const SKEW: &str =
     "chain: C B | X Y Z; axes = { B: Rx(-33 deg) * Y, X: (3, 1, 2) }; d = (1.5, 0, d); dims = { d: 150.0 };";
 
-/// Rows of the product of all joints, and of the product undone.
+/// Rows of the product of all joints, and of its inverse.
 fn entries(text: &str) -> (Model, Vec<Poly>) {
     let model = model(text);
     let product = model.product();
@@ -33,7 +33,7 @@ fn entries(text: &str) -> (Model, Vec<Poly>) {
     (model, entries)
 }
 
-/// Values of symbols, and of the names a person gives them.
+/// Values of symbols, and of their names in formulas.
 fn point(model: &Model, values: &[f64]) -> (BTreeMap<Symbol, f64>, BTreeMap<String, f64>) {
     let (mut symbols, mut names) = (BTreeMap::new(), BTreeMap::new());
     let mut values = values.iter().copied().cycle();
@@ -121,7 +121,7 @@ fn written(model: &Model, poly: &Poly) -> String {
     Formula::of_poly(model, &model.ring, poly).text()
 }
 
-/// The linear axes behind both table axes: the tip as the bed sees it, part origin zero.
+/// The linear axes after both table axes: the tip in the frame of the bed, part origin zero.
 fn tip_on_bed(text: &str) -> (Model, [Poly; 3]) {
     let model = model(text);
     let tip: [Poly; 3] = model.symbols.tip.map(Poly::from);
@@ -186,7 +186,7 @@ fn a_factor_that_one_term_lacks_stays_inside() {
     for (poly, expected) in [
         (&times(&x, &c) + &y, "x cos B + y"),
         (&times(&x, &c) + &times(&y, &c), "(x + y) cos B"),
-        // Not (1 - cos B): y has no like.
+        // Not (1 - cos B): y has no counterpart.
         (&(&x - &times(&x, &c)) + &times(&y, &c), "x - (x - y) cos B"),
         (&(&x - &times(&x, &c)) + &y, "x (1 - cos B) + y"),
         (&x + &Poly::from(Surd::ratio(3, 2)), "x + 1.5"),
@@ -225,7 +225,7 @@ fn numbers_are_exact_and_long_ones_are_rounded_for_people() {
 }
 
 #[test]
-fn brackets_stand_where_they_are_needed() {
+fn brackets_are_written_where_they_are_needed() {
     let name = |name: &str| Formula::name(name);
     let sum = Formula::Sum(vec![name("x"), name("y").negated()]);
     let cosine = Formula::call("cos", [name("B")]);

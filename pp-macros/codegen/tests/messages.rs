@@ -1,7 +1,7 @@
-//! Every refusal of the language: its text, the words it underlines, its remedy.
+//! Every refusal of the language: its message, the words it underlines, its help line.
 //!
-//! Expectations stand inside the declaration: a comment line with `^` under the words and the message behind them, and
-//! perhaps more lines of it behind `|` and its `help:` on the next comment lines.
+//! Expectations are written inside the declaration: a comment line with `^` under the words, followed by the message.
+//! The next comment lines may have further lines of the message after `|`, and its `help:`.
 
 use pp_codegen::{Options, generate};
 
@@ -76,7 +76,7 @@ chain: C B X Y Z;
 }
 
 #[test]
-fn double_bar_is_underlined_where_it_is_too_much() {
+fn the_second_bar_of_two_is_underlined() {
     check_errors(
         "pub struct M;
 chain: C B || X Y Z;
@@ -256,7 +256,7 @@ d = (0, 0, hieght);
 }
 
 #[test]
-fn reserved_names_are_refused_by_us_and_not_by_rustc() {
+fn reserved_names_are_refused_here_and_not_by_rustc() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
@@ -399,7 +399,7 @@ tool_axis = Rx(7 deg) * Ry(8 deg) * Z;
 }
 
 #[test]
-fn nearly_parallel_rotaries_are_refused_by_the_rule_of_the_running_machine() {
+fn nearly_parallel_rotaries_are_refused_with_the_tolerance_of_the_generated_code() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z; axes = { B: (0, 1, 1000000) };
@@ -423,7 +423,7 @@ d = (0, 0, 1e200 * 1e200);
 }
 
 #[test]
-fn one_mistake_has_no_followers() {
+fn one_mistake_gives_one_message() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
@@ -445,7 +445,7 @@ chain: C B, | X Y Z;
 }
 
 #[test]
-fn what_is_generated_is_not_derived_again() {
+fn derive_of_a_generated_trait_and_a_struct_body_are_refused() {
     check_errors(
         "#[derive(PartialEq, Debug)]
 //                  ^^^^^ `Debug` is implemented already
@@ -499,7 +499,7 @@ tool_axis = (0, 1mm, 1);
 }
 
 #[test]
-fn turns_take_angles_only() {
+fn rotations_take_angles_only() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
@@ -542,7 +542,7 @@ d = (0, 0, 10);
 }
 
 #[test]
-fn a_dimension_that_nobody_declared_is_offered() {
+fn the_help_for_an_undeclared_dimension_is_its_declaration() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
@@ -643,7 +643,7 @@ limits = { C: free };
 }
 
 #[test]
-fn directions_are_vectors_or_turned_coordinates() {
+fn directions_are_vectors_or_rotated_coordinate_axes() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
@@ -764,7 +764,7 @@ verify \"from memory\" {
 }
 
 #[test]
-fn an_axis_that_the_source_counts_the_other_way_round_is_named() {
+fn an_axis_that_the_source_counts_in_the_opposite_direction_is_named() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;

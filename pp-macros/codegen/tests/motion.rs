@@ -30,7 +30,7 @@ fn solved(text: &str) -> (Model, Motion) {
     (model, solved.motion)
 }
 
-/// `d poly / dt`, the changes being the derivatives of the words.
+/// `d poly / dt`, with the changes as the derivatives of the words.
 fn derivative(poly: &Poly, model: &Model, motion: &Motion, ring: &Ring) -> Poly {
     let mut slopes: BTreeMap<Symbol, Poly> = BTreeMap::new();
     for (axis, change) in model.axes.iter().zip(&motion.changes) {
@@ -69,7 +69,7 @@ fn equal(motion: &mut Motion, nodes: [Id; 3], expected: &PolyVector) -> bool {
     })
 }
 
-/// Tip and tool axis with their first and second derivatives: nodes, and what they must be.
+/// First and second derivatives of tip and tool axis: nodes, and the expected polynomials.
 fn derivatives(model: &Model, motion: &Motion) -> Vec<(&'static str, [Id; 3], PolyVector)> {
     let ring = motion.graph.ring();
     let product = model.product();

@@ -1,4 +1,5 @@
-//! Every rewrite rule of the symbolic engine: true for random values, and silent where its condition does not hold.
+//! Every rewrite rule of the symbolic engine: true for random values, and not applied where its condition does not
+//! hold.
 //!
 //! A module for each rule of the table in `symbolic`. Values are made with floats, independently of the rule.
 
@@ -111,7 +112,7 @@ mod unit_vector {
     }
 
     #[test]
-    fn does_not_say_that_two_components_have_length_one() {
+    fn does_not_give_two_components_the_length_one() {
         let mut ring = Ring::default();
         let [i, j, _] = ring.unit_vector(["i", "j", "k"]);
         let sum = &power(&ring, &Poly::from(i), 2) + &power(&ring, &Poly::from(j), 2);
@@ -211,7 +212,7 @@ mod clear {
 
     #[test]
     fn does_not_prove_anything_from_a_divisor_that_vanishes() {
-        // d = 1/(x+1) · (x+1) - 1 is zero, though it does not look so.
+        // d = 1/(x+1) · (x+1) - 1 is zero without looking like it.
         let mut graph = Graph::default();
         let [(_, x)] = inputs(&mut graph, ["x"]);
         let one = graph.integer(1);
@@ -302,7 +303,7 @@ mod product_of_roots {
     }
 
     #[test]
-    fn does_not_turn_a_sum_under_one_root() {
+    fn does_not_put_a_sum_under_one_root() {
         assert_ne!(&super::root(2) + &super::root(3), super::root(5));
         assert_ne!(&super::root(2) * &super::root(3), super::root(5));
     }
@@ -356,7 +357,7 @@ mod exact_sine {
     }
 
     #[test]
-    fn does_not_apply_beside_a_multiple_of_fifteen_degrees() {
+    fn does_not_apply_near_a_multiple_of_fifteen_degrees() {
         assert_eq!(exact_sin_cos(&degrees(45, 2)), None);
         assert_eq!(exact_sin_cos(&degrees(30_000_000_001, 1_000_000_000)), None);
     }

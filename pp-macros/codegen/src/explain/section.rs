@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn words_of_a_person_are_no_commands_of_latex() {
+    fn special_characters_in_words_are_not_latex_commands() {
         assert_eq!(escaped("50% of $x_1 & {a}"), r"50\% of \$x\_1 \& \{a\}");
         assert_eq!(escaped(r"\input"), r"\textbackslash{}input");
         assert_eq!(escaped("left-hand (-X)"), "left-hand ($-$X)");

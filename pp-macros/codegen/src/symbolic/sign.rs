@@ -324,7 +324,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sum_that_dips_below_zero_by_a_trifle_stays() {
+    fn a_sum_slightly_below_zero_keeps_its_factor() {
         let Circle { ring, pair, s, .. } = circle();
         let trifle = Surd::ratio(1_000_000_000_000_001, 1_000_000_000_000_000);
         let sum = &Poly::one() - &s.scaled(&trifle);
