@@ -195,8 +195,8 @@ fn chain() -> impl Strategy<Value = String> {
 /// Refusals that a random chain may get.
 const EXPECTED_REFUSALS: [&str; 4] = [
     "cannot move the tip in every direction",
-    "turns about the tool axis",
-    "turn about the same direction",
+    "rotates about the tool axis",
+    "rotate about the same direction",
     "the vector (0, 0, 0) has no direction",
 ];
 

@@ -32,7 +32,7 @@ pub(crate) fn axis(
         _ => None,
     };
     let point = point.map_or_else(zeros, |vector| lengths(vector, names, ring, errors));
-    let held = find(&declaration.hold, letter).and_then(|entry| axis_value(&entry.value, kind, errors));
+    let held = find(&declaration.hold, letter).and_then(|entry| axis_value(&entry.value, letter, kind, errors));
     let limits = limits(declaration, letter, kind, errors);
     let speed = speed(declaration, letter, kind, errors);
     let lower = letter.to_lowercase();
@@ -62,13 +62,13 @@ fn limits(
         Some(Limits::Range(ends)) => {
             let (lower, upper) = &**ends;
             let phrase = lower.phrase.to(upper.phrase);
-            let ends = (axis_value(lower, kind, errors), axis_value(upper, kind, errors));
+            let ends = (axis_value(lower, letter, kind, errors), axis_value(upper, letter, kind, errors));
             if let (Some(lower), Some(upper)) = &ends
                 && lower > upper
             {
                 errors.push(
                     phrase,
-                    format!("the travel of `{letter}` is empty"),
+                    format!("the travel of `{letter}` is empty: its lower end is above its upper end"),
                     "write the smaller value first: `-5..110`",
                 );
             }
@@ -80,12 +80,12 @@ fn limits(
 
 fn speed(declaration: &Declaration, letter: &str, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
     find(&declaration.speeds, letter).and_then(|entry| {
-        let value = axis_value(&entry.value, kind, errors)?;
+        let value = axis_value(&entry.value, letter, kind, errors)?;
         if !value.is_positive() {
             errors.push(
                 entry.value.phrase,
-                format!("the speed of `{letter}` is not above zero"),
-                "give deg/min for rotary and mm/min for linear axes",
+                format!("the speed of `{letter}` must be above zero"),
+                "give the speed in deg/min for a rotary axis, in mm/min for a linear axis",
             );
         }
         Some(value)
@@ -97,16 +97,17 @@ fn find<'a, T>(entries: &'a [Assign<T>], letter: &str) -> Option<&'a Assign<T>> 
 }
 
 /// A constant in the unit of an axis: degrees for rotary, mm for linear.
-fn axis_value(value: &crate::syntax::Expr, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
+fn axis_value(value: &crate::syntax::Expr, letter: &str, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
     match quantity::number(value) {
         Ok((number, unit)) => {
             let wrong = match (kind, unit) {
-                (AxisKind::Linear, Some(Unit::Degree)) => Some("an angle for a linear axis"),
-                (AxisKind::Rotary, Some(Unit::Millimetre)) => Some("a length for a rotary axis"),
+                (AxisKind::Linear, Some(Unit::Degree)) => Some(("a linear axis", "an angle")),
+                (AxisKind::Rotary, Some(Unit::Millimetre)) => Some(("a rotary axis", "a length")),
                 _ => None,
             };
-            if let Some(wrong) = wrong {
-                errors.push(value.phrase, wrong, "rotary axes count in degrees, linear axes in mm");
+            if let Some((axis, quantity)) = wrong {
+                let text = format!("`{letter}` is {axis}, but its value is {quantity}");
+                errors.push(value.phrase, text, "give values of rotary axes in degrees, of linear axes in mm");
             }
             Some(number)
         }
@@ -181,7 +182,7 @@ fn normalised(vector: &Vector, ring: &mut Ring) -> Result<PolyVector, Fault> {
         return Err(Fault::new(
             vector.phrase,
             "the vector (0, 0, 0) has no direction",
-            "give one component that is not zero",
+            "give at least one component that is not zero",
         ));
     }
     let inverse = match squared.sqrt().and_then(|length| length.inverse()) {

@@ -42,8 +42,8 @@ fn check_axes(chain: &Chain, errors: &mut Errors) {
         } else if seen.contains(&name) {
             errors.push(
                 axis.phrase,
-                format!("`{name}` stands twice in the chain"),
-                "every axis has a letter of its own",
+                format!("`{name}` is listed twice in the chain"),
+                "list each axis once, each with its own letter",
             );
         }
         seen.push(name);
@@ -70,13 +70,13 @@ fn check_linears(chain: &Chain, linears: &[&SpannedName], errors: &mut Errors) {
         errors.push(
             chain.phrase,
             format!("a machine needs three solved linear axes, found {found}"),
-            "add the missing letters to the chain, or take them out of `hold`",
+            "add the missing letters to the chain, or remove them from `hold`",
         );
     }
     for axis in linears.iter().skip(3) {
         errors.push(
             axis.phrase,
-            format!("`{}` is a fourth linear axis: three are solved for", axis.name),
+            format!("`{}` is a fourth linear axis, but exactly three are solved for", axis.name),
             format!("put {} in `hold`: `hold = {{ {}: 0 }};`", axis.name, axis.name),
         );
     }
@@ -86,7 +86,7 @@ fn check_rotaries(rotaries: &[&SpannedName], errors: &mut Errors) {
     for axis in rotaries.iter().skip(2) {
         errors.push(
             axis.phrase,
-            format!("`{}` is a third rotary axis: two tilt the tool", axis.name),
+            format!("`{}` is a third rotary axis, but at most two are solved for", axis.name),
             format!("put {} in `hold`: `hold = {{ {}: 0 }};`", axis.name, axis.name),
         );
     }

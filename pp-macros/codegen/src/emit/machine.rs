@@ -43,9 +43,9 @@ pub(crate) fn item(
         #(#[doc = #doc])*
         #visibility struct #name {
             #(#[doc = #field_docs] pub #fields: ::core::primitive::f64,)*
-            /// Part zero from the table's reference point, along the table's directions, mm.
+            /// Position of the part zero relative to the table's reference point, along the table's directions, mm.
             pub part_origin: ::pp_runtime::nalgebra::Vector3<::core::primitive::f64>,
-            /// Gauge line to tool tip, mm.
+            /// Distance from the gauge line to the tool tip, mm.
             pub gauge_length: ::core::primitive::f64,
         }
 

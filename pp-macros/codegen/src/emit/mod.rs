@@ -52,7 +52,8 @@ pub(crate) fn emit(
             use ::core::primitive::{f64, str, usize};
             use ::pp_runtime::kinematics::math;
 
-            /// What the kinematics share; a trait, so that no method of the user can clash with it.
+            /// Functions that the methods of `Machine` share; in a trait, so that they cannot clash with methods of the
+            /// user.
             trait Shared {
                 #position_signature
                 #edge_signature

@@ -26,12 +26,13 @@ pub(crate) fn chain(model: &Model) -> Section {
     let has = |reversed: bool| model.axes.iter().any(|axis| axis.reversed == reversed);
     if has(false) {
         section.line(
-            line("Sign +: the tool moves relative to the workpiece along the direction, or right-handed about it ")
-                .words("(ISO 841)."),
+            line("Sign +: a positive word moves the tool relative to the workpiece along the direction, ")
+                .words("or right-handed about it (ISO 841)."),
         );
     }
     if has(true) {
-        section.line(line("Sign ").both("-", "$-$").words(": the word runs the other way."));
+        section
+            .line(line("Sign ").both("-", "$-$").words(": a positive word moves the axis in the opposite direction."));
     }
     let rotary = |side: Side| model.axes.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == side);
     if rotary(Side::Workpiece) {

@@ -39,7 +39,7 @@ fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries, section: &mut Secti
         let words = two.rotaries.into_iter().zip(two.branches[0].words).collect::<Vec<_>>();
         section.words("first branch, step by step:");
         in_steps(model, solved, &words, section);
-        section.words("second branch: the same with -root for root");
+        section.words("second branch: the same with -root in place of root");
         return;
     };
     section.equations(closed.named_root().as_slice());
@@ -98,7 +98,7 @@ pub(crate) fn branches(model: &Model, solved: &Solved) -> Section {
                 .words(" 0"),
         );
     }
-    section.line(line("Where ").math(&quantity).words(" = 0 both are one."));
+    section.line(line("Both branches coincide where ").math(&quantity).words(" = 0."));
     section
 }
 

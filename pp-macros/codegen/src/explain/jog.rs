@@ -34,18 +34,18 @@ pub(crate) fn sheet(model: &Model) -> Section {
     let machine = MachineAtDefaults::of(model);
     let mut section = Section::default();
     section.words(
-        "No proof finds a sign that was declared wrongly. Jog each axis alone from zero, and tick what moves as stated; \
-         a line that is not true is a wrong sign, to be corrected before the first cut.",
+        "No proof can find a wrongly declared sign. Jog each axis alone from zero, and tick each line that is true. \
+         If a line is false, the sign of that axis is wrong: correct it in the declaration before the first cut.",
     );
-    section.words("You stand in front of the machine: X to the right (+X), Y away from you (+Y), Z up (+Z).");
+    section.words("Seen from the front of the machine: X points right (+X), Y away from you (+Y), Z up (+Z).");
     section.words(&format!("With all axes at zero the tool points {}.", heading(minus(machine.tool))));
     section.words(if machine.tool[2].abs() < ALONG_COSINE {
-        "Where Z is not up on your machine, go by the letters in brackets."
+        "If Z is not up on your machine, follow the letters in brackets."
     } else {
-        "With a horizontal spindle Z is not up: go by the letters in brackets."
+        "If Z is not up, as with a horizontal spindle, follow the letters in brackets."
     });
     if model.axes.iter().any(|axis| axis.held.is_some()) {
-        section.words("Held axes stand at their defaults while the others are jogged.");
+        section.words("Held axes stay at their defaults while the others are jogged.");
     }
     section.gap();
     for id in 0..model.axes.len() {
@@ -143,7 +143,7 @@ impl<'a> MachineAtDefaults<'a> {
             (angle.round(), (nearest * 100.0).round())
         };
         let best = moved.iter().fold(&moved[0], |best, marker| if rank(marker) > rank(best) { marker } else { best });
-        let sense = sense(about, degrees).map(|sense| format!("the {thing} turns {sense}; ")).unwrap_or_default();
+        let sense = sense(about, degrees).map(|sense| format!("the {thing} rotates {sense}; ")).unwrap_or_default();
         let mut sentence = format!("{sense}{}", shown(best));
         // About an inclined axis one marker does not determine the motion.
         if sense.is_empty() && best.0.0 != moved[0].0.0 && moved[0].2 > 1.0 {

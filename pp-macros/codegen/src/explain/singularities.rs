@@ -37,10 +37,11 @@ pub(crate) fn singular_set(model: &Model, solved: &Solved) -> Section {
             text_line = text_line.words(", along ").vector(&vector(model, direction));
         }
         section.line(text_line);
-        section.words(&format!("There (sine of the angle between them below 1e-15) {letter} keeps the value it had."));
+        section
+            .words(&format!("There (sine of the angle between them below 1e-15) {letter} keeps its previous value."));
     } else {
         section.words(&format!(
-            "{letter} is free only where held values or dimensions let the tool stand parallel to it."
+            "{letter} is free only where held values or dimensions make the tool axis parallel to it."
         ));
     }
     section
@@ -61,7 +62,7 @@ pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
     let value = |node: Id| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly));
     let (rotary, tilt) = match &solved.orientation {
         Orientation::Fixed { .. } => {
-            section.words("one tool axis");
+            section.words("a single tool axis: there is no rotary axis to solve for");
             return section;
         }
         Orientation::One(one) => (one.rotary, &one.tilt),
@@ -69,7 +70,7 @@ pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
     };
     let letter = model.axes[rotary].letter;
     let (Some(between), Some(tool)) = (value(tilt.between.1), value(tilt.tool.1)) else {
-        section.words(&format!("an angle to the axis of {letter} that depends on dimensions or held axes"));
+        section.words(&format!("angles to the axis of {letter} in a range that depends on dimensions or held axes"));
         return section;
     };
     let (between, tool) = (between.acos().to_degrees(), tool.acos().to_degrees());
@@ -130,7 +131,7 @@ pub(crate) fn degenerate(model: &Model, solved: &Solved) -> Section {
         section.line(line(&format!("nowhere: the determinant of {letters} is ")).math(&formula));
     } else {
         section.line(
-            line(&format!("{letters} degenerate where "))
+            line(&format!("where the determinant of {letters} is near zero: "))
                 .both(&format!("|{}|", formula.text()), &format!("$|{}|$", formula.latex()))
                 .words(" < 1e-9"),
         );

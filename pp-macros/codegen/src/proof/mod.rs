@@ -41,7 +41,7 @@ pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> 
             if !reader.claim(*deviation, &Poly::zero()) {
                 return Err("the fixed tool axis is reached without deviation".into());
             }
-            claims.push("the only reachable tool axis is the product's".into());
+            claims.push("the only reachable tool axis is that of the matrix product".into());
         }
         Orientation::One(one) => claims.push(prove_one(model, solved, &product, one)?),
         Orientation::Two(two) => {
@@ -64,7 +64,7 @@ fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
     for (id, axis) in model.axes.iter().enumerate() {
         let letter = axis.letter;
         if model.product_of([model.joint(id), model.joint_inverse(id)]) != Matrix::identity() {
-            return Err(format!("the joint of {letter} is undone by its joint with -q"));
+            return Err(format!("the joint of {letter} with -q is the inverse of the joint"));
         }
         let claim = format!("the joint of {letter} is as declared");
         let centre = if axis.kind == AxisKind::Rotary { model.centre(id) } else { axis.point.clone() };
@@ -122,10 +122,10 @@ fn prove_one(model: &Model, solved: &mut Solved, product: &Matrix, one: &OneRota
     let mut reader = Interpreter::new(&mut solved.graph, assign(model.symbols.axis, axis));
     let length = reader.value(one.length_claim);
     if !reader.claim(one.length, &length) || !reader.claim(one.deviation, &Poly::zero()) {
-        return Err(format!("every tool axis made by {letter} is found to be reachable"));
+        return Err(format!("every tool axis that {letter} produces is reachable"));
     }
     let (sine, cosine) = model.axes[one.rotary].sin_cos;
-    let claim = format!("{letter} is found again from the tool axis it makes");
+    let claim = format!("the inverse returns {letter} from the tool axis that {letter} produces");
     for (node, symbol) in [(one.word.0, sine), (one.word.1, cosine)] {
         let value = reader.value(node);
         holds(&reader, &value, &Poly::from(symbol), &claim)?;

@@ -47,7 +47,7 @@ fn prove_branch(
         on_circle(model, &reader, axis, &words)?;
     }
     let name = if branch.plus == two.first_is_plus() { "first" } else { "second" };
-    let claim = format!("{letters} turn the tool to (i, j, k), {name} branch");
+    let claim = format!("{letters} rotate the tool axis to (i, j, k), {name} branch");
     // R1 R2 t = a, shown as R2 t = R1⁻¹ a, with held axes on their side of it: far fewer products of sines.
     let after = two.rotaries[0] + 1;
     let tool = model.product_of((after..model.axes.len()).map(|axis| model.joint(axis)));
@@ -96,7 +96,7 @@ fn prove_edge(general: &GeneralDirections, solved: &mut Solved, two: &TwoRotarie
     };
     let signed_sine = ring.mul(&room, &ring.dot(&n_b, &wanted));
     let signed_sine = if model.axes[first].reversed { -&signed_sine } else { signed_sine };
-    let claim = "at the rim the nearest reachable tool axis is taken";
+    let claim = "at the limit of reach the nearest reachable tool axis is taken";
     let squares = [edge.first.0, edge.first.1].map(|node| reader.value(node)).map(|part| ring.mul(&part, &part));
     let pairs = [
         (edge.first_squared, &squares[0] + &squares[1]),

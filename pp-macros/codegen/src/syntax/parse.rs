@@ -48,7 +48,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
     input.parse::<Token![struct]>()?;
     let name = input.parse()?;
     if !input.peek(Token![;]) {
-        let error = input.error("expected `;` behind the name\n\nhelp: the struct has no body: `pub struct MyMachine;`, its fields come from `dims`");
+        let error = input.error("expected `;` after the name\n\nhelp: the struct has no body, its fields come from `dims`: write `pub struct MyMachine;`");
         input.parse::<TokenStream>()?;
         return Err(error);
     }
@@ -93,7 +93,7 @@ fn field(
         return Err(syn::Error::new_spanned(key.phrase, text));
     }
     if key.name != "verify" && seen.iter().any(|known| known.name == key.name) {
-        errors.push(key.phrase, format!("`{}` is given twice", key.name), "join the two into one field");
+        errors.push(key.phrase, format!("the field `{}` is given twice", key.name), "join the two into one field");
     }
     seen.push(key.clone());
     match key.name.as_str() {
@@ -234,7 +234,9 @@ fn sign(input: ParseStream<'_>, _: &Source) -> syn::Result<bool> {
     } else if input.parse::<Option<Token![-]>>()?.is_some() {
         Ok(true)
     } else {
-        Err(input.error("expected `+` or `-`\n\nhelp: `-` only where the word itself runs against ISO 841"))
+        Err(input.error(
+            "expected `+` or `-`\n\nhelp: write `-` if a positive word moves the axis against ISO 841, otherwise `+`",
+        ))
     }
 }
 
@@ -277,7 +279,7 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
         }
         let word = source.name(
             input,
-            "a direction\n\nhelp: write a turned coordinate such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`",
+            "a direction\n\nhelp: write a rotated coordinate axis such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`",
         )?;
         let start = *start.get_or_insert(word.phrase);
         if let Some(coordinate) = ["X", "Y", "Z"].iter().position(|name| word.name == *name) {
@@ -291,7 +293,7 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
         let rotation = ["Rx", "Ry", "Rz"].iter().position(|name| word.name == *name);
         let (Some(rotation), false) = (rotation, negated) else {
             let text = format!(
-                "`{}` is not a direction\n\nhelp: use X, Y, Z, a vector, and turns Rx(...), Ry(...), Rz(...) in front of them",
+                "`{}` is not a direction\n\nhelp: write X, Y, Z or a vector, with rotations Rx(...), Ry(...), Rz(...) before it: `Rx(-45 deg) * Y`",
                 word.name
             );
             return Err(syn::Error::new_spanned(word.phrase, text));
@@ -302,10 +304,13 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
         let (_, content) = source.parenthesized(input)?;
         rotations.push((rotation, expression(&content, source)?));
         if !content.is_empty() {
-            return Err(content.error("expected `)`\n\nhelp: a turn has one angle"));
+            return Err(content.error("expected `)`\n\nhelp: a rotation has one angle: `Rx(45 deg) * Y`"));
         }
         if !input.peek(Token![*]) {
-            return Err(input.error(format!("expected `*`\n\nhelp: say what is turned: `{}(...) * Y`", word.name)));
+            return Err(input.error(format!(
+                "expected `*`\n\nhelp: write the direction that is rotated: `{}(...) * Y`",
+                word.name
+            )));
         }
         input.parse::<Token![*]>()?;
     }
@@ -322,7 +327,7 @@ fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
         return Err(input.error("expected `..`\n\nhelp: write the travel as `-5..110`, or `free`"));
     }
     if input.peek(Token![..=]) || input.peek(Token![...]) {
-        return Err(input.error("expected `..`\n\nhelp: the travel is inclusive as it is: `-5..110`"));
+        return Err(input.error("expected `..`\n\nhelp: both ends belong to the travel: write `-5..110`"));
     }
     input.parse::<Token![..]>()?;
     Ok(Limits::Range(Box::new((lower, expression(input, source)?))))

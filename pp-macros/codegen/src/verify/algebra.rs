@@ -115,7 +115,7 @@ impl<'a> Algebra<'a> {
         let Some(times) = whole.and_then(|times| times.to_integer().to_i32()).filter(|times| times.abs() <= 24) else {
             return Err(Fault::new(
                 expr.phrase,
-                "an angle is multiplied by a whole number only",
+                "an angle can be multiplied only by a whole number up to 24",
                 "take sin or cos of it: `x * cos(C)`",
             ));
         };
@@ -170,7 +170,11 @@ impl<'a> Algebra<'a> {
         if number.as_ref().is_some_and(|number| number.sign().is_lt())
             || self.ring.value(&radicand).is_some_and(|value| value < 0.0)
         {
-            return Err(Fault::new(expr.phrase, "the root of a negative number", "check the signs under the root"));
+            return Err(Fault::new(
+                expr.phrase,
+                "the number under the root is negative",
+                "check the signs under the root",
+            ));
         }
         if let Some(root) = number.and_then(|number| number.sqrt()) {
             return Ok(Poly::from(root));
@@ -197,8 +201,8 @@ impl<'a> Algebra<'a> {
         if self.ring.is_zero(&divisor) {
             return Err(Fault::new(
                 expr.phrase,
-                format!("`{expr}` is zero at every pose of this machine"),
-                "nothing can be divided by it",
+                format!("the divisor `{expr}` is zero at every pose of this machine"),
+                "check the divisor: division by zero has no value",
             ));
         }
         if let (Some(value), Some(size)) = (self.ring.value(&divisor), self.ring.magnitude(&divisor, &|_| None))
@@ -206,8 +210,8 @@ impl<'a> Algebra<'a> {
         {
             return Err(Fault::new(
                 expr.phrase,
-                format!("`{expr}` is a constant that cannot be told from zero"),
-                "nothing can be divided by it",
+                format!("the divisor `{expr}` is a constant that cannot be distinguished from zero"),
+                "check the divisor: division by zero has no value",
             ));
         }
         if let Some((_, known)) = self.divisors.iter().find(|(known, _)| *known == divisor) {
@@ -224,5 +228,9 @@ impl<'a> Algebra<'a> {
 }
 
 fn too_large(expr: &Expr) -> Fault {
-    Fault::new(expr.phrase, "this is too large to be decided", "split the equation, or write it in factors")
+    Fault::new(
+        expr.phrase,
+        "this expression is too large to be decided",
+        "split the equation into shorter ones, or write it in factors",
+    )
 }

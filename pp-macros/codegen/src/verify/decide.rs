@@ -89,7 +89,7 @@ impl Decision<'_, '_, '_> {
                 let (Some(left), Some(right)) = (zero_as_angle(&left), zero_as_angle(&right)) else {
                     return Err(Fault::new(
                         equation.phrase,
-                        "an angle on one side and a number on the other",
+                        "one side is an angle, the other is a number",
                         "a rotary axis equals atan2, asin or acos of numbers, or a sum of angles",
                     ));
                 };

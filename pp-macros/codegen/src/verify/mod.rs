@@ -211,7 +211,7 @@ fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &D
         ),
         Verdict::Nowhere => errors.push(
             equation.phrase,
-            format!("this formula for `{left}` is right at no pose"),
+            format!("this formula for `{left}` holds at no pose"),
             "check the signs of roots and arguments",
         ),
         Verdict::False(gap) => {
@@ -223,7 +223,7 @@ fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &D
             }
             text += &format!("\n  {gap}");
             let help = change.or(missing).unwrap_or_else(|| {
-                "no single change makes it true: compare `signs`, `d` and `axes` with the source, too".into()
+                "no single change makes it true; compare `signs`, `d` and `axes` with the source as well".into()
             });
             errors.push(equation.phrase, text, help);
         }

@@ -45,15 +45,17 @@ fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
             (_, true) => other(part, "sin"),
             _ => None,
         });
-        let words = format!("exchange `sin({name})` and `cos({name})` wherever they stand");
+        let words = format!("exchange `sin({name})` and `cos({name})` wherever they occur");
         found.push(Change { expr: exchanged, words, rank: 6 });
         let reversed = expr.replace(&|part| {
             let name = matches!(&part.kind, ExprKind::Name(known) if *known == name);
             name.then(|| Expr { phrase: part.phrase, kind: ExprKind::Neg(Box::new(part.clone())) })
         });
-        let mut words = format!("it is true with `-{name}` for `{name}`: the source counts {name} the other way round");
+        let mut words = format!(
+            "it is true with `-{name}` in place of `{name}`: the source counts {name} in the opposite direction"
+        );
         if rotary(&name) {
-            words += &format!("; if the machine does, too, declare `signs = {{ {name}: - }};`");
+            words += &format!("; if the machine does so as well, declare `signs = {{ {name}: - }};`");
         }
         found.push(Change { expr: reversed, words, rank: 6 });
     }

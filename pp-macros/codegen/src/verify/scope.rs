@@ -35,7 +35,7 @@ impl<'a> Scope<'a> {
         for (place, assumption) in block.assumptions.iter().enumerate() {
             let earlier = &block.assumptions[..place];
             if earlier.iter().any(|known| known.key.name == assumption.key.name) {
-                let text = format!("`{}` is assumed twice", assumption.key.name);
+                let text = format!("`{}` is given twice by `where`", assumption.key.name);
                 faults.push(Fault::new(assumption.key.phrase, text, "keep one of the two"));
             } else if let Err(fault) = scope.assume(assumption) {
                 faults.push(fault);
@@ -140,8 +140,8 @@ impl<'a> Scope<'a> {
             None if is_taken(&key.name) => {
                 return Err(Fault::new(
                     key.phrase,
-                    format!("`{}` cannot be assumed", key.name),
-                    "`where` gives a value to a dimension, to `gauge`, `part_x`, `part_y`, `part_z`, to a held axis, or to a name of its own",
+                    format!("`where` cannot give a value to `{}`", key.name),
+                    "`where` gives a value to a dimension, to `gauge`, `part_x`, `part_y`, `part_z`, to a held axis, or to a new name",
                 ));
             }
             None if is_angle(value, self.model()) => {
@@ -192,9 +192,9 @@ impl<'a> Scope<'a> {
             }),
             None => Err(Fault::new(
                 expr.phrase,
-                format!("`{name}` means nothing in `verify`"),
+                format!("unknown name `{name}` in `verify`"),
                 format!(
-                    "known are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z, and names that a `where` gives",
+                    "the names are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z, and names given by `where`",
                     self.letters(),
                     self.dimensions()
                 ),

@@ -16,7 +16,8 @@ pub(crate) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, Token
     let Orientation::Two(two) = &solved.orientation else { return None };
     let count = model.axes.len();
     let signature = quote! {
-        /// One solution where both branches meet, at the pole, at the rim and within the tolerance outside it.
+        /// One solution where both branches coincide: at the pole, at the limit of reach, and within the tolerance
+        /// beyond it.
         fn inverse_at_the_edge(
             &self,
             pose: &::pp_runtime::kinematics::Pose,
