@@ -33,14 +33,14 @@ use proc_macro::TokenStream;
 /// | field | meaning | default |
 /// |---|---|---|
 /// | `/// doc`, `vis struct Name;` | the generated type; attributes pass through | |
-/// | `chain: C B \| X Y Z;` | axes from workpiece to tool; `\|` is the machine frame. X Y Z U V W slide, A B C turn | |
+/// | `chain: C B \| X Y Z;` | axes from workpiece to tool; `\|` is the machine frame. X Y Z U V W are linear, A B C rotary | |
 /// | `d = (0, 0, d);` or `d = { C: (0, 0, 0), B: (0, 0, -60.5) };` | a point on each rotary centre line, mm: from the table's reference point on the workpiece side, from the gauge line on the tool side | origin |
-/// | `signs = { C: -, Y: - };` | `+` is ISO 841; `-` where the word itself runs backwards | `+` |
-/// | `axes = { B: Rx(-45 deg) * Y, Y: (0, 1, -0.5) };` | a direction that is not the letter's own: a turned coordinate (the factor next to it acts first), or a vector, normalised exactly | X = A = (1, 0, 0), ... |
+/// | `signs = { C: -, Y: - };` | `+` is ISO 841; `-` where a positive word moves the axis in the opposite direction | `+` |
+/// | `axes = { B: Rx(-45 deg) * Y, Y: (0, 1, -0.5) };` | direction of an axis that is not its letter's own: a rotated coordinate axis (the rotation next to it acts first), or a vector, normalised exactly | X = A = (1, 0, 0), ... |
 /// | `dims = { d: 150.0, alpha: -45 deg };` | named dimensions with defaults: public fields, changeable at run time. With `deg` an angle, else a length | none |
-/// | `tool_axis = (0, 0, 1);` | from tip to spindle with all axes at zero | Z |
+/// | `tool_axis = (0, 0, 1);` | direction from tip to spindle with all axes at zero | Z |
 /// | `hold = { W: 0, A: 0 };` | axes that exist but are not solved for, with their default values in mm and degrees | none |
-/// | `limits = { B: -5..110, C: free };` | travel in mm and degrees, inclusive | `free` |
+/// | `limits = { B: -5..110, C: free };` | travel in mm and degrees, ends included | `free` |
 /// | `speeds = { B: 3600, X: 30000 };` | largest axis speeds, deg/min and mm/min | unlimited |
 /// | `verify "source" { i = sin(B) * cos(C); }` | equations to be proven, see below; any number of blocks | none |
 ///
@@ -77,30 +77,31 @@ use proc_macro::TokenStream;
 ///   block.
 ///
 /// Every equation is decided exactly: both sides become polynomials in axis values, sines and cosines, and their
-/// difference must vanish. Angles are compared modulo a full turn. Fixed angles are exact where they are multiples of
-/// 15 deg; others are taken as unrelated, except by quarter turns and sums as written. A formula that holds on one branch only is accepted
-/// with its condition ("holds where sin B >= 0"), which the type's documentation shows; a divisor made of dimensions is
-/// tested by `validate`. A false equation is an error at that equation, with the formula that does follow:
+/// difference must vanish. Angles are compared modulo 360 deg. Fixed angles are exact where they are multiples of
+/// 15 deg; other fixed angles count as unrelated, except by multiples of 90 deg and by sums as written. A formula that
+/// holds on one branch only is accepted with its condition ("holds where sin B >= 0"), which the type's documentation
+/// shows; a divisor made of dimensions is tested by `validate`. A false equation is an error at that equation, with the
+/// formula that does follow:
 ///
 /// ```compile_fail
 /// pp_runtime::machine! {
 ///     pub struct Lola;
 ///     chain: X | Y Z B A;
-///     // Printed with sin(A); the message says: write `cos(A)` in place of `sin(A)`.
+///     // Printed with sin(A); the help line is: write `cos(A)` in place of `sin(A)`.
 ///     verify "eq. (12) as printed" { X = x + gauge * sin(B) * sin(A); }
 /// }
 /// ```
 ///
-/// # What comes out
+/// # Generated items
 ///
 /// The struct with a public field for each dimension, `part_origin` and `gauge_length`, and its implementation of
 /// `pp_runtime::kinematics::Machine`. Its documentation shows the solved formulas, the branches, the singular set and
-/// what was proven.
+/// the proven claims.
 ///
 /// # Refusals
 ///
-/// Every mistake of a declaration is reported in one compilation, at the words that are wrong. For example, a rotary axis
-/// that turns about the tool cannot tilt it:
+/// Every mistake of a declaration is reported in one compilation, at the words that are wrong. For example, a rotary
+/// axis that rotates about the tool axis cannot tilt the tool:
 ///
 /// ```compile_fail
 /// pp_runtime::machine! {

@@ -1,4 +1,4 @@
-//! A declaration means the same wherever it stands.
+//! A declaration means the same whatever names surround it.
 
 #[allow(non_camel_case_types, dead_code)]
 mod with_names_of_its_own {

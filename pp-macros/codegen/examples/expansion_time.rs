@@ -1,4 +1,4 @@
-//! How long a machine takes to expand: the four paper machines, then chains with ever more unknowns.
+//! Expansion time of a machine: the four machines of the papers, then chains with more and more unknowns.
 //!
 //! `cargo run -p pp-codegen --example expansion_time`
 

@@ -1,6 +1,6 @@
 //! The engine of `machine!`: a declaration becomes exact algebra, a closed-form inverse, a proof, and Rust.
 //!
-//! An ordinary library, so that it can be tested, fuzzed and read; the proc-macro crate is a doorway to [`expand`].
+//! An ordinary library, so that it can be tested, fuzzed and read; the proc-macro crate only calls [`expand_with`].
 //! Same input, same tokens: no I/O, no counters, no clock, no environment, no hash order.
 
 pub mod check;
@@ -31,7 +31,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
     expand_with(input, Options::default())
 }
 
-/// [`expand`] with choices.
+/// [`expand`] with options.
 #[must_use]
 pub fn expand_with(input: TokenStream, options: Options) -> TokenStream {
     generate(input, options).unwrap_or_else(|refused| refused.to_compile_error())
@@ -44,7 +44,7 @@ pub struct Compiled {
     pub model: Model,
     /// Its formulas, proven.
     pub solved: Solved,
-    /// Equations of sources, proven.
+    /// Equations of `verify` blocks, proven.
     pub verified: Vec<Verified>,
     /// The explanation for people.
     pub explanation: Explanation,
@@ -61,7 +61,7 @@ pub fn generate(input: TokenStream, options: Options) -> Result<TokenStream, Ref
     Ok(emit::emit(&declaration, &machine.model, &machine.solved, &machine.explanation, options))
 }
 
-/// The pipeline without its last step.
+/// The pipeline without its last step, `emit`.
 ///
 /// # Errors
 /// Every mistake of the declaration.
@@ -72,11 +72,11 @@ pub fn compile(input: TokenStream) -> Result<Compiled, Refused> {
 }
 
 fn compile_declaration(declaration: &Declaration, errors: &mut Errors) -> Result<Compiled, Refused> {
-    let (mut model, spots) = check::check(declaration, errors)?;
+    let (mut model, phrases) = check::check(declaration, errors)?;
     let solved = solve::solve(&mut model);
-    let mut solved = solved.map_err(|refusals| check::refused(&refusals, &model, &spots, errors))?;
+    let mut solved = solved.map_err(|refusals| check::refused(&refusals, &model, &phrases, errors))?;
     let proofs = proof::prove(&model, &mut solved);
-    let proofs = proofs.map_err(|claim| check::unproven(&claim, &spots, errors))?;
+    let proofs = proofs.map_err(|claim| check::unproven(&claim, &phrases, errors))?;
     let verified = verify::verify(&declaration.verify, &model, &mut solved, errors);
     errors.propagate()?;
     let explanation = explain::explain(&model, &solved, proofs, &verified);

@@ -1,17 +1,17 @@
 //! A checked machine: exact, without syntax and without spans.
 //!
-//! Axes are known by their place in the chain. Whoever has the spans maps a place back to the words of the declaration.
+//! An axis is identified by its index in the chain; `check` has the spans and maps an index back to the declaration.
 
 use std::collections::BTreeMap;
 
 use num_rational::BigRational;
 
-use crate::symbolic::{Matrix, P3, Poly, Ring, Surd, Symbol, rotation, translation, turn_by};
+use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Surd, Symbol, rotation, sin_cos_of_degrees, translation};
 
-/// Place of an axis in the chain, from the workpiece.
+/// Index of an axis in the chain, counted from the workpiece.
 pub type AxisId = usize;
 
-/// Variables of the generated functions: no quantity of a model may have one of these names there.
+/// Local variables of generated functions; a dimension with one of these names gets another name there.
 pub(crate) const LOCALS: &[&str] = &[
     "axes",
     "axis",
@@ -40,7 +40,7 @@ pub(crate) const LOCALS: &[&str] = &[
 
 /// Linear or rotary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
+pub enum AxisKind {
     /// X Y Z U V W.
     Linear,
     /// A B C.
@@ -59,28 +59,28 @@ pub enum Side {
 /// One axis of the chain.
 #[derive(Debug, Clone)]
 pub struct Axis {
-    /// Its address.
+    /// Address letter.
     pub letter: char,
     /// Linear or rotary.
-    pub kind: Kind,
+    pub kind: AxisKind,
     /// Workpiece side or tool side.
     pub side: Side,
-    /// True if the word runs against ISO 841.
+    /// True for sign `-`: a positive word moves the axis against ISO 841.
     pub reversed: bool,
     /// Unit direction with all axes at zero.
-    pub direction: P3,
+    pub direction: PolyVector,
     /// `d`: a point of the centre line from the side's reference point, mm; zero for linear axes.
-    pub point: P3,
+    pub point: PolyVector,
     /// Default value of a held axis, mm or degrees.
     pub held: Option<BigRational>,
-    /// Travel in mm or degrees; `None` is endless.
+    /// Travel limits in mm or degrees; `None`: no limits.
     pub limits: Option<(BigRational, BigRational)>,
     /// Largest speed in mm/min or deg/min.
     pub speed: Option<BigRational>,
-    /// Value of a linear axis, or of a held one.
+    /// Symbol of the axis value; formulas have it for linear axes only.
     pub word: Symbol,
-    /// Sine and cosine of a rotary word.
-    pub turn: (Symbol, Symbol),
+    /// Symbols of sine and cosine of the axis value; formulas have them for rotary axes only.
+    pub sin_cos: (Symbol, Symbol),
 }
 
 /// A named dimension.
@@ -97,15 +97,15 @@ pub struct Dimension {
 /// The symbols by which a dimension enters the formulas.
 #[derive(Debug, Clone, Copy)]
 pub enum Quantity {
-    /// As itself.
+    /// A length, mm: its own symbol.
     Length(Symbol),
-    /// As its sine and cosine.
+    /// An angle: its sine and cosine.
     Angle(Symbol, Symbol),
 }
 
-/// Symbols of the set-up and of the pose.
+/// Symbols of the pose and of the set-up.
 #[derive(Debug, Clone, Copy)]
-pub struct Frame {
+pub struct ModelSymbols {
     /// Tool tip x y z.
     pub tip: [Symbol; 3],
     /// Tool axis i j k.
@@ -121,27 +121,27 @@ pub struct Frame {
 pub struct Model {
     /// Identifier of the struct.
     pub name: String,
-    /// From workpiece to tool.
+    /// Axes from workpiece to tool.
     pub axes: Vec<Axis>,
     /// Named dimensions in the order of the declaration.
     pub dimensions: Vec<Dimension>,
     /// Unit vector from tip to spindle with all axes at zero.
-    pub tool_axis: P3,
+    pub tool_axis: PolyVector,
     /// Symbols of pose and set-up.
-    pub frame: Frame,
-    /// Owner of all symbols.
+    pub symbols: ModelSymbols,
+    /// Ring that owns all symbols and their relations.
     pub ring: Ring,
 }
 
 impl Model {
     /// Solved rotary axes, in chain order.
     pub fn solved_rotaries(&self) -> impl Iterator<Item = AxisId> + '_ {
-        self.solved(Kind::Rotary)
+        self.solved(AxisKind::Rotary)
     }
 
     /// Solved linear axes, in chain order.
     pub fn solved_linears(&self) -> impl Iterator<Item = AxisId> + '_ {
-        self.solved(Kind::Linear)
+        self.solved(AxisKind::Linear)
     }
 
     /// Letters of axes, separated by blanks.
@@ -151,65 +151,66 @@ impl Model {
         letters.join(" ")
     }
 
-    /// Sine of a joint's angle: of the word, with the axis' sign.
+    /// Sine of the joint angle: the sine of the word times the sign of the axis.
     #[must_use]
     pub fn joint_sine(&self, axis: AxisId) -> Poly {
-        self.signed(axis, self.axes[axis].turn.0)
+        self.signed(axis, self.axes[axis].sin_cos.0)
     }
 
     /// Centre of a rotary axis in the workpiece frame of the zero position: `d - part_origin` on the workpiece side,
     /// `d + gauge_length · t` on the tool side.
     #[must_use]
-    pub fn centre(&self, axis: AxisId) -> P3 {
+    pub fn centre(&self, axis: AxisId) -> PolyVector {
         let Axis { side, point, .. } = &self.axes[axis];
         std::array::from_fn(|index| match side {
-            Side::Workpiece => &point[index] - &Poly::from(self.frame.part[index]),
-            Side::Tool => &point[index] + &self.ring.mul(&Poly::from(self.frame.gauge), &self.tool_axis[index]),
+            Side::Workpiece => &point[index] - &Poly::from(self.symbols.part[index]),
+            Side::Tool => &point[index] + &self.ring.mul(&Poly::from(self.symbols.gauge), &self.tool_axis[index]),
         })
     }
 
-    /// The elementary matrices of one joint, multiplied: `Trans(q·u)`, or `Trans(c)·Rot(n, q)·Trans(-c)`.
+    /// Matrix of one joint: `Trans(q·u)` if linear, `Trans(c)·Rot(n, q)·Trans(-c)` if rotary.
     #[must_use]
     pub fn joint(&self, axis: AxisId) -> Matrix {
         self.joint_or_inverse(axis, false)
     }
 
-    /// The same with `-q` for `q`.
+    /// Matrix of one joint with `-q` in place of `q`: its inverse.
     #[must_use]
     pub fn joint_inverse(&self, axis: AxisId) -> Matrix {
         self.joint_or_inverse(axis, true)
     }
 
-    /// The product of some joints, in the given order.
+    /// Product of joint matrices, in the given order.
     #[must_use]
     pub fn product_of(&self, joints: impl IntoIterator<Item = Matrix>) -> Matrix {
         joints.into_iter().fold(Matrix::identity(), |product, joint| product.times(&joint, &self.ring))
     }
 
-    /// `T(q)`: the product of all joints from workpiece to tool. The tip is its origin, the tool axis its image of `t`.
+    /// `T(q)`: product of all joint matrices from workpiece to tool. It maps the origin to the tip and `t` to the tool
+    /// axis.
     #[must_use]
     pub fn product(&self) -> Matrix {
         self.product_of((0..self.axes.len()).map(|axis| self.joint(axis)))
     }
 
     fn joint_or_inverse(&self, axis: AxisId, inverse: bool) -> Matrix {
-        let Axis { kind, direction, word, turn, .. } = &self.axes[axis];
+        let Axis { kind, direction, word, sin_cos, .. } = &self.axes[axis];
         let signed = |value: Poly| if inverse { -&value } else { value };
         match kind {
-            Kind::Linear => {
+            AxisKind::Linear => {
                 let value = signed(self.signed(axis, *word));
                 translation(&direction.clone().map(|component| self.ring.mul(&component, &value)))
             }
-            Kind::Rotary => {
+            AxisKind::Rotary => {
                 let centre = self.centre(axis);
-                let turn = rotation(direction, &signed(self.joint_sine(axis)), &Poly::from(turn.1), &self.ring);
+                let rotation = rotation(direction, &signed(self.joint_sine(axis)), &Poly::from(sin_cos.1), &self.ring);
                 let back = translation(&centre.clone().map(|component| -&component));
-                self.product_of([translation(&centre), turn, back])
+                self.product_of([translation(&centre), rotation, back])
             }
         }
     }
 
-    /// Symbols by which dimensions enter.
+    /// Symbols of all dimensions.
     #[must_use]
     pub fn dimension_symbols(&self) -> Vec<Symbol> {
         let symbols = |dimension: &Dimension| match dimension.quantity {
@@ -219,16 +220,16 @@ impl Model {
         self.dimensions.iter().flat_map(symbols).collect()
     }
 
-    /// A point at which formulas can be compared by their values: all relations between symbols hold there.
+    /// Sample values for a numeric comparison of formulas; all relations between symbols hold for them.
     #[must_use]
     pub fn sample(&self) -> BTreeMap<Symbol, f64> {
-        let angles = self.axes.iter().map(|axis| axis.turn);
+        let angles = self.axes.iter().map(|axis| axis.sin_cos);
         let dimensions = self.dimensions.iter().filter_map(|dimension| match dimension.quantity {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),
             Quantity::Length(_) => None,
         });
-        // Any values will do that no formula is made for.
-        let mut values: BTreeMap<Symbol, f64> = self.frame.axis.into_iter().zip([0.36, 0.48, 0.8]).collect();
+        // Arbitrary values at which no formula is a special case.
+        let mut values: BTreeMap<Symbol, f64> = self.symbols.axis.into_iter().zip([0.36, 0.48, 0.8]).collect();
         for (index, (sine, cosine)) in angles.chain(dimensions).enumerate() {
             let (s, c) = (0.123_4 + 0.271_8 * index as f64).sin_cos();
             values.insert(sine, s);
@@ -237,7 +238,7 @@ impl Model {
         values
     }
 
-    /// Values at the defaults of `hold` and `dims`, for the symbols these enter by.
+    /// Default values of `hold` and `dims`, for their symbols.
     #[must_use]
     pub fn defaults(&mut self) -> BTreeMap<Symbol, Poly> {
         let mut values = BTreeMap::new();
@@ -245,8 +246,8 @@ impl Model {
         for axis in &self.axes {
             if let Some(value) = &axis.held {
                 match axis.kind {
-                    Kind::Linear => drop(values.insert(axis.word, Poly::from(Surd::from(value.clone())))),
-                    Kind::Rotary => angles.push((axis.turn, value.clone())),
+                    AxisKind::Linear => drop(values.insert(axis.word, Poly::from(Surd::from(value.clone())))),
+                    AxisKind::Rotary => angles.push((axis.sin_cos, value.clone())),
                 }
             }
         }
@@ -259,7 +260,7 @@ impl Model {
             }
         }
         for ((sine, cosine), degrees) in angles {
-            let (s, c) = turn_by(&degrees, &mut self.ring);
+            let (s, c) = sin_cos_of_degrees(&degrees, &mut self.ring);
             values.insert(sine, s);
             values.insert(cosine, c);
         }
@@ -271,7 +272,7 @@ impl Model {
         if self.axes[axis].reversed { -&value } else { value }
     }
 
-    fn solved(&self, kind: Kind) -> impl Iterator<Item = AxisId> + '_ {
+    fn solved(&self, kind: AxisKind) -> impl Iterator<Item = AxisId> + '_ {
         let wanted = move |axis: &Axis| axis.kind == kind && axis.held.is_none();
         self.axes.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(id, _)| id)
     }

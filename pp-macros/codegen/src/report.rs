@@ -1,19 +1,19 @@
-//! Messages: one rule, the words that break it underlined, one line of help.
+//! Error messages: the broken rule, its words underlined, one line of help.
 
 use proc_macro2::{Span, TokenStream};
 use quote::{ToTokens, quote, quote_spanned};
 
-/// Words of the declaration, from the first token to the last.
+/// Location of words of the declaration, from the first token to the last.
 #[derive(Debug, Clone, Copy)]
 pub struct Phrase {
     first: Span,
     last: Span,
-    /// Place in the source: messages come out in this order.
+    /// Position in the source; messages are sorted by it.
     order: usize,
 }
 
 impl Phrase {
-    /// From the first token to the last; `order` grows with the place in the source.
+    /// From the first token to the last; `order` increases with the position in the source.
     #[must_use]
     pub fn new(first: Span, last: Span, order: usize) -> Self {
         Self { first, last, order }
@@ -34,14 +34,14 @@ impl ToTokens for Phrase {
     }
 }
 
-/// Collects everything that is wrong before giving up.
+/// Collects all mistakes before compilation stops.
 #[derive(Debug, Default)]
 pub struct Errors {
     list: Vec<(usize, syn::Error)>,
 }
 
 impl Errors {
-    /// One mistake with its remedy.
+    /// Adds a mistake with its remedy.
     ///
     /// The same mistake at the same place is reported once, however many axes share it.
     pub fn push(&mut self, at: Phrase, text: impl std::fmt::Display, help: impl std::fmt::Display) {
@@ -51,18 +51,18 @@ impl Errors {
         }
     }
 
-    /// True while nothing is wrong.
+    /// True if no mistake has been found.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// A mistake that the parser of Rust tokens found.
+    /// Adds a mistake that the token parser found.
     pub fn push_syntax(&mut self, order: usize, error: syn::Error) {
         self.list.push((order, error));
     }
 
-    /// Stops if anything is wrong.
+    /// Fails if any mistake has been found.
     ///
     /// # Errors
     /// All mistakes so far, in source order.
@@ -70,7 +70,7 @@ impl Errors {
         if self.list.is_empty() { Ok(()) } else { Err(self.refused()) }
     }
 
-    /// Stops with all mistakes found until now, in source order.
+    /// Takes all mistakes so far, in source order.
     pub fn refused(&mut self) -> Refused {
         let mut list = std::mem::take(&mut self.list);
         list.sort_by_key(|(order, _)| *order);

@@ -1,4 +1,4 @@
-//! What comes out: the same tokens every time, and code a person can read.
+//! Generated code: the same tokens every time, and readable.
 
 const SPINNER: &str = "/// A table.
     pub struct Table; chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 }; limits = { B: -5..110, C: free };";

@@ -1,4 +1,4 @@
-//! What a machine says about itself.
+//! The explanation of a machine: jog sheet, proven equations, width of lines.
 
 use pp_codegen::compile;
 use pp_codegen::explain::Explanation;
@@ -8,22 +8,22 @@ fn explained(text: &str) -> Explanation {
     compile(tokens).unwrap_or_else(|refused| panic!("{text}: {refused:?}")).explanation
 }
 
-/// The lines to be ticked off, each in one piece.
+/// The lines of the jog sheet that are ticked off, each in one piece.
 fn jogs(text: &str) -> Vec<String> {
     let sheet = explained(text).jog_sheet.text.join("\n").replace("\n    ", " ");
     sheet.lines().filter_map(|line| line.strip_prefix("[ ] ")).map(ToString::to_string).collect()
 }
 
 // Expectations are written by hand, from the right-hand rule and ISO 841: + moves the tool relative to the workpiece,
-// so a table moves the other way.
+// so a table moves in the opposite direction.
 
 #[test]
 fn the_spinner_is_jogged_table_against_the_word() {
     assert_eq!(
         jogs("chain: C B | X Y Z; d = (0, 0, d); dims = { d: 150.0 }; limits = { B: -5..110, C: free };"),
         [
-            "C+90: the table turns clockwise seen from above; the side that faced you (-Y) now faces left (-X)",
-            "B+90: the table turns counterclockwise seen from the front; the table's top, which faced up (+Z), now faces left (-X)",
+            "C+90: the table rotates clockwise seen from above; the side that faced you (-Y) now faces left (-X)",
+            "B+90: the table rotates counterclockwise seen from the front; the table's top, which faced up (+Z), now faces left (-X)",
             "X+100: the spindle moves right (+X)",
             "Y+100: the spindle moves away from you (+Y)",
             "Z+100: the spindle moves up (+Z)",
@@ -39,19 +39,19 @@ fn lola_is_jogged_head_with_the_word() {
             "X+100: the table moves left (-X)",
             "Y+100: the spindle moves away from you (+Y)",
             "Z+100: the spindle moves up (+Z)",
-            "B+90: the spindle head turns clockwise seen from the front; the tool, which pointed down (-Z), now points left (-X)",
-            "A+90: the spindle head turns counterclockwise seen from the right; the tool, which pointed down (-Z), now points away from you (+Y)",
+            "B+90: the spindle head rotates clockwise seen from the front; the tool, which pointed down (-Z), now points left (-X)",
+            "A+90: the spindle head rotates counterclockwise seen from the right; the tool, which pointed down (-Z), now points away from you (+Y)",
         ]
     );
 }
 
 #[test]
 fn an_inclined_table_is_jogged_by_two_markers() {
-    // Half the way to the paper's 90° tilt at B180: the right side comes up to the back, the top leans over to the left.
+    // Half of the paper's 90° tilt at B180: the right side moves up and to the back, the top leans to the left.
     assert_eq!(
         jogs("chain: C B | X Y Z; axes = { B: Rx(-45 deg) * Y }; limits = { B: 0..180, C: free };")[..2],
         [
-            "C+90: the table turns clockwise seen from above; the side that faced you (-Y) now faces left (-X)",
+            "C+90: the table rotates clockwise seen from above; the side that faced you (-Y) now faces left (-X)",
             "B+90: the side that faced right (+X) now faces away from you and up (+Y +Z); the table's top, which faced up (+Z), \
              now leans 60 degrees to the left and towards you (-X -Y)",
         ]
@@ -63,7 +63,7 @@ fn multiprodesk_is_jogged_table_with_the_word() {
     assert_eq!(
         jogs("chain: A Y | X Z; signs = { A: -, Y: - };"),
         [
-            "A+90: the table turns counterclockwise seen from the right; the table's top, which faced up (+Z), now faces you (-Y)",
+            "A+90: the table rotates counterclockwise seen from the right; the table's top, which faced up (+Z), now faces you (-Y)",
             "Y+100: the table moves away from you (+Y)",
             "X+100: the spindle moves right (+X)",
             "Z+100: the spindle moves up (+Z)",
@@ -77,11 +77,11 @@ fn a_horizontal_tool_points_into_the_machine() {
     assert_eq!(
         jogs(text),
         [
-            "B+90: the table turns counterclockwise seen from the front; the table's top, which faced up (+Z), now faces left (-X)",
+            "B+90: the table rotates counterclockwise seen from the front; the table's top, which faced up (+Z), now faces left (-X)",
             "X+100: the table moves left (-X)",
             "Y+100: the spindle moves away from you (+Y)",
             "Z+100: the spindle moves up (+Z)",
-            "A+90: the spindle head turns counterclockwise seen from the right; the tool, which pointed away from you (+Y), now points up (+Z)",
+            "A+90: the spindle head rotates counterclockwise seen from the right; the tool, which pointed away from you (+Y), now points up (+Z)",
         ]
     );
     let sheet = explained(text).jog_sheet.text.join("\n");
@@ -102,28 +102,28 @@ fn a_flipped_sign_changes_its_sentence_and_no_other() {
 }
 
 #[test]
-fn jogs_stay_inside_the_travel_and_turn_back_where_there_is_no_other_way() {
+fn jogs_stay_inside_the_travel_and_are_negative_where_it_has_no_positive_part() {
     let first = |limits: &str| jogs(&format!("chain: C B | X Y Z; limits = {{ {limits} }};"));
     assert!(first("B: -5..60")[1].starts_with("B+45: "));
     assert_eq!(
         first("B: -110..0.5")[1],
-        "B-90: the table turns clockwise seen from the front; the table's top, which faced up (+Z), now faces right (+X)"
+        "B-90: the table rotates clockwise seen from the front; the table's top, which faced up (+Z), now faces right (+X)"
     );
     assert_eq!(
         first("B: -5..12")[1],
-        "B+10: the table turns counterclockwise seen from the front; the table's top, which faced up (+Z), now leans 10 degrees to the left (-X)"
+        "B+10: the table rotates counterclockwise seen from the front; the table's top, which faced up (+Z), now leans 10 degrees to the left (-X)"
     );
     assert!(first("X: -30..30")[2].starts_with("X+10: "));
 }
 
 #[test]
-fn held_axes_are_jogged_too_and_turn_what_they_carry() {
+fn held_axes_are_jogged_too_and_rotate_the_axes_they_carry() {
     let jogs = jogs("chain: C W B | X Y Z A; hold = { W: 0, A: 30 };");
     assert_eq!(jogs[1], "W+100 (held): the table moves down (-Z)");
     assert!(jogs[6].starts_with("A+90 (held): "), "{jogs:?}");
-    // A half turn of C in front of B turns the direction of B round.
+    // C at 180°, between B and the bed, reverses the direction of B.
     let turned = self::jogs("chain: B C | X Y Z A; hold = { C: 180 };");
-    assert!(turned[0].starts_with("B+90: the table turns clockwise seen from the front"), "{turned:?}");
+    assert!(turned[0].starts_with("B+90: the table rotates clockwise seen from the front"), "{turned:?}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Formulas for people: equal to the polynomial they were made of, and written as a person writes them.
+//! Formulas for reading: equal to their polynomial, and in the form in which people write them.
 
 use std::collections::BTreeMap;
 
@@ -24,7 +24,7 @@ const LOLA: &str = "chain: X | Y Z B A;";
 const SKEW: &str =
     "chain: C B | X Y Z; axes = { B: Rx(-33 deg) * Y, X: (3, 1, 2) }; d = (1.5, 0, d); dims = { d: 150.0 };";
 
-/// Rows of the product of all joints, and of the product undone.
+/// Rows of the product of all joints, and of its inverse.
 fn entries(text: &str) -> (Model, Vec<Poly>) {
     let model = model(text);
     let product = model.product();
@@ -33,13 +33,13 @@ fn entries(text: &str) -> (Model, Vec<Poly>) {
     (model, entries)
 }
 
-/// Values of symbols, and of the names a person gives them.
+/// Values of symbols, and of their names in formulas.
 fn point(model: &Model, values: &[f64]) -> (BTreeMap<Symbol, f64>, BTreeMap<String, f64>) {
     let (mut symbols, mut names) = (BTreeMap::new(), BTreeMap::new());
     let mut values = values.iter().copied().cycle();
     let mut next = || values.next().expect("endless");
-    let frame = &model.frame;
-    let given = [(frame.tip, ["x", "y", "z"]), (frame.part, ["part_x", "part_y", "part_z"])];
+    let named = &model.symbols;
+    let given = [(named.tip, ["x", "y", "z"]), (named.part, ["part_x", "part_y", "part_z"])];
     for (symbol, name) in given.into_iter().flat_map(|(symbols, names)| symbols.into_iter().zip(names)) {
         let value = next();
         symbols.insert(symbol, value);
@@ -47,14 +47,14 @@ fn point(model: &Model, values: &[f64]) -> (BTreeMap<Symbol, f64>, BTreeMap<Stri
     }
     let axis = [next(), next(), next() + 2.0];
     let length = axis.iter().map(|part| part * part).sum::<f64>().sqrt();
-    for ((symbol, name), part) in frame.axis.into_iter().zip(["i", "j", "k"]).zip(axis) {
+    for ((symbol, name), part) in named.axis.into_iter().zip(["i", "j", "k"]).zip(axis) {
         symbols.insert(symbol, part / length);
         names.insert(name.to_string(), part / length);
     }
     let gauge = next();
-    symbols.insert(frame.gauge, gauge);
+    symbols.insert(named.gauge, gauge);
     names.insert("gauge".into(), gauge);
-    let axes = model.axes.iter().map(|axis| (axis.letter.to_string(), Some(axis.word), Some(axis.turn)));
+    let axes = model.axes.iter().map(|axis| (axis.letter.to_string(), Some(axis.word), Some(axis.sin_cos)));
     let dimensions = model.dimensions.iter().map(|dimension| match dimension.quantity {
         Quantity::Length(symbol) => (dimension.name.clone(), Some(symbol), None),
         Quantity::Angle(sine, cosine) => (dimension.name.clone(), None, Some((sine, cosine))),
@@ -98,12 +98,12 @@ proptest! {
         values in prop::collection::vec(-3.0..3.0_f64, 21),
     ) {
         let model = model(ALPHA);
-        let axes = [model.axes[0].turn, model.axes[1].turn];
+        let axes = [model.axes[0].sin_cos, model.axes[1].sin_cos];
         let Quantity::Angle(sine, cosine) = model.dimensions[0].quantity else { unreachable!("alpha is an angle") };
-        let frame = &model.frame;
-        let mut symbols: Vec<Symbol> = frame.tip.into_iter().chain(frame.axis).chain(frame.part).collect();
+        let named = &model.symbols;
+        let mut symbols: Vec<Symbol> = named.tip.into_iter().chain(named.axis).chain(named.part).collect();
         symbols.extend(axes.into_iter().flat_map(|(sine, cosine)| [sine, cosine]));
-        symbols.extend([sine, cosine, frame.gauge]);
+        symbols.extend([sine, cosine, named.gauge]);
         let mut sum = Poly::zero();
         for (factors, above, below, radicand) in terms {
             let number = &Surd::ratio(above, below) * &Surd::from(radicand).sqrt().expect("a root");
@@ -121,13 +121,13 @@ fn written(model: &Model, poly: &Poly) -> String {
     Formula::of_poly(model, &model.ring, poly).text()
 }
 
-/// The linear axes behind both table axes: the tip as the bed sees it, part origin zero.
+/// The linear axes after both table axes: the tip in the frame of the bed, part origin zero.
 fn tip_on_bed(text: &str) -> (Model, [Poly; 3]) {
     let model = model(text);
-    let tip: [Poly; 3] = model.frame.tip.map(Poly::from);
+    let tip: [Poly; 3] = model.symbols.tip.map(Poly::from);
     let undone = model.product_of((0..2).rev().map(|axis| model.joint_inverse(axis)));
-    let turned = undone.turn(&tip, &model.ring);
-    let none = model.frame.part.into_iter().map(|symbol| (symbol, Poly::zero())).collect();
+    let turned = undone.rotate(&tip, &model.ring);
+    let none = model.symbols.part.into_iter().map(|symbol| (symbol, Poly::zero())).collect();
     let origin = undone.origin();
     let sums = std::array::from_fn(|row| model.ring.substitute(&(&turned[row] + &origin[row]), &none));
     (model, sums)
@@ -161,7 +161,7 @@ fn an_inclined_table_reads_as_in_its_paper() {
         ]
     );
     let model = self::model(ALPHA);
-    let axis = model.product().turn(&model.tool_axis, &model.ring);
+    let axis = model.product().rotate(&model.tool_axis, &model.ring);
     assert_eq!(
         axis.each_ref().map(|poly| written(&model, poly)),
         [
@@ -178,15 +178,15 @@ fn an_inclined_table_reads_as_in_its_paper() {
 #[test]
 fn a_factor_that_one_term_lacks_stays_inside() {
     let model = model("chain: C B | X Y Z;");
-    let [x, y, z] = model.frame.tip.map(Poly::from);
-    let (s, c) = model.axes[1].turn;
+    let [x, y, z] = model.symbols.tip.map(Poly::from);
+    let (s, c) = model.axes[1].sin_cos;
     let (s, c) = (Poly::from(s), Poly::from(c));
     let times = |a: &Poly, b: &Poly| model.ring.mul(a, b);
     let half = Surd::ratio(1, 2);
     for (poly, expected) in [
         (&times(&x, &c) + &y, "x cos B + y"),
         (&times(&x, &c) + &times(&y, &c), "(x + y) cos B"),
-        // Not (1 - cos B): y has no like.
+        // Not (1 - cos B): y has no counterpart.
         (&(&x - &times(&x, &c)) + &times(&y, &c), "x - (x - y) cos B"),
         (&(&x - &times(&x, &c)) + &y, "x (1 - cos B) + y"),
         (&x + &Poly::from(Surd::ratio(3, 2)), "x + 1.5"),
@@ -225,7 +225,7 @@ fn numbers_are_exact_and_long_ones_are_rounded_for_people() {
 }
 
 #[test]
-fn brackets_stand_where_they_are_needed() {
+fn brackets_are_written_where_they_are_needed() {
     let name = |name: &str| Formula::name(name);
     let sum = Formula::Sum(vec![name("x"), name("y").negated()]);
     let cosine = Formula::call("cos", [name("B")]);

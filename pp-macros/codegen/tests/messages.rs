@@ -1,7 +1,7 @@
-//! Every refusal of the language: its text, the words it underlines, its remedy.
+//! Every refusal of the language: its message, the words it underlines, its help line.
 //!
-//! Expectations stand inside the declaration: a comment line with `^` under the words and the message behind them, and
-//! perhaps more lines of it behind `|` and its `help:` on the next comment lines.
+//! Expectations are written inside the declaration: a comment line with `^` under the words, followed by the message.
+//! The next comment lines may have further lines of the message after `|`, and its `help:`.
 
 use pp_codegen::{Options, generate};
 
@@ -76,7 +76,7 @@ chain: C B X Y Z;
 }
 
 #[test]
-fn double_bar_is_underlined_where_it_is_too_much() {
+fn the_second_bar_of_two_is_underlined() {
     check_errors(
         "pub struct M;
 chain: C B || X Y Z;
@@ -98,7 +98,7 @@ fn unknown_and_repeated_letters_are_reported_together() {
         "pub struct M;
 chain: C Q | X Y Z X;
 //       ^ `Q` is not an axis letter
-//                 ^ `X` stands twice in the chain
+//                 ^ `X` is listed twice in the chain
 ",
     );
 }
@@ -124,7 +124,7 @@ fn a_fourth_linear_axis_belongs_in_hold() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z W;
-//                 ^ `W` is a fourth linear axis: three are solved for
+//                 ^ `W` is a fourth linear axis, but exactly three are solved for
 // help: put W in `hold`: `hold = { W: 0 };`
 ",
     );
@@ -135,7 +135,7 @@ fn a_third_rotary_axis_belongs_in_hold() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z A;
-//                 ^ `A` is a third rotary axis: two tilt the tool
+//                 ^ `A` is a third rotary axis, but at most two are solved for
 // help: put A in `hold`: `hold = { A: 0 };`
 ",
     );
@@ -166,14 +166,14 @@ fn a_rotary_about_the_tool_axis_cannot_tilt_it() {
     check_errors(
         "pub struct M;
 chain: B C | X Y Z;
-//       ^ `C` turns about the tool axis, so it cannot tilt the tool
+//       ^ `C` rotates about the tool axis, so it cannot tilt the tool
 // help: put C in `hold`: `hold = { C: 0 };`
 ",
     );
     check_errors(
         "pub struct M;
 chain: C | X Y Z;
-//     ^ `C` turns about the tool axis, so it cannot tilt the tool
+//     ^ `C` rotates about the tool axis, so it cannot tilt the tool
 ",
     );
 }
@@ -183,14 +183,14 @@ fn a_rotary_that_cannot_tilt_at_the_hold_default_is_refused() {
     check_errors(
         "pub struct M;
 chain: A B | X Y Z C; axes = { B: X }; hold = { C: 0 }; tool_axis = (1, 0, 0);
-//       ^ `A` and `B` turn about the same direction, so the tool cannot tilt
-//       ^ `B` turns about the tool axis, so it cannot tilt the tool
+//       ^ `A` and `B` rotate about the same direction, so they act as one axis
+//       ^ `B` rotates about the tool axis, so it cannot tilt the tool
 ",
     );
     check_errors(
         "pub struct M;
 chain: C B | X Y Z A; hold = { A: -90 };
-//       ^ `B` turns about the tool axis, so it cannot tilt the tool
+//       ^ `B` rotates about the tool axis, so it cannot tilt the tool
 ",
     );
 }
@@ -200,7 +200,7 @@ fn two_rotaries_about_one_direction_cannot_tilt() {
     check_errors(
         "pub struct M;
 chain: A B | X Y Z; axes = { B: (-2, 0, 0) };
-//       ^ `A` and `B` turn about the same direction, so the tool cannot tilt
+//       ^ `A` and `B` rotate about the same direction, so they act as one axis
 ",
     );
 }
@@ -212,7 +212,7 @@ fn one_d_for_both_sides_is_refused() {
 chain: C | X Y Z B;
 d = (0, 0, 10);
 //  ^^^^^^^^^^ one `d` for rotary axes on both sides of `|`
-// help: the sides count from different points, the table's and the spindle's: write `d = { C: (0, 0, 0), B: (0, 0, 60) };`
+// help: points in the table are relative to the table's reference point, points in the head to the gauge line: write `d = { C: (0, 0, 0), B: (0, 0, 60) };`
 ",
     );
 }
@@ -224,9 +224,9 @@ fn lengths_and_angles_are_not_mixed_up() {
 chain: C B | X Y Z;
 dims = { d: 150.0, alpha: -45 deg };
 axes = { B: Rx(d) * Y };
-//             ^ `d` is a length where an angle is needed
+//             ^ expected an angle, but `d` is a length
 d = (0, alpha, d * d);
-//      ^^^^^ an angle where a length is needed
+//      ^^^^^ expected a length, found an angle
 //             ^^^^^ this product is an area, not a length
 ",
     );
@@ -234,10 +234,10 @@ d = (0, alpha, d * d);
         "pub struct M;
 chain: C B | X Y Z;
 axes = { B: Rx(45) * Y };
-//             ^^ an angle needs its unit
+//             ^^ an angle needs a unit
 // help: write `45 deg`
 limits = { X: 0deg..5 };
-//            ^^^^ an angle for a linear axis
+//            ^^^^ `X` is a linear axis, but its value is an angle
 ",
     );
 }
@@ -256,7 +256,7 @@ d = (0, 0, hieght);
 }
 
 #[test]
-fn reserved_names_are_refused_by_us_and_not_by_rustc() {
+fn reserved_names_are_refused_here_and_not_by_rustc() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
@@ -266,7 +266,7 @@ dims = { X: 1, gauge: 2, fn: 3, sqrt: 4, r#type: 5, ok: 6, ok: 7 };
 //                       ^^ `fn` cannot be the name of a dimension
 //                              ^^^^ `sqrt` cannot be the name of a dimension
 //                                       ^^^^^^ `r#type` cannot be the name of a dimension
-//                                                         ^^ `ok` stands twice in `dims`
+//                                                         ^^ `ok` is given twice in `dims`
 ",
     );
 }
@@ -277,7 +277,7 @@ fn an_empty_limit_is_refused() {
         "pub struct M;
 chain: C B | X Y Z;
 limits = { B: 110..-5, C: free };
-//            ^^^^^^^ the travel of `B` is empty
+//            ^^^^^^^ the travel of `B` is empty: its lower end is above its upper end
 // help: write the smaller value first: `-5..110`
 ",
     );
@@ -291,12 +291,12 @@ chain: C B | X Y Z;
 signs = { A: -, B: -, B: + };
 //        ^ `A` in `signs` is not an axis of the chain
 // help: the axes are C B X Y Z
-//                    ^ `B` stands twice in `signs`
+//                    ^ `B` is given twice in `signs`
 hold = { W: 0 };
 //       ^ `W` in `hold` is not an axis of the chain
 speeds = { Q: 1, X: 0 };
 //         ^ `Q` in `speeds` is not an axis of the chain
-//                  ^ the speed of `X` is not above zero
+//                  ^ the speed of `X` must be above zero
 d = { X: (0, 0, 0) };
 //    ^ `X` is a linear axis: it has no centre line
 ",
@@ -309,14 +309,14 @@ fn numbers_of_other_languages_get_a_message_of_their_own() {
         "pub struct M;
 chain: C B | X Y Z;
 dims = { a: 0x10 };
-//          ^^^^ `0x10` is not a number here
+//          ^^^^ `0x10` is not a valid number
 // help: write numbers in decimal digits
 d = (.5, 0, 0);
 //   ^ a number needs a digit before the point
 // help: write 0.5 instead of .5
 hold = { C: 45rad };
-//          ^^^^^ `45rad` is not a number here
-// help: the unit `rad` is not known: use `deg` or `mm`
+//          ^^^^^ `45rad` is not a valid number
+// help: unknown unit `rad`: use `deg` or `mm`
 ",
     );
 }
@@ -326,7 +326,7 @@ fn three_mistakes_in_three_fields_are_three_messages_in_source_order() {
     check_errors(
         "pub struct M;
 limits = { B: 5..1 };
-//            ^^^^ the travel of `B` is empty
+//            ^^^^ the travel of `B` is empty: its lower end is above its upper end
 sings = { C: - };
 //^^^ unknown field `sings`
 chain: C B X Y Z;
@@ -355,7 +355,7 @@ fn a_field_given_twice_is_reported() {
 chain: C B | X Y Z;
 signs = { C: - };
 signs = { B: - };
-//^^^ `signs` is given twice
+//^^^ the field `signs` is given twice
 ",
     );
 }
@@ -380,30 +380,30 @@ fn angles_that_are_no_multiple_of_fifteen_degrees_are_exact_too() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z; axes = { B: Rx(123 deg) * Y }; tool_axis = Rx(33 deg) * Z;
-//       ^ `B` turns about the tool axis, so it cannot tilt the tool
+//       ^ `B` rotates about the tool axis, so it cannot tilt the tool
 ",
     );
     check_errors(
         "pub struct M;
 chain: C | X Y Z A; axes = { C: Rx(10 deg) * Z }; hold = { A: 10 };
-//     ^ `C` turns about the tool axis, so it cannot tilt the tool
+//     ^ `C` rotates about the tool axis, so it cannot tilt the tool
 ",
     );
     check_errors(
         "pub struct M;
 chain: C B | X Y Z; axes = { B: Rx(al) * Ry(be) * Z }; dims = { al: 7 deg, be: 8 deg };
-//       ^ `B` turns about the tool axis, so it cannot tilt the tool
+//       ^ `B` rotates about the tool axis, so it cannot tilt the tool
 tool_axis = Rx(7 deg) * Ry(8 deg) * Z;
 ",
     );
 }
 
 #[test]
-fn nearly_parallel_rotaries_are_refused_by_the_rule_of_the_running_machine() {
+fn nearly_parallel_rotaries_are_refused_with_the_tolerance_of_the_generated_code() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z; axes = { B: (0, 1, 1000000) };
-//       ^ `C` and `B` turn about the same direction, so the tool cannot tilt
+//       ^ `C` and `B` rotate about the same direction, so they act as one axis
 ",
     );
 }
@@ -414,16 +414,16 @@ fn numbers_beyond_every_float_are_refused() {
         "pub struct M;
 chain: C B | X Y Z;
 dims = { d: 1e400, e: 1e300 * 1e300 };
-//          ^^^^^ `1e400` is not a number here
-//                    ^^^^^^^^^^^^^ this is larger than any number of the machine
+//          ^^^^^ `1e400` is not a valid number
+//                    ^^^^^^^^^^^^^ this number is too large
 d = (0, 0, 1e200 * 1e200);
-//         ^^^^^^^^^^^^^ this is larger than any number of the machine
+//         ^^^^^^^^^^^^^ this number is too large
 ",
     );
 }
 
 #[test]
-fn one_mistake_has_no_followers() {
+fn one_mistake_gives_one_message() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
@@ -445,17 +445,17 @@ chain: C B, | X Y Z;
 }
 
 #[test]
-fn what_is_generated_is_not_derived_again() {
+fn derive_of_a_generated_trait_and_a_struct_body_are_refused() {
     check_errors(
         "#[derive(PartialEq, Debug)]
-//                  ^^^^^ `Debug` is implemented already
+//                  ^^^^^ `Debug` is already generated by `machine!`
 pub struct M;
 chain: C B | X Y Z;
 ",
     );
     check_errors(
         "pub struct M { d: f64 }
-//           ^ expected `;` behind the name
+//           ^ expected `;` after the name
 ",
     );
 }
@@ -467,20 +467,20 @@ fn arithmetic_that_gives_no_number_is_refused() {
 chain: C B | X Y Z;
 dims = { a: d, b: 5 / 0, c: 5mm + 3deg, e: 2mm * 3mm, f: (2 deg) ^ 2, g: sqrt(2), h: 1 / 2mm };
 //          ^ `d` is not a number
-// help: only numbers can stand here, such as `150.0` or `45 deg`
+// help: only numbers are allowed here, such as `150.0` or `45 deg`
 //                    ^ division by zero
-//                          ^^^^^^^^^^ these units do not go together
-// help: use the same unit on both sides
-//                                         ^^^^^^^^^ these units do not go together
-//                                                       ^^^^^^^^^^^ these units do not go together
-//                                                                       ^^^^^^^ this needs a plain number
+//                          ^^^^^^^^^^ these units cannot be combined
+// help: add and subtract equal units, multiply and divide by plain numbers
+//                                         ^^^^^^^^^ these units cannot be combined
+//                                                       ^^^^^^^^^^^ these units cannot be combined
+//                                                                       ^^^^^^^ expected a rational number
 // help: write it in decimal digits
-//                                                                                   ^^^^^^^ these units do not go together
+//                                                                                   ^^^^^^^ these units cannot be combined
 hold = { C: sqrt(0 - 2), B: sin(1) }; speeds = { X: sqrt(4 deg) };
 //          ^^^^^^^^^^^ `sqrt` takes a rational number that is not negative
 // help: for example `sqrt(2)/2`
-//                          ^^^^^^ only `sqrt` of a number is known here
-//                                                  ^^^^^^^^^^^ these units do not go together
+//                          ^^^^^^ the only function allowed here is `sqrt` of a number
+//                                                  ^^^^^^^^^^^ these units cannot be combined
 ",
     );
     check_errors(
@@ -489,7 +489,7 @@ chain: C B | X Y Z;
 d = (1 / 0, 2 deg, 3);
 //       ^ division by zero
 // help: give a divisor that is not zero
-//          ^^^^^ an angle where a length is needed
+//          ^^^^^ expected a length, found an angle
 // help: components of `d` are lengths in mm
 tool_axis = (0, 1mm, 1);
 //              ^^^ a component of a direction has no unit
@@ -499,17 +499,17 @@ tool_axis = (0, 1mm, 1);
 }
 
 #[test]
-fn turns_take_angles_only() {
+fn rotations_take_angles_only() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
 dims = { alpha: 5 deg };
 axes = { C: Rx(5mm) * Z, B: Ry(alpha / 2) * Y, X: Rz(0.5 * alpha) * X, Y: Rz(lost) * Y };
-//             ^^^ a length where an angle is needed
+//             ^^^ expected an angle, found a length
 // help: write `45 deg`
 //                             ^^^^^^^^^ this is not an angle
 // help: write degrees or an angle of `dims`: `Rx(-45 deg)`, `Rx(alpha)`
-//                                                   ^^^ an angle is multiplied by a whole number only
+//                                                   ^^^ an angle can be multiplied only by a whole number up to 24
 // help: write `2 * alpha`
 //                                                                           ^^^^ `lost` is not a dimension
 ",
@@ -522,9 +522,9 @@ fn an_axis_value_has_the_unit_of_its_axis() {
         "pub struct M;
 chain: C B | X Y Z;
 limits = { B: 0..5mm, X: -1 deg..1 };
-//               ^^^ a length for a rotary axis
-// help: rotary axes count in degrees, linear axes in mm
-//                       ^^^^^^ an angle for a linear axis
+//               ^^^ `B` is a rotary axis, but its value is a length
+// help: give values of rotary axes in degrees, of linear axes in mm
+//                       ^^^^^^ `X` is a linear axis, but its value is an angle
 ",
     );
 }
@@ -536,13 +536,13 @@ fn d_without_a_rotary_is_refused() {
 chain: X Y | Z;
 d = (0, 0, 10);
 //  ^^^^^^^^^^ `d` is given, but the chain has no rotary axis
-// help: leave `d` out
+// help: remove `d`
 ",
     );
 }
 
 #[test]
-fn a_dimension_that_nobody_declared_is_offered() {
+fn the_help_for_an_undeclared_dimension_is_its_declaration() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
@@ -559,10 +559,10 @@ fn literals_of_rust_that_are_no_numbers_are_refused() {
         "pub struct M;
 chain: C B | X Y Z;
 dims = { a: \"5\", b: 1e999, c: 1e9999999999 };
-//          ^^^ `\"5\"` is not a number here
-// help: write a decimal number such as 150.0, with `deg` or `mm` behind it if it needs a unit
-//                  ^^^^^ `1e999` is not a number here
-//                            ^^^^^^^^^^^^ `1e9999999999` is not a number here
+//          ^^^ `\"5\"` is not a valid number
+// help: write a decimal number such as 150.0, followed by `deg` or `mm` if it has a unit
+//                  ^^^^^ `1e999` is not a valid number
+//                            ^^^^^^^^^^^^ `1e9999999999` is not a valid number
 ",
     );
     let digits = "1".repeat(401);
@@ -570,7 +570,7 @@ dims = { a: \"5\", b: 1e999, c: 1e9999999999 };
         "pub struct M;
 chain: C B | X Y Z;
 dims = {{ a: {digits} }};
-//          {} `{digits}` is not a number here
+//          {} `{digits}` is not a valid number
 // help: write at most 400 digits
 ",
         "^".repeat(401)
@@ -583,9 +583,9 @@ fn expressions_end_where_they_should() {
         "pub struct M;
 chain: C B | X Y Z;
 dims = { a: 2 ^ 65, b: 2 ^ 1.5, c: (1 2), e: };
-//              ^^ an exponent is a whole number up to 64
+//              ^^ an exponent must be a whole number up to 64, nested exponents multiplied
 // help: write `a ^ 2`
-//                         ^^^ an exponent is a whole number up to 64
+//                         ^^^ an exponent must be a whole number up to 64, nested exponents multiplied
 //                                    ^ expected `)`
 // help: close the parenthesis
 //                                           ^ unexpected end of input, expected a number or a dimension
@@ -598,8 +598,8 @@ dims = { a: 2 ^ 65, b: 2 ^ 1.5, c: (1 2), e: };
         "pub struct M;
 chain: C B | X Y Z;
 dims = {{ a: {open}1{close} }};
-//          {}^ nested too deeply
-// help: at most 64 parentheses may be open
+//          {}^ parentheses are nested too deeply
+// help: use at most 64 levels of parentheses
 ",
         " ".repeat(65)
     ));
@@ -643,21 +643,21 @@ limits = { C: free };
 }
 
 #[test]
-fn directions_are_vectors_or_turned_coordinates() {
+fn directions_are_vectors_or_rotated_coordinate_axes() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
 axes = { C: Q, B: Rx * Y, X: Rx(1 deg), Y: Rx(1 deg, 2 deg) * Y, Z: 5 };
 //          ^ `Q` is not a direction
-// help: use X, Y, Z, a vector, and turns Rx(...), Ry(...), Rz(...) in front of them
+// help: write X, Y, Z or a vector, with rotations Rx(...), Ry(...), Rz(...) before it: `Rx(-45 deg) * Y`
 //                   ^ expected `(`
 // help: write `Rx(45 deg) * Y`
 //                                    ^ expected `*`
-// help: say what is turned: `Rx(...) * Y`
+// help: write the direction that is rotated: `Rx(...) * Y`
 //                                                 ^ expected `)`
-// help: a turn has one angle
+// help: a rotation has one angle: `Rx(45 deg) * Y`
 //                                                                  ^ expected a direction
-// help: write a turned coordinate such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`
+// help: write a rotated coordinate axis such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`
 d = { C: 5, B: (1 2 3) };
 //       ^ expected `(`
 // help: write three components: `(0, 0, 150.0)`
@@ -676,7 +676,7 @@ limits = { B: 5, C: 0..=5, X: 0...5 };
 //             ^ expected `..`
 // help: write the travel as `-5..110`, or `free`
 //                   ^ expected `..`
-// help: the travel is inclusive as it is: `-5..110`
+// help: both ends belong to the travel: write `-5..110`
 //                             ^ expected `..`
 ",
     );
@@ -737,11 +737,11 @@ verify \"DMU 70e, eqs. (6) and (7) as printed\" {
     B = acos((k - cos(alpha)^2) / sin(alpha)^2);
 //  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `B` does not follow from the chain
 //  |   not zero:   -(1 - 2 * sin(alpha)^2) * (1 - cos(B)) * sin(alpha)^2
-// help: exchange `sin(alpha)` and `cos(alpha)` wherever they stand
+// help: exchange `sin(alpha)` and `cos(alpha)` wherever they occur
     C = atan2(-(j * sin(alpha) * sin(B) + i * sin(alpha) * cos(alpha) * (1 - cos(B))), -i * sin(alpha) * sin(B) + j * sin(alpha) * cos(alpha) * (1 - cos(B)));
 //  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `C` does not follow from the chain
 //  |   not zero:   (sin(alpha) + cos(alpha)) * (1 - cos(B)) * cos(alpha) * sin(B) * sin(alpha)
-// help: no single change makes it true: compare `signs`, `d` and `axes` with the source, too
+// help: no single change makes it true; compare `signs`, `d` and `axes` with the source as well
 }
 ",
     );
@@ -764,16 +764,16 @@ verify \"from memory\" {
 }
 
 #[test]
-fn an_axis_that_the_source_counts_the_other_way_round_is_named() {
+fn an_axis_that_the_source_counts_in_the_opposite_direction_is_named() {
     check_errors(
         "pub struct M;
 chain: C B | X Y Z;
-verify \"a control whose B turns the other way\" {
+verify \"a control whose B rotates in the opposite direction\" {
     Z = -x * sin(B) * cos(C) - y * sin(B) * sin(C) + z * cos(B);
 //  ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^ this equation for `Z` does not follow from the chain
 //  |   derived:    Z = (x * cos(C) + y * sin(C)) * sin(B) + z * cos(B)
 //  |   difference: 2 * (x * cos(C) + y * sin(C)) * sin(B)
-// help: it is true with `-B` for `B`: the source counts B the other way round; if the machine does, too, declare `signs = { B: - };`
+// help: it is true with `-B` in place of `B`: the source counts B in the opposite direction; if the machine does so as well, declare `signs = { B: - };`
 }
 ",
     );
@@ -806,20 +806,20 @@ verify \"kinds\" {
     i = sin(X);
 //          ^ `X` is not an angle
     i = sin(B) + q;
-//               ^ `q` means nothing in `verify`
-// help: known are x y z i j k, the axes C B X Y Z, d, alpha, gauge, part_x, part_y, part_z, and names that a `where` gives
+//               ^ unknown name `q` in `verify`
+// help: the names are x y z i j k, the axes C B X Y Z, d, alpha, gauge, part_x, part_y, part_z, and names given by `where`
     B = 2 * k;
-//  ^^^^^^^^^ an angle on one side and a number on the other
+//  ^^^^^^^^^ one side is an angle, the other is a number
     X = 2 * B;
-//  ^^^^^^^^^ an angle on one side and a number on the other
+//  ^^^^^^^^^ one side is an angle, the other is a number
     X = B + 1;
-//      ^^^^^ an angle and a number do not add up
+//      ^^^^^ an angle and a number cannot be added or subtracted
     X = B * d;
-//      ^^^^^ an angle is multiplied by a whole number only
+//      ^^^^^ an angle can be multiplied only by a whole number up to 24
     X = B / 2;
-//      ^^^^^ an angle is added, subtracted, or multiplied by a whole number
+//      ^^^^^ an angle can be added to or subtracted from an angle, or multiplied by a whole number
     k = sqrt(C);
-//           ^ `C` is an angle where a number is needed
+//           ^ expected a number, but `C` is an angle
     k = tan(B);
 //      ^^^^^^ `tan` is not a function of `verify`
     k = cos(B, C);
@@ -827,11 +827,11 @@ verify \"kinds\" {
     B = atan2(k);
 //      ^^^^^^^^ `atan2` takes two arguments, found 1
     k = sqrt(1 - 2);
-//           ^^^^^ the root of a negative number
+//           ^^^^^ the number under the root is negative
     k = 1 / (i^2 + j^2 + k^2 - 1);
-//          ^^^^^^^^^^^^^^^^^^^^^ `i^2 + j^2 + k^2 - 1` is zero at every pose of this machine
+//          ^^^^^^^^^^^^^^^^^^^^^ the divisor `i^2 + j^2 + k^2 - 1` is zero at every pose of this machine
     k = (x + y + z + d)^64;
-//      ^^^^^^^^^^^^^^^^^^ this is too large to be decided
+//      ^^^^^^^^^^^^^^^^^^ this expression is too large to be decided
 }
 ",
     );
@@ -844,13 +844,13 @@ fn assumptions_of_a_block_are_checked() {
 chain: C B | X Y Z; dims = { d: 1, alpha: 45 deg };
 verify \"assumptions\" {
     where alpha = 3;
-//                ^ an angle needs its unit
+//                ^ an angle needs a unit
     where d = 1; where d = 2;
-//                     ^ `d` is assumed twice
+//                     ^ `d` is given twice by `where`
     where B = 0 deg;
-//        ^ `B` cannot be assumed
+//        ^ `where` cannot give a value to `B`
     where x = 1;
-//        ^ `x` cannot be assumed
+//        ^ `where` cannot give a value to `x`
     where gauge = q;
 //                ^ `q` is not a dimension
     k = cos(B);

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use pp_codegen::check::check;
-use pp_codegen::model::{Kind, Model};
+use pp_codegen::model::{AxisKind, Model};
 use pp_codegen::report::Errors;
 use pp_codegen::solve::{Motion, solve};
-use pp_codegen::symbolic::{Id, Interpreter, P3, Poly, Ring, Symbol};
+use pp_codegen::symbolic::{Id, Interpreter, Poly, PolyVector, Ring, Symbol};
 use pp_codegen::syntax::parse;
 
 const CHAINS: &[&str] = &[
@@ -30,15 +30,15 @@ fn solved(text: &str) -> (Model, Motion) {
     (model, solved.motion)
 }
 
-/// `d poly / dt`, the changes being the derivatives of the words.
+/// `d poly / dt`, with the changes as the derivatives of the words.
 fn derivative(poly: &Poly, model: &Model, motion: &Motion, ring: &Ring) -> Poly {
     let mut slopes: BTreeMap<Symbol, Poly> = BTreeMap::new();
     for (axis, change) in model.axes.iter().zip(&motion.changes) {
         let change = Poly::from(*change);
         match axis.kind {
-            Kind::Linear => drop(slopes.insert(axis.word, change)),
-            Kind::Rotary => {
-                let (sine, cosine) = axis.turn;
+            AxisKind::Linear => drop(slopes.insert(axis.word, change)),
+            AxisKind::Rotary => {
+                let (sine, cosine) = axis.sin_cos;
                 slopes.insert(sine, ring.mul(&Poly::from(cosine), &change));
                 slopes.insert(cosine, -&ring.mul(&Poly::from(sine), &change));
             }
@@ -61,7 +61,7 @@ fn derivative(poly: &Poly, model: &Model, motion: &Motion, ring: &Ring) -> Poly 
 }
 
 /// Compares three nodes with three polynomials.
-fn equal(motion: &mut Motion, nodes: [Id; 3], expected: &P3) -> bool {
+fn equal(motion: &mut Motion, nodes: [Id; 3], expected: &PolyVector) -> bool {
     let mut reader = Interpreter::new(&mut motion.graph, BTreeMap::new());
     nodes.iter().zip(expected).all(|(node, expected)| {
         let value = reader.value(*node);
@@ -69,12 +69,14 @@ fn equal(motion: &mut Motion, nodes: [Id; 3], expected: &P3) -> bool {
     })
 }
 
-/// Tip and tool axis with their first and second derivatives: nodes, and what they must be.
-fn derivatives(model: &Model, motion: &Motion) -> Vec<(&'static str, [Id; 3], P3)> {
+/// First and second derivatives of tip and tool axis: nodes, and the expected polynomials.
+fn derivatives(model: &Model, motion: &Motion) -> Vec<(&'static str, [Id; 3], PolyVector)> {
     let ring = motion.graph.ring();
     let product = model.product();
-    let slope = |vector: &P3| -> P3 { std::array::from_fn(|row| derivative(&vector[row], model, motion, ring)) };
-    let (tip, axis) = (product.origin(), product.turn(&model.tool_axis, ring));
+    let slope = |vector: &PolyVector| -> PolyVector {
+        std::array::from_fn(|row| derivative(&vector[row], model, motion, ring))
+    };
+    let (tip, axis) = (product.origin(), product.rotate(&model.tool_axis, ring));
     let (tip_rate, axis_rate) = (slope(&tip), slope(&axis));
     let (tip_bend, axis_bend) = (slope(&tip_rate), slope(&axis_rate));
     vec![

@@ -1,4 +1,4 @@
-//! Whatever goes in, a machine comes out or messages do: random words, random declarations, random chains.
+//! Any input gives a machine or messages: random words, random declarations, random chains.
 //!
 //! Times are printed (`--nocapture`), never asserted.
 
@@ -18,10 +18,10 @@ const WORD_CASES: u32 = 8000;
 const DECLARATION_CASES: u32 = 4000;
 const CHAINS: usize = 800;
 
-/// So many of them have to be proven; the others deserve their refusals.
+/// Smallest number of chains that must be proven; the others are refused with reason.
 const PROVEN: usize = 500;
 
-/// What comes out is a Rust file, or nothing but `compile_error!`.
+/// The expansion is a Rust file, or consists of `compile_error!` only.
 fn expands_to_rust(text: &str) -> Result<(), TestCaseError> {
     let Ok(tokens) = text.parse() else { return Ok(()) };
     let file = syn::parse2::<syn::File>(pp_codegen::expand(tokens));
@@ -131,7 +131,7 @@ fn verify() -> BoxedStrategy<String> {
         .boxed()
 }
 
-/// Directions of up to three digits, a few of nine; turned coordinates; the letter's own.
+/// Directions of up to three digits, a few of nine; rotated coordinate axes; the letter's own.
 fn direction() -> BoxedStrategy<String> {
     let vector = |part: fn() -> BoxedStrategy<String>| {
         (part(), part(), part()).prop_map(|(x, y, z)| format!("({x}, {y}, {z})")).boxed()
@@ -192,11 +192,11 @@ fn chain() -> impl Strategy<Value = String> {
         })
 }
 
-/// Refusals that a random chain may deserve.
-const DESERVED: [&str; 4] = [
+/// Refusals that a random chain may get.
+const EXPECTED_REFUSALS: [&str; 4] = [
     "cannot move the tip in every direction",
-    "turns about the tool axis",
-    "turn about the same direction",
+    "rotates about the tool axis",
+    "rotate about the same direction",
     "the vector (0, 0, 0) has no direction",
 ];
 
@@ -224,7 +224,7 @@ fn random_chains_are_proven_or_refused_by_name() {
                         Err(errors) => {
                             let named = |error: &syn::Error| {
                                 let error = error.to_string();
-                                DESERVED.into_iter().find(|text| error.contains(text))
+                                EXPECTED_REFUSALS.into_iter().find(|text| error.contains(text))
                             };
                             let names: Option<Vec<&str>> = errors.iter().map(named).collect();
                             names.unwrap_or_else(|| panic!("{errors:?}\n{text}"))[0]

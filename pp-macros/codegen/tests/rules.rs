@@ -1,4 +1,5 @@
-//! Every rewrite rule of the symbolic engine: true for random values, and silent where its condition does not hold.
+//! Every rewrite rule of the symbolic engine: true for random values, and not applied where its condition does not
+//! hold.
 //!
 //! A module for each rule of the table in `symbolic`. Values are made with floats, independently of the rule.
 
@@ -111,7 +112,7 @@ mod unit_vector {
     }
 
     #[test]
-    fn does_not_say_that_two_components_have_length_one() {
+    fn does_not_give_two_components_the_length_one() {
         let mut ring = Ring::default();
         let [i, j, _] = ring.unit_vector(["i", "j", "k"]);
         let sum = &power(&ring, &Poly::from(i), 2) + &power(&ring, &Poly::from(j), 2);
@@ -211,7 +212,7 @@ mod clear {
 
     #[test]
     fn does_not_prove_anything_from_a_divisor_that_vanishes() {
-        // d = 1/(x+1) · (x+1) - 1 is zero, though it does not look so.
+        // d = 1/(x+1) · (x+1) - 1 is zero without looking like it.
         let mut graph = Graph::default();
         let [(_, x)] = inputs(&mut graph, ["x"]);
         let one = graph.integer(1);
@@ -302,7 +303,7 @@ mod product_of_roots {
     }
 
     #[test]
-    fn does_not_turn_a_sum_under_one_root() {
+    fn does_not_put_a_sum_under_one_root() {
         assert_ne!(&super::root(2) + &super::root(3), super::root(5));
         assert_ne!(&super::root(2) * &super::root(3), super::root(5));
     }
@@ -356,7 +357,7 @@ mod exact_sine {
     }
 
     #[test]
-    fn does_not_apply_beside_a_multiple_of_fifteen_degrees() {
+    fn does_not_apply_near_a_multiple_of_fifteen_degrees() {
         assert_eq!(exact_sin_cos(&degrees(45, 2)), None);
         assert_eq!(exact_sin_cos(&degrees(30_000_000_001, 1_000_000_000)), None);
     }
@@ -364,7 +365,7 @@ mod exact_sine {
 
 mod quarter_turn {
     use super::*;
-    use pp_codegen::symbolic::turn_by;
+    use pp_codegen::symbolic::sin_cos_of_degrees;
 
     proptest! {
         #[test]
@@ -372,30 +373,30 @@ mod quarter_turn {
             let mut ring = Ring::default();
             let (angle, turned) = (degrees(tenths, 10), degrees(tenths + quarters * 900, 10));
             let complement = degrees(900 - tenths, 10);
-            let (sine, cosine) = turn_by(&angle, &mut ring);
+            let (sine, cosine) = sin_cos_of_degrees(&angle, &mut ring);
             let float = (tenths as f64 / 10.0).to_radians();
             assert_close(value(&ring, &sine, &[]), float.sin());
             assert_close(value(&ring, &cosine, &[]), float.cos());
-            prop_assert_eq!(turn_by(&complement, &mut ring), (cosine.clone(), sine.clone()));
+            prop_assert_eq!(sin_cos_of_degrees(&complement, &mut ring), (cosine.clone(), sine.clone()));
             let expected = match quarters.rem_euclid(4) {
                 0 => (sine, cosine),
                 1 => (cosine, -&sine),
                 2 => (-&sine, -&cosine),
                 _ => (-&cosine, sine),
             };
-            prop_assert_eq!(turn_by(&turned, &mut ring), expected);
+            prop_assert_eq!(sin_cos_of_degrees(&turned, &mut ring), expected);
         }
     }
 
     #[test]
     fn does_not_join_angles_that_differ() {
         let mut ring = Ring::default();
-        let (sine, cosine) = turn_by(&degrees(10, 1), &mut ring);
-        let other = turn_by(&degrees(11, 1), &mut ring);
+        let (sine, cosine) = sin_cos_of_degrees(&degrees(10, 1), &mut ring);
+        let other = sin_cos_of_degrees(&degrees(11, 1), &mut ring);
         assert!(sine != other.0 && cosine != other.1);
         // Nor if they are the same float.
         let near = &degrees(10, 1) + &BigRational::new(1.into(), num_bigint::BigInt::from(10).pow(40));
-        assert_ne!(turn_by(&near, &mut ring).0, sine);
+        assert_ne!(sin_cos_of_degrees(&near, &mut ring).0, sine);
     }
 }
 

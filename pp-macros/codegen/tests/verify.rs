@@ -2,7 +2,7 @@
 
 use pp_codegen::compile;
 
-/// One equation with what is shown of it, or the messages of its refusal.
+/// One equation with the conditions that are shown for it, or the messages of its refusal.
 fn outcome(machine: &str, assumptions: &str, equation: &str) -> Result<String, Vec<String>> {
     let tokens = format!("pub struct M; {machine} verify \"here\" {{ {assumptions} {equation}; }}");
     let tokens = tokens.parse().unwrap_or_else(|error| panic!("{equation}: {error}"));
@@ -97,7 +97,7 @@ const INCLINED: Paper = Paper {
     ],
 };
 
-/// (6) and (7) as printed, for the axis that they are right for.
+/// (6) and (7) as printed, with the axis for which they are right.
 const INCLINED_AS_PRINTED: Paper = Paper {
     machine: "chain: C B | X Y Z; axes = { B: Rx(-90 deg) * Rx(-alpha) * Y }; dims = { alpha: -45 deg };",
     assumptions: "",
@@ -140,7 +140,7 @@ fn every_equation_of_the_papers_is_proven_where_it_holds() {
     }
 }
 
-/// What a hostile author writes: with SPINNER's chain, and what becomes of it (`None`: refused).
+/// Equations made to deceive the decision, for SPINNER's chain, with their conditions (`None`: refused).
 const HOSTILE: &[(&str, Option<&str>)] = &[
     // Both arguments are zero, always or at some poses.
     ("C = atan2(0, 0)", None),
@@ -153,13 +153,13 @@ const HOSTILE: &[(&str, Option<&str>)] = &[
     ("2 * C = atan2(2 * i * j, i^2 - j^2)", Some("sin B != 0")),
     // A root whose factor vanishes on a whole part still has to exist there.
     ("0 = (sqrt(sin(B)^2) - sin(B)) * sqrt(i)", Some("cos C sin B >= 0, sin B >= 0 (the first branch)")),
-    // Conditions that only meet at their edges.
+    // Conditions that hold together only at their bounds.
     ("i = sin(B) * cos(C) + 0 * sqrt(sin(C) - sin(B)) + 0 * sqrt(sin(B) - sin(C))", None),
     ("i = sin(B) * cos(C) + 0 * sqrt(X - Y) + 0 * sqrt(Y - X)", None),
-    // Divisors that are zero and do not look so.
+    // Divisors that are zero without looking like it.
     ("i + 0 / (sin(20 deg) - 2 * sin(10 deg) * cos(10 deg)) = i", None),
     ("0 = 0 * cos(atan2(i * sin(B) / sin(B) - i, 0))", None),
-    // A trifle below zero is below zero.
+    // Slightly below zero is below zero.
     ("0 = 0 * sqrt(1 - 1.000000000000001 * sin(B))", Some("1 - 1 sin B >= 0")),
     ("0 = 0 * sqrt(1 - sin(B))", Some("")),
     // True, and found to be true.
@@ -173,7 +173,7 @@ const HOSTILE: &[(&str, Option<&str>)] = &[
 ];
 
 #[test]
-fn hostile_equations_hold_where_it_is_said_or_are_refused() {
+fn hostile_equations_hold_under_their_conditions_or_are_refused() {
     for (equation, holds) in HOSTILE {
         let found = outcome(SPINNER.machine, "", equation);
         assert_eq!(found.as_deref().ok(), *holds, "{equation}: {found:?}");
@@ -194,12 +194,12 @@ fn mutants(equation: &str) -> Vec<String> {
     }
     for (place, _) in right.match_indices(['+', '-']) {
         let other = if right.as_bytes()[place] == b'+' { "-" } else { "+" };
-        // A leading plus is no sign of the language.
+        // The language has no leading plus.
         let leading = right[..place].trim_end().is_empty() || right[..place].trim_end().ends_with(['(', ',', '*', '/']);
         let other = if leading { "" } else { other };
         changed.push(format!("{}{other}{}", &right[..place], &right[place + 1..]));
     }
-    // A minus in front of every term and argument that has no sign.
+    // A minus before every term and argument that has no sign.
     let mut bare = vec![0];
     bare.extend(right.match_indices(['(', ',']).map(|(place, _)| place + 1));
     for place in bare {
@@ -210,14 +210,14 @@ fn mutants(equation: &str) -> Vec<String> {
     changed.into_iter().map(|right| format!("{left} = {right}")).collect()
 }
 
-/// Equal to its original by value: the sign of zero, of the argument of an even function, and of what is squared.
+/// Equal to its original in value: the sign of zero, of the argument of an even function, and of a squared term.
 fn is_equal(equation: &str, mutant: &str) -> bool {
     let plain = mutant.replace("cos( -", "cos(").replace("sin( -alpha)^2", "sin(alpha)^2").replace("=  -0", "= 0");
     equation == plain
 }
 
 #[test]
-fn no_slip_of_a_sign_or_a_function_passes_with_the_same_explanation() {
+fn no_wrong_sign_or_function_passes_with_the_same_explanation() {
     let mut count = 0;
     let mut other_branch = 0;
     for paper in PAPERS {
@@ -237,7 +237,7 @@ fn no_slip_of_a_sign_or_a_function_passes_with_the_same_explanation() {
     assert!(count > 300);
 }
 
-/// What a help makes of an equation: every place where its words fit.
+/// The equation with the change of a help line, at every place where its words fit.
 fn remedied(equation: &str, help: &str) -> Vec<String> {
     let bare = |text: &str| text.replace(' ', "");
     // As messages write it: without spare parentheses.
@@ -290,7 +290,7 @@ fn a_help_makes_the_equation_true() {
     assert!(helped > 250, "{helped}");
 }
 
-/// More equations that hold, in forms that no paper prints.
+/// Further equations that hold, in forms that no paper prints.
 #[test]
 fn roots_quotients_and_sums_of_angles_hold_where_they_should() {
     for (equation, holds) in [
@@ -311,7 +311,7 @@ fn roots_quotients_and_sums_of_angles_hold_where_they_should() {
     }
 }
 
-/// What a block says about the set-up and about dimensions.
+/// Assumptions of a block about the set-up and about dimensions.
 #[test]
 fn assumptions_are_stated_and_made() {
     let machine = |block: &str| {

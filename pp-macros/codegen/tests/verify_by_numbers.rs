@@ -1,5 +1,5 @@
 //! Verdicts against numbers: an accepted equation is true wherever its printed conditions hold and false or undefined
-//! elsewhere; a refused one is true at no pose. Nothing here is shared with the engine: texts are read and evaluated in
+//! elsewhere; a refused one is true at no pose. No code is shared with the engine: texts are parsed and evaluated in
 //! floating point, and the pose comes from a product of rotations written out here.
 
 use std::collections::BTreeMap;
@@ -241,7 +241,7 @@ const MACHINES: [Machine; 2] = [
     },
 ];
 
-/// An equation written in another way that changes nothing, or with a slip.
+/// An equation in another form with the same meaning, or with a mistake.
 fn variant(equation: &str, random: &mut Random) -> String {
     let (left, right) = equation.split_once(" = ").expect("an equation");
     let swap = |from: &str, to: &str| format!("{left} = {}", right.replacen(from, to, 1));
@@ -263,16 +263,16 @@ fn variant(equation: &str, random: &mut Random) -> String {
     }
 }
 
-/// Whether an equation is true at a point; angles up to a turn.
+/// True if an equation is true at a point; angles modulo 360 degrees.
 fn is_true(equation: &str, values: &Values) -> bool {
     let (left, right) = equation.split_once(" = ").expect("an equation");
     let gap = evaluate(left, values) - evaluate(right, values);
-    // A length is never a whole turn away by chance.
+    // Two lengths never differ by a whole turn by chance.
     let turn = gap - std::f64::consts::TAU * (gap / std::f64::consts::TAU).round();
     turn.abs() < 2e-6
 }
 
-/// Whether a printed condition holds, if that is clear.
+/// True if a printed condition holds; `None` within rounding.
 fn holds(condition: &str, values: &Values) -> Option<bool> {
     let condition = condition.split(" (the ").next().unwrap_or(condition);
     let (operator, at) = [" >= 0", " <= 0", " != 0", " > 0", " < 0"]
@@ -288,13 +288,13 @@ fn holds(condition: &str, values: &Values) -> Option<bool> {
     }
 }
 
-/// What is wrong with the verdict about an equation.
+/// The error in the verdict on an equation.
 fn fault(machine: &Machine, equation: &str, random: &mut Random) -> Option<String> {
     let text = format!("pub struct M; {} verify \"here\" {{ {equation}; }}", machine.declaration);
     let verdict = compile(text.parse().expect("tokens"));
     let verdict = match &verdict {
         Ok(compiled) => Ok(&compiled.verified[0].equations[0].holds),
-        // Not decided: an angle beside a number, or what cannot be divided by.
+        // Not decided: an angle compared with a number, or a division by zero.
         Err(refused) => {
             let message = refused.0[0].to_string();
             let decided =

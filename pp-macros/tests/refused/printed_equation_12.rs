@@ -1,4 +1,4 @@
-//! Equation (12) of Maletić and Živanović 2023 as printed: a sine stands for a cosine.
+//! Equation (12) of Maletić and Živanović 2023 as printed: a sine in place of a cosine.
 
 use pp_runtime::machine;
 

@@ -1,4 +1,4 @@
-//! One axis of the chain: its direction, exactly, its centre line, its travel and speed.
+//! One axis of the chain: exact direction, point of the centre line, travel limits, speed.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -6,14 +6,14 @@ use num_traits::Signed;
 
 use super::names::{LETTERS, kind_of};
 use super::quantity::{self, DimensionNames, Fault};
-use crate::model::{Axis, Kind, Side};
+use crate::model::{Axis, AxisKind, Side};
 use crate::report::Errors;
-use crate::symbolic::{P3, Poly, Ring, Surd};
-use crate::syntax::{Assign, Base, Declaration, Direction, Limits, Offsets, Spot, Unit, Vector};
+use crate::symbolic::{Poly, PolyVector, Ring, Surd};
+use crate::syntax::{Assign, Base, Declaration, Direction, Limits, Offsets, SpannedName, Unit, Vector};
 
-/// One axis of the chain with everything that the declaration gives it; `None` if its letter is not one.
+/// One axis of the chain with everything declared for it; `None` if the name is not an axis letter.
 pub(crate) fn axis(
-    spot: &Spot,
+    spot: &SpannedName,
     side: Side,
     declaration: &Declaration,
     names: &DimensionNames<'_>,
@@ -27,12 +27,12 @@ pub(crate) fn axis(
         None => coordinate(LETTERS.iter().position(|known| *known == letter)? % 3),
     };
     let point = match (&declaration.offsets, kind) {
-        (Some(Offsets::Common(vector)), Kind::Rotary) => Some(vector),
+        (Some(Offsets::Common(vector)), AxisKind::Rotary) => Some(vector),
         (Some(Offsets::Each(entries)), _) => find(entries, letter).map(|entry| &entry.value),
         _ => None,
     };
     let point = point.map_or_else(zeros, |vector| lengths(vector, names, ring, errors));
-    let held = find(&declaration.hold, letter).and_then(|entry| axis_value(&entry.value, kind, errors));
+    let held = find(&declaration.hold, letter).and_then(|entry| axis_value(&entry.value, letter, kind, errors));
     let limits = limits(declaration, letter, kind, errors);
     let speed = speed(declaration, letter, kind, errors);
     let lower = letter.to_lowercase();
@@ -47,28 +47,28 @@ pub(crate) fn axis(
         limits,
         speed,
         word: ring.symbol(format!("word_{lower}")),
-        turn: ring.sin_cos(format!("sin_{lower}"), format!("cos_{lower}")),
+        sin_cos: ring.sin_cos(format!("sin_{lower}"), format!("cos_{lower}")),
     })
 }
 
-/// Both ends of the travel; `None` is endless.
+/// Both ends of the travel; `None`: no limits.
 fn limits(
     declaration: &Declaration,
     letter: &str,
-    kind: Kind,
+    kind: AxisKind,
     errors: &mut Errors,
 ) -> Option<(BigRational, BigRational)> {
     match find(&declaration.limits, letter).map(|entry| &entry.value) {
         Some(Limits::Range(ends)) => {
             let (lower, upper) = &**ends;
             let phrase = lower.phrase.to(upper.phrase);
-            let ends = (axis_value(lower, kind, errors), axis_value(upper, kind, errors));
+            let ends = (axis_value(lower, letter, kind, errors), axis_value(upper, letter, kind, errors));
             if let (Some(lower), Some(upper)) = &ends
                 && lower > upper
             {
                 errors.push(
                     phrase,
-                    format!("the travel of `{letter}` is empty"),
+                    format!("the travel of `{letter}` is empty: its lower end is above its upper end"),
                     "write the smaller value first: `-5..110`",
                 );
             }
@@ -78,14 +78,14 @@ fn limits(
     }
 }
 
-fn speed(declaration: &Declaration, letter: &str, kind: Kind, errors: &mut Errors) -> Option<BigRational> {
+fn speed(declaration: &Declaration, letter: &str, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
     find(&declaration.speeds, letter).and_then(|entry| {
-        let value = axis_value(&entry.value, kind, errors)?;
+        let value = axis_value(&entry.value, letter, kind, errors)?;
         if !value.is_positive() {
             errors.push(
                 entry.value.phrase,
-                format!("the speed of `{letter}` is not above zero"),
-                "give deg/min for rotary and mm/min for linear axes",
+                format!("the speed of `{letter}` must be above zero"),
+                "give the speed in deg/min for a rotary axis, in mm/min for a linear axis",
             );
         }
         Some(value)
@@ -97,16 +97,17 @@ fn find<'a, T>(entries: &'a [Assign<T>], letter: &str) -> Option<&'a Assign<T>> 
 }
 
 /// A constant in the unit of an axis: degrees for rotary, mm for linear.
-fn axis_value(value: &crate::syntax::Expr, kind: Kind, errors: &mut Errors) -> Option<BigRational> {
+fn axis_value(value: &crate::syntax::Expr, letter: &str, kind: AxisKind, errors: &mut Errors) -> Option<BigRational> {
     match quantity::number(value) {
         Ok((number, unit)) => {
             let wrong = match (kind, unit) {
-                (Kind::Linear, Some(Unit::Degree)) => Some("an angle for a linear axis"),
-                (Kind::Rotary, Some(Unit::Millimetre)) => Some("a length for a rotary axis"),
+                (AxisKind::Linear, Some(Unit::Degree)) => Some(("a linear axis", "an angle")),
+                (AxisKind::Rotary, Some(Unit::Millimetre)) => Some(("a rotary axis", "a length")),
                 _ => None,
             };
-            if let Some(wrong) = wrong {
-                errors.push(value.phrase, wrong, "rotary axes count in degrees, linear axes in mm");
+            if let Some((axis, quantity)) = wrong {
+                let text = format!("`{letter}` is {axis}, but its value is {quantity}");
+                errors.push(value.phrase, text, "give values of rotary axes in degrees, of linear axes in mm");
             }
             Some(number)
         }
@@ -117,16 +118,16 @@ fn axis_value(value: &crate::syntax::Expr, kind: Kind, errors: &mut Errors) -> O
     }
 }
 
-fn zeros() -> P3 {
+fn zeros() -> PolyVector {
     std::array::from_fn(|_| Poly::zero())
 }
 
 /// The direction of a coordinate: 0, 1, 2 for X, Y, Z.
-pub(crate) fn coordinate(index: usize) -> P3 {
+pub(crate) fn coordinate(index: usize) -> PolyVector {
     std::array::from_fn(|row| if row == index { Poly::one() } else { Poly::zero() })
 }
 
-fn lengths(vector: &Vector, names: &DimensionNames<'_>, ring: &Ring, errors: &mut Errors) -> P3 {
+fn lengths(vector: &Vector, names: &DimensionNames<'_>, ring: &Ring, errors: &mut Errors) -> PolyVector {
     std::array::from_fn(|index| {
         quantity::length(&vector.parts[index], names, ring).unwrap_or_else(|fault| {
             fault.report(errors);
@@ -135,14 +136,14 @@ fn lengths(vector: &Vector, names: &DimensionNames<'_>, ring: &Ring, errors: &mu
     })
 }
 
-/// The unit vector of a direction, exactly.
+/// Exact unit vector of a direction.
 pub(crate) fn unit_direction(
     direction: &Direction,
     names: &DimensionNames<'_>,
     ring: &mut Ring,
     errors: &mut Errors,
-) -> P3 {
-    let result = (|| -> Result<P3, Fault> {
+) -> PolyVector {
+    let result = (|| -> Result<PolyVector, Fault> {
         let mut unit = match &direction.base {
             Base::Coordinate(index) => coordinate(*index),
             Base::Vector(vector) => normalised(vector, ring)?,
@@ -151,9 +152,9 @@ pub(crate) fn unit_direction(
             unit = unit.map(|part| -&part);
         }
         // The product is a matrix product: the factor next to the vector acts first.
-        for (axis, angle) in direction.turns.iter().rev() {
+        for (axis, angle) in direction.rotations.iter().rev() {
             let (sine, cosine) = quantity::angle(angle, names, ring)?;
-            unit = crate::symbolic::rotation(&coordinate(*axis), &sine, &cosine, ring).turn(&unit, ring);
+            unit = crate::symbolic::rotation(&coordinate(*axis), &sine, &cosine, ring).rotate(&unit, ring);
         }
         Ok(unit)
     })();
@@ -163,12 +164,12 @@ pub(crate) fn unit_direction(
     })
 }
 
-fn normalised(vector: &Vector, ring: &mut Ring) -> Result<P3, Fault> {
+fn normalised(vector: &Vector, ring: &mut Ring) -> Result<PolyVector, Fault> {
     let mut parts: Vec<Surd> = Vec::new();
     for part in &vector.parts {
         parts.push(quantity::ratio(part)?);
     }
-    // Without the common factor (0.7071067811865476, 0, 0.7071067811865476) is (1, 0, 1).
+    // Divided by its largest component, (0.7071067811865476, 0, 0.7071067811865476) becomes (1, 0, 1).
     let rationals: Option<Vec<BigRational>> = parts.iter().map(Surd::as_rational).collect();
     if let Some(rationals) = rationals {
         let largest = rationals.iter().map(BigRational::abs).max().unwrap_or_else(|| BigInt::from(0).into());
@@ -181,7 +182,7 @@ fn normalised(vector: &Vector, ring: &mut Ring) -> Result<P3, Fault> {
         return Err(Fault::new(
             vector.phrase,
             "the vector (0, 0, 0) has no direction",
-            "give one component that is not zero",
+            "give at least one component that is not zero",
         ));
     }
     let inverse = match squared.sqrt().and_then(|length| length.inverse()) {

@@ -1,16 +1,16 @@
 //! Rules of the chain: one machine frame, known letters, three linear and at most two rotary axes to solve for.
 
 use super::names::kind_of;
-use crate::model::Kind;
+use crate::model::AxisKind;
 use crate::report::Errors;
-use crate::syntax::{Chain, Declaration, Spot};
+use crate::syntax::{Chain, Declaration, SpannedName};
 
 /// Reports every rule of the chain that is broken.
 pub(crate) fn check_chain(chain: &Chain, declaration: &Declaration, errors: &mut Errors) {
     check_bars(chain, errors);
     check_axes(chain, errors);
-    check_linears(chain, &solved(chain, declaration, Kind::Linear), errors);
-    check_rotaries(&solved(chain, declaration, Kind::Rotary), errors);
+    check_linears(chain, &solved(chain, declaration, AxisKind::Linear), errors);
+    check_rotaries(&solved(chain, declaration, AxisKind::Rotary), errors);
 }
 
 fn check_bars(chain: &Chain, errors: &mut Errors) {
@@ -42,8 +42,8 @@ fn check_axes(chain: &Chain, errors: &mut Errors) {
         } else if seen.contains(&name) {
             errors.push(
                 axis.phrase,
-                format!("`{name}` stands twice in the chain"),
-                "every axis has a letter of its own",
+                format!("`{name}` is listed twice in the chain"),
+                "list each axis once, each with its own letter",
             );
         }
         seen.push(name);
@@ -51,9 +51,9 @@ fn check_axes(chain: &Chain, errors: &mut Errors) {
 }
 
 /// Axes of a kind that are not held; a letter that is repeated counts once.
-fn solved<'a>(chain: &'a Chain, declaration: &Declaration, kind: Kind) -> Vec<&'a Spot> {
+fn solved<'a>(chain: &'a Chain, declaration: &Declaration, kind: AxisKind) -> Vec<&'a SpannedName> {
     let held = |name: &str| declaration.hold.iter().any(|entry| entry.key.name == name);
-    let mut solved: Vec<&Spot> = Vec::new();
+    let mut solved: Vec<&SpannedName> = Vec::new();
     for axis in &chain.axes {
         let repeated = solved.iter().any(|known| known.name == axis.name);
         if kind_of(&axis.name) == Some(kind) && !held(&axis.name) && !repeated {
@@ -63,30 +63,30 @@ fn solved<'a>(chain: &'a Chain, declaration: &Declaration, kind: Kind) -> Vec<&'
     solved
 }
 
-fn check_linears(chain: &Chain, linears: &[&Spot], errors: &mut Errors) {
+fn check_linears(chain: &Chain, linears: &[&SpannedName], errors: &mut Errors) {
     if linears.len() < 3 {
         let found: Vec<&str> = linears.iter().map(|axis| axis.name.as_str()).collect();
         let found = if found.is_empty() { "none".into() } else { found.join(" ") };
         errors.push(
             chain.phrase,
             format!("a machine needs three solved linear axes, found {found}"),
-            "add the missing letters to the chain, or take them out of `hold`",
+            "add the missing letters to the chain, or remove them from `hold`",
         );
     }
     for axis in linears.iter().skip(3) {
         errors.push(
             axis.phrase,
-            format!("`{}` is a fourth linear axis: three are solved for", axis.name),
+            format!("`{}` is a fourth linear axis, but exactly three are solved for", axis.name),
             format!("put {} in `hold`: `hold = {{ {}: 0 }};`", axis.name, axis.name),
         );
     }
 }
 
-fn check_rotaries(rotaries: &[&Spot], errors: &mut Errors) {
+fn check_rotaries(rotaries: &[&SpannedName], errors: &mut Errors) {
     for axis in rotaries.iter().skip(2) {
         errors.push(
             axis.phrase,
-            format!("`{}` is a third rotary axis: two tilt the tool", axis.name),
+            format!("`{}` is a third rotary axis, but at most two are solved for", axis.name),
             format!("put {} in `hold`: `hold = {{ {}: 0 }};`", axis.name, axis.name),
         );
     }

@@ -1,4 +1,4 @@
-//! Rules of the language: [`Declaration`] to [`Model`], collecting every mistake before giving up.
+//! Rules of the language: [`Declaration`] to [`Model`]. All mistakes are collected before compilation stops.
 
 mod axis;
 mod chain;
@@ -7,31 +7,31 @@ mod quantity;
 
 use syn::ext::IdentExt;
 
-use crate::model::{Axis, Dimension, Frame, Kind, LOCALS, Model, Quantity, Side};
+use crate::model::{Axis, AxisKind, Dimension, LOCALS, Model, ModelSymbols, Quantity, Side};
 use crate::report::{Errors, Phrase, Refused};
 use crate::solve::Refusal;
 use crate::symbolic::Ring;
-use crate::syntax::{Assign, Declaration, Offsets, Spot, Unit};
+use crate::syntax::{Assign, Declaration, Offsets, SpannedName, Unit};
 use axis::{axis, coordinate, unit_direction};
 use chain::check_chain;
 pub(crate) use names::is_reserved;
 use names::kind_of;
 pub(crate) use quantity::{DimensionNames, Fault, angle, length};
 
-/// Places of the chain's letters in the source, for refusals of the solver.
+/// Source locations of the chain and its letters, for refusals of the solver.
 #[derive(Debug)]
-pub struct Spots {
+pub struct ChainPhrases {
     chain: Phrase,
-    axes: Vec<Spot>,
+    axes: Vec<SpannedName>,
 }
 
 /// Checks a declaration.
 ///
 /// # Errors
 /// Every rule that it breaks.
-pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, Spots), Refused> {
+pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, ChainPhrases), Refused> {
     let mut ring = Ring::default();
-    let frame = frame(&mut ring);
+    let symbols = model_symbols(&mut ring);
     let dimensions = dimensions(declaration, &mut ring, errors);
     let Some(chain) = &declaration.chain else {
         if !declaration.unreadable.iter().any(|field| field == "chain") {
@@ -59,36 +59,38 @@ pub fn check(declaration: &Declaration, errors: &mut Errors) -> Result<(Model, S
     check_derives(declaration, errors);
     errors.propagate()?;
     let name = declaration.name.unraw().to_string();
-    let spots = Spots { chain: chain.phrase, axes: chain.axes.clone() };
-    Ok((Model { name, axes, dimensions, tool_axis, frame, ring }, spots))
+    let phrases = ChainPhrases { chain: chain.phrase, axes: chain.axes.clone() };
+    Ok((Model { name, axes, dimensions, tool_axis, symbols, ring }, phrases))
 }
 
-/// Turns refusals of the solver into messages at the letters they name.
-pub fn refused(refusals: &[Refusal], model: &Model, spots: &Spots, errors: &mut Errors) -> Refused {
+/// Reports refusals of the solver at the letters that they name.
+pub fn refused(refusals: &[Refusal], model: &Model, phrases: &ChainPhrases, errors: &mut Errors) -> Refused {
     for refusal in refusals {
         match *refusal {
             Refusal::DependentLinears => errors.push(
-                spots.chain,
+                phrases.chain,
                 format!(
                     "the linear axes {} cannot move the tip in every direction",
                     model.letters(model.solved_linears())
                 ),
-                "their directions lie in one plane; give one of them another direction in `axes`",
+                "their directions lie in one plane, always or at the defaults of `dims` and `hold`: give one of them another direction in `axes`",
             ),
             Refusal::CannotTilt(axis) => {
                 let letter = model.axes[axis].letter;
                 errors.push(
-                    spots.axes[axis].phrase,
-                    format!("`{letter}` turns about the tool axis, so it cannot tilt the tool"),
+                    phrases.axes[axis].phrase,
+                    format!("`{letter}` rotates about the tool axis, so it cannot tilt the tool"),
                     format!("put {letter} in `hold`: `hold = {{ {letter}: 0 }};`"),
                 );
             }
             Refusal::SameDirection(first, second) => {
                 let (first, letter) = (model.axes[first].letter, model.axes[second].letter);
                 errors.push(
-                    spots.axes[second].phrase,
-                    format!("`{first}` and `{letter}` turn about the same direction, so the tool cannot tilt"),
-                    format!("give one of them another direction in `axes`, or put {letter} in `hold`"),
+                    phrases.axes[second].phrase,
+                    format!("`{first}` and `{letter}` rotate about the same direction, so they act as one axis"),
+                    format!(
+                        "give one of them another direction in `axes`, or put {letter} in `hold`: `hold = {{ {letter}: 0 }};`"
+                    ),
                 );
             }
         }
@@ -96,18 +98,18 @@ pub fn refused(refusals: &[Refusal], model: &Model, spots: &Spots, errors: &mut 
     errors.refused()
 }
 
-/// A claim that the proof could not confirm: a fault of the engine, not of the declaration.
-pub fn unproven(claim: &str, spots: &Spots, errors: &mut Errors) -> Refused {
+/// Reports a claim that could not be proven: a fault of the engine, not of the declaration.
+pub fn unproven(claim: &str, phrases: &ChainPhrases, errors: &mut Errors) -> Refused {
     errors.push(
-        spots.chain,
-        format!("this machine could not be proven: {claim}"),
-        "this is a fault of the generator; please report the declaration",
+        phrases.chain,
+        format!("the formulas of this machine could not be proven; not shown: {claim}"),
+        "this is a bug in the generator, not in the declaration: please report it with the declaration",
     );
     errors.refused()
 }
 
-fn frame(ring: &mut Ring) -> Frame {
-    Frame {
+fn model_symbols(ring: &mut Ring) -> ModelSymbols {
+    ModelSymbols {
         tip: ["x", "y", "z"].map(|name| ring.symbol(name)),
         axis: ring.unit_vector(["i", "j", "k"]),
         part: ["part_x", "part_y", "part_z"].map(|name| ring.symbol(name)),
@@ -115,7 +117,7 @@ fn frame(ring: &mut Ring) -> Frame {
     }
 }
 
-/// Keys of the fields that speak of axes: known, and named once.
+/// Checks that the keys of fields with axis letters are axes of the chain, each given once.
 fn check_letters(declaration: &Declaration, known: &[&str], errors: &mut Errors) {
     fn check<T>(field: &str, entries: &[Assign<T>], known: &[&str], errors: &mut Errors) {
         for (place, entry) in entries.iter().enumerate() {
@@ -127,7 +129,7 @@ fn check_letters(declaration: &Declaration, known: &[&str], errors: &mut Errors)
                     format!("the axes are {}", known.join(" ")),
                 );
             } else if entries[..place].iter().any(|earlier| earlier.key.name == name) {
-                errors.push(entry.key.phrase, format!("`{name}` stands twice in `{field}`"), "keep one of the two");
+                errors.push(entry.key.phrase, format!("`{name}` is given twice in `{field}`"), "keep one of the two");
             }
         }
     }
@@ -138,7 +140,7 @@ fn check_letters(declaration: &Declaration, known: &[&str], errors: &mut Errors)
     check("speeds", &declaration.speeds, known, errors);
     if let Some(Offsets::Each(entries)) = &declaration.offsets {
         check("d", entries, known, errors);
-        for entry in entries.iter().filter(|entry| kind_of(&entry.key.name) == Some(Kind::Linear)) {
+        for entry in entries.iter().filter(|entry| kind_of(&entry.key.name) == Some(AxisKind::Linear)) {
             errors.push(
                 entry.key.phrase,
                 format!("`{}` is a linear axis: it has no centre line", entry.key.name),
@@ -150,30 +152,34 @@ fn check_letters(declaration: &Declaration, known: &[&str], errors: &mut Errors)
 
 fn check_offsets(declaration: &Declaration, axes: &[Axis], errors: &mut Errors) {
     let Some(Offsets::Common(vector)) = &declaration.offsets else { return };
-    let mut sides = axes.iter().filter(|axis| axis.kind == Kind::Rotary).map(|axis| axis.side);
+    let mut sides = axes.iter().filter(|axis| axis.kind == AxisKind::Rotary).map(|axis| axis.side);
     let Some(first) = sides.next() else {
-        errors.push(vector.phrase, "`d` is given, but the chain has no rotary axis", "leave `d` out");
+        errors.push(vector.phrase, "`d` is given, but the chain has no rotary axis", "remove `d`");
         return;
     };
     if sides.any(|side| side != first) {
         errors.push(
             vector.phrase,
             "one `d` for rotary axes on both sides of `|`",
-            "the sides count from different points, the table's and the spindle's: write `d = { C: (0, 0, 0), B: (0, 0, 60) };`",
+            "points in the table are relative to the table's reference point, points in the head to the gauge line: write `d = { C: (0, 0, 0), B: (0, 0, 60) };`",
         );
     }
 }
 
-/// Traits that are generated cannot be derived again.
+/// Refuses `derive` of traits that are generated.
 fn check_derives(declaration: &Declaration, errors: &mut Errors) {
     for attribute in declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("derive")) {
-        // What cannot be read here is reported by rustc.
+        // rustc reports a `derive` that cannot be parsed here.
         let _ = attribute.parse_nested_meta(|meta| {
             if let Some(last) = meta.path.segments.last()
                 && ["Clone", "Debug", "Default"].iter().any(|name| last.ident == name)
             {
                 let phrase = Phrase::new(last.ident.span(), last.ident.span(), 0);
-                errors.push(phrase, format!("`{}` is implemented already", last.ident), "leave it out of `derive`");
+                errors.push(
+                    phrase,
+                    format!("`{}` is already generated by `machine!`", last.ident),
+                    "remove it from `derive`",
+                );
             }
             Ok(())
         });
@@ -188,12 +194,12 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
             errors.push(
                 key.phrase,
                 format!("`{name}` cannot be the name of a dimension"),
-                "it means something else in the language or in Rust; choose another, such as `pivot` or `tilt`",
+                "the name is reserved by `machine!` or by Rust: choose another, such as `pivot` or `tilt`",
             );
             continue;
         }
         if dimensions.iter().any(|known| known.name == *name) {
-            errors.push(key.phrase, format!("`{name}` stands twice in `dims`"), "keep one of the two");
+            errors.push(key.phrase, format!("`{name}` is given twice in `dims`"), "keep one of the two");
             continue;
         }
         let (default, unit) = match quantity::number(value) {
@@ -214,8 +220,8 @@ fn dimensions(declaration: &Declaration, ring: &mut Ring, errors: &mut Errors) -
     dimensions
 }
 
-/// Name of a length inside generated functions: its own, unless that is a variable there. The ring keeps
-/// all other names apart.
+/// Name of a length inside generated functions: its own, or with `dim_` in front where a local variable has that name.
+/// The ring keeps all other names distinct.
 fn local_name(name: &str) -> String {
     if LOCALS.contains(&name) { format!("dim_{name}") } else { name.to_string() }
 }

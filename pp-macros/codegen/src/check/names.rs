@@ -1,6 +1,6 @@
 //! Letters of axes, and names with a meaning of their own.
 
-use crate::model::Kind;
+use crate::model::AxisKind;
 
 /// Names that a dimension cannot have.
 const RESERVED: &[&str] = &[
@@ -37,12 +37,12 @@ const RESERVED: &[&str] = &[
 pub(crate) const LETTERS: [&str; 9] = ["X", "Y", "Z", "U", "V", "W", "A", "B", "C"];
 
 /// Linear or rotary; `None` if it is no axis letter.
-pub(crate) fn kind_of(letter: &str) -> Option<Kind> {
+pub(crate) fn kind_of(letter: &str) -> Option<AxisKind> {
     let place = LETTERS.iter().position(|known| *known == letter)?;
-    Some(if place < 6 { Kind::Linear } else { Kind::Rotary })
+    Some(if place < 6 { AxisKind::Linear } else { AxisKind::Rotary })
 }
 
-/// Whether a name means something else in the language.
+/// True if a name has a meaning in the language.
 pub(crate) fn is_reserved(name: &str) -> bool {
     LETTERS.contains(&name) || name.starts_with("r#") || RESERVED.contains(&name)
 }

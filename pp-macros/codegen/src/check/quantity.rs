@@ -6,7 +6,7 @@ use num_traits::ToPrimitive;
 
 use crate::model::{Dimension, Quantity, to_f64};
 use crate::report::{Errors, Phrase};
-use crate::symbolic::{Poly, Ring, Surd, angle_sum, turn_by};
+use crate::symbolic::{Poly, Ring, Surd, angle_sum, sin_cos_of_degrees};
 use crate::syntax::{Expr, ExprKind, Unit};
 
 /// One mistake inside an expression.
@@ -15,7 +15,7 @@ pub(crate) struct Fault {
     phrase: Phrase,
     text: String,
     help: String,
-    /// The cause is reported elsewhere.
+    /// True if the cause is reported elsewhere, so that this mistake gives no message.
     silent: bool,
 }
 
@@ -34,7 +34,7 @@ impl Fault {
 /// Dimensions that expressions may name.
 pub(crate) struct DimensionNames<'a> {
     pub(crate) dimensions: &'a [Dimension],
-    /// Entries that could not be read; nothing more is said about them.
+    /// Entries that could not be parsed; no further message mentions them.
     pub(crate) unreadable: &'a [String],
 }
 
@@ -60,12 +60,12 @@ pub(crate) fn number(expr: &Expr) -> Result<(BigRational, Option<Unit>), Fault> 
     match value.as_rational() {
         Some(value) if !to_f64(&value).is_finite() => Err(too_large(expr)),
         Some(value) => Ok((value, unit)),
-        None => Err(Fault::new(expr.phrase, "this needs a plain number", "write it in decimal digits")),
+        None => Err(Fault::new(expr.phrase, "expected a rational number", "write it in decimal digits")),
     }
 }
 
 fn too_large(expr: &Expr) -> Fault {
-    Fault::new(expr.phrase, "this is larger than any number of the machine", "write a smaller number")
+    Fault::new(expr.phrase, "this number is too large", "the largest number is about 1.8e308")
 }
 
 /// A constant without a unit.
@@ -81,13 +81,19 @@ pub(crate) fn ratio(expr: &Expr) -> Result<Surd, Fault> {
 }
 
 fn constant(expr: &Expr) -> Result<(Surd, Option<Unit>), Fault> {
-    let mixed = || Fault::new(expr.phrase, "these units do not go together", "use the same unit on both sides");
+    let mixed = || {
+        Fault::new(
+            expr.phrase,
+            "these units cannot be combined",
+            "add and subtract equal units, multiply and divide by plain numbers",
+        )
+    };
     match &expr.kind {
         ExprKind::Number(value, unit) => Ok((Surd::from(value.clone()), *unit)),
         ExprKind::Name(name) => Err(Fault::new(
             expr.phrase,
             format!("`{name}` is not a number"),
-            "only numbers can stand here, such as `150.0` or `45 deg`",
+            "only numbers are allowed here, such as `150.0` or `45 deg`",
         )),
         ExprKind::Neg(inner) => constant(inner).map(|(value, unit)| (-&value, unit)),
         ExprKind::Binary(left, operator, right) => {
@@ -119,7 +125,7 @@ fn constant(expr: &Expr) -> Result<(Surd, Option<Unit>), Fault> {
                         .ok_or_else(|| fault("`sqrt` takes a rational number that is not negative")),
                     _ => Err(mixed()),
                 },
-                _ => Err(fault("only `sqrt` of a number is known here")),
+                _ => Err(fault("the only function allowed here is `sqrt` of a number")),
             }
         }
     }
@@ -137,9 +143,9 @@ pub(crate) fn length(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Re
     Err(Fault::new(expr.phrase, "this product is an area, not a length", "multiply a length by a plain number"))
 }
 
-/// A polynomial and its power of millimetres; a bare number may be a length.
+/// A polynomial and its power of mm. A number without a unit has power 0 and is accepted as a length.
 fn measured(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Result<(Poly, u32), Fault> {
-    let angle = || Fault::new(expr.phrase, "an angle where a length is needed", "components of `d` are lengths in mm");
+    let angle = || Fault::new(expr.phrase, "expected a length, found an angle", "components of `d` are lengths in mm");
     match &expr.kind {
         ExprKind::Number(_, Some(Unit::Degree)) => Err(angle()),
         ExprKind::Number(value, unit) => Ok((Poly::from(Surd::from(value.clone())), u32::from(unit.is_some()))),
@@ -170,17 +176,19 @@ fn measured(expr: &Expr, names: &DimensionNames<'_>, ring: &Ring) -> Result<(Pol
 /// Sine and cosine of an angle: degrees, angles of `dims`, sums and whole multiples of them.
 pub(crate) fn angle(expr: &Expr, names: &DimensionNames<'_>, ring: &mut Ring) -> Result<(Poly, Poly), Fault> {
     match &expr.kind {
-        ExprKind::Number(degrees, Some(Unit::Degree)) => Ok(turn_by(degrees, ring)),
-        ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => Ok(turn_by(value, ring)),
-        ExprKind::Number(_, None) => Err(Fault::new(expr.phrase, "an angle needs its unit", "write `45 deg`")),
+        ExprKind::Number(degrees, Some(Unit::Degree)) => Ok(sin_cos_of_degrees(degrees, ring)),
+        ExprKind::Number(value, None) if *value == BigRational::from(BigInt::from(0)) => {
+            Ok(sin_cos_of_degrees(value, ring))
+        }
+        ExprKind::Number(_, None) => Err(Fault::new(expr.phrase, "an angle needs a unit", "write `45 deg`")),
         ExprKind::Number(_, Some(Unit::Millimetre)) => {
-            Err(Fault::new(expr.phrase, "a length where an angle is needed", "write `45 deg`"))
+            Err(Fault::new(expr.phrase, "expected an angle, found a length", "write `45 deg`"))
         }
         ExprKind::Name(name) => match names.find(name, expr.phrase)? {
             Quantity::Angle(sine, cosine) => Ok((Poly::from(sine), Poly::from(cosine))),
             Quantity::Length(_) => Err(Fault::new(
                 expr.phrase,
-                format!("`{name}` is a length where an angle is needed"),
+                format!("expected an angle, but `{name}` is a length"),
                 format!("a dimension whose default has `deg` is an angle: `dims = {{ {name}: -45 deg }};`"),
             )),
         },
@@ -191,17 +199,17 @@ pub(crate) fn angle(expr: &Expr, names: &DimensionNames<'_>, ring: &mut Ring) ->
             Ok(angle_sum(&a, &(s, c), ring))
         }
         ExprKind::Binary(left, '*', right) => {
-            let (factor, turned) = if ratio(left).is_ok() { (left, right) } else { (right, left) };
-            let turn = angle(turned, names, ring)?;
+            let (factor, angle_part) = if ratio(left).is_ok() { (left, right) } else { (right, left) };
+            let pair = angle(angle_part, names, ring)?;
             let times = ratio(factor).ok().and_then(|f| f.as_rational()).filter(BigRational::is_integer);
             let Some(times) = times.and_then(|times| times.to_integer().to_i32()).filter(|n| n.abs() <= 24) else {
                 return Err(Fault::new(
                     factor.phrase,
-                    "an angle is multiplied by a whole number only",
+                    "an angle can be multiplied only by a whole number up to 24",
                     "write `2 * alpha`",
                 ));
             };
-            let step = if times < 0 { (-&turn.0, turn.1) } else { turn };
+            let step = if times < 0 { (-&pair.0, pair.1) } else { pair };
             let start = (Poly::zero(), Poly::one());
             Ok((0..times.abs()).fold(start, |sum, _| angle_sum(&sum, &step, ring)))
         }

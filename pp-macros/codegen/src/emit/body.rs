@@ -1,4 +1,4 @@
-//! Nodes to statements: one `let` for what is named or used more than once, the rest written in place.
+//! Nodes to statements: one `let` for each node that is named or used more than once, the others written in place.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,7 +19,7 @@ pub(crate) struct Body<'a> {
 pub(crate) type Statement = (String, String);
 
 impl<'a> Body<'a> {
-    /// A function that computes `outputs`, all of them, perhaps in several steps.
+    /// A function that computes all `outputs`, in one or more steps.
     pub(crate) fn new(graph: &'a Graph, outputs: &[Id]) -> Self {
         let mut uses = BTreeMap::new();
         for output in outputs {
@@ -46,11 +46,11 @@ impl<'a> Body<'a> {
         self.graph.reachable(outputs).into_iter().filter_map(input).collect()
     }
 
-    /// Statements for everything that `outputs` need and that is not written yet.
+    /// Statements for all nodes that `outputs` need and that are not written yet.
     pub(crate) fn statements(&mut self, outputs: &[Id]) -> Vec<Statement> {
         let mut statements = Vec::new();
         for id in self.graph.reachable(outputs) {
-            if self.written.contains_key(&id) || !self.deserves_name(id) {
+            if self.written.contains_key(&id) || !self.needs_name(id) {
                 continue;
             }
             let expression = self.compound(id).0;
@@ -71,7 +71,7 @@ impl<'a> Body<'a> {
         parse(&self.expression(id))
     }
 
-    fn deserves_name(&self, id: Id) -> bool {
+    fn needs_name(&self, id: Id) -> bool {
         match self.graph.node(id) {
             Node::Constant(_) | Node::Input(_) => false,
             Node::Neg(_) => self.graph.name_of(id).is_some(),

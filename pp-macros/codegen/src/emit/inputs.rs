@@ -5,12 +5,12 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::model::{Dimension, Kind, Model, Quantity};
+use crate::model::{AxisKind, Dimension, Model, Quantity};
 use crate::symbolic::Symbol;
 
 /// Variables that hold the inputs of a function.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Places<'a> {
+pub(crate) struct InputVariables<'a> {
     /// Variable with `.x .y .z` for the tip.
     pub(crate) tip: Option<&'a str>,
     /// Variable with `.x .y .z` for the tool axis.
@@ -22,8 +22,8 @@ pub(crate) struct Places<'a> {
 }
 
 /// `let` statements for the inputs that are used.
-pub(crate) fn prelude(model: &Model, used: &BTreeSet<Symbol>, places: Places<'_>) -> TokenStream {
-    let inputs = Inputs { model, used, places };
+pub(crate) fn prelude(model: &Model, used: &BTreeSet<Symbol>, variables: InputVariables<'_>) -> TokenStream {
+    let inputs = Inputs { model, used, variables };
     let (pose, set_up, dimensions, axes) = (inputs.pose(), inputs.set_up(), inputs.dimensions(), inputs.axes());
     quote!(#pose #set_up #dimensions #axes)
 }
@@ -32,23 +32,23 @@ pub(crate) fn prelude(model: &Model, used: &BTreeSet<Symbol>, places: Places<'_>
 struct Inputs<'a> {
     model: &'a Model,
     used: &'a BTreeSet<Symbol>,
-    places: Places<'a>,
+    variables: InputVariables<'a>,
 }
 
 impl Inputs<'_> {
     /// Tip and tool axis.
     fn pose(&self) -> TokenStream {
-        let frame = &self.model.frame;
-        let vectors = [(frame.tip, self.places.tip), (frame.axis, self.places.axis)];
+        let symbols = &self.model.symbols;
+        let vectors = [(symbols.tip, self.variables.tip), (symbols.axis, self.variables.axis)];
         let vectors = vectors.into_iter().filter_map(|(symbols, place)| Some((symbols, format_ident!("{}", place?))));
         vectors.map(|(symbols, place)| self.components(symbols, &quote!(#place))).collect()
     }
 
     /// Part origin and gauge length.
     fn set_up(&self) -> TokenStream {
-        let frame = &self.model.frame;
-        let mut lets = self.components(frame.part, &quote!(self.part_origin));
-        lets.extend(self.value(frame.gauge, &quote!(self.gauge_length)));
+        let symbols = &self.model.symbols;
+        let mut lets = self.components(symbols.part, &quote!(self.part_origin));
+        lets.extend(self.value(symbols.gauge, &quote!(self.gauge_length)));
         lets
     }
 
@@ -66,18 +66,18 @@ impl Inputs<'_> {
     /// Values of linear axes, sines and cosines of rotary ones.
     fn axes(&self) -> TokenStream {
         let mut lets = TokenStream::new();
-        let words = || format_ident!("{}", self.places.words.expect("words are at hand"));
+        let words = || format_ident!("{}", self.variables.words.expect("words are at hand"));
         let mut rotary = 0_usize;
         for (place, axis) in self.model.axes.iter().enumerate() {
             match axis.kind {
-                Kind::Linear if self.used.contains(&axis.word) => {
+                AxisKind::Linear if self.used.contains(&axis.word) => {
                     let words = words();
                     lets.extend(self.value(axis.word, &quote!(#words[#place])));
                 }
-                Kind::Linear => {}
-                Kind::Rotary => {
-                    if self.uses(axis.turn) {
-                        let turn = match self.places.turns {
+                AxisKind::Linear => {}
+                AxisKind::Rotary => {
+                    if self.uses(axis.sin_cos) {
+                        let turn = match self.variables.turns {
                             Some(turns) => {
                                 let turns = format_ident!("{turns}");
                                 quote!(#turns[#rotary])
@@ -87,7 +87,7 @@ impl Inputs<'_> {
                                 quote!(math::sin_cos(#words[#place]))
                             }
                         };
-                        lets.extend(self.pair(axis.turn, &turn));
+                        lets.extend(self.pair(axis.sin_cos, &turn));
                     }
                     rotary += 1;
                 }

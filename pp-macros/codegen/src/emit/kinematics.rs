@@ -4,16 +4,17 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::{Body, lets};
-use super::inputs::{Places, prelude};
-use crate::model::{AxisId, Kind, Model};
+use super::inputs::{InputVariables, prelude};
+use crate::model::{AxisId, AxisKind, Model};
 use crate::solve::Solved;
-use crate::symbolic::{Id, V3};
+use crate::symbolic::{Id, NodeVector};
 
 /// `forward_kinematics`.
 pub(crate) fn forward(model: &Model, solved: &Solved) -> TokenStream {
     let outputs: Vec<Id> = solved.forward.tip.into_iter().chain(solved.forward.axis).collect();
     let mut body = Body::new(&solved.graph, &outputs);
-    let prelude = prelude(model, &body.inputs(&outputs), Places { words: Some("axes"), ..Places::default() });
+    let prelude =
+        prelude(model, &body.inputs(&outputs), InputVariables { words: Some("axes"), ..InputVariables::default() });
     let statements = lets(&body.statements(&outputs));
     let (tip, axis) = (components(&body, solved.forward.tip), components(&body, solved.forward.axis));
     quote! {
@@ -38,7 +39,8 @@ pub(crate) fn position(model: &Model, solved: &Solved) -> (TokenStream, TokenStr
     let varies = solved.graph.constant_of(determinant).is_none();
     let outputs: Vec<Id> = values.iter().copied().chain(varies.then_some(determinant)).collect();
     let mut body = Body::new(&solved.graph, &outputs);
-    let places = Places { tip: Some("tip"), words: Some("held"), turns: Some("turns"), ..Places::default() };
+    let places =
+        InputVariables { tip: Some("tip"), words: Some("held"), turns: Some("turns"), ..InputVariables::default() };
     let prelude = prelude(model, &body.inputs(&outputs), places);
     let guard = varies.then(|| {
         let statements = lets(&body.statements(&[determinant]));
@@ -107,7 +109,7 @@ pub(crate) fn joints(model: &Model, solved: &Solved) -> TokenStream {
     let arms = model.axes.iter().enumerate().map(|(place, axis)| {
         let nodes: Vec<Id> = solved.directions[place].into_iter().chain(solved.centres[place]).collect();
         let mut body = Body::new(&solved.graph, &nodes);
-        let prelude = prelude(model, &body.inputs(&nodes), Places::default());
+        let prelude = prelude(model, &body.inputs(&nodes), InputVariables::default());
         let statements = lets(&body.statements(&nodes));
         let direction = components(&body, solved.directions[place]);
         let centre = components(&body, solved.centres[place]);
@@ -127,7 +129,7 @@ pub(crate) fn joints(model: &Model, solved: &Solved) -> TokenStream {
         }
     });
     let mut body = Body::new(&solved.graph, &solved.tool_axis);
-    let prelude = prelude(model, &body.inputs(&solved.tool_axis), Places::default());
+    let prelude = prelude(model, &body.inputs(&solved.tool_axis), InputVariables::default());
     let statements = lets(&body.statements(&solved.tool_axis));
     let tool_axis = components(&body, solved.tool_axis);
     quote! {
@@ -148,10 +150,10 @@ pub(crate) fn joints(model: &Model, solved: &Solved) -> TokenStream {
 
 /// Places of all rotary axes, held ones included.
 pub(crate) fn rotaries(model: &Model) -> impl Iterator<Item = AxisId> + Clone + '_ {
-    model.axes.iter().enumerate().filter(|(_, axis)| axis.kind == Kind::Rotary).map(|(place, _)| place)
+    model.axes.iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Rotary).map(|(place, _)| place)
 }
 
-fn components(body: &Body<'_>, vector: V3) -> TokenStream {
+fn components(body: &Body<'_>, vector: NodeVector) -> TokenStream {
     let parts = vector.map(|node| body.tokens(node));
     quote!(#(#parts),*)
 }

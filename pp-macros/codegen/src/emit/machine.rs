@@ -1,15 +1,15 @@
-//! The struct and everything about it that is data.
+//! The struct, its constants, access to dimensions and set-up, and `validate`.
 
 use num_rational::BigRational;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::quote;
 
 use super::body::Body;
-use super::inputs::{Places, prelude};
+use super::inputs::{InputVariables, prelude};
 use super::options::Options;
 use crate::explain::{Explanation, Section};
-use crate::formula::{Formula, Known};
-use crate::model::{Axis, Kind, Model, Quantity, Side, to_f64};
+use crate::formula::{Formula, NamedNodes};
+use crate::model::{Axis, AxisKind, Model, Quantity, Side, to_f64};
 use crate::solve::{SideCondition, Solved};
 use crate::syntax::Declaration;
 
@@ -43,9 +43,9 @@ pub(crate) fn item(
         #(#[doc = #doc])*
         #visibility struct #name {
             #(#[doc = #field_docs] pub #fields: ::core::primitive::f64,)*
-            /// Part zero from the table's reference point, along the table's directions, mm.
+            /// Position of the part zero relative to the table's reference point, along the table's directions, mm.
             pub part_origin: ::pp_runtime::nalgebra::Vector3<::core::primitive::f64>,
-            /// Gauge line to tool tip, mm.
+            /// Distance from the gauge line to the tool tip, mm.
             pub gauge_length: ::core::primitive::f64,
         }
 
@@ -64,7 +64,7 @@ pub(crate) fn item(
     }
 }
 
-/// `#[cfg(...)]` of the struct: what it takes away takes the rest with it.
+/// `#[cfg(...)]` attributes of the struct, for all items that are generated with it.
 pub(crate) fn configured(declaration: &Declaration) -> Vec<&syn::Attribute> {
     declaration.attributes.iter().filter(|attribute| attribute.path().is_ident("cfg")).collect()
 }
@@ -162,7 +162,7 @@ pub(crate) fn set_up(model: &Model, solved: &Solved) -> TokenStream {
 fn conditions(model: &Model, solved: &Solved) -> TokenStream {
     let dimensions = model.dimension_symbols();
     let mut tests = TokenStream::new();
-    for SideCondition { divisor: node, zero, meaning } in &solved.conditions {
+    for SideCondition { divisor: node, tolerance, meaning } in &solved.conditions {
         let node = *node;
         if solved.graph.constant_of(node).is_some() {
             continue;
@@ -174,9 +174,9 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
         }
         let statements = body.statements(&[node]);
         let (lets, value) = (super::body::lets(&statements), body.tokens(node));
-        let prelude = prelude(model, &inputs, Places::default());
-        let written = Formula::of_node(model, &solved.graph, node, &Known::new()).source();
-        let least = float(*zero);
+        let prelude = prelude(model, &inputs, InputVariables::default());
+        let written = Formula::of_node(model, &solved.graph, node, &NamedNodes::new()).source();
+        let least = float(*tolerance);
         tests.extend(quote! {
             {
                 #prelude
@@ -196,8 +196,8 @@ fn conditions(model: &Model, solved: &Solved) -> TokenStream {
 fn axis(axis: &Axis) -> TokenStream {
     let letter = axis.letter;
     let kind = match axis.kind {
-        Kind::Linear => quote!(Linear),
-        Kind::Rotary => quote!(Rotary),
+        AxisKind::Linear => quote!(Linear),
+        AxisKind::Rotary => quote!(Rotary),
     };
     let side = match axis.side {
         Side::Workpiece => quote!(Workpiece),
@@ -232,9 +232,9 @@ fn axis(axis: &Axis) -> TokenStream {
     }
 }
 
-fn in_radians(kind: Kind, value: &BigRational) -> TokenStream {
+fn in_radians(kind: AxisKind, value: &BigRational) -> TokenStream {
     let float_value = to_f64(value);
-    let converted = if kind == Kind::Rotary { float_value.to_radians() } else { float_value };
+    let converted = if kind == AxisKind::Rotary { float_value.to_radians() } else { float_value };
     signed(&float(converted), value)
 }
 

@@ -45,14 +45,15 @@ pub(crate) fn emit(
     quote! {
         #item
         #(#configured)*
-        // Digits of declared angles and directions are what they are.
+        // Declared angles and directions are printed with all their digits.
         #[allow(deprecated, clippy::all, clippy::pedantic, clippy::nursery)]
         const _: () = {
-            // Whatever these mean around the declaration.
+            // These names may mean something else at the declaration.
             use ::core::primitive::{f64, str, usize};
             use ::pp_runtime::kinematics::math;
 
-            /// What the kinematics share; a trait, so that no method of the user can clash with it.
+            /// Functions that the methods of `Machine` share; in a trait, so that they cannot clash with methods of the
+            /// user.
             trait Shared {
                 #position_signature
                 #edge_signature

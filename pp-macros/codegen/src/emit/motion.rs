@@ -1,13 +1,13 @@
-//! `motion` and `rates`: what the derivatives of the pose become.
+//! `motion` and `rates`, from the derivatives of the pose.
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{Body, lets};
-use super::inputs::{Places, prelude};
-use crate::model::{Kind, Model};
+use super::inputs::{InputVariables, prelude};
+use crate::model::{AxisKind, Model};
 use crate::solve::{Curve, Motion};
-use crate::symbolic::{Id, Symbol, V3};
+use crate::symbolic::{Id, NodeVector, Symbol};
 
 /// `motion` and `rates`.
 pub(crate) fn motion(model: &Model, motion: &Motion) -> TokenStream {
@@ -49,12 +49,12 @@ fn bound(model: &Model, motion: &Motion) -> TokenStream {
     let (tip, axis_curve) = (curve(&body, &motion.tip), curve(&body, &motion.axis_curve));
     let axis = vector(&body, motion.axis);
     let places: Vec<usize> = (0..model.axes.len()).collect();
-    let magnitudes = |kind: Kind| {
+    let magnitudes = |kind: AxisKind| {
         let places = places.iter().filter(|place| model.axes[**place].kind == kind);
         let terms = places.map(|place| quote!(+ math::abs(from[#place]) + math::abs(to[#place])));
         quote!(0.0 #(#terms)*)
     };
-    let (turns, travel) = (magnitudes(Kind::Rotary), magnitudes(Kind::Linear));
+    let (turns, travel) = (magnitudes(AxisKind::Rotary), magnitudes(AxisKind::Linear));
     let arms = arms(motion, &body, &centres);
     quote! {
         #[inline]
@@ -69,7 +69,7 @@ fn bound(model: &Model, motion: &Motion) -> TokenStream {
     }
 }
 
-/// `+ 4 Σ |c|`, component by component; what is known is added up here.
+/// `+ 4 Σ |c|`, component by component; constants are added up here.
 fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
     let mut known = 0.0;
     let mut terms = TokenStream::new();
@@ -89,7 +89,7 @@ fn arms(motion: &Motion, body: &Body<'_>, centres: &[Id]) -> TokenStream {
 /// Inputs of a function: axis values in the array `words`, their changes in `change`.
 fn inputs(model: &Model, motion: &Motion, body: &Body<'_>, outputs: &[Id], words: &str) -> TokenStream {
     let used = body.inputs(outputs);
-    let mut lets = prelude(model, &used, Places { words: Some(words), ..Places::default() });
+    let mut lets = prelude(model, &used, InputVariables { words: Some(words), ..InputVariables::default() });
     let name = |symbol: Symbol| Ident::new(motion.graph.ring().name(symbol), Span::call_site());
     let array = format_ident!("change");
     for (place, (&change, &size)) in motion.changes.iter().zip(&motion.sizes).enumerate() {
@@ -105,7 +105,7 @@ fn inputs(model: &Model, motion: &Motion, body: &Body<'_>, outputs: &[Id], words
     lets
 }
 
-fn vector(body: &Body<'_>, vector: V3) -> TokenStream {
+fn vector(body: &Body<'_>, vector: NodeVector) -> TokenStream {
     let parts = vector.map(|node| body.tokens(node));
     quote!(::pp_runtime::nalgebra::Vector3::new(#(#parts),*))
 }

@@ -1,4 +1,4 @@
-//! Choices of the caller.
+//! Options of the caller.
 
 /// Parts that are generated on demand.
 #[derive(Debug, Clone, Copy, Default)]

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use super::page::{Line, Section, line};
+use super::section::{Line, Section, line};
 use crate::formula::Formula;
-use crate::model::{Axis, AxisId, Kind, Model, Side};
-use crate::symbolic::{Matrix, P3, Poly, Surd, Symbol, rotation};
+use crate::model::{Axis, AxisId, AxisKind, Model, Side};
+use crate::symbolic::{Matrix, Poly, PolyVector, Surd, Symbol, rotation};
 
 /// Axes with their directions, centre lines and signs.
 pub(crate) fn chain(model: &Model) -> Section {
@@ -13,7 +13,7 @@ pub(crate) fn chain(model: &Model) -> Section {
         |wanted: Side| model.letters(model.axes.iter().enumerate().filter(|(_, a)| a.side == wanted).map(|(id, _)| id));
     let mut section = Section::default();
     let chain = format!("{} | {}", side(Side::Workpiece), side(Side::Tool));
-    section.say(&format!("{}: the axes from workpiece to tool; | is the machine frame", chain.trim()));
+    section.words(&format!("{}: the axes from workpiece to tool; | is the machine frame", chain.trim()));
     section.gap();
     let rows: Vec<Vec<Line>> = model.axes.iter().map(|axis| row(model, axis)).collect();
     section.table(&rows);
@@ -21,40 +21,41 @@ pub(crate) fn chain(model: &Model) -> Section {
     section.line(
         line("The tool axis is ")
             .vector(&vector(model, &model.tool_axis))
-            .say(" from tip to spindle, with all axes at zero."),
+            .words(" from tip to spindle, with all axes at zero."),
     );
     let has = |reversed: bool| model.axes.iter().any(|axis| axis.reversed == reversed);
     if has(false) {
         section.line(
-            line("Sign +: the tool moves relative to the workpiece along the direction, or right-handed about it ")
-                .say("(ISO 841)."),
+            line("Sign +: a positive word moves the tool relative to the workpiece along the direction, ")
+                .words("or right-handed about it (ISO 841)."),
         );
     }
     if has(true) {
-        section.line(line("Sign ").both("-", "$-$").say(": the word runs the other way."));
+        section
+            .line(line("Sign ").both("-", "$-$").words(": a positive word moves the axis in the opposite direction."));
     }
-    let rotary = |side: Side| model.axes.iter().any(|axis| axis.kind == Kind::Rotary && axis.side == side);
+    let rotary = |side: Side| model.axes.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == side);
     if rotary(Side::Workpiece) {
-        section.say("Centre lines in the table are given from the table's reference point.");
+        section.words("Centre lines in the table are given from the table's reference point.");
     }
     if rotary(Side::Tool) {
-        section.say("Centre lines in the head are given from the gauge line of the spindle.");
+        section.words("Centre lines in the head are given from the gauge line of the spindle.");
     }
     section
 }
 
 fn row(model: &Model, axis: &Axis) -> Vec<Line> {
     let side = if axis.side == Side::Workpiece { "table" } else { "spindle" };
-    let verb = if axis.kind == Kind::Linear { "linear along " } else { "rotary about " };
+    let verb = if axis.kind == AxisKind::Linear { "linear along " } else { "rotary about " };
     let centre = match axis.kind {
-        Kind::Linear => Line::default(),
-        Kind::Rotary => line("centre line through ").vector(&vector(model, &axis.point)),
+        AxisKind::Linear => Line::default(),
+        AxisKind::Rotary => line("centre line through ").vector(&vector(model, &axis.point)),
     };
     let held = match &axis.held {
         None => Line::default(),
         Some(value) => {
-            let unit = if axis.kind == Kind::Rotary { "°" } else { " mm" };
-            line("held, default ").math(&Formula::Number(Surd::from(value.clone()))).say(unit)
+            let unit = if axis.kind == AxisKind::Rotary { "°" } else { " mm" };
+            line("held, default ").math(&Formula::Number(Surd::from(value.clone()))).words(unit)
         }
     };
     let sign = if axis.reversed { line("sign ").both("-", "$-$") } else { line("sign +") };
@@ -69,7 +70,7 @@ fn row(model: &Model, axis: &Axis) -> Vec<Line> {
 }
 
 /// Components as formulas.
-pub(crate) fn vector(model: &Model, vector: &P3) -> [Formula; 3] {
+pub(crate) fn vector(model: &Model, vector: &PolyVector) -> [Formula; 3] {
     vector.each_ref().map(|part| Formula::of_poly(model, &model.ring, part))
 }
 
@@ -79,59 +80,59 @@ pub(crate) fn matrices(model: &Model) -> Section {
     let names: Vec<Formula> = model.axes.iter().map(|axis| Formula::name(format!("T_{}", axis.letter))).collect();
     for (id, axis) in model.axes.iter().enumerate() {
         match axis.kind {
-            Kind::Linear => {
+            AxisKind::Linear => {
                 let joint = model.joint(id).origin();
                 let by = vector(model, &joint);
-                section.line(line("").math(&names[id]).say(" = Trans").vector(&by));
+                section.line(line("").math(&names[id]).words(" = Trans").vector(&by));
             }
-            Kind::Rotary => turn(model, id, &names[id], &mut section),
+            AxisKind::Rotary => rotary(model, id, &names[id], &mut section),
         }
     }
     section.gap();
     let product = Formula::Product(names);
     let whole = Formula::name("T");
-    section.line(line("").math(&whole).say(" = ").math(&product).say(", from the tool to the workpiece:"));
+    section.line(line("").math(&whole).words(" = ").math(&product).words(", from the tool to the workpiece:"));
     section.gap();
     section.matrix(&whole, &entries(model, &model.product()), "T_");
     section
 }
 
-fn turn(model: &Model, id: AxisId, name: &Formula, section: &mut Section) {
+fn rotary(model: &Model, id: AxisId, name: &Formula, section: &mut Section) {
     let axis = &model.axes[id];
     let letter = axis.letter;
     let centre = Formula::name(format!("c_{letter}"));
     let word = Formula::name(letter.to_string());
     let word = if axis.reversed { word.negated() } else { word };
-    let turning = Formula::name(format!("R_{letter}"));
+    let rotation_name = Formula::name(format!("R_{letter}"));
     let about = match coordinate(&axis.direction) {
         Some((name, false)) => line("").math(&Formula::name(name)),
         Some((name, true)) => line("").math(&Formula::name(name).negated()),
         None => line("").vector(&vector(model, &axis.direction)),
     };
-    let moved = |by: &Formula| line("Trans(").math(by).say(")");
+    let moved = |by: &Formula| line("Trans(").math(by).words(")");
     section.line(
         line("")
             .math(name)
-            .say(" = ")
+            .words(" = ")
             .append(&moved(&centre))
-            .say(" ")
-            .math(&turning)
-            .say(" ")
+            .words(" ")
+            .math(&rotation_name)
+            .words(" ")
             .append(&moved(&centre.clone().negated()))
-            .say(", ")
+            .words(", ")
             .math(&centre)
-            .say(" = ")
+            .words(" = ")
             .vector(&vector(model, &model.centre(id))),
     );
-    section.line(line("").math(&turning).say(" = Rot(").append(&about).say(", ").math(&word).say("):"));
-    let turn = rotation(&axis.direction, &model.joint_sine(id), &Poly::from(axis.turn.1), &model.ring);
+    section.line(line("").math(&rotation_name).words(" = Rot(").append(&about).words(", ").math(&word).words("):"));
+    let matrix = rotation(&axis.direction, &model.joint_sine(id), &Poly::from(axis.sin_cos.1), &model.ring);
     section.gap();
-    section.matrix(&turning, &entries(model, &turn), &format!("R_{letter}"));
+    section.matrix(&rotation_name, &entries(model, &matrix), &format!("R_{letter}"));
     section.gap();
 }
 
-/// `x`, `y` or `z`, and whether it is turned round.
-pub(crate) fn coordinate(direction: &P3) -> Option<(&'static str, bool)> {
+/// `x`, `y` or `z`, and whether the direction is its negative.
+pub(crate) fn coordinate(direction: &PolyVector) -> Option<(&'static str, bool)> {
     let numbers = direction.each_ref().map(Poly::as_number);
     for (index, name) in ["x", "y", "z"].into_iter().enumerate() {
         let others = (0..3).filter(|other| *other != index).all(|other| direction[other].is_zero());
@@ -160,7 +161,7 @@ pub(crate) fn letter(model: &Model, axis: AxisId) -> Formula {
 pub(crate) fn forward(model: &Model) -> Section {
     let mut section = Section::default();
     let product = model.product();
-    let axis = product.turn(&model.tool_axis, &model.ring);
+    let axis = product.rotate(&model.tool_axis, &model.ring);
     section.equations(&named(["i", "j", "k"], vector(model, &axis)));
     section.gap();
     let tip = product.origin();
@@ -172,7 +173,7 @@ pub(crate) fn forward(model: &Model) -> Section {
     section.equations(&named(["x", "y", "z"], vector(model, &short)));
     if moved {
         section.gap();
-        section.line(line("with the part origin at ").vector(&part(model)).say(":"));
+        section.line(line("with the part origin at ").vector(&part(model)).words(":"));
         section.equations(&named(["x", "y", "z"], vector(model, &tip)));
     }
     section
@@ -184,11 +185,11 @@ pub(crate) fn named(names: [&str; 3], formulas: [Formula; 3]) -> Vec<(Formula, F
 
 /// The part origin's symbols.
 pub(crate) fn part(model: &Model) -> [Formula; 3] {
-    model.frame.part.map(|symbol| Formula::of_poly(model, &model.ring, &Poly::from(symbol)))
+    model.symbols.part.map(|symbol| Formula::of_poly(model, &model.ring, &Poly::from(symbol)))
 }
 
-/// The polynomial with the part origin at zero.
+/// The polynomial with the part origin at the table's reference point.
 pub(crate) fn at_the_table(model: &Model, poly: &Poly) -> Poly {
-    let none: BTreeMap<Symbol, Poly> = model.frame.part.into_iter().map(|symbol| (symbol, Poly::zero())).collect();
+    let none: BTreeMap<Symbol, Poly> = model.symbols.part.into_iter().map(|symbol| (symbol, Poly::zero())).collect();
     model.ring.substitute(poly, &none)
 }

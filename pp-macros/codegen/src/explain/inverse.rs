@@ -1,17 +1,17 @@
 //! The inverse kinematics: formulas, branches, and the operations that they take.
 //!
 //! Formulas are read from the nodes of the code as polynomials and factored. They are the same functions, but not the
-//! same operations: what keeps the digits near the pole stays in the code.
+//! same operations: the well-conditioned form near the pole is in the code only.
 
 use std::collections::BTreeMap;
 
 use super::chain::letter;
 use super::linear::linear;
-use super::page::{Section, line};
+use super::section::{Section, line};
 use super::steps::steps;
 use crate::formula::{ClosedForm, Formula, angle_of_one, common_number};
 use crate::model::{AxisId, Model};
-use crate::solve::{AngleRelation, Orientation, Solved, Two};
+use crate::solve::{AngleRelation, Orientation, Solved, TwoRotaries};
 use crate::symbolic::{Id, Interpreter, Operations, Surd};
 
 /// Rotary axes of both branches, then the linear axes.
@@ -20,7 +20,7 @@ pub(crate) fn formulas(model: &Model, solved: &Solved) -> Section {
     match &solved.orientation {
         Orientation::Fixed { .. } => {}
         Orientation::One(one) => {
-            section.say("Rotary axis from the tool axis (i, j, k):");
+            section.words("Rotary axis from the tool axis (i, j, k):");
             match angle_of_one(model, solved, one) {
                 Some(angle) => section.equations(&[(letter(model, one.rotary), angle)]),
                 None => in_steps(model, solved, &[(one.rotary, one.word)], &mut section),
@@ -33,18 +33,18 @@ pub(crate) fn formulas(model: &Model, solved: &Solved) -> Section {
     section
 }
 
-fn of_two(model: &Model, solved: &Solved, two: &Two, section: &mut Section) {
-    section.say("Rotary axes from the tool axis (i, j, k):");
+fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries, section: &mut Section) {
+    section.words("Rotary axes from the tool axis (i, j, k):");
     let Some(closed) = ClosedForm::of_two(model, solved, two) else {
         let words = two.rotaries.into_iter().zip(two.branches[0].words).collect::<Vec<_>>();
-        section.say("first branch, step by step:");
+        section.words("first branch, step by step:");
         in_steps(model, solved, &words, section);
-        section.say("second branch: the same with -root for root");
+        section.words("second branch: the same with -root in place of root");
         return;
     };
     section.equations(closed.named_root().as_slice());
     for (title, branch) in ["first branch:", "second branch:"].into_iter().zip(closed.branches()) {
-        section.say(title);
+        section.words(title);
         let equations: Vec<(Formula, Formula)> =
             two.rotaries.into_iter().map(|axis| letter(model, axis)).zip(branch).collect();
         section.equations(&equations);
@@ -62,11 +62,12 @@ fn in_steps(model: &Model, solved: &Solved, words: &[(AxisId, (Id, Id))], sectio
     section.equations(&angles.collect::<Vec<_>>());
 }
 
-/// `α1 s2 - α2 c2` has the sign of `σ`; with one of the two identically zero that is a sine or a cosine alone.
+/// Signs that distinguish the branches: `α1 s2 - α2 c2` has the sign of `σ`. If `α1` or `α2` is identically zero, this
+/// is the sign of a single cosine or sine.
 pub(crate) fn branches(model: &Model, solved: &Solved) -> Section {
     let mut section = Section::default();
     let Orientation::Two(two) = &solved.orientation else {
-        section.say("one solution");
+        section.words("one solution");
         return section;
     };
     let second = &model.axes[two.rotaries[1]];
@@ -75,29 +76,33 @@ pub(crate) fn branches(model: &Model, solved: &Solved) -> Section {
         two.second.alpha.map(|node| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly)));
     let reversed = second.reversed;
     let mut positive = two.first_is_plus();
-    let turn = |function: &str| Formula::call(function, [name.clone()]);
+    let of_axis = |function: &str| Formula::call(function, [name.clone()]);
     let quantity = match alpha {
         [Some(factor), Some(other)] if other.abs() < 1e-12 => {
             positive = positive == ((factor > 0.0) != reversed);
-            turn("sin")
+            of_axis("sin")
         }
         [Some(other), Some(factor)] if other.abs() < 1e-12 => {
             positive = positive == (factor < 0.0);
-            turn("cos")
+            of_axis("cos")
         }
         _ => general_side(model, solved, two),
     };
     let (sign, other) = if positive { (">=", "<=") } else { ("<=", ">=") };
     for (title, sign) in [("first branch:  ", sign), ("second branch: ", other)] {
         section.line(
-            line(title).math(&quantity).say(" ").both(sign, if sign == ">=" { "$\\geq$" } else { "$\\leq$" }).say(" 0"),
+            line(title)
+                .math(&quantity)
+                .words(" ")
+                .both(sign, if sign == ">=" { "$\\geq$" } else { "$\\leq$" })
+                .words(" 0"),
         );
     }
-    section.line(line("Where ").math(&quantity).say(" = 0 both are one."));
+    section.line(line("Both branches coincide where ").math(&quantity).words(" = 0."));
     section
 }
 
-fn general_side(model: &Model, solved: &Solved, two: &Two) -> Formula {
+fn general_side(model: &Model, solved: &Solved, two: &TwoRotaries) -> Formula {
     let mut graph = solved.graph.clone();
     let mut reader = Interpreter::new(&mut graph, BTreeMap::new());
     let side = two.side(model, &mut reader);
@@ -139,7 +144,7 @@ pub(crate) fn operations(solved: &Solved) -> Section {
     let Operations { additions, products, divisions, roots } = count;
     let many = |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     let mut section = Section::default();
-    section.say(&format!(
+    section.words(&format!(
         "all branches: {atan2} atan2, {roots} sqrt, {}, {}, {}",
         many(divisions, "division"),
         many(products, "multiplication"),

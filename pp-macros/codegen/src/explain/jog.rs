@@ -1,78 +1,79 @@
-//! The jog sheet: the motion that must be seen for a positive word of each axis.
+//! The jog sheet: the visible motion that each axis must make for a positive word.
 //!
-//! A proof cannot catch a sign that was declared wrongly: the formulas follow from it. So each axis is moved alone at
+//! A proof cannot find a wrongly declared sign, because the formulas follow from it. So each axis is jogged alone at
 //! the machine and compared with a sentence. The sentences are computed from the chain: a positive word with sign `+`
-//! moves the tool relative to the workpiece along the direction, or right-handed about it (ISO 841). Hence what carries
-//! the tool moves with the direction, and what carries the workpiece moves against it. Directions are turned by the held
-//! axes between the axis and the bed.
+//! moves the tool relative to the workpiece along the direction, or right-handed about it (ISO 841). Hence an axis that
+//! carries the tool moves along the direction, and one that carries the workpiece moves against it. Directions are
+//! rotated by the held axes between the axis and the bed.
 
 use num_traits::Zero;
 
-use super::page::{Section, line};
-use crate::model::{Axis, AxisId, Kind, Model, Side, to_f64};
-use crate::symbolic::{P3, Poly};
+use super::section::{Section, line};
+use crate::model::{Axis, AxisId, AxisKind, Model, Side, to_f64};
+use crate::symbolic::{Poly, PolyVector};
 
-type V = [f64; 3];
+type Xyz = [f64; 3];
 
 /// Angles to jog by, largest first; degrees.
-const ANGLES: [f64; 6] = [90.0, 45.0, 30.0, 10.0, 5.0, 1.0];
+const ANGLES_DEG: [f64; 6] = [90.0, 45.0, 30.0, 10.0, 5.0, 1.0];
 
 /// Distances to jog by, largest first; mm.
-const DISTANCES: [f64; 5] = [100.0, 50.0, 10.0, 5.0, 1.0];
+const DISTANCES_MM: [f64; 5] = [100.0, 50.0, 10.0, 5.0, 1.0];
 
-/// Cosine above which a direction counts as along another: 3 degrees.
-const ALONG: f64 = 0.998_6;
+/// Cosine of 3 degrees: two directions closer than that count as the same.
+const ALONG_COSINE: f64 = 0.998_6;
 
-/// Components below this share of a direction are left out of its words.
-const FAINT: f64 = 0.2;
+/// Components of a unit vector below this are left out of its description.
+const FAINT_SHARE: f64 = 0.2;
 
-/// From this angle on a marker faces another direction; below it leans. Degrees.
-const TURNED: f64 = 80.0;
+/// Rotation from which a marker faces a new direction in the text; a smaller one makes it lean. Degrees.
+const FACING_DEG: f64 = 80.0;
 
 /// One line for every axis of the chain, held ones included.
 pub(crate) fn sheet(model: &Model) -> Section {
-    let machine = Machine::of(model);
+    let machine = MachineAtDefaults::of(model);
     let mut section = Section::default();
-    section.say(
-        "No proof finds a sign that was declared wrongly. Jog each axis alone from zero, and tick what moves as stated; \
-         a line that is not true is a wrong sign, to be corrected before the first cut.",
+    section.words(
+        "No proof can find a wrongly declared sign. Jog each axis alone from zero, and tick each line that is true. \
+         If a line is false, the sign of that axis is wrong: correct it in the declaration before the first cut.",
     );
-    section.say("You stand in front of the machine: X to the right (+X), Y away from you (+Y), Z up (+Z).");
-    section.say(&format!("With all axes at zero the tool points {}.", heading(minus(machine.tool))));
-    section.say(if machine.tool[2].abs() < ALONG {
-        "Where Z is not up on your machine, go by the letters in brackets."
+    section.words("Seen from the front of the machine: X points right (+X), Y away from you (+Y), Z up (+Z).");
+    section.words(&format!("With all axes at zero the tool points {}.", heading(opposite(machine.tool))));
+    section.words(if machine.tool[2].abs() < ALONG_COSINE {
+        "If Z is not up on your machine, follow the letters in brackets."
     } else {
-        "With a horizontal spindle Z is not up: go by the letters in brackets."
+        "If Z is not up, as with a horizontal spindle, follow the letters in brackets."
     });
     if model.axes.iter().any(|axis| axis.held.is_some()) {
-        section.say("Held axes stand at their defaults while the others are jogged.");
+        section.words("Held axes stay at their defaults while the others are jogged.");
     }
     section.gap();
     for id in 0..model.axes.len() {
         let sentence = machine.sentence(id);
-        section.line(line("").both("[ ] ", "$\\square$ ").say(&sentence));
+        section.line(line("").both("[ ] ", "$\\square$ ").words(&sentence));
     }
     section
 }
 
 /// A chain as numbers, at the defaults of dimensions and held axes.
-struct Machine<'a> {
+struct MachineAtDefaults<'a> {
     model: &'a Model,
-    directions: Vec<V>,
-    tool: V,
+    directions: Vec<Xyz>,
+    tool: Xyz,
 }
 
-impl<'a> Machine<'a> {
+impl<'a> MachineAtDefaults<'a> {
     fn of(model: &'a Model) -> Self {
         let mut model_at_defaults = model.clone();
         let defaults = model_at_defaults.defaults();
         let ring = &model_at_defaults.ring;
         let number = |poly: &Poly| ring.value(&ring.substitute(poly, &defaults)).unwrap_or_default();
-        let vector = |vector: &P3| vector.each_ref().map(number);
-        let declared: Vec<V> = model.axes.iter().map(|axis| vector(&axis.direction)).collect();
+        let vector = |vector: &PolyVector| vector.each_ref().map(number);
+        let declared: Vec<Xyz> = model.axes.iter().map(|axis| vector(&axis.direction)).collect();
         let mut machine = Self { model, directions: declared.clone(), tool: vector(&model.tool_axis) };
         for (id, axis) in model.axes.iter().enumerate() {
-            // As seen from the bed: axes between this one and the bed have rotated it, against their words in the table.
+            // In the frame of the bed: held axes between this one and the bed rotate it, in the table against their
+            // words.
             let between: Vec<AxisId> = match axis.side {
                 Side::Workpiece => {
                     (id + 1..model.axes.len()).filter(|other| model.axes[*other].side == Side::Workpiece).collect()
@@ -80,27 +81,28 @@ impl<'a> Machine<'a> {
                 Side::Tool => (0..id).rev().filter(|other| model.axes[*other].side == Side::Tool).collect(),
             };
             let turned = between.into_iter().fold(declared[id], |direction, other| {
-                turn(declared[other], machine.held_angle(other) * machine.visible(other), direction)
+                rotated(declared[other], machine.held_angle_deg(other) * machine.visible_sign(other), direction)
             });
             machine.directions[id] = turned;
         }
         let head = (0..model.axes.len()).rev().filter(|id| model.axes[*id].side == Side::Tool);
-        machine.tool =
-            head.fold(machine.tool, |tool, id| turn(declared[id], machine.held_angle(id) * machine.visible(id), tool));
+        machine.tool = head.fold(machine.tool, |tool, id| {
+            rotated(declared[id], machine.held_angle_deg(id) * machine.visible_sign(id), tool)
+        });
         machine
     }
 
     /// Default of a held rotary, degrees; zero for others.
-    fn held_angle(&self, id: AxisId) -> f64 {
+    fn held_angle_deg(&self, id: AxisId) -> f64 {
         let axis = &self.model.axes[id];
         match (&axis.held, axis.kind) {
-            (Some(value), Kind::Rotary) => to_f64(value),
+            (Some(value), AxisKind::Rotary) => to_f64(value),
             _ => 0.0,
         }
     }
 
     /// `1` if what the axis carries moves along its direction for a positive word, `-1` if against it.
-    fn visible(&self, id: AxisId) -> f64 {
+    fn visible_sign(&self, id: AxisId) -> f64 {
         let Axis { side, reversed, .. } = &self.model.axes[id];
         if (*side == Side::Tool) == *reversed { -1.0 } else { 1.0 }
     }
@@ -109,48 +111,49 @@ impl<'a> Machine<'a> {
         let axis = &self.model.axes[id];
         let held = if axis.held.is_some() { " (held)" } else { "" };
         match axis.kind {
-            Kind::Linear => {
-                let value = distance(axis);
+            AxisKind::Linear => {
+                let value = jog_distance_mm(axis);
                 let thing = if axis.side == Side::Workpiece { "table" } else { "spindle" };
-                let way = scaled(self.directions[id], self.visible(id));
+                let way = scaled(self.directions[id], self.visible_sign(id));
                 format!("{}+{value}{held}: the {thing} moves {}", axis.letter, heading(way))
             }
-            Kind::Rotary => {
-                let value = angle(axis);
-                format!("{}{value:+}{held}: {}", axis.letter, self.turning(id, value * self.visible(id)))
+            AxisKind::Rotary => {
+                let value = jog_angle_deg(axis);
+                format!("{}{value:+}{held}: {}", axis.letter, self.rotation_seen(id, value * self.visible_sign(id)))
             }
         }
     }
 
-    /// The motion that is seen when the axis turns by `degrees`, right-handed about its direction.
-    fn turning(&self, id: AxisId, degrees: f64) -> String {
+    /// The visible motion when the axis rotates by `degrees`, right-handed about its direction.
+    fn rotation_seen(&self, id: AxisId, degrees: f64) -> String {
         let about = self.directions[id];
         let table = self.model.axes[id].side == Side::Workpiece;
         let thing = if table { "table" } else { "spindle head" };
         let markers = if table { self.table_markers() } else { self.head_markers() };
-        let moved: Vec<(&(String, V), V, f64)> = markers
+        let moved: Vec<(&(String, Xyz), Xyz, f64)> = markers
             .iter()
             .map(|marker| {
-                let after = turn(about, degrees, marker.1);
+                let after = rotated(about, degrees, marker.1);
                 (marker, after, dot(marker.1, after).clamp(-1.0, 1.0).acos().to_degrees())
             })
             .collect();
-        // What moves most, then what ends nearest a coordinate direction, then in the order of the list.
-        let rank = |(_, after, angle): &(&(String, V), V, f64)| {
+        // The marker that moves most; among equals the one that ends nearest a coordinate direction; then the first.
+        let rank = |(_, after, angle): &(&(String, Xyz), Xyz, f64)| {
             let nearest = after.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
             (angle.round(), (nearest * 100.0).round())
         };
         let best = moved.iter().fold(&moved[0], |best, marker| if rank(marker) > rank(best) { marker } else { best });
-        let sense = sense(about, degrees).map(|sense| format!("the {thing} turns {sense}; ")).unwrap_or_default();
-        let mut sentence = format!("{sense}{}", shown(best));
-        // About an inclined axis one marker leaves the rest to the imagination.
+        let sense =
+            rotation_sense(about, degrees).map(|sense| format!("the {thing} rotates {sense}; ")).unwrap_or_default();
+        let mut sentence = format!("{sense}{}", marker_motion(best));
+        // About an inclined axis one marker does not determine the motion.
         if sense.is_empty() && best.0.0 != moved[0].0.0 && moved[0].2 > 1.0 {
-            sentence += &format!("; {}", shown(&moved[0]));
+            sentence += &format!("; {}", marker_motion(&moved[0]));
         }
         sentence
     }
 
-    fn table_markers(&self) -> Vec<(String, V)> {
+    fn table_markers(&self) -> Vec<(String, Xyz)> {
         vec![
             ("the table's top, which faced up (+Z),".into(), [0.0, 0.0, 1.0]),
             ("the side that faced you (-Y)".into(), [0.0, -1.0, 0.0]),
@@ -158,8 +161,8 @@ impl<'a> Machine<'a> {
         ]
     }
 
-    fn head_markers(&self) -> Vec<(String, V)> {
-        let points = minus(self.tool);
+    fn head_markers(&self) -> Vec<(String, Xyz)> {
+        let points = opposite(self.tool);
         vec![
             (format!("the tool, which pointed {},", heading(points)), points),
             ("the side of the head that faced you (-Y)".into(), [0.0, -1.0, 0.0]),
@@ -170,15 +173,15 @@ impl<'a> Machine<'a> {
 }
 
 /// The motion of a marker, in words.
-fn shown(((name, before), after, angle): &(&(String, V), V, f64)) -> String {
+fn marker_motion(((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) -> String {
     let tool = name.starts_with("the tool");
-    if *angle >= TURNED {
+    if *angle >= FACING_DEG {
         let verb = if tool { "points" } else { "faces" };
         return format!("{name} now {verb} {}", heading(*after)).replace("faces towards you", "faces you");
     }
-    // Direction of its motion, perpendicular to where it was.
+    // Direction of its motion, perpendicular to its old direction.
     let along = dot(*before, *after);
-    let across: V = std::array::from_fn(|index| after[index] - along * before[index]);
+    let across: Xyz = std::array::from_fn(|index| after[index] - along * before[index]);
     let length = dot(across, across).sqrt();
     if length < 1e-9 {
         return format!("{name} stays");
@@ -188,56 +191,57 @@ fn shown(((name, before), after, angle): &(&(String, V), V, f64)) -> String {
     format!("{name} {verb} {angle:.0} degrees {way}")
 }
 
-/// Clockwise or not, seen from where an operator can look; for coordinate directions only.
-fn sense(about: V, degrees: f64) -> Option<String> {
-    // The eye is above, in front (looking along +Y), or on the right.
+/// Clockwise or counterclockwise, with the side it is seen from; for coordinate directions only.
+fn rotation_sense(about: Xyz, degrees: f64) -> Option<String> {
+    // The observer is above, in front (looking along +Y), or on the right.
     let views = [("above", [0.0, 0.0, 1.0]), ("the front", [0.0, -1.0, 0.0]), ("the right", [1.0, 0.0, 0.0])];
     views.into_iter().find_map(|(from, to_the_eye)| {
         let along = dot(about, to_the_eye);
-        // Right-handed about what points at the eye is counterclockwise.
+        // Right-handed about a direction towards the observer is counterclockwise.
         let word = if along * degrees > 0.0 { "counterclockwise" } else { "clockwise" };
-        (along.abs() > ALONG).then(|| format!("{word} seen from {from}"))
+        (along.abs() > ALONG_COSINE).then(|| format!("{word} seen from {from}"))
     })
 }
 
-/// The largest round angle inside the travel, negative if there is no room for a positive one.
-fn angle(axis: &Axis) -> f64 {
-    let Some((lower, upper)) = &axis.limits else { return ANGLES[0] };
+/// The largest angle of [`ANGLES_DEG`] inside the travel; negative if the travel has no room for a positive one.
+fn jog_angle_deg(axis: &Axis) -> f64 {
+    let Some((lower, upper)) = &axis.limits else { return ANGLES_DEG[0] };
     let (lower, upper) = (to_f64(lower), to_f64(upper));
-    let largest = |room: f64| ANGLES.into_iter().find(|angle| *angle <= room);
+    let largest = |room: f64| ANGLES_DEG.into_iter().find(|angle| *angle <= room);
     largest(upper).or_else(|| largest(-lower).map(|angle| -angle)).unwrap_or(1.0)
 }
 
-/// The largest round distance that half the travel has room for; limits of linear axes are machine coordinates.
-fn distance(axis: &Axis) -> f64 {
-    let Some((lower, upper)) = &axis.limits else { return DISTANCES[0] };
+/// The largest distance of [`DISTANCES_MM`] within half the travel; limits of linear axes are machine coordinates.
+fn jog_distance_mm(axis: &Axis) -> f64 {
+    let Some((lower, upper)) = &axis.limits else { return DISTANCES_MM[0] };
     let span = upper - lower;
     if span.is_zero() {
-        return DISTANCES[4];
+        return DISTANCES_MM[4];
     }
     let room = to_f64(&span) / 2.0;
-    DISTANCES.into_iter().find(|distance| *distance <= room).unwrap_or(DISTANCES[4])
+    DISTANCES_MM.into_iter().find(|distance| *distance <= room).unwrap_or(DISTANCES_MM[4])
 }
 
-/// Words for both directions along X, Y and Z.
-type Words = [[&'static str; 2]; 3];
+/// Words for the positive and the negative direction of X, Y and Z.
+type DirectionWords = [[&'static str; 2]; 3];
 
-const HEADING: Words = [["right", "left"], ["away from you", "towards you"], ["up", "down"]];
+const HEADING: DirectionWords = [["right", "left"], ["away from you", "towards you"], ["up", "down"]];
 
-const LEANING: Words = [["to the right", "to the left"], ["away from you", "towards you"], ["upwards", "downwards"]];
+const LEANING: DirectionWords =
+    [["to the right", "to the left"], ["away from you", "towards you"], ["upwards", "downwards"]];
 
-fn heading(direction: V) -> String {
+fn heading(direction: Xyz) -> String {
     in_words(direction, HEADING)
 }
 
 /// A direction in words, with its letters in brackets.
-fn in_words(direction: V, words: Words) -> String {
+fn in_words(direction: Xyz, words: DirectionWords) -> String {
     let letter = |index: usize| format!("{}{}", if direction[index] < 0.0 { '-' } else { '+' }, ['X', 'Y', 'Z'][index]);
     let word = |index: usize| words[index][usize::from(direction[index] < 0.0)];
-    let mut parts: Vec<usize> = (0..3).filter(|index| direction[*index].abs() > FAINT).collect();
+    let mut parts: Vec<usize> = (0..3).filter(|index| direction[*index].abs() > FAINT_SHARE).collect();
     // The largest first; equal ones in the order X Y Z.
     parts.sort_by(|a, b| (direction[*b].abs() * 100.0).round().total_cmp(&(direction[*a].abs() * 100.0).round()));
-    if let Some(main) = parts.first().copied().filter(|main| direction[*main].abs() > ALONG) {
+    if let Some(main) = parts.first().copied().filter(|main| direction[*main].abs() > ALONG_COSINE) {
         return format!("{} ({})", word(main), letter(main));
     }
     let words: Vec<&str> = parts.iter().map(|index| word(*index)).collect();
@@ -245,20 +249,20 @@ fn in_words(direction: V, words: Words) -> String {
     format!("{} ({})", words.join(" and "), letters.join(" "))
 }
 
-fn dot(a: V, b: V) -> f64 {
+fn dot(a: Xyz, b: Xyz) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
-fn scaled(v: V, by: f64) -> V {
+fn scaled(v: Xyz, by: f64) -> Xyz {
     v.map(|part| part * by)
 }
 
-fn minus(v: V) -> V {
+fn opposite(v: Xyz) -> Xyz {
     scaled(v, -1.0)
 }
 
-/// Right-handed turn about a unit vector (Rodrigues).
-fn turn(about: V, degrees: f64, v: V) -> V {
+/// Right-handed rotation about a unit vector (Rodrigues).
+fn rotated(about: Xyz, degrees: f64, v: Xyz) -> Xyz {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let along = dot(about, v) * (1.0 - cosine);
     std::array::from_fn(|index| {

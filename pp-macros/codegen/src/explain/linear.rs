@@ -3,16 +3,16 @@
 use std::collections::BTreeMap;
 
 use super::chain::{at_the_table, letter, part};
-use super::page::{Section, line};
+use super::section::{Section, line};
 use super::steps::steps;
 use crate::formula::{Formula, is_readable};
 use crate::model::{AxisId, Model};
 use crate::solve::{Position, Solved};
 use crate::symbolic::{Graph, Id, Interpreter, Node, Poly};
 
-/// Equations of the linear axes, by a common determinant where it varies.
+/// Equations of the linear axes, over a common determinant where it varies.
 pub(crate) fn linear(model: &Model, solved: &Solved, section: &mut Section) {
-    section.say("Linear axes from the tip (x, y, z), for any values of the rotary axes:");
+    section.words("Linear axes from the tip (x, y, z), for any values of the rotary axes:");
     let mut graph = solved.graph.clone();
     let Linears { axes, determinant } = Linears::read(model, solved, &mut graph);
     if !axes.iter().map(|axis| &axis.value).chain([&determinant]).all(|poly| is_readable(&graph, poly)) {
@@ -35,9 +35,9 @@ pub(crate) fn linear(model: &Model, solved: &Solved, section: &mut Section) {
         section.equations(&whole);
         return;
     }
-    section.say("with the part origin at the table's reference point:");
+    section.words("with the part origin at the table's reference point:");
     section.equations(&short);
-    section.line(line("with the part origin at ").vector(&part(model)).say(":"));
+    section.line(line("with the part origin at ").vector(&part(model)).words(":"));
     section.equations(&whole);
 }
 
@@ -48,7 +48,7 @@ struct LinearAxis {
     value: Poly,
 }
 
-/// All solved linear axes; those that are divided come first, and the others may contain their words.
+/// All solved linear axes. Those over the determinant come first; the equations of the others may contain their words.
 struct Linears {
     axes: Vec<LinearAxis>,
     determinant: Poly,

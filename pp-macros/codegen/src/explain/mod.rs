@@ -1,18 +1,18 @@
-//! A machine explained to people: its `EXPLANATION` and its documentation.
+//! The explanation of a machine: its constant `EXPLANATION` and its documentation.
 
 mod chain;
 mod inverse;
 mod jog;
-mod limits;
 mod linear;
-mod page;
+mod section;
+mod singularities;
 mod steps;
 
 use crate::model::Model;
 use crate::solve::Solved;
 use crate::verify::{Proven, Verified};
-pub use page::Section;
-use page::line;
+pub use section::Section;
+use section::line;
 
 /// Sections in the order of reading.
 #[derive(Debug, Clone, Default)]
@@ -37,12 +37,12 @@ pub struct Explanation {
     pub proofs: Section,
     /// Operations of the inverse kinematics.
     pub operations: Section,
-    /// The motion that must be seen for a positive word of each axis.
+    /// The visible motion that each axis must make for a positive word.
     pub jog_sheet: Section,
 }
 
 impl Explanation {
-    /// As lines of rustdoc.
+    /// Lines of rustdoc.
     pub(crate) fn doc(&self) -> Vec<String> {
         let mut doc = vec![
             String::new(),
@@ -89,9 +89,9 @@ pub fn explain(model: &Model, solved: &Solved, proofs: Vec<String>, verified: &[
         forward: chain::forward(model),
         formulas: inverse::formulas(model, solved),
         branches: inverse::branches(model, solved),
-        singular_set: limits::singular_set(model, solved),
-        reachable: limits::reachable(model, solved),
-        degenerate: limits::degenerate(model, solved),
+        singular_set: singularities::singular_set(model, solved),
+        reachable: singularities::reachable(model, solved),
+        degenerate: singularities::degenerate(model, solved),
         proofs: proven(proofs, verified),
         operations: inverse::operations(solved),
         jog_sheet: jog::sheet(model),
@@ -101,16 +101,16 @@ pub fn explain(model: &Model, solved: &Solved, proofs: Vec<String>, verified: &[
 fn proven(claims: Vec<String>, verified: &[Verified]) -> Section {
     let mut section = Section::default();
     for claim in claims {
-        section.say(&claim);
+        section.words(&claim);
     }
     for Verified { source, assumptions, equations } in verified {
         section.gap();
         let with = if assumptions.is_empty() { String::new() } else { format!(", with {}", assumptions.join(", ")) };
-        section.say(&format!("{source}{with}:"));
+        section.words(&format!("{source}{with}:"));
         for Proven { left, right, holds, .. } in equations {
             section.equations(&[(left.clone(), right.clone())]);
             if !holds.is_empty() {
-                section.line(line("    holds where ").say(&holds.join(" and ")));
+                section.line(line("    holds where ").words(&holds.join(" and ")));
             }
         }
     }

@@ -1,20 +1,20 @@
-//! Formulas step by step, as the code computes them: for those that are too long for one line.
+//! Formulas step by step, as the code computes them, where they are too long for one line.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::page::Section;
-use crate::formula::{Formula, Known};
+use super::section::Section;
+use crate::formula::{Formula, NamedNodes};
 use crate::model::Model;
 use crate::symbolic::{Graph, Id, Node};
 
-/// One equation for everything that is named in the code or needed more than once.
-pub(crate) fn steps(model: &Model, graph: &Graph, outputs: &[Id], section: &mut Section) -> Known {
+/// Adds one equation for each node that is named in the code or used more than once.
+pub(crate) fn steps(model: &Model, graph: &Graph, outputs: &[Id], section: &mut Section) -> NamedNodes {
     let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
     let reachable = graph.reachable(outputs);
     for operand in reachable.iter().flat_map(|id| graph.operands(*id)) {
         *uses.entry(operand).or_default() += 1;
     }
-    let mut known = Known::new();
+    let mut known = NamedNodes::new();
     let mut taken: BTreeSet<String> = BTreeSet::new();
     let mut equations = Vec::new();
     for id in reachable {

@@ -1,25 +1,25 @@
 //! Rotary angles in closed form: `atan2` of two polynomials in the tool axis and one root.
 //!
 //! Formulas are read from the nodes of the code as polynomials and factored. They are the same functions, but not the
-//! same operations: what keeps the digits near the pole stays in the code.
+//! same operations: the well-conditioned form near the pole is in the code only.
 
 use std::collections::BTreeMap;
 
 use super::expression::Formula;
 use super::factor::common_number;
 use crate::model::{AxisId, Model};
-use crate::solve::{One, Orientation, Solved, Two};
+use crate::solve::{OneRotary, Orientation, Solved, TwoRotaries};
 use crate::symbolic::{Graph, Id, Interpreter, Node, Poly, Surd, Symbol};
 
 /// Polynomials with more terms than this are shown step by step, as they are computed.
 const LONGEST: usize = 60;
 
-/// Roots with at most this much under them are written in place.
+/// Roots whose radicand has at most this [size](Formula::size) are written in place.
 const SHORT: usize = 2;
 
-/// Both angles of both branches, over one root that has a name.
+/// Both angles of both branches, with one named root.
 pub(crate) struct ClosedForm {
-    /// The root by its name.
+    /// Name of the root.
     root: Formula,
     /// `sqrt(...)`
     value: Formula,
@@ -27,8 +27,8 @@ pub(crate) struct ClosedForm {
 }
 
 impl ClosedForm {
-    /// Angles of a machine with two solved rotary axes; `None` if they are too long to be read in one line.
-    pub(crate) fn of_two(model: &Model, solved: &Solved, two: &Two) -> Option<Self> {
+    /// Angles of a machine with two solved rotary axes; `None` if they are too long for one line.
+    pub(crate) fn of_two(model: &Model, solved: &Solved, two: &TwoRotaries) -> Option<Self> {
         let mut graph = solved.graph.clone();
         // r² = D - w², however the code computes it.
         let square = {
@@ -78,8 +78,8 @@ impl ClosedForm {
     }
 }
 
-/// The angle of the only solved rotary axis; `None` if it is too long to be read in one line.
-pub(crate) fn angle_of_one(model: &Model, solved: &Solved, one: &One) -> Option<Formula> {
+/// Angle of the only solved rotary axis; `None` if it is too long for one line.
+pub(crate) fn angle_of_one(model: &Model, solved: &Solved, one: &OneRotary) -> Option<Formula> {
     let mut graph = solved.graph.clone();
     let word = without_factor(&graph, one.word, one.inverse);
     let arguments = arguments(&mut Interpreter::new(&mut graph, BTreeMap::new()), word, None)?;
@@ -100,7 +100,7 @@ pub(crate) fn first_branch(model: &Model, solved: &Solved) -> Vec<(AxisId, Formu
     }
 }
 
-/// Whether a polynomial fits in a line, and is not divided by anything but numbers.
+/// True if a polynomial fits in a line and has no divisors but numbers.
 pub(crate) fn is_readable(graph: &Graph, poly: &Poly) -> bool {
     let ring = graph.ring();
     let unknown = |symbol: Symbol| ring.value(&Poly::from(symbol)).is_none();
@@ -108,10 +108,10 @@ pub(crate) fn is_readable(graph: &Graph, poly: &Poly) -> bool {
     !is_divided && poly.coefficients().count() <= LONGEST
 }
 
-/// A node without a sign and without a positive factor or divisor.
+/// True for minus, and a node without its sign and without a positive factor or divisor.
 type Signed = (bool, Id);
 
-/// Sine and cosine without the factor, or divisor, that both have.
+/// Sine and cosine without their common factor or divisor.
 fn without_factor(graph: &Graph, (sine, cosine): (Id, Id), common: Id) -> [Signed; 2] {
     let without = |id: Id| {
         let (minus, inner) = match *graph.node(id) {
@@ -132,7 +132,7 @@ fn without_factor(graph: &Graph, (sine, cosine): (Id, Id), common: Id) -> [Signe
     }
 }
 
-/// The arguments of an `atan2`, without a common number; `None` if they are not readable.
+/// Arguments of an `atan2`, without a common number; `None` if they are too long.
 fn arguments(reader: &mut Interpreter<'_>, word: [Signed; 2], root: Option<Symbol>) -> Option<[Poly; 2]> {
     let parts = word.map(|(minus, node)| {
         let value = reader.value(node);
@@ -141,7 +141,7 @@ fn arguments(reader: &mut Interpreter<'_>, word: [Signed; 2], root: Option<Symbo
     if !parts.iter().all(|part| is_readable(reader.graph(), part)) {
         return None;
     }
-    // Terms without the root get plain numbers first.
+    // The common number is that of the terms without the root, if there are any.
     let rooted = |powers: &[(Symbol, u32)]| powers.iter().any(|(symbol, _)| Some(*symbol) == root);
     let terms: Vec<_> = parts.iter().flat_map(Poly::terms).collect();
     let all: Vec<&Surd> = terms.iter().map(|(_, factor)| *factor).collect();

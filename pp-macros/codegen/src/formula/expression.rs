@@ -1,11 +1,11 @@
-//! The expression itself: its parts, its size, its value.
+//! [`Formula`]: its parts, its size, its value.
 
 use num_rational::BigRational;
 
 use crate::model::to_f64;
 use crate::symbolic::Surd;
 
-/// An expression as a person writes it.
+/// An expression as people write it.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Formula {
     /// An exact number.
@@ -83,7 +83,7 @@ impl Formula {
         })
     }
 
-    /// Names, numbers and functions in it: how much there is to read.
+    /// Number of names, numbers and angles in it: a measure of its length.
     #[must_use]
     pub fn size(&self) -> usize {
         match self {
@@ -95,7 +95,7 @@ impl Formula {
         }
     }
 
-    /// Whether another formula is a part of it.
+    /// True if another formula is a part of it.
     pub(crate) fn mentions(&self, part: &Self) -> bool {
         let any = |parts: &[Self]| parts.iter().any(|inner| inner.mentions(part));
         self == part

@@ -1,11 +1,12 @@
-//! Polynomials factored the way a person writes them.
+//! Polynomials factored as people write them.
 //!
-//! Common factors come out first. Then Horner's scheme: the sine or cosine in most terms is drawn out of them, and the
-//! same again with what is inside and with what is left. Ties are tried out, and the shortest formula wins. Where every
-//! term with `cos B` has its like without it, `1 - cos B` and `1 + cos B` are drawn out instead. `sin² + cos² = 1` and
-//! `i² + j² + k² = 1` are used wherever they make a sum shorter.
+//! Common factors come out first. Then Horner's scheme: the sine or cosine in most terms is factored out of them, and
+//! the same is done with the bracket and with the remaining terms. With several candidates each is tried, and the
+//! shortest formula is kept. Where every term with `cos B` has a counterpart without it, equal up to the sign,
+//! `1 - cos B` and `1 + cos B` are factored out instead. `sin² + cos² = 1` and `i² + j² + k² = 1` are used wherever
+//! they make a sum shorter.
 //!
-//! No factor is searched for beyond these: the formula is equal to the polynomial by construction.
+//! No other factors are searched for; the formula is equal to the polynomial by construction.
 
 use std::collections::BTreeMap;
 
@@ -19,10 +20,10 @@ use super::names::SymbolNames;
 use crate::model::Model;
 use crate::symbolic::{Poly, Ring, Surd, Symbol};
 
-/// Sums longer than this are factored without trying out ties.
+/// Sums longer than this are factored by the first candidate only.
 const LONG: usize = 14;
 
-/// Numbers with more digits than this, above or below, are not drawn out of a sum.
+/// Numbers with more binary digits than this in numerator or denominator are not factored out of a sum.
 const DIGITS: u64 = 20;
 
 type Monomial = Vec<(Symbol, u32)>;
@@ -44,7 +45,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// A formula that is no part of another: its sign is drawn out only if every term has it.
+    /// A formula on its own: its sign is factored out only if every term has it.
     fn formula(&self, terms: Terms) -> Formula {
         let terms = self.shortest(terms);
         let (number, powers, rest) = self.content(&terms);
@@ -58,16 +59,16 @@ impl Writer<'_> {
     fn product(&self, number: Surd, powers: &Monomial, rest: Terms, also: Option<Formula>) -> Formula {
         let mut number = number;
         let mut names = Vec::new();
-        let mut turns = Vec::new();
+        let mut sin_cos = Vec::new();
         let mut powers = powers.clone();
         powers.sort_by_key(|(symbol, _)| self.names.place(*symbol));
         for (symbol, power) in powers {
             let base = self.names.formula(symbol);
             let factor = if power == 1 { base } else { Formula::Power(Box::new(base), power) };
-            if self.names.is_turn(symbol) { turns.push(factor) } else { names.push(factor) }
+            if self.names.is_sin_or_cos(symbol) { sin_cos.push(factor) } else { names.push(factor) }
         }
         // Sines before cosines: `sin B cos C`.
-        turns.sort_by_key(|turn| !is_sine(turn));
+        sin_cos.sort_by_key(|factor| !is_sine(factor));
         let mut factors = names;
         if rest.len() > 1 {
             match self.formula(rest) {
@@ -87,11 +88,11 @@ impl Writer<'_> {
             return Formula::integer(0);
         }
         factors.extend(also);
-        factors.extend(turns);
+        factors.extend(sin_cos);
         assemble(&number, factors)
     }
 
-    /// Common number, common powers, and what is left.
+    /// Common number, common powers, and the remaining terms.
     fn content(&self, terms: &Terms) -> (Surd, Monomial, Terms) {
         let mut common: Option<BTreeMap<Symbol, u32>> = None;
         for monomial in terms.keys() {
@@ -110,9 +111,9 @@ impl Writer<'_> {
         let rest: Terms =
             terms.iter().map(|(monomial, factor)| (divided(monomial, &common), factor * &inverse)).collect();
         let alone = common.is_empty() && number.is_one();
-        let turned =
+        let negate =
             if alone { rest.values().all(is_negative) } else { rest.len() == 1 || self.leads_with_minus(&rest) };
-        if turned && self.leads_with_minus(&rest) { (-&number, common, minus(rest)) } else { (number, common, rest) }
+        if negate && self.leads_with_minus(&rest) { (-&number, common, minus(rest)) } else { (number, common, rest) }
     }
 
     fn leads_with_minus(&self, terms: &Terms) -> bool {
@@ -134,26 +135,26 @@ impl Writer<'_> {
         })
     }
 
-    fn with(&self, terms: &Terms, option: Step, whole: &Terms) -> Vec<Part> {
+    fn with(&self, terms: &Terms, option: HornerStep, whole: &Terms) -> Vec<Part> {
         let first = |part: &Terms| part.keys().map(|monomial| self.key(monomial, whole)).min().unwrap_or_default();
         let has = |monomial: &Monomial, symbol: Symbol| monomial.iter().any(|(other, _)| *other == symbol);
         let mut rest = Terms::new();
         let mut parts = Vec::new();
         match option {
-            Step::Factor(symbol) => {
+            HornerStep::Factor(symbol) => {
                 let power = vec![(symbol, 1)];
-                let (mut inside, mut drawn) = (Terms::new(), Terms::new());
+                let (mut inside, mut factored) = (Terms::new(), Terms::new());
                 for (monomial, factor) in terms {
                     if has(monomial, symbol) {
                         inside.insert(divided(monomial, &power), factor.clone());
-                        drawn.insert(monomial.clone(), factor.clone());
+                        factored.insert(monomial.clone(), factor.clone());
                     } else {
                         rest.insert(monomial.clone(), factor.clone());
                     }
                 }
-                parts.push((first(&drawn), self.drawn(inside, &power, None)));
+                parts.push((first(&factored), self.factored_out(inside, &power, None)));
             }
-            Step::OneAnd(symbol) => {
+            HornerStep::OneAnd(symbol) => {
                 let (mut plus, mut minus) = (Terms::new(), Terms::new());
                 for (monomial, factor) in terms.iter().filter(|(monomial, _)| !has(monomial, symbol)) {
                     let mut with = monomial.clone();
@@ -170,7 +171,7 @@ impl Writer<'_> {
                 for (part, cosine) in [(plus, cosine.clone()), (minus, cosine.negated())] {
                     if !part.is_empty() {
                         let bracket = Formula::Sum(vec![Formula::integer(1), cosine]);
-                        parts.push((first(&part), self.drawn(part, &Monomial::new(), Some(bracket))));
+                        parts.push((first(&part), self.factored_out(part, &Monomial::new(), Some(bracket))));
                     }
                 }
             }
@@ -189,7 +190,7 @@ impl Writer<'_> {
     }
 
     /// `inside · powers · also`, the sign of the leading term first.
-    fn drawn(&self, inside: Terms, powers: &Monomial, also: Option<Formula>) -> Formula {
+    fn factored_out(&self, inside: Terms, powers: &Monomial, also: Option<Formula>) -> Formula {
         let inside = self.shortest(inside);
         let (mut number, common, mut inside) = self.content(&inside);
         if inside.len() > 1 && self.leads_with_minus(&inside) {
@@ -203,23 +204,23 @@ impl Writer<'_> {
         self.product(number, &all.into_iter().collect(), inside, also)
     }
 
-    /// Factors that can be drawn out of a part of the sum, best first.
-    fn options(&self, terms: &Terms) -> Vec<Step> {
+    /// Factors that can be taken out of a part of the sum, best first.
+    fn options(&self, terms: &Terms) -> Vec<HornerStep> {
         let mut counts: BTreeMap<Symbol, usize> = BTreeMap::new();
         for (symbol, _) in terms.keys().flatten().filter(|(symbol, _)| self.names.is_factor(*symbol)) {
             *counts.entry(*symbol).or_default() += 1;
         }
         let most = counts.values().copied().max().unwrap_or_default();
-        let mut steps: Vec<Step> = Vec::new();
+        let mut steps: Vec<HornerStep> = Vec::new();
         let mut symbols: Vec<Symbol> = counts.keys().copied().collect();
         symbols.sort_by_key(|symbol| (self.names.place(*symbol), std::cmp::Reverse(*symbol)));
         for symbol in &symbols {
-            if self.names.is_turn(*symbol) && !is_sine(&self.names.formula(*symbol)) && pairs(terms, *symbol) {
-                steps.push(Step::OneAnd(*symbol));
+            if self.names.is_sin_or_cos(*symbol) && !is_sine(&self.names.formula(*symbol)) && pairs(terms, *symbol) {
+                steps.push(HornerStep::OneAnd(*symbol));
             }
         }
         let frequent = symbols.iter().filter(|symbol| most > 1 && counts[symbol] == most);
-        steps.extend(frequent.map(|symbol| Step::Factor(*symbol)));
+        steps.extend(frequent.map(|symbol| HornerStep::Factor(*symbol)));
         steps
     }
 
@@ -243,19 +244,19 @@ impl Writer<'_> {
         best
     }
 
-    /// Place of a term in a sum, by its names. A number comes after lengths, and before sines and cosines;
-    /// next to `i j k` it is `1 - k`, but `2 k - 1`.
+    /// Sort key of a term in a sum, by its names. A number comes after lengths and before sines and cosines; together
+    /// with `i j k` a sum begins with a positive term: `1 - k`, but `2 k - 1`.
     fn key(&self, monomial: &Monomial, among: &Terms) -> Vec<usize> {
         let mut key: Vec<usize> = monomial.iter().map(|(symbol, _)| self.names.place(*symbol)).collect();
         key.sort_unstable();
-        if monomial.iter().all(|(symbol, _)| self.names.is_turn(*symbol)) {
+        if monomial.iter().all(|(symbol, _)| self.names.is_sin_or_cos(*symbol)) {
             let mut symbols = among.keys().flatten().map(|(symbol, _)| *symbol);
             let length = symbols.clone().any(|symbol| !self.names.is_factor(symbol));
-            let turns = symbols.all(|symbol| self.names.is_turn(symbol));
+            let sin_cos = symbols.all(|symbol| self.names.is_sin_or_cos(symbol));
             let like =
                 |factor: &Surd| among.len() == 2 && among.values().all(|other| other == factor || *other == -factor);
             let first = |factor: &Surd| !is_negative(factor) || like(factor);
-            if length || !(turns || among.get(monomial).is_some_and(first)) {
+            if length || !(sin_cos || among.get(monomial).is_some_and(first)) {
                 key.insert(0, usize::MAX);
             }
         }
@@ -265,14 +266,14 @@ impl Writer<'_> {
 
 /// One step of Horner's scheme.
 #[derive(Debug, Clone, Copy)]
-enum Step {
-    /// This symbol is drawn out of all terms that have it.
+enum HornerStep {
+    /// This symbol is factored out of all terms that have it.
     Factor(Symbol),
-    /// One plus and one minus this cosine are drawn out.
+    /// One plus and one minus this cosine are factored out.
     OneAnd(Symbol),
 }
 
-/// Whether every term with the symbol has its like without it, up to the sign.
+/// True if every term with the symbol has a counterpart without it, equal up to the sign.
 fn pairs(terms: &Terms, symbol: Symbol) -> bool {
     let mut found = false;
     for (monomial, factor) in terms {
@@ -286,7 +287,7 @@ fn pairs(terms: &Terms, symbol: Symbol) -> bool {
         }
         found = true;
     }
-    // Two terms are read as they are.
+    // Two terms stay as they are.
     found && terms.len() > 2
 }
 
@@ -347,8 +348,8 @@ fn is_negative(number: &Surd) -> bool {
     number.to_f64() < 0.0
 }
 
-/// A positive number that all factors share: one root, the common divisor of what is above it, the common multiple of
-/// what is below it.
+/// Positive number common to all factors: the common root, the common divisor of the numerators, the common multiple of
+/// the denominators.
 pub(crate) fn common_number(factors: &[&Surd]) -> Surd {
     let Some((&first, others)) = factors.split_first() else { return Surd::one() };
     if others.iter().all(|factor| *factor == first || **factor == -first) {
@@ -387,7 +388,7 @@ fn joined(mut parts: Vec<Part>) -> Formula {
             other => terms.push(other),
         }
     }
-    // `d - part_z`: a sum of plain names begins with what is added.
+    // `d - part_z`: a sum of plain names begins with a positive term.
     if terms.iter().all(is_plain)
         && let Some(index) = terms.iter().position(|term| !matches!(term, Formula::Neg(_)))
     {
@@ -397,7 +398,7 @@ fn joined(mut parts: Vec<Part>) -> Formula {
     if terms.len() == 1 { terms.remove(0) } else { Formula::Sum(terms) }
 }
 
-/// `number · factors`, the sign first; half a bracket is the bracket over 2.
+/// `number · factors`, the sign first; `(1/2) (a + b)` is written `(a + b)/2`.
 fn assemble(number: &Surd, mut factors: Vec<Formula>) -> Formula {
     let negative = is_negative(number);
     let number = if negative { -number } else { number.clone() };

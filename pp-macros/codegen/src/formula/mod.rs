@@ -1,6 +1,6 @@
-//! Expressions as a person writes them: in the names of the declaration, factored, as text, as source and as LaTeX.
+//! Expressions as people write them: with the names of the declaration, factored, as text, source and LaTeX.
 //!
-//! A formula is for reading. What proves is a [`Poly`], what computes is a [`Graph`]; both can be turned into a formula.
+//! A formula is for reading only. A [`Poly`] proves, a [`Graph`] computes; both can be converted into a formula.
 
 mod closed_form;
 mod expression;
@@ -14,7 +14,7 @@ use crate::symbolic::{Graph, Id, Poly, Ring};
 pub(crate) use closed_form::{ClosedForm, angle_of_one, first_branch, is_readable};
 pub use expression::Formula;
 pub(crate) use factor::common_number;
-pub use node::Known;
+pub use node::NamedNodes;
 
 impl Formula {
     /// A polynomial, factored: common factors first, then Horner's scheme by the most frequent sine or cosine.
@@ -25,13 +25,13 @@ impl Formula {
         factor::of_poly(model, ring, poly)
     }
 
-    /// A node of a graph with its structure kept; nodes in `known` are written as given there.
+    /// A node of a graph, its structure kept; nodes in `known` are written by their names there.
     #[must_use]
-    pub fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Self {
+    pub fn of_node(model: &Model, graph: &Graph, node: Id, known: &NamedNodes) -> Self {
         node::of_node(model, graph, node, known)
     }
 
-    /// For people: `(x cos C + y sin C) cos B - (z - d) sin B`.
+    /// Mathematical text: `(x cos C + y sin C) cos B - (z - d) sin B`.
     #[must_use]
     pub fn text(&self) -> String {
         print::text(self)

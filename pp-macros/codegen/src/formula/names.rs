@@ -1,4 +1,4 @@
-//! Names of symbols, as the declaration has them.
+//! Names of symbols in formulas: those of the declaration.
 
 use std::collections::BTreeMap;
 
@@ -8,18 +8,18 @@ use super::expression::Formula;
 use crate::model::{Model, Quantity};
 use crate::symbolic::{Poly, Ring, Symbol};
 
-/// Names of symbols, and the order in which a person writes them.
+/// Names of symbols, and the order in which they are written.
 pub(crate) struct SymbolNames<'a> {
     model: &'a Model,
     ring: &'a Ring,
     known: BTreeMap<Symbol, (usize, Formula)>,
 }
 
-/// Places of linear words: after the pose.
+/// First sort key of linear words, after those of the pose.
 const WORDS: usize = 20;
 
-/// Places from here on are sines and cosines.
-const TURNS: usize = 1000;
+/// First sort key of sines and cosines.
+const SIN_COS: usize = 1000;
 
 impl<'a> SymbolNames<'a> {
     pub(crate) fn new(model: &'a Model, ring: &'a Ring) -> Self {
@@ -27,32 +27,32 @@ impl<'a> SymbolNames<'a> {
         let mut enter = |symbol: Symbol, place: usize, formula: Formula| {
             known.insert(symbol, (place, formula));
         };
-        let frame = &model.frame;
-        let vectors = [(frame.tip, ["x", "y", "z"]), (frame.axis, ["i", "j", "k"])];
-        let vectors = vectors.into_iter().chain([(frame.part, ["part_x", "part_y", "part_z"])]);
+        let symbols = &model.symbols;
+        let vectors = [(symbols.tip, ["x", "y", "z"]), (symbols.axis, ["i", "j", "k"])];
+        let vectors = vectors.into_iter().chain([(symbols.part, ["part_x", "part_y", "part_z"])]);
         for (index, (symbols, names)) in vectors.enumerate() {
             for (component, (symbol, name)) in symbols.into_iter().zip(names).enumerate() {
                 enter(symbol, [0, 10, 60][index] + component, Formula::name(name));
             }
         }
-        enter(frame.gauge, 70, Formula::name("gauge"));
-        let turn = |function: &str, name: &str| Formula::call(function, [Formula::name(name)]);
-        // A person begins with the axis next to the tool, and with its sine.
-        let place = |order: usize, of: usize| TURNS + 2 * (of - order);
+        enter(symbols.gauge, 70, Formula::name("gauge"));
+        let function_of = |function: &str, name: &str| Formula::call(function, [Formula::name(name)]);
+        // The axis next to the tool comes first, and its sine before its cosine.
+        let place = |order: usize, of: usize| SIN_COS + 2 * (of - order);
         let count = model.axes.len();
         for (index, axis) in model.axes.iter().enumerate() {
             let letter = axis.letter.to_string();
             enter(axis.word, WORDS + index, Formula::name(&letter));
-            enter(axis.turn.0, place(index, count), turn("sin", &letter));
-            enter(axis.turn.1, place(index, count) + 1, turn("cos", &letter));
+            enter(axis.sin_cos.0, place(index, count), function_of("sin", &letter));
+            enter(axis.sin_cos.1, place(index, count) + 1, function_of("cos", &letter));
         }
         for (index, dimension) in model.dimensions.iter().enumerate() {
             match dimension.quantity {
                 Quantity::Length(symbol) => enter(symbol, 100 + index, Formula::name(&dimension.name)),
                 Quantity::Angle(sine, cosine) => {
-                    let first = TURNS + 1000 + 2 * index;
-                    enter(sine, first, turn("sin", &dimension.name));
-                    enter(cosine, first + 1, turn("cos", &dimension.name));
+                    let first = SIN_COS + 1000 + 2 * index;
+                    enter(sine, first, function_of("sin", &dimension.name));
+                    enter(cosine, first + 1, function_of("cos", &dimension.name));
                 }
             }
         }
@@ -79,36 +79,36 @@ impl<'a> SymbolNames<'a> {
         if self.ring.is_root(symbol) { Formula::Root(name.into()) } else { Formula::name(name) }
     }
 
-    /// Place of a symbol among others.
+    /// Sort key of a symbol.
     pub(crate) fn place(&self, symbol: Symbol) -> usize {
-        let fixed = || if fixed_angle(self.ring.name(symbol)).is_some() { TURNS + 3000 } else { 80 };
+        let fixed = || if fixed_angle(self.ring.name(symbol)).is_some() { SIN_COS + 3000 } else { 80 };
         self.known.get(&symbol).map_or_else(fixed, |(place, _)| *place)
     }
 
     /// True for sines and cosines.
-    pub(crate) fn is_turn(&self, symbol: Symbol) -> bool {
-        self.place(symbol) >= TURNS
+    pub(crate) fn is_sin_or_cos(&self, symbol: Symbol) -> bool {
+        self.place(symbol) >= SIN_COS
     }
 
-    /// True for what may be drawn out of a part of a sum: lengths may not.
+    /// True for symbols that may be factored out of a part of a sum; lengths may not.
     pub(crate) fn is_factor(&self, symbol: Symbol) -> bool {
-        let frame = &self.model.frame;
+        let symbols = &self.model.symbols;
         let length = match self.known.get(&symbol) {
-            Some(_) => !frame.axis.contains(&symbol),
+            Some(_) => !symbols.axis.contains(&symbol),
             None => false,
         };
-        self.is_turn(symbol) || !length
+        self.is_sin_or_cos(symbol) || !length
     }
 
     /// Groups of symbols whose squares sum up to 1: sine and cosine, and `i j k`.
     pub(crate) fn circles(&self) -> Vec<Vec<Symbol>> {
-        let turns = self.model.axes.iter().map(|axis| axis.turn);
+        let axes = self.model.axes.iter().map(|axis| axis.sin_cos);
         let angles = self.model.dimensions.iter().filter_map(|dimension| match dimension.quantity {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),
             Quantity::Length(_) => None,
         });
-        let mut circles: Vec<Vec<Symbol>> = turns.chain(angles).map(|(sine, cosine)| vec![sine, cosine]).collect();
-        circles.push(self.model.frame.axis.to_vec());
+        let mut circles: Vec<Vec<Symbol>> = axes.chain(angles).map(|(sine, cosine)| vec![sine, cosine]).collect();
+        circles.push(self.model.symbols.axis.to_vec());
         let fixed = self.ring.symbols().filter(|symbol| fixed_angle(self.ring.name(*symbol)).is_some());
         circles.extend(fixed.filter_map(|symbol| {
             let square = self.ring.square(symbol)?;

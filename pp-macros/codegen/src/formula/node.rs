@@ -7,10 +7,10 @@ use super::names::SymbolNames;
 use crate::model::Model;
 use crate::symbolic::{Graph, Id, Node};
 
-/// Nodes that are written by a name of their own.
-pub type Known = BTreeMap<Id, Formula>;
+/// Nodes that are written as a name.
+pub type NamedNodes = BTreeMap<Id, Formula>;
 
-pub(crate) fn of_node(model: &Model, graph: &Graph, node: Id, known: &Known) -> Formula {
+pub(crate) fn of_node(model: &Model, graph: &Graph, node: Id, known: &NamedNodes) -> Formula {
     let names = SymbolNames::new(model, graph.ring());
     Reader { model, graph, names, known }.read(node)
 }
@@ -19,7 +19,7 @@ struct Reader<'a> {
     model: &'a Model,
     graph: &'a Graph,
     names: SymbolNames<'a>,
-    known: &'a Known,
+    known: &'a NamedNodes,
 }
 
 impl Reader<'_> {
@@ -33,7 +33,7 @@ impl Reader<'_> {
             Node::Neg(a) => self.read(a).negated(),
             Node::Add(a, b) => sum(self.read(a), self.read(b)),
             Node::Sub(a, b) => match self.read(b) {
-                // Terms of a sum that is taken away keep their brackets.
+                // A sum that is subtracted keeps its brackets.
                 whole @ Formula::Sum(_) => sum(self.read(a), Formula::Neg(Box::new(whole))),
                 other => sum(self.read(a), other.negated()),
             },
@@ -62,7 +62,8 @@ fn product(a: Formula, b: Formula) -> Formula {
     };
     let mut all = factors(a);
     all.extend(factors(b));
-    // Numbers, names, brackets, functions: a function without brackets would swallow what follows.
+    // Numbers, names, brackets, functions: after a function without brackets the next factor would look like a part of
+    // its argument.
     all.sort_by_key(|factor| match factor {
         Formula::Number(_) => 0,
         Formula::Name(_) | Formula::Root(_) => 1,

@@ -1,4 +1,4 @@
-//! Formulas as characters.
+//! Formulas as text, as source of the macro and as LaTeX.
 
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
@@ -8,10 +8,10 @@ use num_traits::{One, Signed};
 use super::expression::Formula;
 use crate::symbolic::Surd;
 
-/// Rational numbers with more binary digits than this, above or below, are rounded where people read them.
+/// Rational numbers with more binary digits than this in numerator or denominator are rounded in text and LaTeX.
 const EXACT_BITS: u64 = 30;
 
-/// Digits after the point of a rounded number.
+/// Reciprocal of the rounding step: nine decimals.
 const ROUNDED: f64 = 1e9;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +23,7 @@ enum Style {
 
 /// Binding strength of a piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Hold {
+enum Binding {
     Sum,
     Product,
     Factor,
@@ -32,18 +32,18 @@ enum Hold {
 
 struct Piece {
     text: String,
-    hold: Hold,
-    /// Ends with a function's argument without brackets.
+    binding: Binding,
+    /// True if it ends with a function's argument without brackets.
     open: bool,
 }
 
 impl Piece {
-    fn new(text: impl Into<String>, hold: Hold) -> Self {
-        Self { text: text.into(), hold, open: false }
+    fn new(text: impl Into<String>, binding: Binding) -> Self {
+        Self { text: text.into(), binding, open: false }
     }
 
-    fn within(self, least: Hold) -> Self {
-        if self.hold < least { Self::new(format!("({})", self.text), Hold::Atom) } else { self }
+    fn within(self, least: Binding) -> Self {
+        if self.binding < least { Self::new(format!("({})", self.text), Binding::Atom) } else { self }
     }
 }
 
@@ -63,11 +63,11 @@ fn piece(formula: &Formula, style: Style) -> Piece {
     match formula {
         Formula::Number(number) => surd(number, style),
         Formula::Name(name) | Formula::Root(name) => {
-            Piece::new(if style == Style::Latex { latex_name(name) } else { name.clone() }, Hold::Atom)
+            Piece::new(if style == Style::Latex { latex_name(name) } else { name.clone() }, Binding::Atom)
         }
         Formula::Neg(inner) => {
-            let inner = piece(inner, style).within(Hold::Product);
-            Piece { text: format!("-{}", inner.text), hold: Hold::Sum, open: inner.open }
+            let inner = piece(inner, style).within(Binding::Product);
+            Piece { text: format!("-{}", inner.text), binding: Binding::Sum, open: inner.open }
         }
         Formula::Sum(terms) => sum(terms, style),
         Formula::Product(factors) => product(factors, style),
@@ -75,14 +75,14 @@ fn piece(formula: &Formula, style: Style) -> Piece {
         Formula::Power(base, power) => raised(base, *power, style),
         Formula::Call(function, arguments) => call(function, None, arguments, style),
         Formula::Degrees(degrees) => {
-            let number = rational(degrees, style).within(Hold::Factor).text;
+            let number = rational(degrees, style).within(Binding::Factor).text;
             Piece::new(
                 match style {
                     Style::Text => format!("{number}°"),
                     Style::Source => format!("{number} deg"),
                     Style::Latex => format!("{number}^{{\\circ}}"),
                 },
-                if style == Style::Source { Hold::Factor } else { Hold::Atom },
+                if style == Style::Source { Binding::Factor } else { Binding::Atom },
             )
         }
     }
@@ -93,9 +93,11 @@ fn sum(terms: &[Formula], style: Style) -> Piece {
     let mut open = false;
     for term in terms {
         let (minus, part) = match term {
-            Formula::Neg(inner) => (true, piece(inner, style).within(Hold::Product)),
-            Formula::Number(number) if leads_with_minus(number) => (true, surd(&-number, style).within(Hold::Product)),
-            other => (false, piece(other, style).within(Hold::Product)),
+            Formula::Neg(inner) => (true, piece(inner, style).within(Binding::Product)),
+            Formula::Number(number) if leads_with_minus(number) => {
+                (true, surd(&-number, style).within(Binding::Product))
+            }
+            other => (false, piece(other, style).within(Binding::Product)),
         };
         text += match (text.is_empty(), minus) {
             (true, false) => "",
@@ -107,9 +109,9 @@ fn sum(terms: &[Formula], style: Style) -> Piece {
         open = part.open;
     }
     match terms.len() {
-        0 => Piece::new("0", Hold::Atom),
-        1 => Piece { text, hold: Hold::Product, open },
-        _ => Piece { text, hold: Hold::Sum, open },
+        0 => Piece::new("0", Binding::Atom),
+        1 => Piece { text, binding: Binding::Product, open },
+        _ => Piece { text, binding: Binding::Sum, open },
     }
 }
 
@@ -117,7 +119,7 @@ fn product(factors: &[Formula], style: Style) -> Piece {
     let mut text = String::new();
     let mut open = false;
     for factor in factors {
-        let part = piece(factor, style).within(Hold::Factor);
+        let part = piece(factor, style).within(Binding::Factor);
         let function = matches!(factor, Formula::Call(name, _) if name != "sqrt")
             || matches!(factor, Formula::Power(base, _) if matches!(**base, Formula::Call(..)));
         text += match style {
@@ -132,18 +134,22 @@ fn product(factors: &[Formula], style: Style) -> Piece {
         text += &part.text;
         open = part.open;
     }
-    if factors.is_empty() { Piece::new("1", Hold::Atom) } else { Piece { text, hold: Hold::Product, open } }
+    if factors.is_empty() { Piece::new("1", Binding::Atom) } else { Piece { text, binding: Binding::Product, open } }
 }
 
 fn quotient(above: Piece, below: Piece, style: Style) -> Piece {
     if style == Style::Latex {
-        return Piece::new(format!("\\frac{{{}}}{{{}}}", above.text, below.text), Hold::Atom);
+        return Piece::new(format!("\\frac{{{}}}{{{}}}", above.text, below.text), Binding::Atom);
     }
-    let above =
-        if above.open { Piece::new(format!("({})", above.text), Hold::Atom) } else { above.within(Hold::Product) };
-    let below = if below.open { Piece::new(format!("({})", below.text), Hold::Atom) } else { below.within(Hold::Atom) };
+    let above = if above.open {
+        Piece::new(format!("({})", above.text), Binding::Atom)
+    } else {
+        above.within(Binding::Product)
+    };
+    let below =
+        if below.open { Piece::new(format!("({})", below.text), Binding::Atom) } else { below.within(Binding::Atom) };
     let stroke = if style == Style::Source && above.text.contains(' ') { " / " } else { "/" };
-    Piece::new(format!("{}{stroke}{}", above.text, below.text), Hold::Product)
+    Piece::new(format!("{}{stroke}{}", above.text, below.text), Binding::Product)
 }
 
 fn raised(base: &Formula, power: u32, style: Style) -> Piece {
@@ -156,7 +162,7 @@ fn raised(base: &Formula, power: u32, style: Style) -> Piece {
         Formula::Call(function, arguments) if style != Style::Source && is_bare(function, arguments) => {
             call(function, Some(&exponent), arguments, style)
         }
-        _ => Piece::new(format!("{}{exponent}", piece(base, style).within(Hold::Atom).text), Hold::Atom),
+        _ => Piece::new(format!("{}{exponent}", piece(base, style).within(Binding::Atom).text), Binding::Atom),
     }
 }
 
@@ -174,16 +180,16 @@ fn call(function: &str, exponent: Option<&str>, arguments: &[Formula], style: St
     let all = all.join(separator);
     let bare = is_bare(function, arguments);
     match (style, function) {
-        (Style::Latex, "sqrt") => Piece::new(format!("\\sqrt{{{all}}}"), Hold::Atom),
+        (Style::Latex, "sqrt") => Piece::new(format!("\\sqrt{{{all}}}"), Binding::Atom),
         (Style::Text, "sqrt") => {
-            let atom = parts.iter().all(|part| part.hold == Hold::Atom && !part.text.contains('²'));
-            Piece::new(if atom { format!("√{all}") } else { format!("√({all})") }, Hold::Atom)
+            let atom = parts.iter().all(|part| part.binding == Binding::Atom && !part.text.contains('²'));
+            Piece::new(if atom { format!("√{all}") } else { format!("√({all})") }, Binding::Atom)
         }
         (Style::Text, _) if bare => {
-            Piece { text: format!("{function}{exponent} {all}"), hold: Hold::Factor, open: true }
+            Piece { text: format!("{function}{exponent} {all}"), binding: Binding::Factor, open: true }
         }
         (Style::Latex, _) if bare => {
-            Piece { text: format!("\\{function}{exponent} {all}"), hold: Hold::Factor, open: true }
+            Piece { text: format!("\\{function}{exponent} {all}"), binding: Binding::Factor, open: true }
         }
         (Style::Latex, _) => {
             let name = match function {
@@ -193,9 +199,9 @@ fn call(function: &str, exponent: Option<&str>, arguments: &[Formula], style: St
                 "acos" => "\\arccos".to_string(),
                 other => format!("\\operatorname{{{other}}}"),
             };
-            Piece::new(format!("{name}({all})"), Hold::Atom)
+            Piece::new(format!("{name}({all})"), Binding::Atom)
         }
-        _ => Piece::new(format!("{function}({all})"), Hold::Atom),
+        _ => Piece::new(format!("{function}({all})"), Binding::Atom),
     }
 }
 
@@ -211,8 +217,8 @@ fn leads_with_minus(number: &Surd) -> bool {
 
 fn surd(number: &Surd, style: Style) -> Piece {
     if leads_with_minus(number) {
-        let positive = surd(&-number, style).within(Hold::Product);
-        return Piece::new(format!("-{}", positive.text), Hold::Sum);
+        let positive = surd(&-number, style).within(Binding::Product);
+        return Piece::new(format!("-{}", positive.text), Binding::Sum);
     }
     let large = |value: &BigInt| value.bits() > EXACT_BITS;
     let parts: Vec<(&BigUint, &BigRational)> = number.terms().collect();
@@ -222,7 +228,11 @@ fn surd(number: &Surd, style: Style) -> Piece {
     if rounded {
         let value = number.to_f64();
         let digits = format!("{}", (value.abs() * ROUNDED).round() / ROUNDED);
-        return if value < 0.0 { Piece::new(format!("-{digits}"), Hold::Sum) } else { Piece::new(digits, Hold::Atom) };
+        return if value < 0.0 {
+            Piece::new(format!("-{digits}"), Binding::Sum)
+        } else {
+            Piece::new(digits, Binding::Atom)
+        };
     }
     if let Some(value) = number.as_rational() {
         return rational(&value, style);
@@ -230,7 +240,7 @@ fn surd(number: &Surd, style: Style) -> Piece {
     let below = parts.iter().fold(BigInt::one(), |below, (_, q)| below.lcm(q.denom()));
     let scale = BigRational::from(below.clone());
     let mut text = String::new();
-    let mut hold = Hold::Atom;
+    let mut binding = Binding::Atom;
     for (root, factor) in &parts {
         let whole = (*factor * &scale).to_integer();
         text += match (text.is_empty(), whole.is_negative()) {
@@ -249,40 +259,40 @@ fn surd(number: &Surd, style: Style) -> Piece {
         if root.is_one() || !size.is_one() {
             text += &size.to_string();
             if !root.is_one() {
-                hold = if style == Style::Source { Hold::Product } else { Hold::Factor };
+                binding = if style == Style::Source { Binding::Product } else { Binding::Factor };
                 text += if style == Style::Source { "*" } else { "" };
             }
         }
         text += &root_text;
     }
-    let above = Piece::new(text, if parts.len() > 1 { Hold::Sum } else { hold });
-    if below.is_one() { above } else { quotient(above, Piece::new(below.to_string(), Hold::Atom), style) }
+    let above = Piece::new(text, if parts.len() > 1 { Binding::Sum } else { binding });
+    if below.is_one() { above } else { quotient(above, Piece::new(below.to_string(), Binding::Atom), style) }
 }
 
 fn rational(value: &BigRational, style: Style) -> Piece {
     if value.is_negative() {
         let positive = rational(&-value, style);
-        return Piece::new(format!("-{}", positive.text), Hold::Sum);
+        return Piece::new(format!("-{}", positive.text), Binding::Sum);
     }
     if value.is_integer() {
-        return Piece::new(value.numer().to_string(), Hold::Atom);
+        return Piece::new(value.numer().to_string(), Binding::Atom);
     }
-    // 60.5 is a length, 1/2 a factor.
-    let thousand = BigRational::from(BigInt::from(1_000_000));
-    let scaled = value * &thousand;
+    // Decimals above 1 (60.5, a length), a fraction below (1/2, a factor).
+    let million = BigRational::from(BigInt::from(1_000_000));
+    let scaled = value * &million;
     if scaled.is_integer() && value > &BigRational::one() {
         let digits = format!("{:0>7}", scaled.to_integer().to_string());
         let (whole, fraction) = digits.split_at(digits.len() - 6);
-        return Piece::new(format!("{whole}.{}", fraction.trim_end_matches('0')), Hold::Atom);
+        return Piece::new(format!("{whole}.{}", fraction.trim_end_matches('0')), Binding::Atom);
     }
     quotient(
-        Piece::new(value.numer().to_string(), Hold::Atom),
-        Piece::new(value.denom().to_string(), Hold::Atom),
+        Piece::new(value.numer().to_string(), Binding::Atom),
+        Piece::new(value.denom().to_string(), Binding::Atom),
         style,
     )
 }
 
-/// Greek letters by their names, subscripts after `_`, other words upright in one piece.
+/// A name in LaTeX: Greek letters by their names, subscripts after `_`, other words in one piece.
 fn latex_name(name: &str) -> String {
     const GREEK: &[&str] = &[
         "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu",

@@ -1,4 +1,4 @@
-//! A claim holds, or is what the proof fails by.
+//! Check of a single claim.
 
 use crate::symbolic::{Interpreter, Poly};
 

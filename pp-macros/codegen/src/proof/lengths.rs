@@ -1,18 +1,18 @@
-//! The root and the lengths that the formulas of two rotary axes are normalised by.
+//! The root and the lengths by which the formulas of two rotary axes are normalised.
 
 use std::collections::BTreeMap;
 
 use super::claim::holds;
 use crate::model::Model;
-use crate::solve::{Solved, Two};
+use crate::solve::{Solved, TwoRotaries};
 use crate::symbolic::{Interpreter, Poly, Ring};
 
-/// `r² = D - w²`, and the own length of the first angle's direction is `g² + e²`.
+/// Proves `r² = D - w²`, and that the direction of the first angle has the length `g² + e²`.
 ///
-/// Both follow from `p = n·m`, `q = m·t` and `n·a` alone, whatever these are made of: with symbols for the three the
-/// identities are small. What the symbols leave out is shown before: `|m×n|² = 1-p²`, `D = (1-p²)(1-q²)`,
-/// `|n×a|² = 1-(n·a)²`, `g² + e² = (1-p²)|n×a|²`. Roots are replaced by what has the same square and is not negative.
-pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Result<(), String> {
+/// Both follow from `p = n·m`, `q = m·t` and `n·a` alone: with symbols for these three the identities are small. The
+/// relations that the symbols leave out are shown before: `|m×n|² = 1-p²`, `D = (1-p²)(1-q²)`, `|n×a|² = 1-(n·a)²`,
+/// `g² + e² = (1-p²)|n×a|²`. A root is replaced by an expression that has the same square and is not negative.
+pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &TwoRotaries) -> Result<(), String> {
     let letters = model.letters(two.rotaries);
     let graph = &mut solved.graph;
     let cosines = [two.tilt.between.1, two.tilt.tool.1, two.edge.along.0];
@@ -55,14 +55,14 @@ pub(crate) fn prove_lengths(model: &Model, solved: &mut Solved, two: &Two) -> Re
     if lengths_hold(&mut reader, two) {
         return Ok(());
     }
-    // Folding may have taken a symbol's node apart: then the same with everything written out.
+    // Folding may have removed a node that has a symbol; then the same is shown with everything written out.
     if lengths_hold(&mut Interpreter::new(&mut solved.graph, BTreeMap::new()), two) {
         return Ok(());
     }
     Err(format!("the root of {letters} is √(D - w²), and their direction has the length g² + e²"))
 }
 
-fn lengths_hold(reader: &mut Interpreter<'_>, two: &Two) -> bool {
+fn lengths_hold(reader: &mut Interpreter<'_>, two: &TwoRotaries) -> bool {
     let (height, capacity) = (reader.value(two.second.height), reader.value(two.second.capacity));
     let square = &capacity - &reader.ring().mul(&height, &height);
     let radicand = reader.value(two.second.root_squared);

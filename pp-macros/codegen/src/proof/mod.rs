@@ -1,10 +1,10 @@
-//! forward∘inverse = identity, for every branch, over the very graph that is printed.
+//! forward∘inverse = identity, proven for every branch on the same graph that is printed.
 //!
 //! The forward side is the product of the elementary matrices; the inverse side is read from the emitted nodes. A `√`
-//! node becomes a generator whose square is its radicand, `1/x` one whose product with `x` is 1; with `sin² + cos² = 1`
-//! and `i² + j² + k² = 1` that is all there is, and everything is proven by remainders.
+//! node becomes a generator whose square is its radicand, `1/x` one whose product with `x` is 1. These relations,
+//! `sin² + cos² = 1` and `i² + j² + k² = 1` are the only ones; everything is proven by remainders.
 //!
-//! A root that is claimed to equal a sum of squares is replaced by it: both are not negative and their squares are
+//! A root that is claimed to equal a sum of squares is replaced by it: neither is negative, and their squares are
 //! compared exactly.
 
 mod claim;
@@ -17,11 +17,11 @@ use std::collections::BTreeMap;
 use claim::holds;
 use lengths::prove_lengths;
 use two::prove_two;
-use unit_vectors::General;
+use unit_vectors::GeneralDirections;
 
-use crate::model::{Kind, Model};
-use crate::solve::{One, Orientation, Solved};
-use crate::symbolic::{Interpreter, Matrix, P3, Poly, Symbol};
+use crate::model::{AxisKind, Model};
+use crate::solve::{OneRotary, Orientation, Solved};
+use crate::symbolic::{Interpreter, Matrix, Poly, PolyVector, Symbol};
 
 /// Proves a solved machine.
 ///
@@ -36,37 +36,38 @@ pub fn prove(model: &Model, solved: &mut Solved) -> Result<Vec<String>, String> 
     let orientation = solved.orientation.clone();
     match &orientation {
         Orientation::Fixed { deviation } => {
-            let tool = product.turn(&model.tool_axis, &model.ring);
-            let mut reader = Interpreter::new(&mut solved.graph, assign(model.frame.axis, tool));
+            let tool = product.rotate(&model.tool_axis, &model.ring);
+            let mut reader = Interpreter::new(&mut solved.graph, assign(model.symbols.axis, tool));
             if !reader.claim(*deviation, &Poly::zero()) {
                 return Err("the fixed tool axis is reached without deviation".into());
             }
-            claims.push("the only reachable tool axis is the product's".into());
+            claims.push("the only reachable tool axis is that of the matrix product".into());
         }
         Orientation::One(one) => claims.push(prove_one(model, solved, &product, one)?),
         Orientation::Two(two) => {
             prove_lengths(model, solved, two)?;
-            let general = General::of(model, solved).and_then(|general| prove_two(&general, solved, two).ok());
+            let general =
+                GeneralDirections::of(model, solved).and_then(|general| prove_two(&general, solved, two).ok());
             claims.extend(match general {
                 Some(claims) => claims,
-                None => prove_two(&General::written_out(model), solved, two)?,
+                None => prove_two(&GeneralDirections::written_out(model), solved, two)?,
             });
         }
     }
     Ok(claims)
 }
 
-/// The joints are those of the declaration, and the joint with `-q` undoes the joint.
+/// Proves that the joints are those of the declaration, and that the joint with `-q` is the inverse of the joint.
 fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
     let (directions, centres, tool_axis) = (solved.directions.clone(), solved.centres.clone(), solved.tool_axis);
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
     for (id, axis) in model.axes.iter().enumerate() {
         let letter = axis.letter;
         if model.product_of([model.joint(id), model.joint_inverse(id)]) != Matrix::identity() {
-            return Err(format!("the joint of {letter} is undone by its joint with -q"));
+            return Err(format!("the joint of {letter} with -q is the inverse of the joint"));
         }
         let claim = format!("the joint of {letter} is as declared");
-        let centre = if axis.kind == Kind::Rotary { model.centre(id) } else { axis.point.clone() };
+        let centre = if axis.kind == AxisKind::Rotary { model.centre(id) } else { axis.point.clone() };
         let expected = axis.direction.iter().chain(&centre);
         for (node, expected) in directions[id].into_iter().chain(centres[id]).zip(expected) {
             let value = reader.value(node);
@@ -82,7 +83,7 @@ fn joints(model: &Model, solved: &mut Solved) -> Result<(), String> {
 
 fn forward(model: &Model, solved: &mut Solved, product: &Matrix) -> Result<String, String> {
     let nodes = solved.forward;
-    let axis = product.turn(&model.tool_axis, &model.ring);
+    let axis = product.rotate(&model.tool_axis, &model.ring);
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
     let expected = product.origin().into_iter().chain(axis);
     for (node, expected) in nodes.tip.into_iter().chain(nodes.axis).zip(expected) {
@@ -101,10 +102,10 @@ fn position(model: &Model, solved: &mut Solved) -> Result<String, String> {
     let undone = model.product_of((0..cut).rev().map(|axis| model.joint_inverse(axis)));
     let tool = model.product_of((cut..model.axes.len()).map(|axis| model.joint(axis)));
     let wanted = {
-        let tip = model.frame.tip.map(Poly::from);
-        let turned = undone.turn(&tip, &model.ring);
+        let tip = model.symbols.tip.map(Poly::from);
+        let rotated = undone.rotate(&tip, &model.ring);
         let origin = undone.origin();
-        turned.into_iter().zip(origin).map(|(a, b)| &a + &b).collect::<Vec<_>>()
+        rotated.into_iter().zip(origin).map(|(a, b)| &a + &b).collect::<Vec<_>>()
     };
     let mut reader = Interpreter::new(&mut solved.graph, BTreeMap::new());
     let words = values.iter().map(|(axis, node)| (model.axes[*axis].word, reader.value(*node))).collect();
@@ -115,16 +116,16 @@ fn position(model: &Model, solved: &mut Solved) -> Result<String, String> {
     Ok(format!("{claim} for every value of the rotary axes where the determinant is not zero"))
 }
 
-fn prove_one(model: &Model, solved: &mut Solved, product: &Matrix, one: &One) -> Result<String, String> {
+fn prove_one(model: &Model, solved: &mut Solved, product: &Matrix, one: &OneRotary) -> Result<String, String> {
     let letter = model.axes[one.rotary].letter;
-    let axis = product.turn(&model.tool_axis, &model.ring);
-    let mut reader = Interpreter::new(&mut solved.graph, assign(model.frame.axis, axis));
+    let axis = product.rotate(&model.tool_axis, &model.ring);
+    let mut reader = Interpreter::new(&mut solved.graph, assign(model.symbols.axis, axis));
     let length = reader.value(one.length_claim);
     if !reader.claim(one.length, &length) || !reader.claim(one.deviation, &Poly::zero()) {
-        return Err(format!("every tool axis made by {letter} is found to be reachable"));
+        return Err(format!("every tool axis that {letter} produces is reachable"));
     }
-    let (sine, cosine) = model.axes[one.rotary].turn;
-    let claim = format!("{letter} is found again from the tool axis it makes");
+    let (sine, cosine) = model.axes[one.rotary].sin_cos;
+    let claim = format!("the inverse returns {letter} from the tool axis that {letter} produces");
     for (node, symbol) in [(one.word.0, sine), (one.word.1, cosine)] {
         let value = reader.value(node);
         holds(&reader, &value, &Poly::from(symbol), &claim)?;
@@ -132,6 +133,6 @@ fn prove_one(model: &Model, solved: &mut Solved, product: &Matrix, one: &One) ->
     Ok(claim)
 }
 
-fn assign(symbols: [Symbol; 3], values: P3) -> BTreeMap<Symbol, Poly> {
+fn assign(symbols: [Symbol; 3], values: PolyVector) -> BTreeMap<Symbol, Poly> {
     symbols.into_iter().zip(values).collect()
 }

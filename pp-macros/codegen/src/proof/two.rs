@@ -1,18 +1,22 @@
-//! Two rotary axes turn the tool to the wanted axis, on both branches and at the edge.
+//! Two rotary axes rotate the tool to the wanted axis, on both branches and at the edge.
 
 use std::collections::BTreeMap;
 
 use super::claim::holds;
-use super::unit_vectors::General;
+use super::unit_vectors::GeneralDirections;
 use crate::model::{AxisId, Model};
-use crate::solve::{Branch, Solved, Two};
-use crate::symbolic::{Id, Interpreter, P3, Poly, Ring, Symbol};
+use crate::solve::{Branch, Solved, TwoRotaries};
+use crate::symbolic::{Id, Interpreter, Poly, PolyVector, Ring, Symbol};
 
-/// Both branches, and what is taken at the rim; returns the claims in words.
+/// Proves both branches, and the axis that is taken at the rim; returns the claims in words.
 ///
 /// # Errors
 /// The claim that is not proven.
-pub(crate) fn prove_two(general: &General, solved: &mut Solved, two: &Two) -> Result<Vec<String>, String> {
+pub(crate) fn prove_two(
+    general: &GeneralDirections,
+    solved: &mut Solved,
+    two: &TwoRotaries,
+) -> Result<Vec<String>, String> {
     let mut claims = Vec::new();
     for branch in &two.branches {
         claims.push(prove_branch(general, solved, two, branch)?);
@@ -21,7 +25,12 @@ pub(crate) fn prove_two(general: &General, solved: &mut Solved, two: &Two) -> Re
     Ok(claims)
 }
 
-fn prove_branch(general: &General, solved: &mut Solved, two: &Two, branch: &Branch) -> Result<String, String> {
+fn prove_branch(
+    general: &GeneralDirections,
+    solved: &mut Solved,
+    two: &TwoRotaries,
+    branch: &Branch,
+) -> Result<String, String> {
     let model = general.model();
     let letters = model.letters(two.rotaries);
     let mut reader = general.reader(&mut solved.graph, BTreeMap::new());
@@ -33,24 +42,24 @@ fn prove_branch(general: &General, solved: &mut Solved, two: &Two, branch: &Bran
         let spread = reader.value(two.first.spread);
         reader.assume(length, spread);
     }
-    let words = turns(model, &mut reader, &two.rotaries, &branch.words);
+    let words = sin_cos_values(model, &mut reader, &two.rotaries, &branch.words);
     for axis in two.rotaries {
         on_circle(model, &reader, axis, &words)?;
     }
     let name = if branch.plus == two.first_is_plus() { "first" } else { "second" };
-    let claim = format!("{letters} turn the tool to (i, j, k), {name} branch");
-    // R1 R2 t = a, shown as R2 t = R1⁻¹ a, and likewise for what is held: far fewer products of sines.
+    let claim = format!("{letters} rotate the tool axis to (i, j, k), {name} branch");
+    // R1 R2 t = a, shown as R2 t = R1⁻¹ a, with held axes on their side of it: far fewer products of sines.
     let after = two.rotaries[0] + 1;
     let tool = model.product_of((after..model.axes.len()).map(|axis| model.joint(axis)));
     let undone = model.product_of((0..after).rev().map(|axis| model.joint_inverse(axis)));
-    let reached = tool.turn(&model.tool_axis, reader.ring());
-    let wanted = undone.turn(&model.frame.axis.map(Poly::from), reader.ring());
+    let reached = tool.rotate(&model.tool_axis, reader.ring());
+    let wanted = undone.rotate(&model.symbols.axis.map(Poly::from), reader.ring());
     for (reached, wanted) in reached.iter().zip(&wanted) {
         let [reached, wanted] = [reached, wanted].map(|part| reader.ring().substitute(part, &words));
         holds(&reader, &reached, &wanted, &claim)?;
     }
     // The branch: α1 s2 - α2 c2 = σ r, and a root is never negative.
-    let (_, cosine) = model.axes[two.rotaries[1]].turn;
+    let (_, cosine) = model.axes[two.rotaries[1]].sin_cos;
     let sine = reader.ring().substitute(&model.joint_sine(two.rotaries[1]), &words);
     let [first, second] = two.second.alpha.map(|node| reader.value(node));
     let side = &reader.ring().mul(&first, &sine) - &reader.ring().mul(&second, &words[&cosine]);
@@ -60,7 +69,7 @@ fn prove_branch(general: &General, solved: &mut Solved, two: &Two, branch: &Bran
     Ok(claim)
 }
 
-fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<String, String> {
+fn prove_edge(general: &GeneralDirections, solved: &mut Solved, two: &TwoRotaries) -> Result<String, String> {
     let model = general.model();
     let [first, second] = two.rotaries;
     let edge = &two.edge;
@@ -69,17 +78,17 @@ fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<Strin
     let radicand = &capacity - &solved.graph.ring().mul(&height, &height);
     let root = Poly::from(solved.graph.root("edge", radicand));
     let mut reader = general.reader(&mut solved.graph, BTreeMap::from([(edge.root, root)]));
-    let mut words = turns(model, &mut reader, &[second], &[edge.second]);
+    let mut words = sin_cos_values(model, &mut reader, &[second], &[edge.second]);
     on_circle(model, &reader, second, &words)?;
-    let (sine, cosine) = model.axes[first].turn;
+    let (sine, cosine) = model.axes[first].sin_cos;
     words.insert(sine, Poly::zero());
     words.insert(cosine, Poly::one());
 
     let ring = reader.ring().clone();
-    let reached = model.product().turn(&model.tool_axis, &ring).map(|part| ring.substitute(&part, &words));
+    let reached = model.product().rotate(&model.tool_axis, &ring).map(|part| ring.substitute(&part, &words));
     let before = model.product_of((0..first).map(|axis| model.joint(axis)));
-    let direction = before.turn(&model.axes[first].direction, &ring);
-    let wanted = model.frame.axis.map(Poly::from);
+    let direction = before.rotate(&model.axes[first].direction, &ring);
+    let wanted = model.symbols.axis.map(Poly::from);
     let (n_b, n_a) = (cross(&direction, &reached, &ring), cross(&direction, &wanted, &ring));
     let room = {
         let (p, one) = (reader.value(two.tilt.between.1), Poly::one());
@@ -87,7 +96,7 @@ fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<Strin
     };
     let signed_sine = ring.mul(&room, &ring.dot(&n_b, &wanted));
     let signed_sine = if model.axes[first].reversed { -&signed_sine } else { signed_sine };
-    let claim = "at the rim the nearest reachable tool axis is taken";
+    let claim = "at the limit of reach the nearest reachable tool axis is taken";
     let squares = [edge.first.0, edge.first.1].map(|node| reader.value(node)).map(|part| ring.mul(&part, &part));
     let pairs = [
         (edge.first_squared, &squares[0] + &squares[1]),
@@ -103,12 +112,17 @@ fn prove_edge(general: &General, solved: &mut Solved, two: &Two) -> Result<Strin
     Ok(claim.into())
 }
 
-fn turns(model: &Model, reader: &mut Interpreter<'_>, axes: &[AxisId], words: &[(Id, Id)]) -> BTreeMap<Symbol, Poly> {
+fn sin_cos_values(
+    model: &Model,
+    reader: &mut Interpreter<'_>,
+    axes: &[AxisId],
+    words: &[(Id, Id)],
+) -> BTreeMap<Symbol, Poly> {
     let mut values = BTreeMap::new();
     for (axis, (sine, cosine)) in axes.iter().zip(words) {
-        let turn = model.axes[*axis].turn;
-        values.insert(turn.0, reader.value(*sine));
-        values.insert(turn.1, reader.value(*cosine));
+        let symbols = model.axes[*axis].sin_cos;
+        values.insert(symbols.0, reader.value(*sine));
+        values.insert(symbols.1, reader.value(*cosine));
     }
     values
 }
@@ -119,13 +133,13 @@ fn on_circle(
     axis: AxisId,
     words: &BTreeMap<Symbol, Poly>,
 ) -> Result<(), String> {
-    let (sine, cosine) = model.axes[axis].turn;
+    let (sine, cosine) = model.axes[axis].sin_cos;
     let squares = [&words[&sine], &words[&cosine]].map(|part| reader.ring().mul(part, part));
     let letter = model.axes[axis].letter;
     holds(reader, &(&squares[0] + &squares[1]), &Poly::one(), &format!("sin² {letter} + cos² {letter} = 1"))
 }
 
-fn cross(a: &P3, b: &P3, ring: &Ring) -> P3 {
+fn cross(a: &PolyVector, b: &PolyVector, ring: &Ring) -> PolyVector {
     std::array::from_fn(|index| {
         let (next, last) = ((index + 1) % 3, (index + 2) % 3);
         &ring.mul(&a[next], &b[last]) - &ring.mul(&a[last], &b[next])

@@ -1,22 +1,23 @@
-//! A symbol for each component of a direction that is a product: what holds for every unit vector holds for the declared.
+//! Symbols for the components of directions that are products: what holds for every unit vector holds for the declared
+//! ones.
 
 use std::collections::BTreeMap;
 
-use crate::model::{Kind, Model};
+use crate::model::{AxisKind, Model};
 use crate::solve::Solved;
-use crate::symbolic::{Graph, Id, Interpreter, Node, P3, Poly, Symbol, V3};
+use crate::symbolic::{Graph, Id, Interpreter, Node, NodeVector, Poly, PolyVector, Symbol};
 
-/// A machine of which only this is known: its rotary axes and its tool axis are unit vectors.
+/// A machine whose rotary directions and tool axis are general unit vectors.
 ///
-/// Directions that are products of sines of dimensions make long polynomials. What holds with a symbol for each of their
-/// components and `n_z² = 1 - n_x² - n_y²` alone holds for every unit vector, hence for the declared ones.
-pub(crate) struct General {
+/// Directions that are products of sines of dimensions make long polynomials. A claim that holds with a symbol for each
+/// of their components and `n_z² = 1 - n_x² - n_y²` alone holds for every unit vector, hence for the declared ones.
+pub(crate) struct GeneralDirections {
     model: Model,
     /// Nodes of components, and their symbols.
     known: Vec<(Id, Poly)>,
 }
 
-impl General {
+impl GeneralDirections {
     /// The machine itself, every direction as declared.
     pub(crate) fn written_out(model: &Model) -> Self {
         Self { model: model.clone(), known: Vec::new() }
@@ -27,22 +28,22 @@ impl General {
         &self.model
     }
 
-    /// With symbols for the directions that are products; `None` if there is none, or if one is no unit vector. `joints`
-    /// has shown that the nodes are the declaration.
+    /// With symbols for the directions that are products; `None` if there is none, or if one is not a unit vector.
+    /// `joints` has proven that the nodes are as declared.
     pub(crate) fn of(model: &Model, solved: &mut Solved) -> Option<Self> {
         let mut general = Self::written_out(model);
         let graph = &mut solved.graph;
-        let rotaries = model.axes.iter().zip(&solved.directions).filter(|(axis, _)| axis.kind == Kind::Rotary);
+        let rotaries = model.axes.iter().zip(&solved.directions).filter(|(axis, _)| axis.kind == AxisKind::Rotary);
         let directions = rotaries.map(|(axis, nodes)| (&axis.direction, *nodes));
         for (direction, nodes) in directions.chain([(&model.tool_axis, solved.tool_axis)]) {
             if !graph.ring().is_zero(&(&graph.ring().dot(direction, direction) - &Poly::one())) {
                 return None;
             }
-            disguise(graph, direction, nodes, &mut general.known);
+            generalise(graph, direction, nodes, &mut general.known);
         }
-        let replace = |direction: &mut P3, nodes: V3| {
+        let replace = |direction: &mut PolyVector, nodes: NodeVector| {
             *direction =
-                std::array::from_fn(|index| in_disguise(graph, &direction[index], nodes[index], &general.known));
+                std::array::from_fn(|index| generalised(graph, &direction[index], nodes[index], &general.known));
         };
         general
             .model
@@ -65,8 +66,8 @@ impl General {
     }
 }
 
-/// Makes symbols for the components of a unit vector that are products; numbers and single sines stay what they are.
-fn disguise(graph: &mut Graph, direction: &P3, nodes: V3, known: &mut Vec<(Id, Poly)>) {
+/// Makes symbols for the components of a unit vector that are products; numbers and single sines stay as they are.
+fn generalise(graph: &mut Graph, direction: &PolyVector, nodes: NodeVector, known: &mut Vec<(Id, Poly)>) {
     let is_product = |node: &Id| !matches!(graph.node(*node), Node::Constant(_) | Node::Input(_));
     let nodes_without_sign = nodes.map(|node| unsigned(graph, node).0);
     let fresh: Vec<Id> = nodes_without_sign
@@ -80,13 +81,13 @@ fn disguise(graph: &mut Graph, direction: &P3, nodes: V3, known: &mut Vec<(Id, P
     }
     known.extend(free.iter().map(|node| (*node, Poly::from(graph.symbol("component")))));
     let others = (0..3).filter(|index| nodes_without_sign[*index] != *last);
-    let others: Vec<Poly> = others.map(|index| in_disguise(graph, &direction[index], nodes[index], known)).collect();
+    let others: Vec<Poly> = others.map(|index| generalised(graph, &direction[index], nodes[index], known)).collect();
     let square = others.iter().fold(Poly::one(), |rest, part| &rest - &graph.ring().mul(part, part));
     known.push((*last, Poly::from(graph.root("component", square))));
 }
 
 /// The symbol of a component, or the component itself.
-fn in_disguise(graph: &Graph, component: &Poly, node: Id, known: &[(Id, Poly)]) -> Poly {
+fn generalised(graph: &Graph, component: &Poly, node: Id, known: &[(Id, Poly)]) -> Poly {
     let (node, minus) = unsigned(graph, node);
     match known.iter().find(|(other, _)| *other == node) {
         Some((_, value)) if minus => -value,
@@ -109,13 +110,13 @@ mod tests {
     use crate::proof::two::prove_two;
     use crate::solve::Orientation;
 
-    fn general(axes: &str) -> (Solved, Option<General>) {
+    fn general(axes: &str) -> (Solved, Option<GeneralDirections>) {
         let text = format!("pub struct M; chain: C B | X Y Z; axes = {{ {axes} }}; dims = {{ a: 1 deg, b: 2 deg }};");
         let mut errors = crate::report::Errors::default();
         let declaration = crate::syntax::parse(text.parse().expect("tokens"), &mut errors).expect("syntax");
         let (mut model, _) = crate::check::check(&declaration, &mut errors).expect("rules");
         let mut solved = crate::solve::solve(&mut model).expect("solvable");
-        let general = General::of(&model, &mut solved);
+        let general = GeneralDirections::of(&model, &mut solved);
         (solved, general)
     }
 

@@ -1,16 +1,16 @@
 //! Pose from axis values: the joints applied to the tool point, last joint first.
 
 use super::derivation::{Derivation, Point};
-use crate::model::Kind;
-use crate::symbolic::V3;
+use crate::model::AxisKind;
+use crate::symbolic::NodeVector;
 
-/// Nodes of the forward map.
+/// Nodes of the forward kinematics.
 #[derive(Debug, Clone, Copy)]
 pub struct Forward {
     /// Tool tip.
-    pub tip: V3,
+    pub tip: NodeVector,
     /// Tool axis.
-    pub axis: V3,
+    pub axis: NodeVector,
 }
 
 pub(crate) fn solve(derivation: &Derivation<'_>) -> Forward {
@@ -18,11 +18,11 @@ pub(crate) fn solve(derivation: &Derivation<'_>) -> Forward {
     let mut axis = derivation.tool_axis();
     for (id, joint) in derivation.model.axes.iter().enumerate().rev() {
         match joint.kind {
-            Kind::Linear => {
+            AxisKind::Linear => {
                 let displacement = derivation.displacement(id);
                 tip.offset = tip.offset + displacement;
             }
-            Kind::Rotary => {
+            AxisKind::Rotary => {
                 let Point { from, offset } = derivation.seen_from(tip, Some(id));
                 tip = Point { from, offset: derivation.rotated(id, offset) };
                 axis = derivation.rotated(id, axis);

@@ -1,7 +1,7 @@
-//! Closed-form kinematics as a graph: forward map, rotary angles, linear axes, and how the tool moves.
+//! Closed-form kinematics as a graph: forward kinematics, rotary angles, linear axes, and derivatives of the pose.
 //!
-//! Input is the span-free [`Model`]; refusals name axes by their place in the chain. Limits, turns and the choice
-//! between branches live in the runtime.
+//! Input is the span-free [`Model`]; refusals name axes by their index in the chain. Limits, whole turns and the choice
+//! between branches are decided in the runtime.
 
 mod derivation;
 mod forward;
@@ -13,14 +13,16 @@ mod refusal;
 use derivation::Derivation;
 pub use forward::Forward;
 pub use motion::{Curve, Motion};
-pub use orientation::{AngleRelation, Branch, Edge, FirstAngle, One, Orientation, Pole, SecondAngle, Tilt, Two};
+pub use orientation::{
+    AngleRelation, Branch, Edge, FirstAngle, OneRotary, Orientation, Pole, SecondAngle, Tilt, TwoRotaries,
+};
 pub use position::Position;
-pub use refusal::{PARALLEL, Refusal};
+pub use refusal::{PARALLEL_SINE_SQUARED, Refusal};
 
 use std::collections::BTreeMap;
 
 use crate::model::Model;
-use crate::symbolic::{Graph, GraphBuilder, Id, Poly, Symbol, Term, V3};
+use crate::symbolic::{Graph, GraphBuilder, Id, NodeVector, Poly, Symbol, Term};
 
 /// Everything the emitter prints, in one graph.
 #[derive(Debug)]
@@ -36,11 +38,11 @@ pub struct Solved {
     /// Axis values and their rates to the rates of the pose.
     pub motion: Motion,
     /// Direction of every axis, as declared.
-    pub directions: Vec<V3>,
+    pub directions: Vec<NodeVector>,
     /// Centre of every rotary axis for the current set-up; zero for linear axes.
-    pub centres: Vec<V3>,
+    pub centres: Vec<NodeVector>,
     /// Tool axis with all axes at zero.
-    pub tool_axis: V3,
+    pub tool_axis: NodeVector,
     /// Divisors that must not be zero.
     pub conditions: Vec<SideCondition>,
 }
@@ -51,8 +53,8 @@ pub struct SideCondition {
     /// Its value.
     pub divisor: Id,
     /// Absolute values up to this count as zero.
-    pub zero: f64,
-    /// Its meaning if it is zero.
+    pub tolerance: f64,
+    /// Consequence for the machine if it is zero, for the message.
     pub meaning: String,
 }
 
@@ -83,7 +85,7 @@ pub fn solve(model: &mut Model) -> Result<Solved, Vec<Refusal>> {
     Ok(Solved { graph, forward, orientation, position, motion, directions, centres, tool_axis, conditions })
 }
 
-/// Whether a determinant is zero identically, or at the defaults of dimensions and held axes.
+/// True if a determinant is zero identically, or at the defaults of dimensions and held axes.
 fn vanishes(determinant: Term<'_>, defaults: &BTreeMap<Symbol, Poly>) -> bool {
     determinant.read(|reader, node| {
         let value = reader.value(node);
@@ -95,19 +97,19 @@ fn vanishes(determinant: Term<'_>, defaults: &BTreeMap<Symbol, Poly>) -> bool {
 
 /// Divisors of the closed forms.
 fn conditions(orientation: &Orientation, position: &Position) -> Vec<SideCondition> {
-    let condition = |divisor, zero, meaning: &str| SideCondition { divisor, zero, meaning: meaning.into() };
+    let condition = |divisor, tolerance, meaning: &str| SideCondition { divisor, tolerance, meaning: meaning.into() };
     let mut conditions =
         vec![condition(position.determinant, 1e-9, "the linear axes cannot move the tip in every direction")];
     match orientation {
         Orientation::Fixed { .. } => {}
         Orientation::One(one) => conditions.push(condition(
             one.length_claim,
-            PARALLEL,
+            PARALLEL_SINE_SQUARED,
             "the rotary axis is parallel to the tool, so it cannot tilt it",
         )),
         Orientation::Two(two) => conditions.push(condition(
             two.second.capacity,
-            PARALLEL,
+            PARALLEL_SINE_SQUARED,
             "the rotary axes are parallel to each other or to the tool, so the tool cannot tilt",
         )),
     }

@@ -1,7 +1,7 @@
-//! Motion of tip and tool axis when the axes move linearly: two derivatives, and a bound of the third.
+//! Derivatives of tip and tool axis while the axes move linearly: the first two, and a bound of the third.
 //!
-//! From the tool to the workpiece. A linear axis adds to the first derivative; a rotary axis about `n` through `c` with
-//! the rate `δ` makes of `y` the point `z = c + R (y - c)` with
+//! Computed from the tool to the workpiece. A linear axis adds to the first derivative; a rotary axis about `n` through
+//! `c` with the rate `δ` maps a point `y` to `z = c + R (y - c)` with
 //!
 //! ```text
 //! z'  = R (y' + δ n × (y - c))
@@ -9,41 +9,41 @@
 //! |z'''| <= M + |δ| (3 A + |δ| (3 V + |δ| ρ))
 //! ```
 //!
-//! where `V A M` are the largest `|y'| |y''| |y'''|` of the block and `ρ` the largest `|n × (y - c)|`. What is known in
-//! the middle of the block bounds them: `A <= |y''| + M/2`, `V <= |y'| + A/2`, `ρ <= |n × (y - c)| + V/2`. The runtime,
-//! `pp_runtime::kinematics::MotionBound`, makes the deviation of the block from these.
+//! where `V A M` are the largest `|y'| |y''| |y'''|` of the block and `ρ` the largest `|n × (y - c)|`. The values in
+//! the middle of the block bound them: `A <= |y''| + M/2`, `V <= |y'| + A/2`, `ρ <= |n × (y - c)| + V/2`. From these
+//! the runtime, `pp_runtime::kinematics::MotionBound`, computes the deviation of the block.
 
 use super::derivation::{Derivation, Point};
-use crate::model::{Axis, AxisId, Kind, Model};
-use crate::symbolic::{Graph, GraphBuilder, Id, Node, Symbol, Term, V3, Vec3};
+use crate::model::{Axis, AxisId, AxisKind, Model};
+use crate::symbolic::{Graph, GraphBuilder, Id, Node, NodeVector, Symbol, Term, TermVector};
 
-/// Nodes of the moving tool, in a graph of their own.
+/// Nodes of the derivatives, in a graph of their own.
 #[derive(Debug)]
 pub struct Motion {
     /// The nodes.
     pub graph: Graph,
-    /// Change of every axis in a unit of time: rates of the values in mm or rad.
+    /// Change of every axis over the block, mm or rad; the block takes one unit of time, so these are the rates.
     pub changes: Vec<Symbol>,
-    /// Magnitudes of these.
+    /// Absolute values of the changes.
     pub sizes: Vec<Symbol>,
-    /// The tip's curve.
+    /// Derivatives of the tip.
     pub tip: Curve,
     /// The tool axis.
-    pub axis: V3,
-    /// The tool axis' curve.
+    pub axis: NodeVector,
+    /// Derivatives of the tool axis.
     pub axis_curve: Curve,
     /// Centres of the rotary axes for the current set-up.
-    pub centres: Vec<V3>,
+    pub centres: Vec<NodeVector>,
 }
 
 /// Two derivatives, and a bound of the third over a block with these values in its middle.
 #[derive(Debug, Clone, Copy)]
 pub struct Curve {
     /// First derivative.
-    pub rate: V3,
+    pub rate: NodeVector,
     /// Second derivative.
-    pub bend: V3,
-    /// Largest third derivative.
+    pub bend: NodeVector,
+    /// Upper bound of the length of the third derivative.
     pub third: Id,
 }
 
@@ -56,25 +56,25 @@ pub(crate) fn solve(model: &Model) -> Motion {
     let (changes, sizes) = (symbols("change"), symbols("size"));
     let derivation = Derivation { model, graph };
     let moving = Moving { derivation: &derivation, changes: &changes, sizes: &sizes };
-    let (mut tip, mut tip_curve) = (derivation.origin(), moving.still());
-    let (mut axis, mut axis_curve) = (derivation.tool_axis(), moving.still());
+    let (mut tip, mut tip_curve) = (derivation.origin(), moving.at_rest());
+    let (mut axis, mut axis_curve) = (derivation.tool_axis(), moving.at_rest());
     for (id, joint) in model.axes.iter().enumerate().rev() {
         match joint.kind {
-            Kind::Linear => {
+            AxisKind::Linear => {
                 let displacement = derivation.displacement(id);
                 tip.offset = tip.offset + displacement;
-                tip_curve.rate = moving.slid(id, tip_curve.rate);
+                tip_curve.rate = moving.after_linear(id, tip_curve.rate);
             }
-            Kind::Rotary => {
+            AxisKind::Rotary => {
                 tip = derivation.seen_from(tip, Some(id));
-                tip_curve = moving.rotated("tip", id, tip.offset, tip_curve);
+                tip_curve = moving.after_rotary("tip", id, tip.offset, tip_curve);
                 tip = Point { offset: derivation.rotated(id, tip.offset), ..tip };
-                axis_curve = moving.rotated("axis", id, axis, axis_curve);
+                axis_curve = moving.after_rotary("axis", id, axis, axis_curve);
                 axis = derivation.rotated(id, axis);
             }
         }
     }
-    let rotary = |id: &AxisId| model.axes[*id].kind == Kind::Rotary;
+    let rotary = |id: &AxisId| model.axes[*id].kind == AxisKind::Rotary;
     let centres = (0..model.axes.len()).filter(rotary).map(|id| derivation.joint_centre(id).ids()).collect();
     let (tip, axis, axis_curve) = (tip_curve.nodes(), axis.ids(), axis_curve.nodes());
     Motion { graph: derivation.graph.finish(), changes, sizes, tip, axis, axis_curve, centres }
@@ -90,8 +90,8 @@ struct Moving<'a> {
 /// A [`Curve`] under construction: `y'`, `y''` and `M`.
 #[derive(Clone, Copy)]
 struct Derivatives<'g> {
-    rate: Vec3<'g>,
-    bend: Vec3<'g>,
+    rate: TermVector<'g>,
+    bend: TermVector<'g>,
     third: Term<'g>,
 }
 
@@ -102,19 +102,19 @@ impl Derivatives<'_> {
 }
 
 impl<'g> Moving<'g> {
-    fn still(&self) -> Derivatives<'g> {
+    fn at_rest(&self) -> Derivatives<'g> {
         let zero = self.derivation.graph.zero_vector();
         Derivatives { rate: zero, bend: zero, third: self.derivation.graph.integer(0) }
     }
 
-    /// The first derivative with what a linear axis adds to it.
-    fn slid(&self, axis: AxisId, rate: Vec3<'g>) -> Vec3<'g> {
+    /// First derivative after adding the motion of a linear axis.
+    fn after_linear(&self, axis: AxisId, rate: TermVector<'g>) -> TermVector<'g> {
         let change = self.change(axis);
         rate + change * self.derivation.step(axis)
     }
 
-    /// The curve of a point, seen through a rotary axis from whose centre it is `lever` away.
-    fn rotated(&self, what: &str, axis: AxisId, lever: Vec3<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
+    /// Derivatives of a point after a rotary axis; `lever` is the vector from the centre of the axis to the point.
+    fn after_rotary(&self, what: &str, axis: AxisId, lever: TermVector<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
         let Derivatives { rate, bend, .. } = curve;
         let direction = self.derivation.step(axis);
         let change = self.change(axis);
@@ -127,8 +127,8 @@ impl<'g> Moving<'g> {
         Derivatives { rate: self.derivation.rotated(axis, rate), bend: self.derivation.rotated(axis, bend), third }
     }
 
-    /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`, from inside outwards.
-    fn third(&self, axis: AxisId, swing: Vec3<'g>, curve: Derivatives<'g>) -> Term<'g> {
+    /// `M + |δ| (3 A + |δ| (3 V + |δ| ρ))`, computed from the innermost bracket outwards.
+    fn third(&self, axis: AxisId, swing: TermVector<'g>, curve: Derivatives<'g>) -> Term<'g> {
         let Derivatives { rate, bend, third } = curve;
         let (bend, rate, swing) = (self.norm(bend), self.norm(rate), self.norm(swing));
         let size = self.size(axis);
@@ -141,8 +141,8 @@ impl<'g> Moving<'g> {
         third + sum
     }
 
-    /// Length of a vector; of a single axis' motion its magnitude.
-    fn norm(&self, v: Vec3<'g>) -> Term<'g> {
+    /// Length of a vector; the absolute value where it is the motion of a single axis.
+    fn norm(&self, v: TermVector<'g>) -> Term<'g> {
         match self.derivation.graph.with(|graph| self.single_axis(graph, v.ids())) {
             Some(axis) => self.size(axis),
             None => v.norm(),
@@ -150,7 +150,7 @@ impl<'g> Moving<'g> {
     }
 
     /// The axis whose change, or its negative, is the only component that is not zero.
-    fn single_axis(&self, graph: &Graph, v: V3) -> Option<AxisId> {
+    fn single_axis(&self, graph: &Graph, v: NodeVector) -> Option<AxisId> {
         let mut parts = v.into_iter().filter(|id| !graph.is_zero(*id));
         let (Some(only), None) = (parts.next(), parts.next()) else { return None };
         let unsigned = match *graph.node(only) {

@@ -1,13 +1,13 @@
 //! Linear axes from the tip and the sines and cosines of all rotary axes.
 //!
-//! The chain is cut at one place: joints before the cut are undone on the wanted tip, joints after it are applied to
-//! the tool point, and what is left between the two is `Σ q_i w_i` with the directions `w_i` of the linear axes as seen
-//! at the cut. Axes in the group that is cut have constant directions. Every cut gives the same answer; the one with
-//! the fewest operations is kept.
+//! The chain is cut at one place: the inverses of the joints before the cut are applied to the wanted tip, the joints
+//! after it to the tool point. The difference between the two is `Σ q_i w_i` with the directions `w_i` of the linear
+//! axes in the frame at the cut. Axes with no rotary axis between them and the cut have constant directions. Every cut
+//! gives the same values; the one with the fewest operations is kept.
 
 use super::derivation::{Derivation, Point};
-use crate::model::{AxisId, Kind};
-use crate::symbolic::{Id, Operations, Term, Vec3};
+use crate::model::{AxisId, AxisKind};
+use crate::symbolic::{Id, Operations, Term, TermVector};
 
 /// Nodes of the linear axes.
 #[derive(Debug, Clone)]
@@ -16,7 +16,7 @@ pub struct Position {
     pub values: Vec<(AxisId, Id)>,
     /// Determinant of their unit directions.
     pub determinant: Id,
-    /// Place in the chain where it was cut.
+    /// Index of the first axis after the cut.
     pub cut: usize,
 }
 
@@ -33,8 +33,8 @@ pub(crate) fn solve(derivation: &Derivation<'_>) -> Position {
         .expect("a chain has at least one place to cut")
 }
 
-/// A solved linear axis, and its direction as seen at the cut.
-type Column<'g> = (AxisId, Vec3<'g>);
+/// A solved linear axis, and its direction in the frame at the cut.
+type Column<'g> = (AxisId, TermVector<'g>);
 
 fn solve_at(derivation: &Derivation<'_>, cut: usize) -> Position {
     let (wanted, before) = wanted_at(derivation, cut);
@@ -48,16 +48,16 @@ fn solve_at(derivation: &Derivation<'_>, cut: usize) -> Position {
     Position { values, determinant: determinant.id(), cut }
 }
 
-/// The wanted tip with the joints before the cut undone, and the linear axes among these.
+/// The wanted tip after the inverses of the joints before the cut, and the linear axes among these joints.
 fn wanted_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Column<'g>>) {
     let model = derivation.model;
-    let mut wanted = Point { from: None, offset: derivation.graph.inputs(model.frame.tip) };
+    let mut wanted = Point { from: None, offset: derivation.graph.inputs(model.symbols.tip) };
     let mut columns: Vec<Column<'g>> = Vec::new();
     for (id, axis) in model.axes.iter().enumerate().take(cut) {
         match axis.kind {
-            Kind::Linear if axis.held.is_some() => wanted.offset = wanted.offset - derivation.displacement(id),
-            Kind::Linear => columns.push((id, derivation.step(id))),
-            Kind::Rotary => {
+            AxisKind::Linear if axis.held.is_some() => wanted.offset = wanted.offset - derivation.displacement(id),
+            AxisKind::Linear => columns.push((id, derivation.step(id))),
+            AxisKind::Rotary => {
                 wanted = derivation.seen_from(wanted, Some(id));
                 derivation.name("tip_from", id, wanted.offset);
                 wanted.offset = derivation.rotated_back(id, wanted.offset);
@@ -71,15 +71,15 @@ fn wanted_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<
     (wanted, columns)
 }
 
-/// The tool point with the joints after the cut applied, and the linear axes among these.
+/// The tool point after the joints from the cut on, and the linear axes among these joints.
 fn tool_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Column<'g>>) {
     let mut tool = derivation.origin();
     let mut columns: Vec<Column<'g>> = Vec::new();
     for (id, axis) in derivation.model.axes.iter().enumerate().skip(cut).rev() {
         match axis.kind {
-            Kind::Linear if axis.held.is_some() => tool.offset = tool.offset + derivation.displacement(id),
-            Kind::Linear => columns.insert(0, (id, derivation.step(id))),
-            Kind::Rotary => {
+            AxisKind::Linear if axis.held.is_some() => tool.offset = tool.offset + derivation.displacement(id),
+            AxisKind::Linear => columns.insert(0, (id, derivation.step(id))),
+            AxisKind::Rotary => {
                 tool = derivation.seen_from(tool, Some(id));
                 tool.offset = derivation.rotated(id, tool.offset);
                 derivation.name("tool_on", id, tool.offset);
@@ -93,8 +93,8 @@ fn tool_at<'g>(derivation: &'g Derivation<'_>, cut: usize) -> (Point<'g>, Vec<Co
 }
 
 /// `q` with `Σ q_i w_i = gap`, and the determinant of the `w_i`.
-fn solve_three<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
-    let is_fixed = |w: Vec3<'_>| w.components().into_iter().all(Term::is_constant);
+fn solve_three<'g>(w: [TermVector<'g>; 3], gap: TermVector<'g>) -> ([Term<'g>; 3], Term<'g>) {
+    let is_fixed = |w: TermVector<'_>| w.components().into_iter().all(Term::is_constant);
     let varying: Vec<usize> = (0..3).filter(|index| !is_fixed(w[*index])).collect();
     if varying.len() > 1 {
         return by_volumes(w, gap);
@@ -103,8 +103,8 @@ fn solve_three<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>)
 }
 
 /// Cramer's rule: `q_a = gap · (w_b × w_c) / det`, and cyclic.
-fn by_volumes<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
-    let faces: [Vec3<'g>; 3] = std::array::from_fn(|index| w[(index + 1) % 3].cross(w[(index + 2) % 3]));
+fn by_volumes<'g>(w: [TermVector<'g>; 3], gap: TermVector<'g>) -> ([Term<'g>; 3], Term<'g>) {
+    let faces: [TermVector<'g>; 3] = std::array::from_fn(|index| w[(index + 1) % 3].cross(w[(index + 2) % 3]));
     let determinant = w[0].dot(faces[0]).named("determinant");
     if determinant.is_zero() {
         return ([determinant; 3], determinant);
@@ -113,9 +113,9 @@ fn by_volumes<'g>(w: [Vec3<'g>; 3], gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) 
     (faces.map(|face| gap.dot(face) * inverse), determinant)
 }
 
-/// All but `w_c` are fixed: first `q_c`, seen perpendicular to the two others, then these within their plane by the dual
-/// vectors.
-fn by_planes<'g>(w: [Vec3<'g>; 3], c: usize, gap: Vec3<'g>) -> ([Term<'g>; 3], Term<'g>) {
+/// Solution where all directions but `w_c` are fixed: first `q_c`, along the normal of the other two, then these two in
+/// their plane by dual vectors.
+fn by_planes<'g>(w: [TermVector<'g>; 3], c: usize, gap: TermVector<'g>) -> ([Term<'g>; 3], Term<'g>) {
     let (a, b) = ((c + 1) % 3, (c + 2) % 3);
     let normal = w[a].cross(w[b]);
     let determinant = normal.dot(w[c]);

@@ -1,9 +1,9 @@
-//! Chains without kinematics.
+//! Reasons to refuse a chain.
 
 use crate::model::AxisId;
 
 /// Square of the sine below which two directions count as parallel.
-pub const PARALLEL: f64 = 1e-18;
+pub const PARALLEL_SINE_SQUARED: f64 = 1e-18;
 
 /// The reason that a chain has no kinematics.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -12,6 +12,6 @@ pub enum Refusal {
     DependentLinears,
     /// The solved rotary nearest the tool is parallel to the tool axis.
     CannotTilt(AxisId),
-    /// Both solved rotaries turn about the same direction.
+    /// Both solved rotaries rotate about the same direction.
     SameDirection(AxisId, AxisId),
 }

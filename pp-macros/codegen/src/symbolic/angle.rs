@@ -11,9 +11,9 @@ use super::surd::exact_sin_cos;
 
 /// Sine and cosine of a fixed angle: exact for multiples of 15°, else constants with a float value.
 ///
-/// Rule `quarter-turn`: angles that differ by quarter turns, or add up to one, share their constants, so
+/// Rule `quarter-turn`: angles that differ by multiples of 90°, or add up to one, share their constants, so
 /// `sin 123° = cos 33°` is exact.
-pub fn turn_by(degrees: &BigRational, ring: &mut Ring) -> (Poly, Poly) {
+pub fn sin_cos_of_degrees(degrees: &BigRational, ring: &mut Ring) -> (Poly, Poly) {
     if let Some((sine, cosine)) = exact_sin_cos(degrees) {
         return (Poly::from(sine), Poly::from(cosine));
     }

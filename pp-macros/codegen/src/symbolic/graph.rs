@@ -1,9 +1,9 @@
 //! The expression graph that is printed as Rust: hash-consed, folded while it is built.
 //!
-//! A node is made once: asking for the same operation on the same operands gives the same [`Id`], which is all the
-//! sharing of common subexpressions there is. Folding is exact and never changes a result by more than the rounding it
-//! saves: constants, zeros and ones, double negation, `a - a`. Signs move outwards (`(-a)·b = -(a·b)`), which lets two
-//! branches share what differs only in sign.
+//! A node is made once: the same operation on the same operands gives the same [`Id`]. This alone shares common
+//! subexpressions. Folding is exact and never changes a result by more than the rounding it saves: constants, zeros and
+//! ones, double negation, `a - a`. Signs move outwards (`(-a)·b = -(a·b)`), so that two branches share subexpressions
+//! that differ only in sign.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ use super::ring::Ring;
 pub struct Id(u32);
 
 /// Three nodes.
-pub type V3 = [Id; 3];
+pub type NodeVector = [Id; 3];
 
 /// One operation.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -87,7 +87,7 @@ impl Graph {
         &self.nodes[id.0 as usize]
     }
 
-    /// Names a node for the reader of the code; the first name stays. Constants and inputs keep their own.
+    /// Names a node in generated code; the first name is kept. Constants and inputs keep their own.
     pub fn name(&mut self, id: Id, name: impl Into<String>) -> Id {
         if !matches!(self.node(id), Node::Constant(_) | Node::Input(_)) {
             self.names.entry(id).or_insert_with(|| name.into());

@@ -1,4 +1,4 @@
-//! Reads graph nodes back as polynomials: the bridge from what runs to what is proven.
+//! Reads graph nodes back as polynomials, so that the formulas that are proven are the ones that run.
 
 use std::collections::BTreeMap;
 
@@ -16,17 +16,17 @@ pub struct Interpreter<'a> {
     inputs: BTreeMap<Symbol, Poly>,
     values: BTreeMap<Id, Poly>,
     reciprocals: Vec<(Poly, Poly)>,
-    /// Something was divided by what vanishes identically: nothing is equal any more.
+    /// True after a division by an identically vanishing divisor: from then on nothing counts as equal.
     void: bool,
 }
 
 impl<'a> Interpreter<'a> {
-    /// With the given polynomials for some inputs; the others are taken as they are.
+    /// With the given polynomials for some inputs; the others stay symbols.
     pub fn new(graph: &'a mut Graph, inputs: BTreeMap<Symbol, Poly>) -> Self {
         Self { graph, inputs, values: BTreeMap::new(), reciprocals: Vec::new(), void: false }
     }
 
-    /// Takes `value` for a `√` node, if the squares agree exactly; the caller answers for `value >= 0`.
+    /// Takes `value` for a `√` node, if the squares agree exactly; the caller guarantees `value >= 0`.
     #[must_use]
     pub fn claim(&mut self, root: Id, value: &Poly) -> bool {
         let Node::Sqrt(radicand) = *self.graph.node(root) else { return false };
@@ -39,12 +39,12 @@ impl<'a> Interpreter<'a> {
         holds
     }
 
-    /// Takes `value` for a node; the caller answers for it.
+    /// Takes `value` for a node; the caller guarantees that it is right.
     pub fn assume(&mut self, node: Id, value: Poly) {
         self.values.insert(node, value);
     }
 
-    /// Takes a generator with the square `square` for a `√` node; the caller answers for the square.
+    /// Takes a generator with the square `square` for a `√` node; the caller guarantees the square.
     pub fn assume_square(&mut self, root: Id, square: Poly) -> Symbol {
         let symbol = self.graph.root("r", square);
         self.values.insert(root, Poly::from(symbol));

@@ -4,7 +4,7 @@ use super::poly::Poly;
 use super::ring::Ring;
 
 /// Three components.
-pub type P3 = [Poly; 3];
+pub type PolyVector = [Poly; 3];
 
 /// Homogeneous 4×4 matrix, rows first.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,20 +32,20 @@ impl Matrix {
 
     /// Image of a direction: `self · (v, 0)`.
     #[must_use]
-    pub fn turn(&self, direction: &P3, ring: &Ring) -> P3 {
+    pub fn rotate(&self, direction: &PolyVector, ring: &Ring) -> PolyVector {
         std::array::from_fn(|row| ring.dot(&self.0[row][..3], direction))
     }
 
     /// The translation column: `self · (0, 0, 0, 1)`.
     #[must_use]
-    pub fn origin(&self) -> P3 {
+    pub fn origin(&self) -> PolyVector {
         std::array::from_fn(|row| self.0[row][3].clone())
     }
 }
 
 /// `Trans(a, b, c)`.
 #[must_use]
-pub fn translation(by: &P3) -> Matrix {
+pub fn translation(by: &PolyVector) -> Matrix {
     let mut matrix = Matrix::identity();
     for (row, component) in by.iter().enumerate() {
         matrix.0[row][3] = component.clone();
@@ -56,7 +56,7 @@ pub fn translation(by: &P3) -> Matrix {
 /// `Rot(n, t)` about a unit vector `n`, with the sine and cosine of `t`:
 /// `n nᵀ + (1 - n nᵀ) cos t + [n]× sin t`. For `n` = x, y, z these are the papers' three matrices.
 #[must_use]
-pub fn rotation(n: &P3, sine: &Poly, cosine: &Poly, ring: &Ring) -> Matrix {
+pub fn rotation(n: &PolyVector, sine: &Poly, cosine: &Poly, ring: &Ring) -> Matrix {
     let mut matrix = Matrix::identity();
     for row in 0..3 {
         for column in 0..3 {

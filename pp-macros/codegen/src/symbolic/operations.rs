@@ -1,4 +1,4 @@
-//! Floating-point operations of a set of outputs.
+//! Number of floating-point operations for a set of outputs.
 
 use super::graph::{Graph, Id, Node};
 

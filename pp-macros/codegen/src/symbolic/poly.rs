@@ -5,7 +5,7 @@ use std::ops::{Add, Neg, Sub};
 
 use super::surd::Surd;
 
-/// A variable; what it means is known to whoever made it.
+/// A variable; its meaning is defined where it is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Symbol(pub(crate) u32);
 
@@ -31,7 +31,7 @@ impl Poly {
         Self::from(Surd::one())
     }
 
-    /// True if nothing is left.
+    /// True for the zero polynomial.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()

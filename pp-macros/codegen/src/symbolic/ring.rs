@@ -1,8 +1,8 @@
 //! Symbols with their relations, and arithmetic modulo these.
 //!
 //! Squares rewrite (rules `circle`, `unit-vector`, `root`), each to a polynomial of lower degree in the leading symbol;
-//! the leading symbols are distinct, hence coprime: normal forms are unique. Remainder 0 proves that a polynomial vanishes,
-//! and nothing is sampled; what another remainder means is said in [`symbolic`](super). Reciprocals are
+//! the leading symbols are distinct, hence coprime: normal forms are unique. Remainder 0 proves that a polynomial
+//! vanishes, and nothing is sampled; [`symbolic`](super) explains what another remainder means. Reciprocals are
 //! multiplied out first (rule `clear`).
 
 use std::collections::BTreeMap;
@@ -14,7 +14,7 @@ use super::surd::Surd;
 
 /// Facts about a symbol.
 #[derive(Debug, Clone)]
-struct Known {
+struct SymbolFacts {
     name: String,
     /// Set for constants (the sine of a fixed angle, the root of a number).
     value: Option<f64>,
@@ -31,11 +31,11 @@ struct Known {
 /// Symbols and relations.
 #[derive(Debug, Clone, Default)]
 pub struct Ring {
-    known: Vec<Known>,
+    known: Vec<SymbolFacts>,
 }
 
 impl Ring {
-    /// A free symbol. Its name is its own: a name that is taken gets an underscore.
+    /// A free symbol. Names are unique: one that is in use gets an underscore.
     pub fn symbol(&mut self, name: impl Into<String>) -> Symbol {
         let name = self.free_name(name.into());
         self.push(name, None, None, None)
@@ -71,7 +71,7 @@ impl Ring {
     /// Rule `one-root`: a constant has one root, so asking again gives the same symbol.
     pub fn root(&mut self, name: impl Into<String>, radicand: Poly) -> Symbol {
         let value = self.value(&radicand).map(f64::sqrt);
-        let same = |known: &Known| known.value.is_some() && known.square.as_ref() == Some(&radicand);
+        let same = |known: &SymbolFacts| known.value.is_some() && known.square.as_ref() == Some(&radicand);
         if let (Some(_), Some(index)) = (value, self.known.iter().position(same)) {
             return symbol_at(index);
         }
@@ -80,7 +80,7 @@ impl Ring {
         root
     }
 
-    /// Whether a symbol is a root.
+    /// True if a symbol is a root.
     #[must_use]
     pub fn is_root(&self, symbol: Symbol) -> bool {
         self.known[symbol.0 as usize].root
@@ -98,7 +98,7 @@ impl Ring {
         &self.known[symbol.0 as usize].name
     }
 
-    /// Whether a reciprocal occurs.
+    /// True if a reciprocal occurs.
     #[must_use]
     pub fn has_reciprocal(&self, poly: &Poly) -> bool {
         poly.symbols().any(|symbol| self.known[symbol.0 as usize].divisor.is_some())
@@ -144,7 +144,7 @@ impl Ring {
         Some(sum)
     }
 
-    /// Sum of the absolute values of all terms: what rounding is measured by.
+    /// Sum of the absolute values of all terms: the scale of rounding errors.
     pub fn magnitude(&self, poly: &Poly, of: &dyn Fn(Symbol) -> Option<f64>) -> Option<f64> {
         let term = |(monomial, factor): (&Monomial, &Surd)| {
             let mut single = Poly::zero();
@@ -154,7 +154,7 @@ impl Ring {
         poly.terms.iter().map(term).sum()
     }
 
-    /// A polynomial as a person reads it; factors to nine digits.
+    /// Text of a polynomial; factors rounded to nine decimals.
     #[must_use]
     pub fn text(&self, poly: &Poly) -> String {
         let mut text = String::new();
@@ -251,7 +251,7 @@ impl Ring {
             if degree == 0 {
                 continue;
             }
-            // Horner in the divisor, highest power of the reciprocal first... p_0 d^n + p_1 d^(n-1) + ... + p_n.
+            // Horner's scheme in the divisor: p_0 d^n + p_1 d^(n-1) + ... + p_n.
             let mut cleared = Poly::zero();
             for power in 0..=degree {
                 cleared = &self.mul(&cleared, divisor) + &rest.coefficient(symbol, power);
@@ -273,7 +273,7 @@ impl Ring {
 
     fn push(&mut self, name: String, value: Option<f64>, square: Option<Poly>, divisor: Option<Poly>) -> Symbol {
         let symbol = symbol_at(self.known.len());
-        self.known.push(Known { name, value, square, divisor, angle: None, root: false });
+        self.known.push(SymbolFacts { name, value, square, divisor, angle: None, root: false });
         symbol
     }
 

@@ -1,11 +1,11 @@
-//! The sign of a polynomial, as a product of factors that a person can check.
+//! The sign of a polynomial, as a product of factors that can be checked by hand.
 //!
-//! Only what is *shown* depends on this module: which formula is right is proven by remainders, and on which part it is
-//! right is the polynomial given here. Five rules, none changes the sign:
+//! Only the *text* of conditions depends on this module: that a formula holds is proven by remainders, and where it
+//! holds is stated by the polynomial that comes in. Five rules; none changes the sign:
 //! - `clear-even`: a reciprocal is cleared by an even power of its divisor;
 //! - `content`: positive numbers and even powers are left out;
-//! - `factor`: `sin T`, `cos T`, `1 ± sin T` and `1 ± cos T` are divided out where they divide exactly; the last two are
-//!   never negative;
+//! - `factor`: `sin T`, `cos T`, `1 ± sin T` and `1 ± cos T` are divided out where they divide exactly; the last two
+//!   are never negative;
 //! - `root`: a root is never negative;
 //! - `vertices`: a polynomial of first degree in each of several bounded quantities takes its extremes at their bounds.
 
@@ -16,15 +16,16 @@ use super::poly::{Monomial, Poly, Symbol};
 use super::ring::Ring;
 use super::surd::Surd;
 
-/// Bounded quantities that the rule `vertices` looks at.
+/// Largest number of bounded quantities for the rule `vertices`.
 const MOST_BOUNDS: usize = 12;
 
-/// A sign: that of the product of `factors`, times -1 if `negative`; never the other one, perhaps zero at more places.
+/// A sign: that of the product of `factors`, times -1 if `negative`. The polynomial never has the opposite sign, but
+/// may be zero at more places.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Sign {
     /// One factor of -1.
     pub negative: bool,
-    /// Factors that can change their sign, or are not known not to; empty if the sign is constant.
+    /// Factors whose sign may change; empty if the sign is constant.
     pub factors: Vec<Poly>,
 }
 
@@ -44,7 +45,8 @@ pub fn sign_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Sign {
 
 /// Zeros of a polynomial that its [`Sign`] does not show: factors of even powers, and those that are never negative.
 ///
-/// Left out is what vanishes only where a factor of the sign does: `1 ± cos T` next to `sin T`, `1 ± sin T` next to `cos T`.
+/// Left out is what vanishes only where a factor of the sign does: `1 ± cos T` next to `sin T`, `1 ± sin T` next to
+/// `cos T`.
 #[must_use]
 pub fn hidden_zeros_of(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Vec<Poly> {
     let Factors { list, rest, .. } = factorise(ring, poly, circles);
@@ -148,7 +150,7 @@ fn without_content(ring: &Ring, poly: &Poly, factors: &mut Factors) -> Poly {
     rest
 }
 
-/// A factor `a + b·s` or `a + b·c` that may divide.
+/// A candidate for a factor, `a + b·s` or `a + b·c`.
 struct Divisor {
     sine: Symbol,
     cosine: Symbol,
@@ -219,7 +221,7 @@ fn divide_by_univariate(poly: &Poly, x: Symbol, divisor: &[i64]) -> Option<Poly>
     left.iter().all(Poly::is_zero).then_some(quotient)
 }
 
-/// The finding of rule `vertices`.
+/// Result of the rule `vertices`.
 struct Bounds {
     /// Never positive; otherwise never negative.
     negative: bool,
@@ -227,11 +229,11 @@ struct Bounds {
     touches_zero: bool,
 }
 
-/// Rule `vertices`: nothing if the sign changes, or is not known not to.
+/// Rule `vertices`: `None` if the sign changes or is unknown.
 ///
 /// Every power of a sine or cosine counts as a quantity of its own, even powers between 0 and 1, odd ones between -1
-/// and 1: that looks at more points than there are, so what holds for them holds. The sums are exact unless constants
-/// without an exact value occur.
+/// and 1: the tested points include all that exist, so a sign that holds for them holds. The sums are exact unless
+/// constants without an exact value occur.
 fn bounds(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Option<Bounds> {
     let round: BTreeSet<Symbol> = circles.iter().flat_map(|(s, c)| [*s, *c]).collect();
     let mut quantities: Vec<(Symbol, u32)> = Vec::new();
@@ -272,7 +274,7 @@ fn bounds(ring: &Ring, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Option<Boun
                 exact_sum = &exact_sum - factor;
             }
         }
-        // Rounding of a sum that is exactly zero, where no exact value is at hand.
+        // Without an exact value a sum within rounding counts as zero.
         let inexact = if sum.abs() < 1e-12 { Ordering::Equal } else { sum.total_cmp(&0.0) };
         signs.insert(if exact { exact_sum.sign() } else { inexact });
         if signs.contains(&Ordering::Less) && signs.contains(&Ordering::Greater) {
@@ -322,7 +324,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sum_that_dips_below_zero_by_a_trifle_stays() {
+    fn a_sum_slightly_below_zero_keeps_its_factor() {
         let Circle { ring, pair, s, .. } = circle();
         let trifle = Surd::ratio(1_000_000_000_000_001, 1_000_000_000_000_000);
         let sum = &Poly::one() - &s.scaled(&trifle);

@@ -1,12 +1,12 @@
 //! Exact numbers: sums of square roots of square-free numbers with rational factors.
 //!
 //! `q1·√n1 + q2·√n2 + ...` is closed under `+ - * /`, and holds every direction with rational components after
-//! normalisation and every turn by a multiple of 15°. Rationals are of any size: random directions overflow any fixed
-//! width.
+//! normalisation and every rotation by a multiple of 15°. Rationals are of any size: random directions overflow any
+//! fixed width.
 //!
-//! Radicands are made square-free by trial division up to [`TRIAL_LIMIT`] and a test for perfect squares. Where that
-//! does not settle the matter (a radicand above the cube of the limit) there is no surd, and the caller takes an
-//! algebraic symbol with the root's square as its relation.
+//! Radicands are made square-free by trial division up to [`TRIAL_LIMIT`] and a test for perfect squares. Where that is
+//! not conclusive (a radicand above the cube of the limit) no surd is returned, and the caller takes an algebraic
+//! symbol with the root's square as its relation.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -20,7 +20,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 /// Largest prime whose square is taken out of a radicand.
 const TRIAL_LIMIT: u32 = 20_000;
 
-/// Binary digits after the point when a surd is turned into a float.
+/// Binary digits after the point in the conversion of a surd to a float.
 const FLOAT_DIGITS: usize = 192;
 
 /// A number `Σ q_n √n`, `n` square-free; the empty sum is zero.
@@ -51,7 +51,7 @@ impl Surd {
         Self::from(BigRational::new(numerator.into(), denominator.into()))
     }
 
-    /// `√n` of a rational number; `None` for a negative one, or where the square-free part is out of reach.
+    /// `√n` of a rational number; `None` for a negative one, or where the square-free part is not found.
     #[must_use]
     pub fn sqrt_of_rational(value: &BigRational) -> Option<Self> {
         if value.is_negative() {
@@ -106,7 +106,8 @@ impl Surd {
         if let Some(rational) = self.as_rational() {
             return Some(Self::from(rational.recip()));
         }
-        // Rule `conjugate`: self = a + √b·c with a and c free of √b: 1/self = (a - √b·c) / (a² - b·c²), one root less below.
+        // Rule `conjugate`: self = a + √b·c with a and c free of √b: 1/self = (a - √b·c) / (a² - b·c²), one root less
+        // below.
         let (a, base, c) = self.split()?;
         let b = Self::from(BigRational::from(BigInt::from(base.clone())));
         let norm = &(&a * &a) - &(&b * &(&c * &c));
@@ -215,7 +216,7 @@ impl Surd {
     }
 }
 
-/// `n = outside² · inside` with `inside` square-free; `None` if that takes too long to find out.
+/// `n = outside² · inside` with `inside` square-free; `None` if trial division up to the limit is not conclusive.
 fn split_square(mut number: BigUint) -> Option<(BigUint, BigUint)> {
     let (mut outside, mut inside) = (BigUint::one(), BigUint::one());
     if number.is_zero() {
@@ -380,7 +381,7 @@ mod tests {
         let near = &Surd::ratio(577, 408) - &root(2);
         assert_eq!(near.sign(), Ordering::Greater);
         assert_eq!((-&near).sign(), Ordering::Less);
-        // (√2 + √3)² = 5 + 2√6: the digits of a float do not tell the two apart.
+        // (√2 + √3)² = 5 + 2√6: floats cannot distinguish the two.
         let sum = &root(2) + &root(3);
         let five = &(&Surd::from(5) + &(&Surd::from(2) * &root(6))) - &(&sum * &sum);
         assert_eq!(five.sign(), Ordering::Equal);

@@ -8,9 +8,9 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::graph::{Graph, Id, V3};
+use super::graph::{Graph, Id, NodeVector};
 use super::interpret::Interpreter;
-use super::matrix::P3;
+use super::matrix::PolyVector;
 use super::poly::{Poly, Symbol};
 use super::ring::Ring;
 
@@ -63,20 +63,20 @@ impl GraphBuilder {
 
     /// A vector supplied by the surrounding code.
     #[must_use]
-    pub fn inputs(&self, symbols: [Symbol; 3]) -> Vec3<'_> {
-        Vec3(symbols.map(|symbol| self.input(symbol)))
+    pub fn inputs(&self, symbols: [Symbol; 3]) -> TermVector<'_> {
+        TermVector(symbols.map(|symbol| self.input(symbol)))
     }
 
     /// A vector of declared quantities, as written; see [`Graph::declared`].
     #[must_use]
-    pub fn declared(&self, vector: &P3) -> Vec3<'_> {
-        Vec3(vector.each_ref().map(|component| self.make(|graph| graph.declared(component))))
+    pub fn declared(&self, vector: &PolyVector) -> TermVector<'_> {
+        TermVector(vector.each_ref().map(|component| self.make(|graph| graph.declared(component))))
     }
 
     /// The vector (0, 0, 0).
     #[must_use]
-    pub fn zero_vector(&self) -> Vec3<'_> {
-        Vec3([self.integer(0); 3])
+    pub fn zero_vector(&self) -> TermVector<'_> {
+        TermVector([self.integer(0); 3])
     }
 
     fn make(&self, node: impl FnOnce(&mut Graph) -> Id) -> Term<'_> {
@@ -98,7 +98,7 @@ impl Term<'_> {
         self.id
     }
 
-    /// The same term with a name for the reader of the code; see [`Graph::name`].
+    /// The same term with a name in generated code; see [`Graph::name`].
     #[expect(clippy::return_self_not_must_use, reason = "the name stays with the node")]
     pub fn named(self, name: impl Into<String>) -> Self {
         self.builder.with(|graph| graph.name(self.id, name));
@@ -230,12 +230,12 @@ impl<'g> Div<i64> for Term<'g> {
 
 /// Three terms: a vector, for use with operators.
 #[derive(Debug, Clone, Copy)]
-pub struct Vec3<'g>([Term<'g>; 3]);
+pub struct TermVector<'g>([Term<'g>; 3]);
 
-impl<'g> Vec3<'g> {
+impl<'g> TermVector<'g> {
     /// The nodes.
     #[must_use]
-    pub fn ids(self) -> V3 {
+    pub fn ids(self) -> NodeVector {
         self.0.map(Term::id)
     }
 
@@ -307,35 +307,35 @@ pub(crate) fn nodes((sine, cosine): (Term<'_>, Term<'_>)) -> (Id, Id) {
     (sine.id(), cosine.id())
 }
 
-impl Add for Vec3<'_> {
+impl Add for TermVector<'_> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self::from_fn(|index| self.0[index] + other.0[index])
     }
 }
 
-impl Sub for Vec3<'_> {
+impl Sub for TermVector<'_> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         Self::from_fn(|index| self.0[index] - other.0[index])
     }
 }
 
-impl Neg for Vec3<'_> {
+impl Neg for TermVector<'_> {
     type Output = Self;
     fn neg(self) -> Self {
         Self(self.0.map(Neg::neg))
     }
 }
 
-impl<'g> Mul<Vec3<'g>> for Term<'g> {
-    type Output = Vec3<'g>;
-    fn mul(self, vector: Vec3<'g>) -> Vec3<'g> {
-        Vec3(vector.0.map(|component| self * component))
+impl<'g> Mul<TermVector<'g>> for Term<'g> {
+    type Output = TermVector<'g>;
+    fn mul(self, vector: TermVector<'g>) -> TermVector<'g> {
+        TermVector(vector.0.map(|component| self * component))
     }
 }
 
-impl<'g> Div<Term<'g>> for Vec3<'g> {
+impl<'g> Div<Term<'g>> for TermVector<'g> {
     type Output = Self;
     fn div(self, divisor: Term<'g>) -> Self {
         Self(self.0.map(|component| component / divisor))
@@ -351,7 +351,7 @@ mod tests {
         let graph = GraphBuilder::new(Ring::default());
         let (s, c) = graph.with(|graph| graph.sin_cos("s", "c"));
         let v = graph.inputs(["x", "y", "z"].map(|name| graph.symbol(name)));
-        let n = Vec3([0, 0, 1].map(|value| graph.integer(value)));
+        let n = TermVector([0, 0, 1].map(|value| graph.integer(value)));
         let (s, c) = (graph.input(s), graph.input(c));
         let turned = v.rotated(n, s, c).ids();
         assert_eq!(turned[2], v.ids()[2]);

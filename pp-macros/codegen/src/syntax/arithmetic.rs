@@ -9,10 +9,10 @@ use super::source::Source;
 use crate::model::to_f64;
 use crate::report::Phrase;
 
-/// Deepest nesting of an expression; deeper ones come from no hand.
+/// Deepest nesting of an expression; hand-written ones are far below.
 const DEEPEST: usize = 64;
 
-/// Largest exponent after `^` or `e`.
+/// Largest exponent after `^`, and largest product of nested exponents.
 const LARGEST_POWER: u32 = 64;
 
 /// Reads a sum.
@@ -22,7 +22,8 @@ pub(crate) fn expression(input: ParseStream<'_>, source: &Source) -> syn::Result
 
 fn sum(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Expr> {
     if depth > DEEPEST {
-        return Err(input.error(format!("nested too deeply\n\nhelp: at most {DEEPEST} parentheses may be open")));
+        return Err(input
+            .error(format!("parentheses are nested too deeply\n\nhelp: use at most {DEEPEST} levels of parentheses")));
     }
     let mut left = product(input, source, depth)?;
     while input.peek(Token![+]) || input.peek(Token![-]) {
@@ -75,7 +76,9 @@ fn power(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<E
         _ => None,
     };
     let Some(whole) = whole.filter(|n| n.saturating_mul(base.power()) <= LARGEST_POWER) else {
-        let text = format!("an exponent is a whole number up to {LARGEST_POWER}\n\nhelp: write `a ^ 2`");
+        let text = format!(
+            "an exponent must be a whole number up to {LARGEST_POWER}, nested exponents multiplied\n\nhelp: write `a ^ 2`"
+        );
         return Err(syn::Error::new_spanned(exponent.phrase, text));
     };
     Ok(Expr { phrase: base.phrase.to(exponent.phrase), kind: ExprKind::Power(Box::new(base), whole) })
@@ -119,11 +122,11 @@ fn atom(input: ParseStream<'_>, source: &Source, depth: usize) -> syn::Result<Ex
     }
 }
 
-/// A literal with its unit, glued on (`45deg`) or after it (`45 deg`).
+/// A literal with its unit, as a suffix (`45deg`) or as the next word (`45 deg`).
 fn number(input: ParseStream<'_>, source: &Source, mut phrase: Phrase, literal: &Literal) -> syn::Result<Expr> {
     let text = literal.to_string().replace('_', "");
     let wrong = |help: &str| {
-        let text = format!("`{literal}` is not a number here\n\nhelp: {help}");
+        let text = format!("`{literal}` is not a valid number\n\nhelp: {help}");
         Err(syn::Error::new_spanned(phrase, text))
     };
     if ["0x", "0X", "0b", "0o"].iter().any(|prefix| text.starts_with(prefix)) {
@@ -135,16 +138,16 @@ fn number(input: ParseStream<'_>, source: &Source, mut phrase: Phrase, literal: 
     let digits = text.find(|c: char| c.is_ascii_alphabetic() && !matches!(c, 'e' | 'E')).unwrap_or(text.len());
     let (digits, suffix) = text.split_at(digits);
     let Some(value) = decimal(digits) else {
-        return wrong("write a decimal number such as 150.0, with `deg` or `mm` behind it if it needs a unit");
+        return wrong("write a decimal number such as 150.0, followed by `deg` or `mm` if it has a unit");
     };
     if !to_f64(&value).is_finite() {
-        return wrong("it is larger than any number of the machine");
+        return wrong("it is too large: the largest number is about 1.8e308");
     }
     let mut unit = match suffix {
         "" => None,
         "deg" => Some(Unit::Degree),
         "mm" => Some(Unit::Millimetre),
-        other => return wrong(&format!("the unit `{other}` is not known: use `deg` or `mm`")),
+        other => return wrong(&format!("unknown unit `{other}`: use `deg` or `mm`")),
     };
     if unit.is_none() {
         let ahead = input.fork();

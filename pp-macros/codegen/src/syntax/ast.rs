@@ -1,4 +1,4 @@
-//! A declaration as written.
+//! Syntax tree of a declaration.
 
 use super::expr::Expr;
 use crate::report::Phrase;
@@ -23,7 +23,7 @@ pub struct Declaration {
     pub dimensions: Vec<Assign<Expr>>,
     /// `tool_axis = (0, 0, 1);`
     pub tool_axis: Option<Direction>,
-    /// Fields and entries that could not be read; that is reported already.
+    /// Names of fields and entries that could not be parsed; they are reported already.
     pub unreadable: Vec<String>,
     /// `hold = { W: 0 };`
     pub hold: Vec<Assign<Expr>>,
@@ -42,27 +42,27 @@ pub struct Verify {
     pub source: String,
     /// `where alpha = -45 deg;`
     pub assumptions: Vec<Assign<Expr>>,
-    /// In their order.
+    /// Equations in source order.
     pub equations: Vec<Equation>,
 }
 
 /// `left = right;`
 #[derive(Debug, Clone)]
 pub struct Equation {
-    /// Both sides.
+    /// Location of both sides.
     pub phrase: Phrase,
-    /// Before `=`.
+    /// Left side.
     pub left: Expr,
-    /// After it.
+    /// Right side.
     pub right: Expr,
 }
 
 /// A name and its place in the source.
 #[derive(Debug, Clone)]
-pub struct Spot {
+pub struct SpannedName {
     /// As written.
     pub name: String,
-    /// Where.
+    /// Location in the source.
     pub phrase: Phrase,
 }
 
@@ -70,26 +70,23 @@ pub struct Spot {
 #[derive(Debug, Clone)]
 pub struct Assign<T> {
     /// An axis letter or a dimension.
-    pub key: Spot,
-    /// The text after the colon.
+    pub key: SpannedName,
+    /// Value after the colon.
     pub value: T,
 }
 
-/// The axes of the chain and the machine frame among them.
+/// Axes of the chain, and the machine frame between them.
 #[derive(Debug, Clone)]
 pub struct Chain {
-    /// All letters and bars after `chain:`.
+    /// Location of all letters and bars after `chain:`.
     pub phrase: Phrase,
     /// Letters in order.
-    pub axes: Vec<Axis>,
+    pub axes: Vec<SpannedName>,
     /// For each `|`, the number of letters before it.
     pub bars: Vec<(usize, Phrase)>,
 }
 
-/// One letter of the chain.
-pub type Axis = Spot;
-
-/// `d`.
+/// Value of `d`: points on the rotary centre lines.
 #[derive(Debug, Clone)]
 pub enum Offsets {
     /// One point for all rotaries.
@@ -101,7 +98,7 @@ pub enum Offsets {
 /// Three components in parentheses.
 #[derive(Debug, Clone)]
 pub struct Vector {
-    /// With the parentheses.
+    /// Location, parentheses included.
     pub phrase: Phrase,
     /// The components.
     pub parts: Vec<Expr>,
@@ -110,13 +107,13 @@ pub struct Vector {
 /// `Rx(a) * Ry(b) * Z` or a vector.
 #[derive(Debug, Clone)]
 pub struct Direction {
-    /// The whole product.
+    /// Location of the whole product.
     pub phrase: Phrase,
-    /// Turns from left to right: 0, 1, 2 for Rx, Ry, Rz, and the angle.
-    pub turns: Vec<(usize, Expr)>,
+    /// Rotations from left to right: 0, 1, 2 for Rx, Ry, Rz, with the angle.
+    pub rotations: Vec<(usize, Expr)>,
     /// True for `-Z`.
     pub negated: bool,
-    /// The vector that is turned.
+    /// Vector that is rotated.
     pub base: Base,
 }
 
@@ -132,8 +129,8 @@ pub enum Base {
 /// Travel of an axis.
 #[derive(Debug, Clone)]
 pub enum Limits {
-    /// Endless.
+    /// `free`: no limits.
     Free,
-    /// Inclusive.
+    /// Lower and upper end, inclusive.
     Range(Box<(Expr, Expr)>),
 }

@@ -1,4 +1,4 @@
-//! Expressions of the declaration, and how they are written.
+//! Expressions of the declaration, and their text.
 
 use num_bigint::BigInt;
 use num_rational::BigRational;
@@ -43,7 +43,7 @@ pub enum ExprKind {
 }
 
 impl Expr {
-    /// Whether a name occurs.
+    /// True if the name `wanted` occurs.
     pub(crate) fn mentions(&self, wanted: &str) -> bool {
         match &self.kind {
             ExprKind::Number(..) => false,
@@ -84,7 +84,7 @@ impl Expr {
     }
 }
 
-/// As the language writes it, with the parentheses that the reading needs and no others.
+/// Text in the language of the macro, with necessary parentheses only.
 impl std::fmt::Display for Expr {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         self.write(f, 0)
@@ -92,7 +92,8 @@ impl std::fmt::Display for Expr {
 }
 
 impl Expr {
-    /// `least`: 0 sums, 1 products, 2 unary minus, 3 powers' bases.
+    /// Writes the expression, in parentheses if it binds weaker than `least`: 0 sums, 1 products, 2 unary minus,
+    /// 3 powers, 4 bases of powers.
     fn write(&self, f: &mut std::fmt::Formatter<'_>, least: u8) -> std::fmt::Result {
         let strength = match &self.kind {
             ExprKind::Binary(_, '+' | '-', _) => 0,
@@ -140,14 +141,14 @@ impl Expr {
     }
 }
 
-/// Numbers are read from decimal digits; one with more digits than a float keeps its fraction.
+/// Decimal digits where a float is exact, a fraction otherwise.
 fn number_text(value: &BigRational) -> String {
     let short = to_f64(value);
     let text = format!("{short}");
     if decimal(&text).as_ref() == Some(value) { text } else { value.to_string() }
 }
 
-/// `12`, `12.5`, `1.5e-3`, exactly.
+/// Exact value of `12`, `12.5`, `1.5e-3`; `None` for other text and for exponents beyond 400.
 pub(crate) fn decimal(text: &str) -> Option<BigRational> {
     let (mantissa, exponent) = match text.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i32>().ok()?),

@@ -1,4 +1,4 @@
-//! Tokens to [`Declaration`]: the only place that knows how `machine!` is written, and where.
+//! Tokens to [`Declaration`]: the grammar of `machine!`, and the source locations of its parts.
 
 mod arithmetic;
 mod ast;
@@ -6,6 +6,6 @@ mod expr;
 mod parse;
 mod source;
 
-pub use ast::{Assign, Axis, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, Spot, Vector, Verify};
+pub use ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, SpannedName, Vector, Verify};
 pub use expr::{Expr, ExprKind, Unit};
 pub use parse::parse;

@@ -1,11 +1,11 @@
-//! Token streams to declarations. A field that cannot be read is reported and skipped; reading goes on after it.
+//! Token streams to declarations. A field that cannot be parsed is reported and skipped; parsing continues after it.
 
 use proc_macro2::{TokenStream, TokenTree};
 use syn::parse::{ParseStream, Parser};
 use syn::{Token, token};
 
 use super::arithmetic::expression;
-use super::ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, Spot, Vector, Verify};
+use super::ast::{Assign, Base, Chain, Declaration, Direction, Equation, Limits, Offsets, SpannedName, Vector, Verify};
 use super::source::Source;
 use crate::report::{Errors, Phrase, Refused};
 
@@ -22,7 +22,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Result<Declaration, Re
         found = Some(declaration(input, errors));
         Ok(())
     };
-    // What a failed field leaves unread in its brackets is reported by that field already.
+    // Tokens that a failed field leaves unread in its brackets are covered by the message of that field.
     let rest = read.parse2(tokens);
     match (found, rest) {
         (Some(Ok(declaration)), Ok(())) => Ok(declaration),
@@ -40,7 +40,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
     let attributes = input.call(syn::Attribute::parse_outer)?;
     let visibility = input.parse()?;
     if !input.peek(Token![struct]) {
-        // The rest is swallowed: its meaning hangs on the name.
+        // The rest is skipped: without `struct` it has no meaning.
         let error = input.error("expected `struct`\n\nhelp: begin with `pub struct MyMachine;`");
         input.parse::<TokenStream>()?;
         return Err(error);
@@ -48,7 +48,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
     input.parse::<Token![struct]>()?;
     let name = input.parse()?;
     if !input.peek(Token![;]) {
-        let error = input.error("expected `;` behind the name\n\nhelp: the struct has no body: `pub struct MyMachine;`, its fields come from `dims`");
+        let error = input.error("expected `;` after the name\n\nhelp: the struct has no body, its fields come from `dims`: write `pub struct MyMachine;`");
         input.parse::<TokenStream>()?;
         return Err(error);
     }
@@ -69,7 +69,7 @@ fn declaration(input: ParseStream<'_>, errors: &mut Errors) -> syn::Result<Decla
         speeds: Vec::new(),
         verify: Vec::new(),
     };
-    let mut seen: Vec<Spot> = Vec::new();
+    let mut seen: Vec<SpannedName> = Vec::new();
     while !input.is_empty() {
         if let Err(error) = field(input, &source, &mut declaration, &mut seen, errors) {
             errors.push_syntax(source.next(), error);
@@ -84,16 +84,16 @@ fn field(
     input: ParseStream<'_>,
     source: &Source,
     declaration: &mut Declaration,
-    seen: &mut Vec<Spot>,
+    seen: &mut Vec<SpannedName>,
     errors: &mut Errors,
 ) -> syn::Result<()> {
-    let key = source.spot(input, &format!("a field\n\nhelp: the fields are {}", list_of(&FIELDS)))?;
+    let key = source.name(input, &format!("a field\n\nhelp: the fields are {}", list_of(&FIELDS)))?;
     if !FIELDS.contains(&key.name.as_str()) {
         let text = format!("unknown field `{}`\n\nhelp: the fields are {}", key.name, list_of(&FIELDS));
         return Err(syn::Error::new_spanned(key.phrase, text));
     }
     if key.name != "verify" && seen.iter().any(|known| known.name == key.name) {
-        errors.push(key.phrase, format!("`{}` is given twice", key.name), "join the two into one field");
+        errors.push(key.phrase, format!("the field `{}` is given twice", key.name), "join the two into one field");
     }
     seen.push(key.clone());
     match key.name.as_str() {
@@ -108,16 +108,16 @@ fn field(
         }
         name => {
             separator(input, '=', &format!("`{name}` is followed by `=`: `{name} = ...;`"))?;
-            let faults = &mut Faults { errors, unreadable: &mut declaration.unreadable };
+            let sink = &mut ErrorSink { errors, unreadable: &mut declaration.unreadable };
             match name {
-                "d" => declaration.offsets = Some(offsets(input, source, faults)?),
-                "signs" => declaration.signs.extend(assigns(input, source, faults, sign)?),
-                "axes" => declaration.directions.extend(assigns(input, source, faults, direction)?),
-                "dims" => declaration.dimensions.extend(assigns(input, source, faults, expression)?),
+                "d" => declaration.offsets = Some(offsets(input, source, sink)?),
+                "signs" => declaration.signs.extend(assigns(input, source, sink, sign)?),
+                "axes" => declaration.directions.extend(assigns(input, source, sink, direction)?),
+                "dims" => declaration.dimensions.extend(assigns(input, source, sink, expression)?),
                 "tool_axis" => declaration.tool_axis = Some(direction(input, source)?),
-                "hold" => declaration.hold.extend(assigns(input, source, faults, expression)?),
-                "limits" => declaration.limits.extend(assigns(input, source, faults, limits)?),
-                _ => declaration.speeds.extend(assigns(input, source, faults, expression)?),
+                "hold" => declaration.hold.extend(assigns(input, source, sink, expression)?),
+                "limits" => declaration.limits.extend(assigns(input, source, sink, limits)?),
+                _ => declaration.speeds.extend(assigns(input, source, sink, expression)?),
             }
         }
     }
@@ -137,7 +137,7 @@ fn separator(input: ParseStream<'_>, wanted: char, help: &str) -> syn::Result<()
     if found { Ok(()) } else { Err(input.error(format!("expected `{wanted}`\n\nhelp: {help}"))) }
 }
 
-/// To the end of the next semicolon, or to the next thing that looks like a field.
+/// Skips past the next semicolon, or up to a word that looks like the next field.
 fn skip_field(input: ParseStream<'_>) -> syn::Result<()> {
     while !input.is_empty() {
         if input.parse::<Option<Token![;]>>()?.is_some() {
@@ -161,7 +161,7 @@ fn chain(input: ParseStream<'_>, source: &Source, key: Phrase) -> syn::Result<Ch
         let (phrase, token) = source.take(input)?;
         chain.phrase = first.get_or_insert(phrase).to(phrase);
         match token {
-            TokenTree::Ident(ident) => chain.axes.push(Spot { name: ident.to_string(), phrase }),
+            TokenTree::Ident(ident) => chain.axes.push(SpannedName { name: ident.to_string(), phrase }),
             TokenTree::Punct(punct) if punct.as_char() == '|' => chain.bars.push((chain.axes.len(), phrase)),
             other => {
                 let text = format!(
@@ -174,19 +174,19 @@ fn chain(input: ParseStream<'_>, source: &Source, key: Phrase) -> syn::Result<Ch
     Ok(chain)
 }
 
-fn offsets(input: ParseStream<'_>, source: &Source, faults: &mut Faults<'_>) -> syn::Result<Offsets> {
+fn offsets(input: ParseStream<'_>, source: &Source, sink: &mut ErrorSink<'_>) -> syn::Result<Offsets> {
     if input.peek(token::Brace) {
-        Ok(Offsets::Each(assigns(input, source, faults, vector)?))
+        Ok(Offsets::Each(assigns(input, source, sink, vector)?))
     } else {
         Ok(Offsets::Common(vector(input, source)?))
     }
 }
 
-/// `{ A: value, B: value }`. An entry that cannot be read is reported and left out; the others stay.
+/// `{ A: value, B: value }`. An entry that cannot be parsed is reported and left out; the others are kept.
 fn assigns<T>(
     input: ParseStream<'_>,
     source: &Source,
-    faults: &mut Faults<'_>,
+    sink: &mut ErrorSink<'_>,
     value: impl Fn(ParseStream<'_>, &Source) -> syn::Result<T>,
 ) -> syn::Result<Vec<Assign<T>>> {
     if !input.peek(token::Brace) {
@@ -196,8 +196,8 @@ fn assigns<T>(
     syn::braced!(content in input);
     let mut list = Vec::new();
     while !content.is_empty() {
-        let entry = |key: &mut Option<Spot>| {
-            let name = source.spot(&content, "a name\n\nhelp: write `NAME: value`")?;
+        let entry = |key: &mut Option<SpannedName>| {
+            let name = source.name(&content, "a name\n\nhelp: write `NAME: value`")?;
             *key = Some(name.clone());
             separator(&content, ':', "write `NAME: value`")?;
             let assign = Assign { key: name, value: value(&content, source)? };
@@ -210,8 +210,8 @@ fn assigns<T>(
         match entry(&mut key) {
             Ok(assign) => list.push(assign),
             Err(error) => {
-                faults.errors.push_syntax(source.next(), error);
-                faults.unreadable.extend(key.map(|key| key.name));
+                sink.errors.push_syntax(source.next(), error);
+                sink.unreadable.extend(key.map(|key| key.name));
                 while !content.is_empty() && !content.peek(Token![,]) {
                     content.parse::<TokenTree>()?;
                 }
@@ -222,8 +222,8 @@ fn assigns<T>(
     Ok(list)
 }
 
-/// Mistakes found, and the names whose entries could not be read: nothing more is reported about these.
-struct Faults<'a> {
+/// Messages so far, and names of entries that could not be parsed; no later message complains about these names.
+struct ErrorSink<'a> {
     errors: &'a mut Errors,
     unreadable: &'a mut Vec<String>,
 }
@@ -234,7 +234,9 @@ fn sign(input: ParseStream<'_>, _: &Source) -> syn::Result<bool> {
     } else if input.parse::<Option<Token![-]>>()?.is_some() {
         Ok(true)
     } else {
-        Err(input.error("expected `+` or `-`\n\nhelp: `-` only where the word itself runs against ISO 841"))
+        Err(input.error(
+            "expected `+` or `-`\n\nhelp: write `-` if a positive word moves the axis against ISO 841, otherwise `+`",
+        ))
     }
 }
 
@@ -261,7 +263,7 @@ fn vector(input: ParseStream<'_>, source: &Source) -> syn::Result<Vector> {
 }
 
 fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> {
-    let mut turns = Vec::new();
+    let mut rotations = Vec::new();
     let mut start: Option<Phrase> = None;
     loop {
         let mut negated = false;
@@ -273,20 +275,25 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
         if input.peek(token::Paren) {
             let base = vector(input, source)?;
             let phrase = start.map_or(base.phrase, |start| start.to(base.phrase));
-            return Ok(Direction { phrase, turns, negated, base: Base::Vector(base) });
+            return Ok(Direction { phrase, rotations, negated, base: Base::Vector(base) });
         }
-        let word = source.spot(
+        let word = source.name(
             input,
-            "a direction\n\nhelp: write a turned coordinate such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`",
+            "a direction\n\nhelp: write a rotated coordinate axis such as `Rx(-45 deg) * Y`, or a vector `(0, 1, -0.5)`",
         )?;
         let start = *start.get_or_insert(word.phrase);
         if let Some(coordinate) = ["X", "Y", "Z"].iter().position(|name| word.name == *name) {
-            return Ok(Direction { phrase: start.to(word.phrase), turns, negated, base: Base::Coordinate(coordinate) });
+            return Ok(Direction {
+                phrase: start.to(word.phrase),
+                rotations,
+                negated,
+                base: Base::Coordinate(coordinate),
+            });
         }
-        let turn = ["Rx", "Ry", "Rz"].iter().position(|name| word.name == *name);
-        let (Some(turn), false) = (turn, negated) else {
+        let rotation = ["Rx", "Ry", "Rz"].iter().position(|name| word.name == *name);
+        let (Some(rotation), false) = (rotation, negated) else {
             let text = format!(
-                "`{}` is not a direction\n\nhelp: use X, Y, Z, a vector, and turns Rx(...), Ry(...), Rz(...) in front of them",
+                "`{}` is not a direction\n\nhelp: write X, Y, Z or a vector, with rotations Rx(...), Ry(...), Rz(...) before it: `Rx(-45 deg) * Y`",
                 word.name
             );
             return Err(syn::Error::new_spanned(word.phrase, text));
@@ -295,12 +302,15 @@ fn direction(input: ParseStream<'_>, source: &Source) -> syn::Result<Direction> 
             return Err(input.error(format!("expected `(`\n\nhelp: write `{}(45 deg) * Y`", word.name)));
         }
         let (_, content) = source.parenthesized(input)?;
-        turns.push((turn, expression(&content, source)?));
+        rotations.push((rotation, expression(&content, source)?));
         if !content.is_empty() {
-            return Err(content.error("expected `)`\n\nhelp: a turn has one angle"));
+            return Err(content.error("expected `)`\n\nhelp: a rotation has one angle: `Rx(45 deg) * Y`"));
         }
         if !input.peek(Token![*]) {
-            return Err(input.error(format!("expected `*`\n\nhelp: say what is turned: `{}(...) * Y`", word.name)));
+            return Err(input.error(format!(
+                "expected `*`\n\nhelp: write the direction that is rotated: `{}(...) * Y`",
+                word.name
+            )));
         }
         input.parse::<Token![*]>()?;
     }
@@ -317,13 +327,13 @@ fn limits(input: ParseStream<'_>, source: &Source) -> syn::Result<Limits> {
         return Err(input.error("expected `..`\n\nhelp: write the travel as `-5..110`, or `free`"));
     }
     if input.peek(Token![..=]) || input.peek(Token![...]) {
-        return Err(input.error("expected `..`\n\nhelp: the travel is inclusive as it is: `-5..110`"));
+        return Err(input.error("expected `..`\n\nhelp: both ends belong to the travel: write `-5..110`"));
     }
     input.parse::<Token![..]>()?;
     Ok(Limits::Range(Box::new((lower, expression(input, source)?))))
 }
 
-/// `"source" { equations }`. A statement that cannot be read is reported and left out; the others stay.
+/// `"source" { equations }`. A statement that cannot be parsed is reported and left out; the others are kept.
 fn verify(input: ParseStream<'_>, source: &Source, errors: &mut Errors) -> syn::Result<Verify> {
     const FORM: &str = "write `verify \"paper, eqs. (1)-(5)\" { i = sin(B) * cos(C); ... }`";
     if !input.peek(syn::LitStr) {
@@ -351,7 +361,7 @@ fn verify(input: ParseStream<'_>, source: &Source, errors: &mut Errors) -> syn::
 fn statement(content: ParseStream<'_>, source: &Source, block: &mut Verify) -> syn::Result<()> {
     if content.peek(Token![where]) {
         content.parse::<Token![where]>()?;
-        let key = source.spot(content, "a name\n\nhelp: write `where alpha = -45 deg;`")?;
+        let key = source.name(content, "a name\n\nhelp: write `where alpha = -45 deg;`")?;
         separator(content, '=', "write `where alpha = -45 deg;`")?;
         block.assumptions.push(Assign { key, value: expression(content, source)? });
     } else {

@@ -1,11 +1,11 @@
-//! Tokens with their places in the source.
+//! Tokens with their locations in the source.
 
 use std::cell::Cell;
 
 use proc_macro2::{Span, TokenTree};
 use syn::parse::{ParseBuffer, ParseStream};
 
-use super::ast::Spot;
+use super::ast::SpannedName;
 use crate::report::Phrase;
 
 /// Numbers the phrases in the order of reading.
@@ -15,7 +15,7 @@ pub(crate) struct Source {
 }
 
 impl Source {
-    /// Place of the next phrase.
+    /// Number of the next phrase.
     pub(crate) fn next(&self) -> usize {
         self.read.set(self.read.get() + 1);
         self.read.get()
@@ -32,7 +32,7 @@ impl Source {
         Ok((self.phrase(token.span(), token.span()), token))
     }
 
-    /// The text in parentheses.
+    /// Location and content of parentheses.
     pub(crate) fn parenthesized<'a>(&self, input: ParseStream<'a>) -> syn::Result<(Phrase, ParseBuffer<'a>)> {
         let content;
         let paren = syn::parenthesized!(content in input);
@@ -40,11 +40,11 @@ impl Source {
     }
 
     /// The next name.
-    pub(crate) fn spot(&self, input: ParseStream<'_>, what: &str) -> syn::Result<Spot> {
+    pub(crate) fn name(&self, input: ParseStream<'_>, what: &str) -> syn::Result<SpannedName> {
         match input.fork().parse::<TokenTree>() {
             Ok(TokenTree::Ident(_)) => {
                 let (phrase, token) = self.take(input)?;
-                Ok(Spot { name: token.to_string(), phrase })
+                Ok(SpannedName { name: token.to_string(), phrase })
             }
             _ => Err(input.error(format!("expected {what}"))),
         }

@@ -1,4 +1,4 @@
-//! The algebra of one equation: products within a bound of work, roots and reciprocals as they come up.
+//! The algebra of one equation: products with a limit on the work, and the equation's roots and reciprocals.
 
 use std::cell::Cell;
 
@@ -12,31 +12,31 @@ use crate::model::Model;
 use crate::symbolic::{Poly, Ring, Symbol};
 use crate::syntax::Expr;
 
-/// Products of more monomials than this are not multiplied out: no paper prints one.
+/// Products of more monomials than this are not multiplied out; no paper prints one.
 const MOST_MONOMIALS: usize = 200_000;
 
-/// Sums of more terms are not shown: no one would read them, and factoring them takes long.
+/// Sums of more terms are not shown: they are too long to read, and factoring them is slow.
 const MOST_TERMS: usize = 100;
 
-/// Products of monomials that one equation may take: a second or two.
+/// Products of monomials allowed for one equation: a second or two.
 const MOST_WORK: usize = 50_000;
 
-/// Monomials that a polynomial may have when all divisors are multiplied out, before like ones are added.
+/// Monomials that a polynomial may have when all divisors are multiplied out, before like terms are added.
 const MOST_CLEARED: usize = 20_000;
 
 /// Largest power of one divisor.
 const MOST_DIVISIONS: u32 = 8;
 
-/// Symbols of an equation, and the work that it has taken.
+/// Symbols of an equation, and the work spent on it.
 #[derive(Debug, Clone)]
 pub(crate) struct Algebra<'a> {
     model: &'a Model,
     ring: Ring,
-    /// Divisors of the equation at hand, with their reciprocals.
+    /// Divisors of the current equation, with their reciprocals.
     divisors: Vec<(Poly, Symbol)>,
-    /// Roots of the equation at hand.
+    /// Roots of the current equation.
     roots: Vec<Symbol>,
-    /// Products of monomials that the equation has taken.
+    /// Products of monomials computed for the current equation.
     work: Cell<usize>,
 }
 
@@ -56,7 +56,7 @@ impl<'a> Algebra<'a> {
         &self.ring
     }
 
-    /// The ring, to add symbols to.
+    /// The ring, for adding symbols.
     pub(crate) fn ring_mut(&mut self) -> &mut Ring {
         &mut self.ring
     }
@@ -73,17 +73,17 @@ impl<'a> Algebra<'a> {
         roots
     }
 
-    /// Leaves roots out of account.
+    /// Removes roots that need not be eliminated.
     pub(crate) fn drop_roots(&mut self, roots: &[Symbol]) {
         self.roots.retain(|root| !roots.contains(root));
     }
 
-    /// Products of monomials that the equation has taken.
+    /// Products of monomials computed for the current equation.
     pub(crate) fn work(&self) -> usize {
         self.work.get()
     }
 
-    /// Forgets divisors and roots of the equation before.
+    /// Begins an equation: clears divisors, roots and work.
     pub(crate) fn begin(&mut self) {
         self.divisors.clear();
         self.roots.clear();
@@ -115,7 +115,7 @@ impl<'a> Algebra<'a> {
         let Some(times) = whole.and_then(|times| times.to_integer().to_i32()).filter(|times| times.abs() <= 24) else {
             return Err(Fault::new(
                 expr.phrase,
-                "an angle is multiplied by a whole number only",
+                "an angle can be multiplied only by a whole number up to 24",
                 "take sin or cos of it: `x * cos(C)`",
             ));
         };
@@ -130,7 +130,7 @@ impl<'a> Algebra<'a> {
         Ok(sum)
     }
 
-    /// Product, unless it is too large to be anybody's formula.
+    /// Product; refuses one larger than any printed formula.
     pub(crate) fn times(&self, a: &Poly, b: &Poly, expr: &Expr) -> Result<Poly, Fault> {
         let work = a.monomials() * b.monomials();
         self.work.set(self.work.get() + work);
@@ -142,7 +142,7 @@ impl<'a> Algebra<'a> {
         Ok(product)
     }
 
-    /// Refuses a polynomial that would grow beyond reason when it is multiplied by its divisors.
+    /// Refuses a polynomial that would become too large when its divisors are multiplied out.
     pub(crate) fn affordable(&self, poly: &Poly, expr: &Expr) -> Result<(), Fault> {
         let mut size = poly.monomials();
         for (divisor, symbol) in &self.divisors {
@@ -156,7 +156,7 @@ impl<'a> Algebra<'a> {
         if size > MOST_CLEARED { Err(too_large(expr)) } else { Ok(()) }
     }
 
-    /// A polynomial as a person writes it; of one that is too long to read, only its size.
+    /// A polynomial as people write it; for one that is too long, only the number of its terms.
     pub(crate) fn formula(&self, poly: &Poly) -> Formula {
         match poly.monomials() {
             terms if terms > MOST_TERMS => Formula::Sum(vec![Formula::name(format!("a sum of {terms} terms"))]),
@@ -170,7 +170,11 @@ impl<'a> Algebra<'a> {
         if number.as_ref().is_some_and(|number| number.sign().is_lt())
             || self.ring.value(&radicand).is_some_and(|value| value < 0.0)
         {
-            return Err(Fault::new(expr.phrase, "the root of a negative number", "check the signs under the root"));
+            return Err(Fault::new(
+                expr.phrase,
+                "the number under the root is negative",
+                "check the signs under the root",
+            ));
         }
         if let Some(root) = number.and_then(|number| number.sqrt()) {
             return Ok(Poly::from(root));
@@ -197,8 +201,8 @@ impl<'a> Algebra<'a> {
         if self.ring.is_zero(&divisor) {
             return Err(Fault::new(
                 expr.phrase,
-                format!("`{expr}` is zero at every pose of this machine"),
-                "nothing can be divided by it",
+                format!("the divisor `{expr}` is zero at every pose of this machine"),
+                "check the divisor: division by zero has no value",
             ));
         }
         if let (Some(value), Some(size)) = (self.ring.value(&divisor), self.ring.magnitude(&divisor, &|_| None))
@@ -206,8 +210,8 @@ impl<'a> Algebra<'a> {
         {
             return Err(Fault::new(
                 expr.phrase,
-                format!("`{expr}` is a constant that cannot be told from zero"),
-                "nothing can be divided by it",
+                format!("the divisor `{expr}` is a constant that cannot be distinguished from zero"),
+                "check the divisor: division by zero has no value",
             ));
         }
         if let Some((_, known)) = self.divisors.iter().find(|(known, _)| *known == divisor) {
@@ -224,5 +228,9 @@ impl<'a> Algebra<'a> {
 }
 
 fn too_large(expr: &Expr) -> Fault {
-    Fault::new(expr.phrase, "this is too large to be decided", "split the equation, or write it in factors")
+    Fault::new(
+        expr.phrase,
+        "this expression is too large to be decided",
+        "split the equation into shorter ones, or write it in factors",
+    )
 }

@@ -1,16 +1,16 @@
-//! The verdict on an equation: it holds, and under which conditions, or it does not.
+//! The verdict on an equation: it holds under stated conditions, or it does not hold.
 //!
 //! Both sides are polynomials in axis values, sines and cosines, in roots `r` with `r² = E` and reciprocals.
-//! - Numbers are equal if their difference has remainder zero. Once all roots are eliminated, sines and cosines of unknown
-//!   angles are left, and any other remainder is a refutation. Fixed angles without exact values count as unknown here:
-//!   what holds only between 11 deg and 33 deg is refused.
+//! - Numbers are equal if their difference has remainder zero. After all roots are eliminated, only sines and cosines
+//!   of unknown angles remain, and then any other remainder refutes. Fixed angles without exact values count as
+//!   unknown: an equation that holds only because one angle is 11 deg and another 33 deg is refused.
 //! - Angles `L`, `R` with directions `(cL, sL)`, `(cR, sR)` are equal where `sin(L-R) = sL cR - cL sR` is zero and
-//!   `λ = cL cR + sL sR` is positive; for `asin(p)` and `acos(p)` on one side, where `p` is the sine or cosine of the other
-//!   and the other part has the sign that the function gives it.
-//! - `a + b r = 0` with `r >= 0` is equivalent to `a² - b² E = 0` and `-a b >= 0`. No root is ever extracted: the ring is no
-//!   domain of unique factors.
+//!   `λ = cL cR + sL sR` is positive. With `asin(p)` or `acos(p)` on one side they are equal where `p` is the sine or
+//!   cosine of the other side and the other part has the sign that the function gives it.
+//! - `a + b r = 0` with `r >= 0` is equivalent to `a² - b² E = 0` and `-a b >= 0`. No root is extracted: the ring is
+//!   not a unique factorisation domain.
 //!
-//! "Somewhere" needs a witness: a rational point of the circles at which every condition holds.
+//! An equation is accepted only with a witness: a rational point of the circles at which every condition holds.
 
 use std::collections::BTreeMap;
 
@@ -18,22 +18,22 @@ use super::scope::Scope;
 use super::value::{Angle, Inverse, Value, zero_as_angle};
 use crate::check::Fault;
 use crate::formula::Formula;
-use crate::model::{Kind, Quantity, to_f64};
+use crate::model::{AxisKind, Quantity, to_f64};
 use crate::symbolic::{Poly, Ring, Sign, Symbol, hidden_zeros_of, sign_of, zeros_of};
 use crate::syntax::{Equation, Expr};
 
-/// Points that a witness is looked for among.
+/// Number of points that are searched for a witness.
 const POINTS: usize = 4_000;
 
-/// Share of the sum of all terms that is taken for rounding.
+/// Rounding error of a sum, as a share of the sum of the absolute values of its terms.
 const ROUNDING: f64 = 1e-9;
 
-/// The answer to an equation.
+/// The verdict on an equation.
 #[derive(Debug)]
 pub(crate) enum Verdict {
     /// It holds where all of these are true; everywhere if there are none.
     Holds(Vec<Condition>),
-    /// The angles agree up to half a turn, and nowhere without it.
+    /// The angles differ by 180 deg at every pose at which both exist.
     Opposite,
     /// It is true at no pose at which its roots and conditions exist.
     Nowhere,
@@ -46,7 +46,7 @@ pub(crate) enum Verdict {
 pub(crate) enum Condition {
     /// `λ > 0`
     Positive(Sign),
-    /// A radicand, or the sign that the right one of two roots has.
+    /// A radicand, or a sign that selects the right one of two roots.
     NotNegative(Sign),
     /// A divisor, as factors.
     NotZero(Vec<Poly>),
@@ -74,7 +74,7 @@ struct Decision<'s, 'a, 'e> {
     eliminated: Vec<Eliminated>,
 }
 
-/// Conditions as polynomials.
+/// Signs that an equation needs, as polynomials.
 #[derive(Default)]
 struct Claims {
     positive: Vec<Poly>,
@@ -89,7 +89,7 @@ impl Decision<'_, '_, '_> {
                 let (Some(left), Some(right)) = (zero_as_angle(&left), zero_as_angle(&right)) else {
                     return Err(Fault::new(
                         equation.phrase,
-                        "an angle on one side and a number on the other",
+                        "one side is an angle, the other is a number",
                         "a rotary axis equals atan2, asin or acos of numbers, or a sum of angles",
                     ));
                 };
@@ -115,7 +115,7 @@ impl Decision<'_, '_, '_> {
                 Inverse::Cosine(part, false) => (part - &other.cosine, other.sine.clone()),
                 Inverse::Cosine(part, true) => (part - &other.cosine, -&other.sine),
             };
-            // The root in its other part exists: its radicand is the square of what it equals.
+            // The root in its other part needs no condition: its radicand equals a square.
             let own = |root: &Symbol| !gap.symbols().chain(sign.symbols()).any(|symbol| symbol == *root);
             let spent = if matches!(inverse, Inverse::Sine(_)) { &inverted.cosine } else { &inverted.sine };
             let spent: Vec<Symbol> = spent.symbols().filter(own).collect();
@@ -126,7 +126,7 @@ impl Decision<'_, '_, '_> {
         Ok((between.sine, Claims { positive: vec![between.cosine], ..Claims::default() }))
     }
 
-    /// Whether a polynomial is zero on a part that `eliminated` describes.
+    /// True if a polynomial is zero on the part that `eliminated` describes.
     fn vanishes(&mut self, poly: Poly) -> Result<bool, Fault> {
         self.scope.algebra().affordable(&poly, self.expr)?;
         let poly = self.scope.ring().clear_even(&poly);
@@ -182,7 +182,7 @@ impl Decision<'_, '_, '_> {
         Ok(not_negative)
     }
 
-    /// Claims and divisors as conditions, each once; those that always hold are left out.
+    /// Claims and divisors as conditions, each once, without those that always hold.
     fn conditions(&self, positive: &[Poly], not_negative: &[Poly]) -> Result<Vec<Condition>, Fault> {
         let divisors = self.scope.algebra().divisors().iter().map(|(divisor, _)| self.norm(divisor));
         let divisors = divisors.collect::<Result<Vec<_>, Fault>>()?;
@@ -220,7 +220,7 @@ impl Decision<'_, '_, '_> {
         Ok(conditions)
     }
 
-    /// Zeros of a strict claim that its sign does not show, without the factors that `resolved` has multiplied by.
+    /// Zeros of a strict claim that its sign does not show, without the factors that `resolved` has multiplied in.
     fn zeros_of_claim(&self, poly: &Poly, circles: &[(Symbol, Symbol)]) -> Result<Vec<Poly>, Fault> {
         let ring = self.scope.ring();
         let factors: Vec<Poly> =
@@ -277,15 +277,15 @@ impl Decision<'_, '_, '_> {
         let fixed = defaults(scope);
         let symbols: Vec<Symbol> = {
             let mut symbols: Vec<Symbol> =
-                scope.model().axes.iter().flat_map(|axis| [axis.word, axis.turn.0, axis.turn.1]).collect();
-            symbols.extend(scope.model().frame.part);
-            symbols.push(scope.model().frame.gauge);
+                scope.model().axes.iter().flat_map(|axis| [axis.word, axis.sin_cos.0, axis.sin_cos.1]).collect();
+            symbols.extend(scope.model().symbols.part);
+            symbols.push(scope.model().symbols.gauge);
             symbols
         };
         let sines: BTreeMap<Symbol, Symbol> = scope.circles().into_iter().collect();
         let mut state = 0x9e37_79b9_u64;
         let mut next = |range: u64| {
-            // Any sequence will do that visits all quadrants; this one is the same in every build.
+            // An arbitrary sequence that visits all quadrants, the same in every build.
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (state >> 33) % range
         };
@@ -295,7 +295,7 @@ impl Decision<'_, '_, '_> {
                 if point.contains_key(symbol) {
                     continue;
                 }
-                // Each symbol has a grid of its own: what is equal at a point is so for a reason.
+                // Each symbol has a grid of its own, so that no two symbols are equal by chance.
                 let offset = place as f64 / 64.0 + 1.0 / 128.0;
                 match sines.get(symbol) {
                     Some(cosine) => {
@@ -307,14 +307,14 @@ impl Decision<'_, '_, '_> {
                     None => drop(point.insert(*symbol, next(400) as f64 - 200.0 + offset)),
                 }
             }
-            self.follow(&mut point)
+            self.add_dependent_values(&mut point)
                 && positive.iter().all(|poly| self.is_positive(poly, &point, true))
                 && not_negative.iter().all(|poly| self.is_positive(poly, &point, false))
         })
     }
 
     /// Adds the values of reciprocals and roots; false where one does not exist.
-    fn follow(&self, point: &mut BTreeMap<Symbol, f64>) -> bool {
+    fn add_dependent_values(&self, point: &mut BTreeMap<Symbol, f64>) -> bool {
         let ring = self.scope.ring();
         let mut symbols: Vec<(Symbol, Option<&Poly>)> =
             self.scope.algebra().divisors().iter().map(|(divisor, symbol)| (*symbol, Some(divisor))).collect();
@@ -345,13 +345,13 @@ impl Decision<'_, '_, '_> {
     }
 }
 
-/// The value of a polynomial, and what it may be wrong by.
+/// Value of a polynomial, and a bound of its rounding error.
 fn value_at(ring: &Ring, poly: &Poly, point: &BTreeMap<Symbol, f64>) -> Option<(f64, f64)> {
     let of = |symbol: Symbol| point.get(&symbol).copied();
     Some((ring.evaluate(poly, &of)?, ROUNDING * ring.magnitude(poly, &of)?))
 }
 
-/// Dimensions at their defaults, and what the block assumes.
+/// Default values of dimensions and of held linear axes.
 fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
     let mut values = BTreeMap::new();
     for dimension in &scope.model().dimensions {
@@ -365,7 +365,7 @@ fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
             }
         }
     }
-    for axis in scope.model().axes.iter().filter(|axis| axis.kind == Kind::Linear) {
+    for axis in scope.model().axes.iter().filter(|axis| axis.kind == AxisKind::Linear) {
         if let Some(held) = &axis.held {
             values.insert(axis.word, to_f64(held));
         }
@@ -374,7 +374,7 @@ fn defaults(scope: &Scope<'_>) -> BTreeMap<Symbol, f64> {
 }
 
 impl Condition {
-    /// As text in the names of the declaration: `sin B > 0`.
+    /// Text with the names of the declaration: `sin B > 0`.
     pub(crate) fn text(&self, scope: &Scope<'_>) -> String {
         let product = |factors: &[Poly], negative: bool| {
             let factors: Vec<Formula> = factors.iter().map(|factor| scope.algebra().formula(factor)).collect();

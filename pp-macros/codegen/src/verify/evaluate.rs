@@ -3,7 +3,7 @@
 use super::scope::Scope;
 use super::value::{Angle, Inverse, Value};
 use crate::check::Fault;
-use crate::symbolic::{Poly, Surd, turn_by};
+use crate::symbolic::{Poly, Surd, sin_cos_of_degrees};
 use crate::syntax::{Expr, ExprKind, Unit};
 
 impl Scope<'_> {
@@ -11,7 +11,7 @@ impl Scope<'_> {
     pub(crate) fn value(&mut self, expr: &Expr) -> Result<Value, Fault> {
         match &expr.kind {
             ExprKind::Number(degrees, Some(Unit::Degree)) => {
-                let (sine, cosine) = turn_by(degrees, self.algebra_mut().ring_mut());
+                let (sine, cosine) = sin_cos_of_degrees(degrees, self.algebra_mut().ring_mut());
                 Ok(Value::Angle(Angle { cosine, sine, inverse: None }))
             }
             ExprKind::Number(value, _) => Ok(Value::Number(Poly::from(Surd::from(value.clone())))),
@@ -53,12 +53,12 @@ impl Scope<'_> {
             }
             (_, '+' | '-', _) => Err(Fault::new(
                 expr.phrase,
-                "an angle and a number do not add up",
+                "an angle and a number cannot be added or subtracted",
                 "give the number its unit, `90 deg`, or take sin or cos of the angle",
             )),
             _ => Err(Fault::new(
                 expr.phrase,
-                "an angle is added, subtracted, or multiplied by a whole number",
+                "an angle can be added to or subtracted from an angle, or multiplied by a whole number",
                 "take sin or cos of it: `x * cos(C)`",
             )),
         }
@@ -106,7 +106,7 @@ impl Scope<'_> {
             _ => Err(Fault::new(
                 expr.phrase,
                 format!("`{name}` is not a function of `verify`"),
-                "known are sin, cos, asin, acos, atan2 and sqrt",
+                "the functions are sin, cos, asin, acos, atan2 and sqrt",
             )),
         }
     }
@@ -117,7 +117,7 @@ impl Scope<'_> {
             Value::Number(value) => Ok(value),
             Value::Angle(_) => Err(Fault::new(
                 expr.phrase,
-                format!("`{expr}` is an angle where a number is needed"),
+                format!("expected a number, but `{expr}` is an angle"),
                 format!("take its sine or cosine: `sin({expr})`"),
             )),
         }

@@ -1,8 +1,8 @@
 //! `verify "source" { equations }`: equations as papers print them, decided against the chain.
 //!
-//! Every name except axis letters is replaced by the forward product; what remains is decided by remainders
-//! (`decide`). A false equation is answered with the formula that does follow, with the difference, and with the one
-//! small change that would make it true, if there is one (`repair`).
+//! Every name except axis letters is replaced by the forward product; the rest is decided by remainders (`decide`). The
+//! message for a false equation has the formula that does follow, the difference, and the one small change that would
+//! make it true, if there is one (`repair`).
 
 mod algebra;
 mod decide;
@@ -18,13 +18,13 @@ use scope::Scope;
 use value::Value;
 
 use crate::formula::{Formula, first_branch};
-use crate::model::{AxisId, Kind, Model};
+use crate::model::{AxisId, AxisKind, Model};
 use crate::report::Errors;
 use crate::solve::{Orientation, SideCondition, Solved};
 use crate::symbolic::{Interpreter, Matrix, Poly, Ring, Sign, Surd, sign_of};
 use crate::syntax::{Equation, Expr, ExprKind, Unit, Verify};
 
-/// Products of monomials that the search for a remedy may take: an equation of a paper needs a hundredth of it.
+/// Products of monomials allowed for the search for a remedy; an equation of a paper needs a hundredth of it.
 const MOST_REPAIR_WORK: usize = 50_000;
 
 /// A block whose equations hold.
@@ -32,9 +32,9 @@ const MOST_REPAIR_WORK: usize = 50_000;
 pub struct Verified {
     /// The publication that prints them.
     pub source: String,
-    /// `gauge = 0, part = 0`, or what the block states.
+    /// Values given by `where`, and set-up symbols that are zero: `gauge = 0, part = 0`.
     pub assumptions: Vec<String>,
-    /// In their order.
+    /// Equations in source order.
     pub equations: Vec<Proven>,
 }
 
@@ -47,11 +47,11 @@ pub struct Proven {
     pub right: Formula,
     /// Conditions under which it holds, as text; it holds everywhere if there are none.
     pub holds: Vec<String>,
-    /// Divisors that contain nothing but dimensions.
+    /// Divisors that contain dimensions only.
     divisors: Vec<Poly>,
 }
 
-/// Decides all equations; a message for each that does not hold.
+/// Decides all equations; reports each that does not hold.
 pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mut Errors) -> Vec<Verified> {
     if blocks.is_empty() {
         return Vec::new();
@@ -65,20 +65,20 @@ pub fn verify(blocks: &[Verify], model: &Model, solved: &mut Solved, errors: &mu
             let divisor = solved.graph.declared(divisor);
             if !solved.conditions.iter().any(|known| known.divisor == divisor) {
                 let meaning = format!("equations of \"{source}\" divide by it");
-                solved.conditions.push(SideCondition { divisor, zero: 1e-9, meaning });
+                solved.conditions.push(SideCondition { divisor, tolerance: 1e-9, meaning });
             }
         }
     }
     verified
 }
 
-/// Findings of the solver, as polynomials.
+/// Formulas of the solver, as polynomials.
 struct Derived {
-    /// With all symbols of the following.
+    /// Ring with all symbols of the other fields.
     ring: Ring,
     /// Values of the solved linear axes.
     linear: Vec<(AxisId, Poly)>,
-    /// First branch of the solved rotary axes.
+    /// Formulas of the solved rotary axes on the first branch.
     rotary: Vec<(AxisId, Formula)>,
     /// Positive on the first branch, negative on the second.
     side: Option<Poly>,
@@ -101,7 +101,7 @@ impl Derived {
         Self { ring: reader.ring().clone(), linear, rotary, side }
     }
 
-    /// The signs that tell the branches apart, at the assumptions of a block.
+    /// The signs that distinguish the branches, with the assumptions of a block.
     fn branches(&self, scope: &Scope<'_>) -> Vec<(Sign, &'static str)> {
         let Some(side) = &self.side else { return Vec::new() };
         let side = scope.assumed(side);
@@ -199,7 +199,7 @@ fn proven(scope: &Scope<'_>, equation: &Equation, conditions: &[Condition], bran
     }
 }
 
-/// A message at an equation that does not hold.
+/// Reports an equation that does not hold.
 fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &Derived, errors: &mut Errors) {
     let left = &equation.left;
     match verdict {
@@ -211,7 +211,7 @@ fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &D
         ),
         Verdict::Nowhere => errors.push(
             equation.phrase,
-            format!("this formula for `{left}` is right at no pose"),
+            format!("this formula for `{left}` holds at no pose"),
             "check the signs of roots and arguments",
         ),
         Verdict::False(gap) => {
@@ -223,7 +223,7 @@ fn report(scope: &Scope<'_>, equation: &Equation, verdict: &Verdict, derived: &D
             }
             text += &format!("\n  {gap}");
             let help = change.or(missing).unwrap_or_else(|| {
-                "no single change makes it true: compare `signs`, `d` and `axes` with the source, too".into()
+                "no single change makes it true; compare `signs`, `d` and `axes` with the source as well".into()
             });
             errors.push(equation.phrase, text, help);
         }
@@ -247,18 +247,18 @@ fn repair(scope: &Scope<'_>, equation: &Equation) -> Option<String> {
     None
 }
 
-/// The polynomial that should be zero, as text; and a term that is missing on the right, if that is all.
+/// The polynomial that should be zero, as text; and the missing term on the right, if only one is missing.
 fn difference(scope: &Scope<'_>, equation: &Equation, gap: &Poly, derived: &Derived) -> (String, Option<String>) {
     if let Some(value) = derived.linear(scope, &equation.left) {
         let mut free = scope.with_free_tip();
-        let mut linears = scope.model().axes.iter().filter(|axis| axis.kind == Kind::Linear);
-        let speaks_of_words = linears.any(|axis| equation.right.mentions(&axis.letter.to_string()));
-        if !speaks_of_words && let Ok(Value::Number(written)) = free.value(&equation.right) {
+        let mut linears = scope.model().axes.iter().filter(|axis| axis.kind == AxisKind::Linear);
+        let mentions_linear_axes = linears.any(|axis| equation.right.mentions(&axis.letter.to_string()));
+        if !mentions_linear_axes && let Ok(Value::Number(written)) = free.value(&equation.right) {
             let gap = free.algebra().formula(&(&value - &written));
             return (format!("difference: {}", gap.source()), missing_term(&gap));
         }
     }
-    // Where it is zero counts, not by what it is divided.
+    // Only its zeros matter, not its divisors.
     let gap = scope.algebra().formula(&scope.ring().clear_even(gap));
     if is_number(scope, &equation.left) {
         (format!("difference: {}", gap.source()), missing_term(&gap))
@@ -271,7 +271,7 @@ fn is_number(scope: &Scope<'_>, left: &Expr) -> bool {
     matches!(scope.clone().value(left), Ok(Value::Number(_)))
 }
 
-/// The term that is missing, if the difference is no sum.
+/// The missing term, if the difference is a single one.
 fn missing_term(gap: &Formula) -> Option<String> {
     match gap {
         Formula::Sum(_) => None,

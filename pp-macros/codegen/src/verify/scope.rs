@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 use super::algebra::Algebra;
 use super::value::{Angle, Value};
 use crate::check::{self, DimensionNames, Fault};
-use crate::model::{AxisId, Kind, Model, Quantity};
-use crate::symbolic::{Matrix, P3, Poly, Ring, Symbol};
+use crate::model::{AxisId, AxisKind, Model, Quantity};
+use crate::symbolic::{Matrix, Poly, PolyVector, Ring, Symbol};
 use crate::syntax::{Assign, Expr, ExprKind, Unit, Verify};
 
-/// Names of one block of equations, and the algebra of the equation at hand.
+/// Names of one block of equations, and the algebra of the current equation.
 #[derive(Debug, Clone)]
 pub(crate) struct Scope<'a> {
     algebra: Algebra<'a>,
@@ -17,25 +17,25 @@ pub(crate) struct Scope<'a> {
     assumed: BTreeMap<Symbol, Poly>,
     locals: Vec<(String, Value)>,
     /// Values of x y z and i j k.
-    tip: P3,
-    axis: P3,
+    tip: PolyVector,
+    axis: PolyVector,
 }
 
 impl<'a> Scope<'a> {
-    /// The names of a block, x y z and i j k made by the axes. `product` is `T(q)`.
+    /// The names of a block; x y z and i j k are the forward kinematics. `product` is `T(q)`.
     pub(crate) fn new(model: &'a Model, ring: Ring, product: &Matrix, block: &Verify) -> Result<Self, Vec<Fault>> {
         let mut scope = Self {
             algebra: Algebra::new(model, ring),
             assumed: BTreeMap::new(),
             locals: Vec::new(),
             tip: product.origin(),
-            axis: product.turn(&model.tool_axis, &model.ring),
+            axis: product.rotate(&model.tool_axis, &model.ring),
         };
         let mut faults = Vec::new();
         for (place, assumption) in block.assumptions.iter().enumerate() {
             let earlier = &block.assumptions[..place];
             if earlier.iter().any(|known| known.key.name == assumption.key.name) {
-                let text = format!("`{}` is assumed twice", assumption.key.name);
+                let text = format!("`{}` is given twice by `where`", assumption.key.name);
                 faults.push(Fault::new(assumption.key.phrase, text, "keep one of the two"));
             } else if let Err(fault) = scope.assume(assumption) {
                 faults.push(fault);
@@ -62,30 +62,30 @@ impl<'a> Scope<'a> {
         self.algebra.ring()
     }
 
-    /// The algebra of the equation at hand.
+    /// The algebra of the current equation.
     pub(crate) fn algebra(&self) -> &Algebra<'a> {
         &self.algebra
     }
 
-    /// The algebra of the equation at hand, to go on with.
+    /// The algebra of the current equation, mutable.
     pub(crate) fn algebra_mut(&mut self) -> &mut Algebra<'a> {
         &mut self.algebra
     }
 
-    /// A polynomial at the assumptions of the block.
+    /// A polynomial with the assumptions of the block put in.
     pub(crate) fn assumed(&self, poly: &Poly) -> Poly {
         self.ring().substitute(poly, &self.assumed)
     }
 
     /// The same names with x y z as unknowns.
     pub(crate) fn with_free_tip(&self) -> Self {
-        Self { tip: self.model().frame.tip.map(Poly::from), ..self.clone() }
+        Self { tip: self.model().symbols.tip.map(Poly::from), ..self.clone() }
     }
 
     /// Set-up symbols that a block does not mention: they are zero in it.
     pub(crate) fn unmentioned(&self, block: &Verify) -> Vec<(&'static str, Symbol)> {
-        let [x, y, z] = self.model().frame.part;
-        let known = [("gauge", self.model().frame.gauge), ("part_x", x), ("part_y", y), ("part_z", z)];
+        let [x, y, z] = self.model().symbols.part;
+        let known = [("gauge", self.model().symbols.gauge), ("part_x", x), ("part_y", y), ("part_z", z)];
         let mentioned = |name: &str| {
             block.assumptions.iter().any(|assumption| assumption.key.name == name)
                 || block.equations.iter().any(|equation| equation.left.mentions(name) || equation.right.mentions(name))
@@ -95,7 +95,7 @@ impl<'a> Scope<'a> {
 
     /// Pairs (sine, cosine) of all unknown angles.
     pub(crate) fn circles(&self) -> Vec<(Symbol, Symbol)> {
-        let axes = self.model().axes.iter().filter(|axis| axis.kind == Kind::Rotary).map(|axis| axis.turn);
+        let axes = self.model().axes.iter().filter(|axis| axis.kind == AxisKind::Rotary).map(|axis| axis.sin_cos);
         let dimensions = self.model().dimensions.iter().filter_map(|dimension| match dimension.quantity {
             Quantity::Angle(sine, cosine) => Some((sine, cosine)),
             Quantity::Length(_) => None,
@@ -115,13 +115,13 @@ impl<'a> Scope<'a> {
         let held = self.axis_named(&key.name).filter(|axis| self.model().axes[*axis].held.is_some());
         let dimension = self.model().dimensions.iter().find(|dimension| dimension.name == key.name);
         let quantity = match (set_up, held, dimension) {
-            (Some(0), ..) => Some(Quantity::Length(self.model().frame.gauge)),
-            (Some(place), ..) => Some(Quantity::Length(self.model().frame.part[place - 1])),
+            (Some(0), ..) => Some(Quantity::Length(self.model().symbols.gauge)),
+            (Some(place), ..) => Some(Quantity::Length(self.model().symbols.part[place - 1])),
             (_, Some(axis), _) => {
                 let axis = &self.model().axes[axis];
                 Some(match axis.kind {
-                    Kind::Linear => Quantity::Length(axis.word),
-                    Kind::Rotary => Quantity::Angle(axis.turn.0, axis.turn.1),
+                    AxisKind::Linear => Quantity::Length(axis.word),
+                    AxisKind::Rotary => Quantity::Angle(axis.sin_cos.0, axis.sin_cos.1),
                 })
             }
             (_, _, Some(dimension)) => Some(dimension.quantity),
@@ -133,15 +133,15 @@ impl<'a> Scope<'a> {
                 self.assumed.insert(symbol, length);
             }
             Some(Quantity::Angle(sine, cosine)) => {
-                let turn = check::angle(value, &names, self.algebra.ring_mut())?;
-                self.assumed.insert(sine, turn.0);
-                self.assumed.insert(cosine, turn.1);
+                let pair = check::angle(value, &names, self.algebra.ring_mut())?;
+                self.assumed.insert(sine, pair.0);
+                self.assumed.insert(cosine, pair.1);
             }
             None if is_taken(&key.name) => {
                 return Err(Fault::new(
                     key.phrase,
-                    format!("`{}` cannot be assumed", key.name),
-                    "`where` gives a value to a dimension, to `gauge`, `part_x`, `part_y`, `part_z`, to a held axis, or to a name of its own",
+                    format!("`where` cannot give a value to `{}`", key.name),
+                    "`where` gives a value to a dimension, to `gauge`, `part_x`, `part_y`, `part_z`, to a held axis, or to a new name",
                 ));
             }
             None if is_angle(value, self.model()) => {
@@ -158,7 +158,7 @@ impl<'a> Scope<'a> {
 
     /// The value of a name.
     pub(crate) fn name(&self, name: &str, expr: &Expr) -> Result<Value, Fault> {
-        let frame = &self.model().frame;
+        let symbols = &self.model().symbols;
         if let Some(place) = ["x", "y", "z"].iter().position(|known| *known == name) {
             return Ok(Value::Number(self.tip[place].clone()));
         }
@@ -172,15 +172,15 @@ impl<'a> Scope<'a> {
         if let Some(axis) = self.axis_named(name) {
             let axis = &self.model().axes[axis];
             return Ok(match axis.kind {
-                Kind::Linear => number(axis.word),
-                Kind::Rotary => angle(axis.turn),
+                AxisKind::Linear => number(axis.word),
+                AxisKind::Rotary => angle(axis.sin_cos),
             });
         }
         if name == "gauge" {
-            return Ok(number(frame.gauge));
+            return Ok(number(symbols.gauge));
         }
         if let Some(place) = ["part_x", "part_y", "part_z"].iter().position(|known| *known == name) {
-            return Ok(number(frame.part[place]));
+            return Ok(number(symbols.part[place]));
         }
         if let Some((_, value)) = self.locals.iter().find(|(known, _)| known == name) {
             return Ok(value.clone());
@@ -192,9 +192,9 @@ impl<'a> Scope<'a> {
             }),
             None => Err(Fault::new(
                 expr.phrase,
-                format!("`{name}` means nothing in `verify`"),
+                format!("unknown name `{name}` in `verify`"),
                 format!(
-                    "known are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z, and names that a `where` gives",
+                    "the names are x y z i j k, the axes {}, {}gauge, part_x, part_y, part_z, and names given by `where`",
                     self.letters(),
                     self.dimensions()
                 ),
@@ -220,7 +220,7 @@ fn is_taken(name: &str) -> bool {
     check::is_reserved(name)
 }
 
-/// Whether an assumption gives an angle: it names one, or has the unit.
+/// True if an assumption gives an angle: it names one, or has the unit `deg`.
 fn is_angle(expr: &Expr, model: &Model) -> bool {
     let dimension = |name: &str| {
         model.dimensions.iter().any(|known| known.name == name && matches!(known.quantity, Quantity::Angle(..)))

@@ -1,14 +1,14 @@
-//! The cold path of a machine with two rotary axes: pole, rim, just beyond the rim, and what is no pose at all.
+//! The cold path of a machine with two rotary axes: pole, rim, just beyond the rim, and poses that are not numbers.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::guard::{finite, inverse_places, parallel};
+use super::guard::{finite, inverse_variables, parallel};
 use super::solution::SolutionTokens;
 use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::Model;
-use crate::solve::{Edge, Orientation, Solved, Two};
+use crate::solve::{Edge, Orientation, Solved, TwoRotaries};
 use crate::symbolic::Id;
 
 /// The function and its signature; `None` if fewer than two rotary axes are solved for.
@@ -16,7 +16,8 @@ pub(crate) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, Token
     let Orientation::Two(two) = &solved.orientation else { return None };
     let count = model.axes.len();
     let signature = quote! {
-        /// One solution where both branches meet, at the pole, at the rim and within the tolerance outside it.
+        /// One solution where both branches coincide: at the pole, at the limit of reach, and within the tolerance
+        /// beyond it.
         fn inverse_at_the_edge(
             &self,
             pose: &::pp_runtime::kinematics::Pose,
@@ -35,14 +36,14 @@ pub(crate) fn edge(model: &Model, solved: &Solved) -> Option<(TokenStream, Token
     Some((function, quote!(#signature;)))
 }
 
-fn statements(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
+fn statements(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenStream {
     let Edge { second, first, first_squared, reached_squared, along, .. } = two.edge;
     let wanted =
         [two.second.capacity, two.second.root_squared, two.second.height, two.second.rim, two.first.sine_squared];
     let reached = [second.0, second.1, first.0, first.1, first_squared, reached_squared, along.0, along.1];
     let outputs: Vec<Id> = wanted.into_iter().chain(reached).collect();
     let mut body = Body::new(&solved.graph, &outputs);
-    let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
     let begin = lets(&body.statements(&wanted));
     let rest = lets(&body.statements(&outputs));
     let is_a_pose = is_a_pose(model, solved, &body, two);
@@ -72,8 +73,8 @@ fn statements(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
     }
 }
 
-/// No solution for what is not a number, or where the rotary axes cannot tilt the tool.
-fn is_a_pose(model: &Model, solved: &Solved, body: &Body<'_>, two: &Two) -> TokenStream {
+/// No solution for a pose that is not a number, or where the rotary axes cannot tilt the tool.
+fn is_a_pose(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let capacity = solved.graph.constant_of(two.second.capacity).is_none().then(|| {
         let (capacity, least) = (body.tokens(two.second.capacity), parallel());
         quote!(!(#capacity > #least) ||)
@@ -87,7 +88,7 @@ fn is_a_pose(model: &Model, solved: &Solved, body: &Body<'_>, two: &Two) -> Toke
 }
 
 /// Height and root of the nearest axis that can be reached.
-fn onto_the_rim(body: &Body<'_>, two: &Two) -> TokenStream {
+fn onto_the_rim(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let [root_squared, height, rim] =
         [two.second.root_squared, two.second.height, two.second.rim].map(|node| body.tokens(node));
     quote! {
@@ -97,8 +98,8 @@ fn onto_the_rim(body: &Body<'_>, two: &Two) -> TokenStream {
     }
 }
 
-/// Distance of that from the wanted axis; no solution beyond the tolerance.
-fn deviation(body: &Body<'_>, two: &Two) -> TokenStream {
+/// Distance of the nearest axis from the wanted one; no solution beyond the tolerance.
+fn deviation(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let [along, reached_along, sine_squared, reached_squared] =
         [two.edge.along.0, two.edge.along.1, two.first.sine_squared, two.edge.reached_squared]
             .map(|node| body.tokens(node));
@@ -114,8 +115,8 @@ fn deviation(body: &Body<'_>, two: &Two) -> TokenStream {
     }
 }
 
-/// `first` and `value`, the (sine, cosine) and the angle of the first rotary; at the pole those that are held.
-fn first_angle(body: &Body<'_>, two: &Two) -> TokenStream {
+/// `first` and `value`, the (sine, cosine) and the angle of the first rotary; at the pole those of its given value.
+fn first_angle(body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let rotary = two.rotaries[0];
     let [sine_squared, first_squared, sine, cosine] =
         [two.first.sine_squared, two.edge.first_squared, two.edge.first.0, two.edge.first.1]

@@ -1,4 +1,4 @@
-//! The inverse kinematics: a straight path for ordinary poses, a cold one for pole and rim, and `reach`.
+//! The inverse kinematics: straight-line code for ordinary poses, a cold path for pole and rim, and `reach`.
 
 mod edge;
 mod guard;

@@ -3,21 +3,21 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::guard::{finite, inverse_places, parallel};
+use super::guard::{finite, inverse_variables, parallel};
 use super::solution::SolutionTokens;
 use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::{AxisId, Model};
-use crate::solve::{AngleRelation, Branch, Pole, Solved, Two};
+use crate::solve::{AngleRelation, Branch, Pole, Solved, TwoRotaries};
 use crate::symbolic::Id;
 
 /// Both branches, or the cold path.
-pub(crate) fn pair(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
+pub(crate) fn pair(model: &Model, solved: &Solved, two: &TwoRotaries) -> TokenStream {
     let guarded = [two.second.root, two.first.sine_squared, two.second.capacity];
     let words = |branch: &Branch| branch.words.map(|(sine, cosine)| [sine, cosine]).concat();
     let outputs: Vec<Id> = guarded.into_iter().chain(two.branches.iter().flat_map(words)).collect();
     let mut body = Body::new(&solved.graph, &outputs);
-    let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
     let guard = lets(&body.statements(&guarded));
     let near_the_edge = near_the_edge(solved, &body, two);
     let finite = finite(model);
@@ -36,11 +36,11 @@ pub(crate) fn pair(model: &Model, solved: &Solved, two: &Two) -> TokenStream {
     }
 }
 
-/// Whether both branches meet, the first rotary is free, or the rotary axes cannot tilt the tool.
-fn near_the_edge(solved: &Solved, body: &Body<'_>, two: &Two) -> TokenStream {
+/// Test that both branches meet, the first rotary is free, or the rotary axes cannot tilt the tool.
+fn near_the_edge(solved: &Solved, body: &Body<'_>, two: &TwoRotaries) -> TokenStream {
     let [root, sine_squared, capacity] =
         [two.second.root, two.first.sine_squared, two.second.capacity].map(|node| body.tokens(node));
-    // In the orthogonal form the root is zero at the pole, too.
+    // In the orthogonal form the root is also zero at the pole.
     let pole = (two.pole != Pole::Orthogonal).then(|| {
         quote!(|| !(#sine_squared >= ::pp_runtime::kinematics::SINGULAR_SINE * ::pp_runtime::kinematics::SINGULAR_SINE))
     });
@@ -52,7 +52,7 @@ fn near_the_edge(solved: &Solved, body: &Body<'_>, two: &Two) -> TokenStream {
 }
 
 /// `let` statements for the angles of a branch.
-fn angles(model: &Model, body: &Body<'_>, two: &Two, branch: usize) -> TokenStream {
+fn angles(model: &Model, body: &Body<'_>, two: &TwoRotaries, branch: usize) -> TokenStream {
     let Branch { words, angles, .. } = two.branches[branch];
     let statements = (0..2).map(|rotary| {
         let (name, first) = (angle_name(model, two, rotary, branch), angle_name(model, two, rotary, 0));
@@ -71,7 +71,7 @@ fn angles(model: &Model, body: &Body<'_>, two: &Two, branch: usize) -> TokenStre
     statements.collect()
 }
 
-fn solution(model: &Model, solved: &Solved, body: &Body<'_>, two: &Two, branch: usize) -> TokenStream {
+fn solution(model: &Model, solved: &Solved, body: &Body<'_>, two: &TwoRotaries, branch: usize) -> TokenStream {
     let turns = two.branches[branch].words.map(|(sine, cosine)| {
         let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));
         quote!((#sine, #cosine))
@@ -94,6 +94,6 @@ fn solution(model: &Model, solved: &Solved, body: &Body<'_>, two: &Two, branch: 
 }
 
 /// `angle_c_1`
-fn angle_name(model: &Model, two: &Two, rotary: usize, branch: usize) -> Ident {
+fn angle_name(model: &Model, two: &TwoRotaries, rotary: usize, branch: usize) -> Ident {
     format_ident!("angle_{}_{}", model.axes[two.rotaries[rotary]].letter.to_ascii_lowercase(), branch + 1)
 }

@@ -1,9 +1,9 @@
-//! `reach`: why a tool axis cannot be reached.
+//! `reach`: the reason why a tool axis cannot be reached.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::guard::{inverse_places, parallel};
+use super::guard::{inverse_variables, parallel};
 use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::{AxisId, Model, Quantity};
@@ -19,7 +19,7 @@ pub(crate) fn reach(model: &Model, solved: &Solved) -> TokenStream {
         Orientation::Fixed { deviation } => {
             let outputs: Vec<Id> = [*deviation].into_iter().collect();
             let mut body = Body::new(&solved.graph, &outputs);
-            let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+            let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
             let statements = lets(&body.statements(&outputs));
             let deviation = body.tokens(*deviation);
             quote! {
@@ -68,7 +68,7 @@ pub(crate) fn reach(model: &Model, solved: &Solved) -> TokenStream {
     }
 }
 
-/// Held axes and angles of `dims`: what can make a rotary unable to tilt the tool.
+/// Names of held axes and of angles of `dims`: their values can make a rotary unable to tilt the tool.
 fn inputs(model: &Model) -> String {
     let held = model.axes.iter().filter(|axis| axis.held.is_some()).map(|axis| axis.letter.to_string());
     let angles = model.dimensions.iter().filter(|dimension| matches!(dimension.quantity, Quantity::Angle(..)));
@@ -91,7 +91,7 @@ fn cone(
     outputs.extend(tilt.direction);
     outputs.extend(capacity.map(|(node, ..)| node));
     let mut body = Body::new(&solved.graph, &outputs);
-    let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
     let statements = lets(&body.statements(&outputs));
     let [wanted, between, tool] = [tilt.wanted, tilt.between, tilt.tool].map(|(sine, cosine)| {
         let (sine, cosine) = (body.tokens(sine), body.tokens(cosine));

@@ -3,21 +3,21 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::guard::{finite, inverse_places, parallel};
+use super::guard::{finite, inverse_variables, parallel};
 use super::solution::SolutionTokens;
 use crate::emit::body::{Body, lets};
 use crate::emit::inputs::prelude;
 use crate::model::Model;
-use crate::solve::{One, Solved};
+use crate::solve::{OneRotary, Solved};
 use crate::symbolic::Id;
 
-/// Sine of a cone whose axis may come within the reach tolerance of it, with room to spare.
+/// Sine of the half angle of a cone below which its axis may be within the reach tolerance of the cone, with a margin.
 const SLIM: f64 = 1e-5;
 
 /// No solved rotary axis.
 pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id) -> TokenStream {
     let mut body = Body::new(&solved.graph, &[deviation]);
-    let prelude = prelude(model, &body.inputs(&[deviation]), inverse_places());
+    let prelude = prelude(model, &body.inputs(&[deviation]), inverse_variables());
     let guard = within_reach(model, &mut body, deviation);
     let (branch, singular, deviation) = (quote!(First), quote!(false), body.tokens(deviation));
     let solution = SolutionTokens { turns: &[], angles: &[], branch, singular, deviation }.tokens(model, solved);
@@ -29,10 +29,10 @@ pub(crate) fn fixed(model: &Model, solved: &Solved, deviation: Id) -> TokenStrea
 }
 
 /// One solved rotary axis.
-pub(crate) fn one(model: &Model, solved: &Solved, one: &One) -> TokenStream {
+pub(crate) fn one(model: &Model, solved: &Solved, one: &OneRotary) -> TokenStream {
     let outputs = [one.deviation, one.word.0, one.word.1, one.length, one.length_claim];
     let mut body = Body::new(&solved.graph, &outputs);
-    let prelude = prelude(model, &body.inputs(&outputs), inverse_places());
+    let prelude = prelude(model, &body.inputs(&outputs), inverse_variables());
     let can_tilt = can_tilt(solved, &mut body, one);
     let guard = within_reach(model, &mut body, one.deviation);
     let statements = lets(&body.statements(&outputs));
@@ -55,8 +55,8 @@ pub(crate) fn one(model: &Model, solved: &Solved, one: &One) -> TokenStream {
     }
 }
 
-/// No solution where dimensions or held axes lay the rotary parallel to the tool.
-fn can_tilt(solved: &Solved, body: &mut Body<'_>, one: &One) -> Option<TokenStream> {
+/// No solution where dimensions or held axes make the rotary parallel to the tool.
+fn can_tilt(solved: &Solved, body: &mut Body<'_>, one: &OneRotary) -> Option<TokenStream> {
     if solved.graph.constant_of(one.length_claim).is_some() {
         return None;
     }
@@ -71,7 +71,7 @@ fn can_tilt(solved: &Solved, body: &mut Body<'_>, one: &One) -> Option<TokenStre
     })
 }
 
-/// No solution where the wanted axis is off the reachable ones, or is not a number.
+/// No solution where the wanted axis is off the cone by more than the tolerance, or is not a number.
 fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStream {
     let statements = lets(&body.statements(&[deviation]));
     let deviation = body.tokens(deviation);
@@ -85,9 +85,9 @@ fn within_reach(model: &Model, body: &mut Body<'_>, deviation: Id) -> TokenStrea
 }
 
 /// `first` and `value`, the (sine, cosine) and the angle; and whether it is singular.
-fn angle(solved: &Solved, body: &Body<'_>, one: &One) -> (TokenStream, TokenStream) {
+fn angle(solved: &Solved, body: &Body<'_>, one: &OneRotary) -> (TokenStream, TokenStream) {
     let (sine, cosine) = (body.tokens(one.word.0), body.tokens(one.word.1));
-    // A cone so slim that its axis is within tolerance of it: there the rotary is free.
+    // The axis of a very slim cone is within the tolerance of it, and there the rotary is free.
     let claim = solved.graph.constant_of(one.length_claim).and_then(|poly| solved.graph.ring().value(poly));
     if claim.is_some_and(|squared| squared >= SLIM * SLIM) {
         let angle = quote!(let (first, value) = ((#sine, #cosine), math::angle(#sine, #cosine)););

@@ -4,7 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::kinematics::rotaries;
-use crate::model::{AxisId, Kind, Model};
+use crate::model::{AxisId, AxisKind, Model};
 use crate::solve::Solved;
 
 /// Expressions of a branch.
@@ -28,7 +28,7 @@ impl SolutionTokens<'_> {
             if axis.held.is_some() {
                 return quote!(held[#place]);
             }
-            if axis.kind == Kind::Linear {
+            if axis.kind == AxisKind::Linear {
                 let index = solved.position.values.iter().position(|(known, _)| *known == place);
                 return quote!(solved[#index]);
             }

@@ -1,12 +1,12 @@
-//! Quantities that both angles are made of; the words are those of the table in [`two`](super::two).
+//! Quantities from which both angles are computed; names as in the table of [`two`](super::two).
 
 use std::collections::BTreeMap;
 
 use crate::model::AxisId;
-use crate::solve::refusal::{PARALLEL, Refusal};
-use crate::symbolic::{GraphBuilder, Poly, Symbol, Term, Vec3};
+use crate::solve::refusal::{PARALLEL_SINE_SQUARED, Refusal};
+use crate::symbolic::{GraphBuilder, Poly, Symbol, Term, TermVector};
 
-/// Whether and where the tool can be laid parallel to the first rotary.
+/// Directions in which the tool axis can be parallel to the first rotary axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pole {
     /// At `n` and `-n`: the rotaries are perpendicular to each other and to the tool.
@@ -15,7 +15,7 @@ pub enum Pole {
     Plus,
     /// At `-n`.
     Minus,
-    /// Not for all values of held axes and dimensions.
+    /// Nowhere, or only at particular values of held axes and dimensions.
     Elsewhere,
 }
 
@@ -37,10 +37,10 @@ impl Pole {
 /// Directions at the held values: both rotaries, the tool axis, the wanted axis.
 #[derive(Clone, Copy)]
 pub(crate) struct Directions<'g> {
-    pub(crate) n: Vec3<'g>,
-    pub(crate) m: Vec3<'g>,
-    pub(crate) t: Vec3<'g>,
-    pub(crate) a: Vec3<'g>,
+    pub(crate) n: TermVector<'g>,
+    pub(crate) m: TermVector<'g>,
+    pub(crate) t: TermVector<'g>,
+    pub(crate) a: TermVector<'g>,
 }
 
 /// Quantities that do not depend on the wanted axis.
@@ -53,7 +53,7 @@ pub(crate) struct Invariants<'g> {
     /// `|m×t|² = 1 - q²`.
     pub(crate) tool_squared: Term<'g>,
     /// `m×n`
-    m_n: Vec3<'g>,
+    m_n: TermVector<'g>,
 }
 
 impl<'g> Invariants<'g> {
@@ -66,10 +66,11 @@ impl<'g> Invariants<'g> {
         let (between_squared, tool_squared) = (m_n.dot(m_n), m_t.dot(m_t));
         let between_squared = between_squared.settled();
         let (between, tool) = (m_n.squared_at(defaults), m_t.squared_at(defaults));
-        if between * tool <= PARALLEL {
+        if between * tool <= PARALLEL_SINE_SQUARED {
             let [first, second] = rotaries;
-            let same = (between <= PARALLEL || between <= tool).then_some(Refusal::SameDirection(first, second));
-            let still = (tool <= PARALLEL || tool < between).then_some(Refusal::CannotTilt(second));
+            let same =
+                (between <= PARALLEL_SINE_SQUARED || between <= tool).then_some(Refusal::SameDirection(first, second));
+            let still = (tool <= PARALLEL_SINE_SQUARED || tool < between).then_some(Refusal::CannotTilt(second));
             return Err(same.into_iter().chain(still).collect());
         }
         let [p, q] = [n.dot(m), m.dot(t)].map(Term::settled);
@@ -84,7 +85,7 @@ impl<'g> Invariants<'g> {
     }
 }
 
-/// Place of the wanted axis: its height, and its coordinates in the plane perpendicular to the first rotary.
+/// Coordinates of the wanted axis: its height along the first rotary, and two in the plane perpendicular to it.
 pub(crate) struct Coordinates<'g> {
     pub(crate) along: Term<'g>,
     pub(crate) mean: Term<'g>,
@@ -114,7 +115,7 @@ impl<'g> Coordinates<'g> {
     }
 }
 
-/// The root squared in the form that keeps its digits, and what belongs to that form.
+/// The root squared in its well-conditioned form, with rim and lean in the same form.
 pub(crate) struct Radicand<'g> {
     pub(crate) rim: Term<'g>,
     pub(crate) squared: Term<'g>,
@@ -157,7 +158,7 @@ impl<'g> Radicand<'g> {
     }
 }
 
-/// The factor of sine and cosine of the first angle.
+/// Common factor of sine and cosine of the first angle.
 pub(crate) struct FirstScale<'g> {
     pub(crate) length: Option<Term<'g>>,
     pub(crate) inverse: Term<'g>,

@@ -15,16 +15,16 @@ use std::collections::BTreeMap;
 
 use super::derivation::Derivation;
 use super::refusal::Refusal;
-use crate::model::{AxisId, Kind};
+use crate::model::{AxisId, AxisKind};
 use crate::symbolic::{Id, Poly, Symbol};
 use geometry::Directions;
 pub use geometry::Pole;
-pub use one::One;
-pub use pair::{Branch, Edge, FirstAngle, SecondAngle, Two};
+pub use one::OneRotary;
+pub use pair::{Branch, Edge, FirstAngle, SecondAngle, TwoRotaries};
 pub use relation::AngleRelation;
 pub use tilt::Tilt;
 
-/// How the tool axis is reached.
+/// Rotary angles from the tool axis.
 #[derive(Debug, Clone)]
 pub enum Orientation {
     /// No solved rotary axis.
@@ -33,9 +33,9 @@ pub enum Orientation {
         deviation: Id,
     },
     /// One solved rotary axis.
-    One(One),
+    One(OneRotary),
     /// Two solved rotary axes.
-    Two(Box<Two>),
+    Two(Box<TwoRotaries>),
 }
 
 pub(crate) fn solve(
@@ -44,17 +44,17 @@ pub(crate) fn solve(
 ) -> Result<Orientation, Vec<Refusal>> {
     let model = derivation.model;
     let solved: Vec<AxisId> = model.solved_rotaries().collect();
-    let held = |id: &AxisId| model.axes[*id].kind == Kind::Rotary && model.axes[*id].held.is_some();
+    let held = |id: &AxisId| model.axes[*id].kind == AxisKind::Rotary && model.axes[*id].held.is_some();
     let first = solved.first().copied().unwrap_or(model.axes.len());
     let after_last = solved.last().map_or(first, |last| last + 1);
-    let axis = derivation.graph.inputs(model.frame.axis);
+    let axis = derivation.graph.inputs(model.symbols.axis);
     let axis = (0..first).filter(held).fold(axis, |axis, id| derivation.rotated_back(id, axis));
     let after_last = (after_last..model.axes.len()).filter(held).rev();
     let tool = after_last.fold(derivation.tool_axis(), |tool, id| derivation.rotated(id, tool));
     match solved[..] {
         [] => Ok(Orientation::Fixed { deviation: (axis - tool).norm().named("deviation").id() }),
         [rotary] => Ok(Orientation::One(one::solve(derivation, rotary, axis, tool, defaults)?)),
-        // The check lets no third pass.
+        // `check` refuses a third one.
         [first, second, ..] => {
             let mut m = derivation.direction(second);
             let mut t = tool;

@@ -1,20 +1,20 @@
 //! The angle of a single rotary axis from a tool axis.
 //!
 //! With `n` the direction of the rotary, `t` the tool axis and `a` the wanted axis, the rotated tool describes a cone
-//! about `n`. Its angle to `t` is that of `a`, seen along `n`: sine `(n×t)·a`, cosine `((n×t)×n)·a`, both times the
-//! length of `n×t`. What lies off the cone is the deviation.
+//! about `n`. The angle is that from `t` to `a`, seen along `n`: sine `(n×t)·a`, cosine `((n×t)×n)·a`, both times the
+//! length of `n×t`. The distance of `a` from the cone is the deviation.
 
 use std::collections::BTreeMap;
 
 use super::tilt::{Tilt, in_workpiece};
 use crate::model::AxisId;
 use crate::solve::derivation::Derivation;
-use crate::solve::refusal::{PARALLEL, Refusal};
-use crate::symbolic::{Id, Poly, Symbol, Vec3, nodes};
+use crate::solve::refusal::{PARALLEL_SINE_SQUARED, Refusal};
+use crate::symbolic::{Id, Poly, Symbol, TermVector, nodes};
 
 /// One solved rotary axis.
 #[derive(Debug, Clone)]
-pub struct One {
+pub struct OneRotary {
     /// The axis.
     pub rotary: AxisId,
     /// Sine and cosine of its word.
@@ -27,21 +27,21 @@ pub struct One {
     pub inverse: Id,
     /// `|n×t|²`, the exact value of `length` on the cone.
     pub length_claim: Id,
-    /// The angle to the rotary, wanted and reached.
+    /// Angles to the rotary axis, for diagnostics.
     pub tilt: Tilt,
 }
 
 pub(crate) fn solve<'g>(
     derivation: &'g Derivation<'_>,
     rotary: AxisId,
-    axis: Vec3<'g>,
-    tool: Vec3<'g>,
+    axis: TermVector<'g>,
+    tool: TermVector<'g>,
     defaults: &BTreeMap<Symbol, Poly>,
-) -> Result<One, Vec<Refusal>> {
+) -> Result<OneRotary, Vec<Refusal>> {
     let graph = &derivation.graph;
     let n = derivation.direction(rotary);
     let across = n.cross(tool);
-    if across.squared_at(defaults) <= PARALLEL {
+    if across.squared_at(defaults) <= PARALLEL_SINE_SQUARED {
         return Err(vec![Refusal::CannotTilt(rotary)]);
     }
     let across_squared = across.dot(across).settled();
@@ -60,7 +60,7 @@ pub(crate) fn solve<'g>(
     let deviation = (gap_along.square() + gap_across.square()).sqrt().named("deviation");
     let wanted_sine = n.cross(axis).norm();
     let word_sine = word_sine.signed(!derivation.model.axes[rotary].reversed);
-    Ok(One {
+    Ok(OneRotary {
         rotary,
         word: nodes((word_sine, word_cosine)),
         deviation: deviation.id(),

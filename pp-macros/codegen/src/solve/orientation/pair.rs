@@ -8,25 +8,25 @@ use crate::symbolic::{Id, Interpreter, Poly, Symbol};
 
 /// Two solved rotary axes.
 #[derive(Debug, Clone)]
-pub struct Two {
+pub struct TwoRotaries {
     /// First and second from the workpiece.
     pub rotaries: [AxisId; 2],
-    /// Common parts of the second angle on both branches.
+    /// Parts of the second angle that both branches share.
     pub second: SecondAngle,
-    /// Common parts of the first angle on both branches.
+    /// Parts of the first angle that both branches share.
     pub first: FirstAngle,
     /// The branches in their order.
     pub branches: [Branch; 2],
-    /// The formulas where the hot path ends: pole, rim, beyond the rim.
+    /// Formulas of the cold path: at the pole, at the rim, just beyond the rim.
     pub edge: Edge,
-    /// Whether the tool can be laid parallel to the first rotary.
+    /// Directions in which the tool axis can be parallel to the first rotary axis.
     pub pole: Pole,
-    /// For diagnostics.
+    /// Angles to the first rotary axis, for diagnostics.
     pub tilt: Tilt,
 }
 
-impl Two {
-    /// Whether `σ` is plus on the first branch.
+impl TwoRotaries {
+    /// True if `σ` is plus on the first branch.
     #[must_use]
     pub fn first_is_plus(&self) -> bool {
         self.branches[0].plus
@@ -37,7 +37,7 @@ impl Two {
     pub fn side(&self, model: &Model, reader: &mut Interpreter<'_>) -> Poly {
         let second = self.rotaries[1];
         let [sine_factor, cosine_factor] = self.second.alpha.map(|node| reader.value(node));
-        let (ring, cosine) = (reader.ring(), Poly::from(model.axes[second].turn.1));
+        let (ring, cosine) = (reader.ring(), Poly::from(model.axes[second].sin_cos.1));
         &ring.mul(&sine_factor, &model.joint_sine(second)) - &ring.mul(&cosine_factor, &cosine)
     }
 }
@@ -47,13 +47,13 @@ impl Two {
 pub struct SecondAngle {
     /// `α1`, `α2`.
     pub alpha: [Id; 2],
-    /// `D = α1² + α2²`, what sine and cosine are divided by.
+    /// `D = α1² + α2²`, the divisor of sine and cosine.
     pub capacity: Id,
     /// `√D`.
     pub rim: Id,
     /// `w`.
     pub height: Id,
-    /// `r`, common to both branches.
+    /// `r`, the same on both branches.
     pub root: Id,
     /// `r² = D - w²`, as it is computed.
     pub root_squared: Id,
@@ -68,7 +68,7 @@ pub struct FirstAngle {
     pub spread: Id,
     /// `|n×a|²`.
     pub sine_squared: Id,
-    /// Set where the angle is normalised by its own length: that root; its exact value is `spread`.
+    /// The root by which the angle is normalised, where it has one of its own; its exact value is `spread`.
     pub length: Option<Id>,
     /// A positive factor that sine and cosine have in common.
     pub inverse: Id,
@@ -85,7 +85,7 @@ pub struct Branch {
     pub angles: [AngleRelation; 2],
 }
 
-/// Formulas of the first branch over free `w` and `r`.
+/// Formulas of the first branch with `w` and `r` as inputs.
 #[derive(Debug, Clone, Copy)]
 pub struct Edge {
     /// `w`.

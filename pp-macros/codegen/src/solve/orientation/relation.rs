@@ -8,7 +8,7 @@ use crate::symbolic::{Id, Interpreter, Symbol};
 /// Relation of an angle to that of the first branch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AngleRelation {
-    /// From its own sine and cosine.
+    /// None: computed from its own sine and cosine.
     Own,
     /// Equal to that of the first branch.
     Same,
@@ -32,7 +32,7 @@ pub(crate) fn relation(derivation: &Derivation<'_>, first: (Id, Id), second: (Id
     }
 }
 
-/// True if the nodes are proven to be equal, false if opposite.
+/// True if the nodes are proven to be equal, false if proven to be opposite, `None` otherwise.
 ///
 /// One numeric point refutes most relations at once; what it does not refute must be proven exactly.
 fn same(derivation: &Derivation<'_>, sample: &BTreeMap<Symbol, f64>, first: Id, second: Id) -> Option<bool> {

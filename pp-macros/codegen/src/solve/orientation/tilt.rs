@@ -1,8 +1,8 @@
-//! Angles to the first rotary axis: what a tool axis that cannot be reached is explained by.
+//! Angles to the first rotary axis, for the message about a tool axis that cannot be reached.
 
-use crate::model::{AxisId, Kind};
+use crate::model::{AxisId, AxisKind};
 use crate::solve::derivation::Derivation;
-use crate::symbolic::{Id, V3, Vec3};
+use crate::symbolic::{Id, NodeVector, TermVector};
 
 /// Angles to the first rotary as (sine, cosine) pairs, for diagnostics.
 #[derive(Debug, Clone, Copy)]
@@ -14,11 +14,11 @@ pub struct Tilt {
     /// Angle between the last rotary and the tool axis.
     pub tool: (Id, Id),
     /// Direction of the first rotary in the workpiece frame, at the held values before it.
-    pub direction: V3,
+    pub direction: NodeVector,
 }
 
 /// Direction of a rotary with the held rotaries before it rotated.
-pub(crate) fn in_workpiece<'g>(derivation: &'g Derivation<'_>, rotary: AxisId) -> Vec3<'g> {
-    let before = (0..rotary).rev().filter(|id| derivation.model.axes[*id].kind == Kind::Rotary);
+pub(crate) fn in_workpiece<'g>(derivation: &'g Derivation<'_>, rotary: AxisId) -> TermVector<'g> {
+    let before = (0..rotary).rev().filter(|id| derivation.model.axes[*id].kind == AxisKind::Rotary);
     before.fold(derivation.direction(rotary), |direction, id| derivation.rotated(id, direction))
 }

@@ -1,12 +1,12 @@
 //! Both rotary angles from a tool axis, in closed form.
 //!
-//! # Words
+//! # Quantities
 //!
 //! `n` and `m` are the directions of the first and second solved rotary, counted from the workpiece, `t` is the tool
-//! axis, `a` the wanted axis, `b` the tool axis rotated by the second rotary alone. One word names a quantity here, in the
-//! fields of [`Two`] and in generated code; papers use the symbol.
+//! axis, `a` the wanted axis, `b` the tool axis rotated by the second rotary alone. A quantity has the same name here,
+//! in the fields of [`TwoRotaries`] and in generated code; papers use the symbol.
 //!
-//! | word | symbol | value | meaning |
+//! | name | symbol | value | meaning |
 //! |---|---|---|---|
 //! | `p` | `p` | `n·m` | cosine of the angle between the rotaries |
 //! | `q` | `q` | `m·t` | cosine of the angle between the second rotary and the tool |
@@ -34,7 +34,7 @@
 //!
 //! # Conditioning
 //!
-//! `1 - k` loses half the digits near `k = 1`; `(|n×a|² + (1-k)²)/2` is the same number and loses none.
+//! `1 - k` loses half the digits near `k = 1`; `(|n×a|² + (1-k)²)/2` is equal to it and loses none.
 //! - If `q = ε p` identically (`ε = ±1`), the pole `a = ε n` can be reached. Then `√D = 1-p²` needs no root,
 //!   `r² = near·far` with `near = (|n×a|² + (1-ε n·a)²)/2` and `far = 1-2p² + ε n·a`, and `A = ε p·near`. With
 //!   `p = 0` this is `r² = g² + e²`, `A = 0`.
@@ -47,7 +47,7 @@
 use std::collections::BTreeMap;
 
 use super::geometry::{Coordinates, Directions, FirstScale, Invariants, Pole, Radicand};
-use super::pair::{Branch, Edge, FirstAngle, SecondAngle, Two};
+use super::pair::{Branch, Edge, FirstAngle, SecondAngle, TwoRotaries};
 use super::relation::{AngleRelation, relation};
 use super::tilt::{Tilt, in_workpiece};
 use crate::model::AxisId;
@@ -64,7 +64,7 @@ pub(crate) fn solve<'g>(
     rotaries: [AxisId; 2],
     directions: Directions<'g>,
     defaults: &BTreeMap<Symbol, Poly>,
-) -> Result<Two, Vec<Refusal>> {
+) -> Result<TwoRotaries, Vec<Refusal>> {
     let machine = Invariants::of(directions, rotaries, defaults)?;
     let pole = Pole::of(machine.p, machine.q);
     let wanted = Coordinates::of(directions, &machine);
@@ -72,12 +72,12 @@ pub(crate) fn solve<'g>(
     let root = radicand.squared.named("root_squared").sqrt().named("root");
     let lean = radicand.lean.named("lean");
     let plus = first_branch_is_plus(machine.alpha, derivation.model.axes[rotaries[1]].reversed, defaults);
-    let words = Words { reversed: rotaries.map(|id| derivation.model.axes[id].reversed), machine: &machine };
+    let words = RotaryWords { reversed: rotaries.map(|id| derivation.model.axes[id].reversed), machine: &machine };
     let scale = FirstScale::of(pole, root, lean, wanted.spread);
     let branches = [plus, !plus].map(|plus| {
         let root = root.signed(plus);
         let second = words.second(wanted.height, root);
-        // In the orthogonal form the root cancels against the length: only its sign is left.
+        // In the orthogonal form the root cancels against the length; only its sign remains.
         let root = if pole == Pole::Orthogonal { derivation.graph.integer(1).signed(plus) } else { root };
         let (sine, cosine) = words.first(&wanted, lean, root);
         (plus, [(sine * scale.inverse, cosine * scale.inverse), second].map(nodes))
@@ -90,7 +90,7 @@ pub(crate) fn solve<'g>(
         tool: nodes((roots[2], machine.q)),
         direction: in_workpiece(derivation, rotaries[0]).ids(),
     };
-    Ok(Two {
+    Ok(TwoRotaries {
         rotaries,
         second: SecondAngle {
             alpha: machine.alpha.map(Term::id),
@@ -114,13 +114,13 @@ pub(crate) fn solve<'g>(
     })
 }
 
-/// Sine and cosine of the words, with the sign of each axis.
-struct Words<'a, 'g> {
+/// Builds sine and cosine of the words, with the sign of each axis.
+struct RotaryWords<'a, 'g> {
     reversed: [bool; 2],
     machine: &'a Invariants<'g>,
 }
 
-impl<'g> Words<'_, 'g> {
+impl<'g> RotaryWords<'_, 'g> {
     /// `(α1, α2)` to `(height, root)`; the root has the sign `σ`.
     fn second(&self, height: Term<'g>, root: Term<'g>) -> (Term<'g>, Term<'g>) {
         let Invariants { alpha, capacity, .. } = *self.machine;
@@ -140,12 +140,12 @@ impl<'g> Words<'_, 'g> {
     }
 }
 
-/// The first branch over free `w` and `r`.
+/// Formulas of the first branch with `w` and `r` as inputs.
 fn edge<'g>(
     graph: &'g GraphBuilder,
     machine: &Invariants<'g>,
     wanted: &Coordinates<'g>,
-    words: &Words<'_, 'g>,
+    words: &RotaryWords<'_, 'g>,
     plus: bool,
 ) -> Edge {
     let (height_symbol, root_symbol) = (graph.symbol("edge_height"), graph.symbol("edge_root"));
@@ -177,7 +177,7 @@ fn first_branch_is_plus(alpha: [Term<'_>; 2], reversed: bool, defaults: &BTreeMa
     }
 }
 
-/// The branches, with angles of the second that follow from the first.
+/// Both branches, with the relations of the second branch's angles to the first.
 fn related(derivation: &Derivation<'_>, [first, second]: [(bool, [(Id, Id); 2]); 2]) -> [Branch; 2] {
     let own = |(plus, words)| Branch { plus, words, angles: [AngleRelation::Own; 2] };
     let (first, second) = (own(first), own(second));

@@ -5,7 +5,7 @@ use crate::formula::Formula;
 /// Longest line of text.
 pub(crate) const WIDTH: usize = 96;
 
-/// One section, twice.
+/// One section in both forms.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Section {
     /// Lines of text.
@@ -14,7 +14,7 @@ pub struct Section {
     pub latex: Vec<String>,
 }
 
-/// Words and formulas in a row.
+/// One line of words and formulas.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Line {
     text: String,
@@ -23,39 +23,39 @@ pub(crate) struct Line {
 
 /// Starts a line.
 pub(crate) fn line(words: &str) -> Line {
-    Line::default().say(words)
+    Line::default().words(words)
 }
 
 impl Line {
-    /// Words.
-    pub(crate) fn say(mut self, words: &str) -> Self {
+    /// Appends words.
+    pub(crate) fn words(mut self, words: &str) -> Self {
         self.text += words;
         self.latex += &escaped(words);
         self
     }
 
-    /// A formula.
+    /// Appends a formula.
     pub(crate) fn math(mut self, formula: &Formula) -> Self {
         self.text += &formula.text();
         self.latex += &format!("${}$", formula.latex());
         self
     }
 
-    /// Another line after this one.
+    /// Appends another line.
     pub(crate) fn append(mut self, other: &Self) -> Self {
         self.text += &other.text;
         self.latex += &other.latex;
         self
     }
 
-    /// Spelled out for each.
+    /// Appends a piece that is given in both forms.
     pub(crate) fn both(mut self, text: &str, latex: &str) -> Self {
         self.text += text;
         self.latex += latex;
         self
     }
 
-    /// A vector.
+    /// Appends a vector.
     pub(crate) fn vector(self, parts: &[Formula]) -> Self {
         let [text, latex] = [Formula::text, Formula::latex].map(|spelled| {
             let parts: Vec<String> = parts.iter().map(spelled).collect();
@@ -66,25 +66,25 @@ impl Line {
 }
 
 impl Section {
-    /// A line of words; long ones go on below, indented.
+    /// Adds a line; a long one is wrapped, its continuation indented.
     pub(crate) fn line(&mut self, line: Line) {
         self.text.extend(wrapped(&line.text, 4, false));
         self.latex.push(line.latex);
     }
 
-    /// Words alone.
-    pub(crate) fn say(&mut self, words: &str) {
+    /// Adds a line of words.
+    pub(crate) fn words(&mut self, words: &str) {
         self.line(line(words));
     }
 
-    /// An empty line of text.
+    /// Adds an empty line of text.
     pub(crate) fn gap(&mut self) {
         if self.text.last().is_some_and(|last| !last.is_empty()) {
             self.text.push(String::new());
         }
     }
 
-    /// Columns, aligned; blank columns are left out.
+    /// Adds aligned columns; blank columns are left out.
     pub(crate) fn table(&mut self, rows: &[Vec<Line>]) {
         let columns = rows.iter().map(Vec::len).max().unwrap_or_default();
         let width = |column: usize| rows.iter().filter_map(|row| row.get(column)).map(|cell| length(&cell.text)).max();
@@ -105,7 +105,7 @@ impl Section {
         self.latex.push(format!("\\begin{{tabular}}{{@{{}}{kinds}@{{}}}}\n{}\n\\end{{tabular}}", rows.join(" \\\\\n")));
     }
 
-    /// Formulas, their equals signs aligned.
+    /// Adds equations, their equals signs aligned.
     pub(crate) fn equations(&mut self, equations: &[(Formula, Formula)]) {
         let width = equations.iter().map(|(left, _)| length(&left.text())).max().unwrap_or_default();
         for (left, right) in equations {
@@ -115,7 +115,7 @@ impl Section {
         }
     }
 
-    /// `name = matrix`, in one piece if it fits, else an equation for each entry.
+    /// Adds `name = matrix`, in one piece if it fits, else an equation for each entry.
     pub(crate) fn matrix(&mut self, name: &Formula, rows: &[Vec<Formula>], entry: &str) {
         let texts: Vec<Vec<String>> = rows.iter().map(|row| row.iter().map(Formula::text).collect()).collect();
         let columns = texts.first().map_or(0, Vec::len);
@@ -146,7 +146,7 @@ impl Section {
     }
 }
 
-/// Characters, not bytes.
+/// Number of characters, not bytes.
 fn length(text: &str) -> usize {
     text.chars().count()
 }
@@ -156,8 +156,8 @@ fn padded(text: &str, width: usize, right: bool) -> String {
     if right { blanks + text } else { text.to_string() + &blanks }
 }
 
-/// Lines of at most [`WIDTH`] columns. Words break at blanks, formulas before a sign or after a comma of the outermost
-/// brackets.
+/// Lines of at most [`WIDTH`] columns. Words are broken at blanks, formulas before a sign or after a comma of the
+/// outermost brackets.
 fn wrapped(text: &str, indent: usize, formula: bool) -> Vec<String> {
     let mut lines = Vec::new();
     let mut rest: Vec<char> = text.chars().collect();
@@ -197,7 +197,7 @@ fn place_to_break(text: &[char], indent: usize, formula: bool) -> Option<usize> 
     best.map(|(_, index)| index)
 }
 
-/// Words for LaTeX.
+/// Words with the special characters of LaTeX escaped.
 pub(crate) fn escaped(words: &str) -> String {
     let mut text = String::new();
     let mut before = ' ';
@@ -205,7 +205,7 @@ pub(crate) fn escaped(words: &str) -> String {
         match character {
             // Equations (6)-(9).
             '-' if before == ')' => text += "--",
-            // A minus, no hyphen.
+            // A minus sign, not a hyphen.
             '-' if !before.is_alphabetic() => text += "$-$",
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
                 text.push('\\');
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn words_of_a_person_are_no_commands_of_latex() {
+    fn special_characters_in_words_are_not_latex_commands() {
         assert_eq!(escaped("50% of $x_1 & {a}"), r"50\% of \$x\_1 \& \{a\}");
         assert_eq!(escaped(r"\input"), r"\textbackslash{}input");
         assert_eq!(escaped("left-hand (-X)"), "left-hand ($-$X)");

@@ -3,22 +3,22 @@
 use std::collections::BTreeMap;
 
 use super::chain::{coordinate, vector};
-use super::page::{Section, line};
+use super::section::{Section, line};
 use crate::formula::Formula;
 use crate::model::Model;
 use crate::solve::{Orientation, Pole, Solved, Tilt};
-use crate::symbolic::{Id, Interpreter, P3};
+use crate::symbolic::{Id, Interpreter, PolyVector};
 
 /// Tool axes at which a rotary is free.
 pub(crate) fn singular_set(model: &Model, solved: &Solved) -> Section {
     let mut section = Section::default();
     let two = match &solved.orientation {
         Orientation::Fixed { .. } => {
-            section.say("never: there is no rotary axis to solve for");
+            section.words("never: there is no rotary axis to solve for");
             return section;
         }
         Orientation::One(_) => {
-            section.say("never");
+            section.words("never");
             return section;
         }
         Orientation::Two(two) => two,
@@ -32,25 +32,27 @@ pub(crate) fn singular_set(model: &Model, solved: &Solved) -> Section {
             Some(("z", _)) => ", that is i = j = 0",
             _ => "",
         };
-        let mut words = line(&format!("{letter} is free where the tool axis is parallel to it{at}"));
+        let mut text_line = line(&format!("{letter} is free where the tool axis is parallel to it{at}"));
         if let (true, Some(direction)) = (at.is_empty(), &direction) {
-            words = words.say(", along ").vector(&vector(model, direction));
+            text_line = text_line.words(", along ").vector(&vector(model, direction));
         }
-        section.line(words);
-        section.say(&format!("There (sine of the angle between them below 1e-15) {letter} keeps the value it had."));
-    } else {
+        section.line(text_line);
         section
-            .say(&format!("{letter} is free only where held values or dimensions let the tool stand parallel to it."));
+            .words(&format!("There (sine of the angle between them below 1e-15) {letter} keeps its previous value."));
+    } else {
+        section.words(&format!(
+            "{letter} is free only where held values or dimensions make the tool axis parallel to it."
+        ));
     }
     section
 }
 
 /// The direction of the first rotary in the workpiece, if no held value changes it.
-fn direction(model: &Model, solved: &Solved, tilt: &Tilt) -> Option<P3> {
+fn direction(model: &Model, solved: &Solved, tilt: &Tilt) -> Option<PolyVector> {
     let parts = tilt.direction.map(|node| solved.graph.constant_of(node).cloned());
     let [x, y, z] = parts;
     let direction = [x?, y?, z?];
-    // What the solver has found to be constant can be written in the model's ring.
+    // Directions that the solver found to be constant can be written in the model's ring.
     direction.iter().all(|part| model.ring.value(part).is_some() || part.is_zero()).then_some(direction)
 }
 
@@ -60,7 +62,7 @@ pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
     let value = |node: Id| solved.graph.constant_of(node).and_then(|poly| solved.graph.ring().value(poly));
     let (rotary, tilt) = match &solved.orientation {
         Orientation::Fixed { .. } => {
-            section.say("one tool axis");
+            section.words("a single tool axis: there is no rotary axis to solve for");
             return section;
         }
         Orientation::One(one) => (one.rotary, &one.tilt),
@@ -68,14 +70,14 @@ pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
     };
     let letter = model.axes[rotary].letter;
     let (Some(between), Some(tool)) = (value(tilt.between.1), value(tilt.tool.1)) else {
-        section.say(&format!("an angle to the axis of {letter} that depends on dimensions or held axes"));
+        section.words(&format!("angles to the axis of {letter} in a range that depends on dimensions or held axes"));
         return section;
     };
     let (between, tool) = (between.acos().to_degrees(), tool.acos().to_degrees());
     let (smallest, largest) = ((between - tool).abs(), 180.0 - (180.0 - between - tool).abs());
     let [smallest, largest] = [smallest, largest].map(|degrees| (degrees * 1e6).round() / 1e6);
     if smallest <= 0.0 && largest >= 180.0 {
-        section.say("every tool axis, within the limits of the axes");
+        section.words("every tool axis, within the limits of the axes");
         return section;
     }
     let range = if largest - smallest <= 0.0 {
@@ -83,13 +85,13 @@ pub(crate) fn reachable(model: &Model, solved: &Solved) -> Section {
     } else {
         format!("{smallest} to {largest} degrees")
     };
-    let mut words = line(&format!("{range} between the tool axis and the axis of {letter}"));
+    let mut text_line = line(&format!("{range} between the tool axis and the axis of {letter}"));
     if let Some((name, turned)) = direction(model, solved, tilt).as_ref().and_then(coordinate) {
         let text = inequality(name, turned, smallest, largest);
         let latex = text.replace("<=", "\\leq").replace(">=", "\\geq");
-        words = words.say(", that is ").both(&text, &format!("${latex}$"));
+        text_line = text_line.words(", that is ").both(&text, &format!("${latex}$"));
     }
-    section.line(words);
+    section.line(text_line);
     section
 }
 
@@ -129,9 +131,9 @@ pub(crate) fn degenerate(model: &Model, solved: &Solved) -> Section {
         section.line(line(&format!("nowhere: the determinant of {letters} is ")).math(&formula));
     } else {
         section.line(
-            line(&format!("{letters} degenerate where "))
+            line(&format!("where the determinant of {letters} is near zero: "))
                 .both(&format!("|{}|", formula.text()), &format!("$|{}|$", formula.latex()))
-                .say(" < 1e-9"),
+                .words(" < 1e-9"),
         );
     }
     section
