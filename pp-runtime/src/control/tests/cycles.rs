@@ -3,6 +3,8 @@
 //! The readers know the arguments of `CYCLE81` and the Q of `CYCL DEF` by their place in the manuals, and nothing of the
 //! templates.
 
+use proptest::prelude::*;
+
 use super::*;
 use crate::motion::{CannedCycle, CannedKind};
 
