@@ -384,7 +384,7 @@ proptest! {
 
 #[test]
 fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
-    assert!(close(read("path_tolerance = 0.0001").control.path_tolerance, 0.0001));
+    assert!(close(read("path_tolerance = 0.0001").control.path_tolerance_mm, 0.0001));
     assert_eq!(
         faults("path_tolerance = 0.00009"),
         ["1:18: less than 0.0001 mm could be written as 0, which lets the control leave the path without bound"]

@@ -13,14 +13,14 @@ use super::options::{Demands, Smoothing};
 #[must_use]
 pub fn unfit<M: Machine>(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let Abilities { tip, plane, .. } = abilities(control, demands);
-    let mut faults = beyond(control, demands);
+    let mut faults = unsupported(control, demands);
     faults.append(&mut motion::unsuited::<M>(demands.policy(), control.spellings().title, tip, plane));
     faults
 }
 
 /// Demands of the configuration that the control cannot meet.
-fn beyond(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
-    let (codes, setup) = (control.spellings(), &demands.options);
+fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
+    let (codes, options) = (control.spellings(), &demands.options);
     let title = codes.title;
     let mut faults = Vec::new();
     for offset in std::iter::once(&demands.set_up.work_offset).chain(demands.set_up.frames.values()) {
@@ -28,37 +28,37 @@ fn beyond(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
             faults.push(format!("{title} has no work offset `{offset}`"));
         }
     }
-    for (letter, name) in &setup.axes {
+    for (letter, name) in &options.axes {
         if control.axis_word(name).is_none() {
             faults.push(format!("{title} cannot have an axis `{name}`, which is to be the name of {letter}"));
         }
     }
-    if setup.program_number.is_some_and(|number| number.to_string().len() > codes.number_digits) {
+    if options.program_number.is_some_and(|number| number.to_string().len() > codes.number_digits) {
         faults.push(match codes.number_digits {
             0 => format!("programs of {title} have no number"),
             digits => format!("programs of {title} have a number of at most {digits} digits"),
         });
     }
-    if setup.file_header && control.file_header("NAME").is_empty() {
+    if options.file_header && control.file_header("NAME").is_empty() {
         faults.push(format!("programs of {title} do not begin with the name of their file: leave `file_header` out"));
     }
     if codes.length.call == LengthCall::WithTool && demands.set_up.length_mode == LengthMode::Gauge {
         faults.push(format!("{title} takes the length with every tool call: leave `length_mode` at \"tip\""));
     }
-    if codes.counted && demands.options.program.line_numbers.is_some() {
+    if codes.numbers_every_line && demands.options.program.line_numbers.is_some() {
         faults.push(format!("{title} counts every line by itself: leave `line_numbers` out"));
     }
-    if setup.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
+    if options.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
         faults.push(format!("{title} has no smoothing levels: give it `path_tolerance`"));
     }
-    let inverse = matches!(setup.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
+    let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
     if inverse && codes.inverse_time.is_none() {
         faults.push(format!("{title} has no inverse-time feed: `path_norm` is \"xyz\" or \"xyz+deg\""));
     }
     let blocks = [&demands.options.program.start, &demands.options.program.end]
         .into_iter()
-        .chain(&setup.tool_change)
-        .chain(&setup.safety)
+        .chain(&options.tool_change)
+        .chain(&options.safety)
         .flatten();
     for block in blocks.filter(|block| block.len() > codes.line_length || !block.is_ascii()) {
         faults.push(format!("{title} reads lines of at most {} bytes of ASCII: `{block}`", codes.line_length));
@@ -78,7 +78,7 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
 }
 
 /// The letters of a centre mean the tool axis, so that no arc can be written.
-fn centre_is_axis(control: &dyn Control, demands: Demands<'_>) -> bool {
+fn centre_letters_are_tool_axis(control: &dyn Control, demands: Demands<'_>) -> bool {
     let codes = control.spellings();
     let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref());
     let used = demands.motion.mode == Mode::Tcp && demands.motion.tip.tcp_words == TcpWords::Vectors;
@@ -102,16 +102,16 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
         registers: codes.length.registers,
         path_norm: demands.options.path_norm.unwrap_or(codes.path_norm),
         feed_per_inch: codes.feed_per_inch,
-        cycles: codes.cycles.as_ref().map_or_else(CycleAbilities::default, |cycles| cycles.can),
+        cycles: codes.cycles.as_ref().map_or_else(CycleAbilities::default, |cycles| cycles.abilities),
         radius_registers: codes.compensation[1].contains("{radius}"),
-        arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_is_axis(control, demands)),
-        arc_radius_tolerance: codes.arcs.radius_tolerance,
+        arc_planes: codes.arcs.planes.map(|plane| plane.is_some() && !centre_letters_are_tool_axis(control, demands)),
+        arc_radius_tolerance: codes.arcs.radius_tolerance_mm,
         tip: tip_ability(control, demands),
         plane: codes.plane.as_ref().map(|plane| PlaneAbility {
             angles: plane.angles,
             decimals: plane.decimals.unwrap_or(demands.formats.rotary),
             pose: plane.pose,
-            ends_behind_retract: plane.ends_behind_retract,
+            ends_behind_retract: plane.cancelled_after_retract,
         }),
     }
 }

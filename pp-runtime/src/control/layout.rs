@@ -1,7 +1,7 @@
 //! The job as an encoder sees it: axes and decimals, units, mode, and what the configuration sets of the control.
 
 use super::options::Demands;
-use super::options::{Options, ProgramBlocks};
+use super::options::{ControlOptions, ProgramBlocks};
 use crate::kinematics::{AxisKind, Machine};
 use crate::motion::{Mode, TcpWords, ToolPosture, Wrap};
 use crate::program::Units;
@@ -22,7 +22,7 @@ pub struct Layout {
     /// Name of the program in the CL data.
     pub name: Vec<u8>,
     /// Rotary axes take the shortest path.
-    pub shortest: bool,
+    pub shortest_path: bool,
     /// The coordinates of the words of a motion.
     pub mode: Mode,
     /// How the tool axis moves under tip control.
@@ -32,7 +32,7 @@ pub struct Layout {
     /// Threads are cut with the spindle under control of its angle.
     pub rigid: bool,
     /// What the configuration sets of the control.
-    pub setup: Options,
+    pub options: ControlOptions,
     /// Blocks around the program.
     pub program: ProgramBlocks,
 }
@@ -48,14 +48,14 @@ impl Layout {
             units,
             linear,
             work_offset: demands.set_up.work_offset.clone(),
-            path_tolerance: demands.options.path_tolerance / units.in_mm(),
+            path_tolerance: demands.options.path_tolerance_mm / units.in_mm(),
             name: name.to_vec(),
-            shortest: demands.motion.rotaries.wrap.values().any(|wrap| *wrap != Wrap::Sign),
+            shortest_path: demands.motion.rotaries.wrap.values().any(|wrap| *wrap != Wrap::Sign),
             mode: demands.motion.mode,
             posture: demands.motion.tip.tool_posture,
             vectors: demands.motion.mode == Mode::Tcp && demands.motion.tip.tcp_words == TcpWords::Vectors,
             rigid: demands.motion.cycles.rigid,
-            setup: demands.options.clone(),
+            options: demands.options.clone(),
             program: demands.options.program.clone(),
         }
     }

@@ -4,7 +4,7 @@
 //!
 //! - `dialects`: the table of each control, on [`Spellings::ISO`] where it writes ISO blocks, and the list [`CONTROLS`].
 //! - [`template`]: blocks with named fields, as tables and configurations hold them.
-//! - [`Options`]: what a job sets; [`unfit`] and [`abilities`]: whether it fits the control, and what the planner may use;
+//! - [`ControlOptions`]: what a job sets; [`unfit`] and [`abilities`]: whether it fits the control, and what the planner may use;
 //!   [`Layout`]: what of it the encoder reads.
 //! - [`Encoder`]: steps into blocks.
 
@@ -23,4 +23,4 @@ pub use encode::Encoder;
 pub(crate) use encode::{legible, lines_of};
 pub use fit::{abilities, unfit};
 pub use layout::Layout;
-pub use options::{Demands, Options, ProgramBlocks, Smoothing};
+pub use options::{ControlOptions, Demands, ProgramBlocks, Smoothing};

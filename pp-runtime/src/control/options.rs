@@ -22,7 +22,7 @@ pub struct Demands<'a> {
     /// How motion is planned.
     pub motion: &'a motion::Options,
     /// What differs from the table of the control.
-    pub options: &'a Options,
+    pub options: &'a ControlOptions,
     /// Digits of the words.
     pub formats: &'a Formats,
 }
@@ -39,9 +39,9 @@ options! {
     /// Where the control differs from what is usual for it. Blocks hold fields in braces: {name}, {number}, {units},
     /// {work_offset}, {path_tolerance}; those of a tool change {tool}, {next}, {offset} and {speed} besides. A word
     /// whose field has no value is left out, a block with {next} where no tool follows, too.
-    pub struct Options in "control" {
+    pub struct ControlOptions in "control" {
         /// How far the control may leave the programmed path where it blends blocks.
-        path_tolerance: f64 = 0.01, key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero));
+        path_tolerance_mm: f64 = 0.01, key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero));
         /// Number and name of the program. Without them 1, and the name in the CL data.
         program_number: Option<u32> = None, key("control.program_number", Whole(1..=99_999), "1234");
         /// Name of the program.
@@ -64,7 +64,7 @@ options! {
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
         smoothing: Smoothing = Smoothing::None, key("control.smoothing", OneOf(&Smoothing::NAMES));
         /// Largest turn of the tool axis while the control smooths.
-        smoothing_angle: Option<f64> = None, also("control.smoothing_angle", Measure::angle(Bound::Positive), "0.1");
+        smoothing_angle_rad: Option<f64> = None, also("control.smoothing_angle", Measure::angle(Bound::Positive), "0.1");
         /// What F counts along where a rotary axis moves: "xyz", "xyz+deg", "g93_min" (1/min) or "g93_s" (1/s).
         path_norm: Option<PathNorm> = None, key("control.path_norm", OneOf(&PATH_NORMS), "\"xyz+deg\"");
         /// Whole numbers end with a point.

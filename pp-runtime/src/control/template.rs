@@ -56,7 +56,7 @@ fields! {
     /// Largest deviation of the tool axis while the control smooths, degrees.
     Angle = "angle",
     /// Code by which rotary axes take the shortest path, or do not.
-    Turning = "turning",
+    RotaryPath = "rotary_path",
     /// How the tool axis moves under tip control.
     Posture = "posture",
     /// Angles of a tilted plane, in the order of the control.

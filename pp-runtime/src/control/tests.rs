@@ -101,8 +101,8 @@ fn whole(control: &dyn Control, layout: &Layout) -> Vec<String> {
     })
 }
 
-fn edges(setup: Options) -> Layout {
-    Layout { setup, ..layout() }
+fn layout_with(options: ControlOptions) -> Layout {
+    Layout { options, ..layout() }
 }
 
 /// X Y Z, millimetres.

@@ -9,4 +9,4 @@ mod writer;
 
 pub use formats::Formats;
 pub use number::{Decimal, Numerals, Overflow, whole_units, write_decimal, write_number};
-pub use writer::{Line, Numbering, Writer};
+pub use writer::{Numbering, Writer, WrittenLine};

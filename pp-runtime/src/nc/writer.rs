@@ -24,7 +24,7 @@ pub enum Numbering {
 
 /// A line that was written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Line {
+pub struct WrittenLine {
     /// Its place in the program, from 1.
     pub line: u64,
     /// Its block number.
@@ -53,7 +53,7 @@ pub struct Writer<W: Write> {
 struct Journal {
     lines: u64,
     /// Lines since they were taken last.
-    kept: Vec<Line>,
+    kept: Vec<WrittenLine>,
 }
 
 impl Journal {
@@ -62,7 +62,7 @@ impl Journal {
         let ends = text.iter().filter(|&&byte| byte == b'\n').count();
         for index in 0..ends {
             self.lines += 1;
-            self.kept.push(Line { line: self.lines, number: number.filter(|_| index == 0) });
+            self.kept.push(WrittenLine { line: self.lines, number: number.filter(|_| index == 0) });
         }
     }
 }
@@ -184,7 +184,7 @@ impl<W: Write> Writer<W> {
     }
 
     /// Takes the lines since the last call; none if they are not kept.
-    pub fn take_lines(&mut self) -> impl Iterator<Item = Line> + '_ {
+    pub fn take_lines(&mut self) -> impl Iterator<Item = WrittenLine> + '_ {
         self.journal.iter_mut().flat_map(|journal| journal.kept.drain(..))
     }
 

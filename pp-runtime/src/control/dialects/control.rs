@@ -63,9 +63,9 @@ pub struct LengthGuard {
     /// Its length offset.
     pub offset: u32,
     /// Posted gauge length, mm.
-    pub length: f64,
+    pub length_mm: f64,
     /// Largest difference, mm.
-    pub tolerance: f64,
+    pub tolerance_mm: f64,
     /// Unit of the program.
     pub units: Units,
 }
@@ -74,7 +74,7 @@ impl LengthGuard {
     /// Length and tolerance in the unit of the program, as they are written.
     pub(crate) fn in_program(&self) -> [f64; 2] {
         let places = if self.units == Units::Inches { 1e5 } else { 1e4 };
-        [self.length, self.tolerance].map(|mm| (mm / self.units.in_mm() * places).round() / places)
+        [self.length_mm, self.tolerance_mm].map(|mm| (mm / self.units.in_mm() * places).round() / places)
     }
 
     /// The same in millimetres, whatever the unit of the program.

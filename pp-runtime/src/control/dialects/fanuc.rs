@@ -18,7 +18,8 @@ use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    Arcs, Comments, CycleCodes, CycleForm, Cycles, Spellings, Thread, Tilting, Tip, Vectors, ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, Spellings, ThreadCodes, TiltedPlaneCodes,
+    TipControlCodes, ToolAxisWords, ascii_in_brackets,
 };
 
 /// The Fanuc dialect.
@@ -39,17 +40,17 @@ static SPELLINGS: Spellings = Spellings {
     },
     numerals: Numerals { point: true, plus: false },
     line_length: 132,
-    comment: Comments { marks: ["(", ")"], length: 72, byte: printed },
+    comment: CommentStyle { marks: ["(", ")"], length: 72, byte: printed },
     opening: &["%", "O{number} ({name})"],
     closing: &["%"],
     number_digits: 4,
-    arcs: Arcs {
+    arcs: ArcCodes {
         // Parameter 3410 is 0.01 mm or more on machines in use; a word is off by less than this.
-        radius_tolerance: 0.002,
-        ..Arcs::ISO
+        radius_tolerance_mm: 0.002,
+        ..ArcCodes::ISO
     },
-    cycles: Some(Cycles {
-        can: CycleAbilities {
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities {
             ream_higher: true,
             tap_dwell: true,
             tap_stops: true,
@@ -57,7 +58,7 @@ static SPELLINGS: Spellings = Spellings {
             ..CycleAbilities::CODES
         },
         form: CycleForm::Codes(CycleCodes {
-            thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
+            thread: ThreadCodes::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
             dwell: "P{milliseconds}",
             ..CycleCodes::ISO
         }),
@@ -65,14 +66,14 @@ static SPELLINGS: Spellings = Spellings {
     dwell: &["G4 P{milliseconds}"],
     smoothing: [&["G05.1 Q1"], &["G05.1 Q1"], &["G05.1 Q1"]],
     smoothing_off: &["G05.1 Q0"],
-    tip: Some(Tip {
+    tip: Some(TipControlCodes {
         on: &[],
         with_length: Some("G43.4 H{offset} P{posture}"),
         off: &["G49"],
         reset: &[],
         ends_length: true,
         posture: ["0", "1"],
-        vectors: Some(Vectors {
+        vectors: Some(ToolAxisWords {
             words: ["I", "J", "K"],
             with_length: Some("G43.5 H{offset} P{posture}"),
             motion: None,
@@ -83,7 +84,7 @@ static SPELLINGS: Spellings = Spellings {
         turns_in_plane: true,
         note: "G43.4 and G49 must move nothing by themselves (parameter 5006#6 = 1)",
     }),
-    plane: Some(Tilting {
+    plane: Some(TiltedPlaneCodes {
         on: &["G68.2 X0. Y0. Z0. I{first} J{second} K{third}", "G53.1"],
         length_first: false,
         off: &["G69"],
@@ -92,7 +93,7 @@ static SPELLINGS: Spellings = Spellings {
         angles: PlaneAngles::EulerZxz,
         decimals: None,
         pose: PoseRule::Nearest,
-        ends_behind_retract: true,
+        cancelled_after_retract: true,
         note: "G53.1 must take the pose that turns the rotary axes least: they stand there already",
     }),
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
@@ -149,8 +150,14 @@ mod tests {
 
     #[test]
     fn the_length_guard_adds_geometry_and_wear_of_the_register_in_the_unit_of_the_program() {
-        let guard =
-            LengthGuard { label: 3, tool: 12, offset: 21, length: 114.3, tolerance: 0.01, units: Units::Millimetres };
+        let guard = LengthGuard {
+            label: 3,
+            tool: 12,
+            offset: 21,
+            length_mm: 114.3,
+            tolerance_mm: 0.01,
+            units: Units::Millimetres,
+        };
         let block = "IF [ABS[#10021+#11021-114.3] GT 0.01] THEN #3000=101 (T12 IS NOT 114.3 LONG)";
         assert_eq!(Fanuc.length_guard(&guard), [block]);
         let inches = Fanuc.length_guard(&LengthGuard { units: Units::Inches, ..guard });

@@ -14,7 +14,10 @@ use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
-use super::spellings::{Arcs, Comments, CycleCodes, CycleForm, Cycles, Spellings, Tilting, Tip, ascii_in_brackets};
+use super::spellings::{
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, Spellings, TiltedPlaneCodes, TipControlCodes,
+    ascii_in_brackets,
+};
 
 /// The Haas dialect.
 #[derive(Debug, Clone, Copy)]
@@ -34,15 +37,15 @@ static SPELLINGS: Spellings = Spellings {
     },
     numerals: Numerals { point: true, plus: false },
     line_length: 254,
-    comment: Comments { marks: ["(", ")"], length: 76, byte: ascii_in_brackets },
+    comment: CommentStyle { marks: ["(", ")"], length: 76, byte: ascii_in_brackets },
     opening: &["%", "O{number} ({name})"],
     closing: &["%"],
     number_digits: 5,
     rapid: "G00",
     feed: "G01",
-    arcs: Arcs { senses: ["G02", "G03"], ..Arcs::ISO },
-    cycles: Some(Cycles {
-        can: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
+    arcs: ArcCodes { senses: ["G02", "G03"], ..ArcCodes::ISO },
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
         form: CycleForm::Codes(CycleCodes::ISO),
     }),
     machine: ["G53 G00", ""],
@@ -55,7 +58,7 @@ static SPELLINGS: Spellings = Spellings {
     dwell: &["G04 P{seconds}"],
     smoothing: [&["G187 P1 E{path_tolerance}"], &["G187 P2 E{path_tolerance}"], &["G187 P3 E{path_tolerance}"]],
     smoothing_off: &["G187"],
-    tip: Some(Tip {
+    tip: Some(TipControlCodes {
         on: &[],
         with_length: Some("G234 H{offset}"),
         off: &["G49"],
@@ -67,7 +70,7 @@ static SPELLINGS: Spellings = Spellings {
         turns_in_plane: false,
         note: "G234 and G49 must move nothing by themselves",
     }),
-    plane: Some(Tilting {
+    plane: Some(TiltedPlaneCodes {
         on: &["G268 X0. Y0. Z0. I{first} J{second} K{third} Q123", "G253"],
         length_first: true,
         off: &["G269"],
@@ -76,7 +79,7 @@ static SPELLINGS: Spellings = Spellings {
         angles: PlaneAngles::FixedXyz,
         decimals: None,
         pose: PoseRule::Nearest,
-        ends_behind_retract: true,
+        cancelled_after_retract: true,
         note: "G43 H moves nothing by itself, G268 turns about X, then Y, then Z of the work offset, and G253 takes the \
                pose where the axes stand",
     }),

@@ -26,8 +26,8 @@ use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Tilting, Tip,
-    Vectors, printable,
+    ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
+    TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Heidenhain dialect.
@@ -98,8 +98,8 @@ static SPELLINGS: Spellings = Spellings {
     formats: Formats { linear_whole: 5, rotary_whole: 5, feed_whole: 5, speed_whole: 5, ..Formats::DEFAULT },
     numerals: Numerals { point: false, plus: true },
     line_length: 250,
-    counted: true,
-    comment: Comments { marks: ["; ", ""], length: 200, byte: commented },
+    numbers_every_line: true,
+    comment: CommentStyle { marks: ["; ", ""], length: 200, byte: commented },
     operation: Some(["* - ", ""]),
     opening: &["BEGIN PGM {name} {units}"],
     end: "M30",
@@ -110,7 +110,7 @@ static SPELLINGS: Spellings = Spellings {
     safety: &[
         "M129",
         "PLANE RESET STAY",
-        "{turning}",
+        "{rotary_path}",
         "CYCL DEF 247 DATUM SETTING ~\n  Q339=+{work_offset} ;DATUM NUMBER",
     ],
     per_minute: "",
@@ -121,17 +121,17 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "L",
     rapid_end: "R0 FMAX",
     feed: "L",
-    arcs: Arcs {
+    arcs: ArcCodes {
         senses: ["DR-", "DR+"],
         // Arcs lie in the plane perpendicular to the axis of TOOL CALL.
         planes: [None, None, Some("")],
         centre: ArcCentre::Pole,
         radius: "R",
         // 0.016 mm as delivered.
-        radius_tolerance: 0.01,
+        radius_tolerance_mm: 0.01,
     },
-    cycles: Some(Cycles {
-        can: CycleAbilities {
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities {
             ream_higher: true,
             longest_dwell: 3_600_000,
             own_return: true,
@@ -179,15 +179,15 @@ static SPELLINGS: Spellings = Spellings {
         &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:0 TA{angle}"],
     ],
     smoothing_off: &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1"],
-    turning: ["M127", "M126"],
-    tip: Some(Tip {
+    rotary_path: ["M127", "M126"],
+    tip: Some(TipControlCodes {
         on: &["FUNCTION TCPM F TCP AXIS POS PATHCTRL {posture}"],
         with_length: None,
         off: &["FUNCTION RESET TCPM"],
         reset: &["FUNCTION RESET TCPM"],
         ends_length: false,
         posture: ["AXIS", "VECTOR"],
-        vectors: Some(Vectors {
+        vectors: Some(ToolAxisWords {
             words: ["TX", "TY", "TZ"],
             with_length: None,
             motion: Some("LN"),
@@ -198,7 +198,7 @@ static SPELLINGS: Spellings = Spellings {
         turns_in_plane: true,
         note: "",
     }),
-    plane: Some(Tilting {
+    plane: Some(TiltedPlaneCodes {
         on: &["PLANE SPATIAL SPA{first} SPB{second} SPC{third} TURN MB MAX FMAX SEQ{pose} TABLE ROT"],
         length_first: false,
         off: &["PLANE RESET STAY"],
@@ -207,7 +207,7 @@ static SPELLINGS: Spellings = Spellings {
         angles: PlaneAngles::FixedXyz,
         decimals: Some(4),
         pose: PoseRule::Sign,
-        ends_behind_retract: false,
+        cancelled_after_retract: false,
         note: "the master axis of SEQ must be the rotary axis nearest the tool",
     }),
     rotary_note: "M127 is in force, the axes take no shorter way",

@@ -8,8 +8,8 @@ use crate::motion::{CycleAbilities, PathNorm, Registers};
 use crate::nc::{Formats, Numerals};
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Thread,
-    ascii_in_brackets,
+    ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
+    ThreadCodes, ascii_in_brackets,
 };
 
 impl Spellings {
@@ -20,8 +20,8 @@ impl Spellings {
         formats: Formats::DEFAULT,
         numerals: Numerals { point: false, plus: false },
         line_length: 0,
-        counted: false,
-        comment: Comments { marks: ["(", ")"], length: 72, byte: ascii_in_brackets },
+        numbers_every_line: false,
+        comment: CommentStyle { marks: ["(", ")"], length: 72, byte: ascii_in_brackets },
         operation: None,
         opening: &[],
         end: "M30",
@@ -38,8 +38,8 @@ impl Spellings {
         rapid: "G0",
         rapid_end: "",
         feed: "G1",
-        arcs: Arcs::ISO,
-        cycles: Some(Cycles { can: CycleAbilities::CODES, form: CycleForm::Codes(CycleCodes::ISO) }),
+        arcs: ArcCodes::ISO,
+        cycles: Some(HoleCycles { abilities: CycleAbilities::CODES, form: CycleForm::Codes(CycleCodes::ISO) }),
         motion_modal: true,
         no_compensation: "",
         compensation: ["G41 D{radius}", "G42 D{radius}", "G40"],
@@ -57,14 +57,14 @@ impl Spellings {
         longest_dwell: 99_999_000,
         smoothing: [&[], &[], &[]],
         smoothing_off: &[],
-        turning: ["", ""],
+        rotary_path: ["", ""],
         tip: None,
         plane: None,
         rotary_note: "",
     };
 }
 
-impl Arcs {
+impl ArcCodes {
     /// G2 and G3 in all three planes, the centre as I J K from the start.
     pub const ISO: Self = Self {
         senses: ["G2", "G3"],
@@ -72,7 +72,7 @@ impl Arcs {
         centre: ArcCentre::Offsets,
         radius: "R",
         // Less than the controls accept as delivered.
-        radius_tolerance: 0.002,
+        radius_tolerance_mm: 0.002,
     };
 }
 
@@ -84,7 +84,7 @@ impl CycleCodes {
         peck: "G83",
         chip_break: "G73",
         ream: ["G85", "G89"],
-        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "" },
+        thread: ThreadCodes::Cycle { codes: ["G84", "G74"], rigid: "" },
         dwell: "P{seconds}",
         end: "G80",
     };

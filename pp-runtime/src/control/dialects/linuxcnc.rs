@@ -10,7 +10,8 @@ use crate::motion::CycleAbilities;
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    Arcs, Comments, CycleCodes, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Thread, ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings, ThreadCodes,
+    ascii_in_brackets,
 };
 
 /// The LinuxCNC dialect.
@@ -22,17 +23,17 @@ static SPELLINGS: Spellings = Spellings {
     title: "LinuxCNC",
     line_length: 254,
     // Of 254 bytes: two brackets, and the "- " before a text that would be an order.
-    comment: Comments { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
+    comment: CommentStyle { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
     end: "M2",
     safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
-    arcs: Arcs {
+    arcs: ArcCodes {
         // Where the radii differ by more the interpreter of 2.9 looks at their ratio, too.
-        radius_tolerance: 0.001_27,
-        ..Arcs::ISO
+        radius_tolerance_mm: 0.001_27,
+        ..ArcCodes::ISO
     },
-    cycles: Some(Cycles {
-        can: CycleAbilities::CODES,
-        form: CycleForm::Codes(CycleCodes { thread: Thread::Motion("G33.1"), ..CycleCodes::ISO }),
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities::CODES,
+        form: CycleForm::Codes(CycleCodes { thread: ThreadCodes::Motion("G33.1"), ..CycleCodes::ISO }),
     }),
     preselect: false,
     // G43 moves nothing, and G53 leaves it in force.
@@ -107,8 +108,14 @@ mod tests {
 
     #[test]
     fn the_length_guard_compares_with_the_table_in_either_unit() {
-        let guard =
-            LengthGuard { label: 3, tool: 12, offset: 12, length: 4.5 * 25.4, tolerance: 0.01, units: Units::Inches };
+        let guard = LengthGuard {
+            label: 3,
+            tool: 12,
+            offset: 12,
+            length_mm: 4.5 * 25.4,
+            tolerance_mm: 0.01,
+            units: Units::Inches,
+        };
         let blocks = LinuxCnc.length_guard(&guard);
         let condition = "o3 if [[ABS[#5403 - 114.3] GT 0.01] AND [ABS[[#5403 * 25.4] - 114.3] GT 0.01]]";
         let message = "(abort, T12 was posted with L = 114.3 mm: the tool table says something else)";

@@ -15,8 +15,8 @@ mod spellings;
 pub use control::{Control, LengthGuard};
 pub(crate) use spellings::coolant_index;
 pub use spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings,
-    Thread, Tilting, Tip, Vectors,
+    ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes,
+    Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes, ToolAxisWords,
 };
 
 /// The list of controls, and the public name of each.

@@ -26,8 +26,8 @@ use crate::nc::Formats;
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    Arcs, Comments, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Tilting, Tip, Vectors,
-    printable,
+    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
+    TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Siemens dialect.
@@ -39,21 +39,21 @@ static SPELLINGS: Spellings = Spellings {
     title: "Siemens 840D",
     formats: Formats { linear_whole: 6, rotary_whole: 6, feed_whole: 9, speed_whole: 6, ..Formats::DEFAULT },
     line_length: 512,
-    comment: Comments { marks: ["; ", ""], length: 200, byte: printable },
+    comment: CommentStyle { marks: ["; ", ""], length: 200, byte: printable },
     operation: Some(["MSG(\"", "\")"]),
     units: ["G710", "G700"],
     safety: &["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"],
-    arcs: Arcs {
+    arcs: ArcCodes {
         // In another plane the length of the tool counts along X or Y, at once, unless SD42940 keeps it
         // (6FC5398-1BP10-2BA0, 8.17.4).
         planes: [None, None, Some("G17")],
         radius: "CR=",
         // MD21000, as delivered.
-        radius_tolerance: 0.01,
-        ..Arcs::ISO
+        radius_tolerance_mm: 0.01,
+        ..ArcCodes::ISO
     },
-    cycles: Some(Cycles {
-        can: CycleAbilities {
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities {
             ream_higher: true,
             tap_dwell: true,
             steps_dwell: true,
@@ -99,7 +99,7 @@ static SPELLINGS: Spellings = Spellings {
         &["CYCLE832({path_tolerance},1)"],
     ],
     smoothing_off: &["CYCLE832()"],
-    tip: Some(Tip {
+    tip: Some(TipControlCodes {
         on: &["TRAORI", "{posture}", "{work_offset}"],
         with_length: None,
         off: &["TRAFOOF"],
@@ -107,7 +107,7 @@ static SPELLINGS: Spellings = Spellings {
         ends_length: false,
         posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
         // In ORIMKS they would be counted in the frame of the machine.
-        vectors: Some(Vectors {
+        vectors: Some(ToolAxisWords {
             words: ["A3=", "B3=", "C3="],
             with_length: None,
             motion: None,
@@ -118,7 +118,7 @@ static SPELLINGS: Spellings = Spellings {
         turns_in_plane: true,
         note: "",
     }),
-    plane: Some(Tilting {
+    plane: Some(TiltedPlaneCodes {
         on: &["CYCLE800(0,{swivel_data},0,57,0,0,0,{first},{second},{third},0,0,0,{pose},0)"],
         length_first: false,
         off: &["CYCLE800()"],
@@ -127,7 +127,7 @@ static SPELLINGS: Spellings = Spellings {
         angles: PlaneAngles::MovingXyz,
         decimals: Some(6),
         pose: PoseRule::Side,
-        ends_behind_retract: true,
+        cancelled_after_retract: true,
         note: "the direction reference of the swivel data must be the rotary axis nearest the tool",
     }),
     rotary_note: "the axes must not be modulo axes (MD30310 = 0)",

@@ -22,9 +22,9 @@ pub struct Spellings {
     /// Longest line the control reads, line end not counted.
     pub line_length: usize,
     /// Every line has a number, from 0 on and without N.
-    pub counted: bool,
+    pub numbers_every_line: bool,
     /// Comments.
-    pub comment: Comments,
+    pub comment: CommentStyle,
     /// Before and after the name of an operation, where that is no comment.
     pub operation: Option<[&'static str; 2]>,
     /// Lines before everything else.
@@ -58,9 +58,9 @@ pub struct Spellings {
     /// Feed.
     pub feed: &'static str,
     /// Arcs.
-    pub arcs: Arcs,
+    pub arcs: ArcCodes,
     /// Cycles of holes.
-    pub cycles: Option<Cycles>,
+    pub cycles: Option<HoleCycles>,
     /// The motion code stays in force.
     pub motion_modal: bool,
     /// Path without cutter compensation, after the axis words; stays in force.
@@ -96,18 +96,18 @@ pub struct Spellings {
     /// Smoothing off.
     pub smoothing_off: &'static [&'static str],
     /// Rotary axes rotate as their words state, or by the shortest path.
-    pub turning: [&'static str; 2],
+    pub rotary_path: [&'static str; 2],
     /// Tip control; `None` if only the configuration can state how it is switched.
-    pub tip: Option<Tip>,
+    pub tip: Option<TipControlCodes>,
     /// Tilted planes.
-    pub plane: Option<Tilting>,
+    pub plane: Option<TiltedPlaneCodes>,
     /// Assumption about the rotary axes of this control where words go beyond 360°.
     pub rotary_note: &'static str,
 }
 
 /// How arcs look.
 #[derive(Debug)]
-pub struct Arcs {
+pub struct ArcCodes {
     /// Clockwise and counter-clockwise.
     pub senses: [&'static str; 2],
     /// The planes perpendicular to X, to Y and to Z, stated before an arc and in force from there on; `None`: no arcs in it.
@@ -117,14 +117,14 @@ pub struct Arcs {
     /// Address of a radius in the place of the centre.
     pub radius: &'static str,
     /// Largest difference of the distances of both ends from the centre, mm.
-    pub radius_tolerance: f64,
+    pub radius_tolerance_mm: f64,
 }
 
 /// How cycles of holes look.
 #[derive(Debug)]
-pub struct Cycles {
+pub struct HoleCycles {
     /// Cycles that the planner may use.
-    pub can: CycleAbilities,
+    pub abilities: CycleAbilities,
     /// How they are written.
     pub form: CycleForm,
 }
@@ -152,7 +152,7 @@ pub struct CycleCodes {
     /// Out at feed; the same with a wait at the bottom.
     pub ream: [&'static str; 2],
     /// Threads.
-    pub thread: Thread,
+    pub thread: ThreadCodes,
     /// The wait, as a template.
     pub dwell: &'static str,
     /// Cancels it.
@@ -182,7 +182,7 @@ pub struct CycleDefinitions {
 
 /// How a thread is cut, where cycles are codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Thread {
+pub enum ThreadCodes {
     /// By a cycle with F.
     Cycle {
         /// Right-hand and left-hand.
@@ -205,7 +205,7 @@ pub enum ArcCentre {
 
 /// How comments look.
 #[derive(Debug)]
-pub struct Comments {
+pub struct CommentStyle {
     /// Before and after the text.
     pub marks: [&'static str; 2],
     /// Most bytes of text in one line.
@@ -233,7 +233,7 @@ pub struct LengthCodes {
 
 /// How tip control is switched.
 #[derive(Debug)]
-pub struct Tip {
+pub struct TipControlCodes {
     /// Blocks that switch it on; empty if it comes with the length offset.
     pub on: &'static [&'static str],
     /// The code in the place of the length offset.
@@ -247,7 +247,7 @@ pub struct Tip {
     /// Words for a tool axis that follows the rotary axes, and for one that rotates in the plane of its ends.
     pub posture: [&'static str; 2],
     /// How it takes the tool axis as a vector, if it does.
-    pub vectors: Option<Vectors>,
+    pub vectors: Option<ToolAxisWords>,
     /// The frame in which it counts is a setting of the machine.
     pub frame_is_set: bool,
     /// It can rotate the tool axis in the plane of its ends.
@@ -258,7 +258,7 @@ pub struct Tip {
 
 /// How a tool axis is written as a vector.
 #[derive(Debug)]
-pub struct Vectors {
+pub struct ToolAxisWords {
     /// Addresses of its components.
     pub words: [&'static str; 3],
     /// The code in the place of the length offset.
@@ -267,13 +267,13 @@ pub struct Vectors {
     pub motion: Option<&'static str>,
     /// The end of a rapid that holds one.
     pub rapid_end: &'static str,
-    /// As [`Tip::posture`].
+    /// As [`TipControlCodes::posture`].
     pub posture: [&'static str; 2],
 }
 
 /// How a plane is tilted.
 #[derive(Debug)]
-pub struct Tilting {
+pub struct TiltedPlaneCodes {
     /// Blocks that tilt it.
     pub on: &'static [&'static str],
     /// The length offset is called before it.
@@ -291,7 +291,7 @@ pub struct Tilting {
     /// How the control chooses its pose.
     pub pose: PoseRule,
     /// It is cancelled after the machine retract.
-    pub ends_behind_retract: bool,
+    pub cancelled_after_retract: bool,
     /// Its assumption about the machine.
     pub note: &'static str,
 }

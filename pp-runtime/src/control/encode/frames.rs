@@ -23,15 +23,15 @@ impl FrameWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self {
             mode: layout.mode,
-            tip_control: layout.setup.tip_control.clone(),
-            safety: layout.setup.safety.clone(),
-            tool_change: layout.setup.tool_change.clone(),
+            tip_control: layout.options.tip_control.clone(),
+            safety: layout.options.safety.clone(),
+            tool_change: layout.options.tool_change.clone(),
         }
     }
 
     /// Tip control on or off; where it comes with the length offset, with the next motion.
     pub(crate) fn tip_control<W: Write>(&self, on: bool, out: &mut ModalWriter<W>) -> io::Result<()> {
-        out.usual_plane()?;
+        out.select_xy_plane()?;
         out.modal().forget(After::FrameChange);
         if let Some(codes) = &self.tip_control {
             return out.block(&codes[usize::from(!on)]);
@@ -58,7 +58,7 @@ impl FrameWriter {
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
         let Some(plane) = &out.codes().plane else { return Ok(()) };
-        out.usual_plane()?;
+        out.select_xy_plane()?;
         if plane.length_first {
             out.call_length_now()?;
         }

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use crate::control::dialects::{CycleCodes, CycleDefinitions, CycleForm, Thread};
+use crate::control::dialects::{CycleCodes, CycleDefinitions, CycleForm, ThreadCodes};
 use crate::control::layout::Layout;
 use crate::motion::{CannedCycle, CannedKind, Words};
 use crate::nc::Decimal;
@@ -14,7 +14,7 @@ use super::values::HoleValues;
 
 /// Writes cycles, and knows which one is in force.
 #[derive(Debug)]
-pub(crate) struct Holes {
+pub(crate) struct HoleWriter {
     /// The modal cycle that every motion calls until it is cancelled.
     in_force: Option<CannedCycle>,
     /// Threads are cut with the spindle under control of its angle.
@@ -22,7 +22,7 @@ pub(crate) struct Holes {
     units: Units,
 }
 
-impl Holes {
+impl HoleWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self { in_force: None, rigid: layout.rigid, units: layout.units }
     }
@@ -44,7 +44,7 @@ impl Holes {
         let Some(cycles) = &out.codes().cycles else { return Ok(()) };
         match (&cycles.form, cycle.kind) {
             (CycleForm::Definitions(blocks), _) => self.defined_cycle(cycle, blocks, out),
-            (CycleForm::Codes(CycleCodes { thread: Thread::Motion(code), .. }), CannedKind::Tap { pitch, .. }) => {
+            (CycleForm::Codes(CycleCodes { thread: ThreadCodes::Motion(code), .. }), CannedKind::Tap { pitch, .. }) => {
                 self.thread(cycle, code, pitch, out)
             }
             (CycleForm::Codes(codes), _) => self.coded_cycle(cycle, codes, out),
@@ -68,14 +68,14 @@ impl Holes {
             (CannedKind::Peck { .. }, _) => codes.peck,
             (CannedKind::ChipBreak { .. }, _) => codes.chip_break,
             (CannedKind::Ream, _) => codes.ream[usize::from(cycle.dwell.is_some())],
-            (CannedKind::Tap { left, speed, .. }, Thread::Cycle { codes, rigid }) => {
+            (CannedKind::Tap { left, speed, .. }, ThreadCodes::Cycle { codes, rigid }) => {
                 if self.rigid {
                     out.values().speed = Some(speed);
                     out.fill(rigid)?;
                 }
                 codes[usize::from(left)]
             }
-            (CannedKind::Tap { .. }, Thread::Motion(code)) => code,
+            (CannedKind::Tap { .. }, ThreadCodes::Motion(code)) => code,
         };
         out.feed_mode(out.codes().per_minute);
         out.writer_mut().code(codes.returns[usize::from(cycle.back != cycle.clearance)]);
@@ -151,7 +151,7 @@ impl Holes {
     fn before_cycle<W: Write>(&mut self, out: &mut ModalWriter<W>) -> io::Result<()> {
         self.end_cycle(out)?;
         out.smooth(false)?;
-        out.usual_plane()
+        out.select_xy_plane()
     }
 
     /// A thread by a motion: over to it, down to its start, in and out, and up to the level after it.

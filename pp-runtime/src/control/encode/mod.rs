@@ -1,7 +1,7 @@
 //! Steps of the planner into blocks of a control.
 //!
-//! [`Encoder`] gives each step to the owner of what it changes: [`ModalWriter`] (motions, and every modal word), [`Holes`]
-//! (the cycle in force), [`FrameWriter`] (tip control, tilted planes, restart points, tool changes) and [`SpindleCoolant`]. All
+//! [`Encoder`] gives each step to the owner of what it changes: [`ModalWriter`] (motions, and every modal word), [`HoleWriter`]
+//! (the cycle in force), [`FrameWriter`] (tip control, tilted planes, restart points, tool changes) and [`SpindleCoolantWriter`]. All
 //! of them write through the `ModalWriter`, which owns the modal state. A new [`Step`] does not compile before
 //! [`Encoder::encode`] knows it.
 
@@ -16,7 +16,7 @@ mod values;
 use std::io::{self, Write};
 
 use crate::motion::{Provenance, Sink, Step};
-use crate::nc::{Decimal, Line};
+use crate::nc::{Decimal, WrittenLine};
 use crate::program::Units;
 use crate::set_up::Stock;
 
@@ -25,10 +25,10 @@ use super::layout::Layout;
 use super::options::ProgramBlocks;
 
 use frames::FrameWriter;
-use holes::Holes;
+use holes::HoleWriter;
 use modal_state::After;
 use modal_writer::ModalWriter;
-use spindle_coolant::SpindleCoolant;
+use spindle_coolant::SpindleCoolantWriter;
 use text::plain;
 pub(crate) use text::{legible, lines_of};
 
@@ -37,9 +37,9 @@ pub struct Encoder<'a, W: Write> {
     control: &'a dyn Control,
     codes: &'static Spellings,
     out: ModalWriter<W>,
-    holes: Holes,
+    holes: HoleWriter,
     frames: FrameWriter,
-    spindle_coolant: SpindleCoolant,
+    spindle_coolant: SpindleCoolantWriter,
     /// The tool after the next is called up.
     preselect: bool,
     /// The program begins with the name of its file.
@@ -60,11 +60,11 @@ impl<'a, W: Write> Encoder<'a, W> {
             control,
             codes,
             out: ModalWriter::new(control, layout, out),
-            holes: Holes::new(layout),
+            holes: HoleWriter::new(layout),
             frames: FrameWriter::new(layout),
-            spindle_coolant: SpindleCoolant::new(layout),
-            preselect: layout.setup.preselect.unwrap_or(codes.preselect),
-            file_header: layout.setup.file_header,
+            spindle_coolant: SpindleCoolantWriter::new(layout),
+            preselect: layout.options.preselect.unwrap_or(codes.preselect),
+            file_header: layout.options.file_header,
             program: layout.program.clone(),
             units: layout.units,
             linear: layout.linear,
@@ -101,7 +101,7 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// # Errors
     /// Those of the output.
     pub fn start(&mut self) -> io::Result<()> {
-        self.out.foreign(&self.program.start)
+        self.out.configured_blocks(&self.program.start)
     }
 
     /// The blocks of the configuration before the end code, remarks as comments, and the end.
@@ -109,7 +109,7 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// # Errors
     /// Those of the output.
     pub fn end(&mut self, remarks: &[String]) -> io::Result<()> {
-        self.out.foreign(&self.program.end)?;
+        self.out.configured_blocks(&self.program.end)?;
         remarks.iter().try_for_each(|remark| self.comment(remark.as_bytes()))?;
         self.out.block(self.codes.end)?;
         self.out.lines(self.codes.closing)
@@ -135,7 +135,7 @@ impl<'a, W: Write> Encoder<'a, W> {
     }
 
     /// Takes the lines since the last call; none if they are not kept.
-    pub fn take_lines(&mut self) -> impl Iterator<Item = Line> + '_ {
+    pub fn take_lines(&mut self) -> impl Iterator<Item = WrittenLine> + '_ {
         self.out.writer_mut().take_lines()
     }
 
@@ -176,15 +176,20 @@ impl<'a, W: Write> Encoder<'a, W> {
             Step::Tool { number, offset, next, speed, change } => self.tool(number, offset, next, speed, change),
             Step::Length { offset } => out.length(offset),
             Step::Beside { left, register } => {
-                out.offset_path(left, register);
+                out.set_compensation_side(left, register);
                 Ok(())
             }
             Step::TipControl { on } => self.frames.tip_control(on, out),
             Step::Plane { angles, pose } => self.frames.tilt(angles, pose, out),
             Step::PlaneOff => self.frames.tilt_off(out),
-            Step::LengthGuard { label, tool, offset, length, tolerance } => {
-                self.length_guard(&LengthGuard { label, tool, offset, length, tolerance, units: self.units })
-            }
+            Step::LengthGuard { label, tool, offset, length, tolerance } => self.length_guard(&LengthGuard {
+                label,
+                tool,
+                offset,
+                length_mm: length,
+                tolerance_mm: tolerance,
+                units: self.units,
+            }),
             Step::Spindle { speed, rotation } => self.spindle_coolant.spindle(speed, rotation, out),
             Step::Code { text } => out.block(text),
             Step::SpindleOff => out.block(codes.spindle_off),

@@ -11,14 +11,14 @@ use super::modal_writer::ModalWriter;
 
 /// Writes the codes of coolant, with those that the configuration has in the place of the control's.
 #[derive(Debug)]
-pub(crate) struct SpindleCoolant {
+pub(crate) struct SpindleCoolantWriter {
     /// As [`Spellings::coolant`].
     coolant: [Option<[String; 2]>; 4],
 }
 
-impl SpindleCoolant {
+impl SpindleCoolantWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
-        Self { coolant: layout.setup.coolant.clone() }
+        Self { coolant: layout.options.coolant.clone() }
     }
 
     /// Spindle on.

@@ -54,7 +54,7 @@ pub(crate) fn plain(name: &str) -> String {
 
 /// The name of a program as the control can hold it.
 pub(crate) fn program_name(codes: &Spellings, layout: &Layout) -> String {
-    let given = layout.setup.program_name.as_ref().map_or(layout.name.as_slice(), String::as_bytes);
+    let given = layout.options.program_name.as_ref().map_or(layout.name.as_slice(), String::as_bytes);
     let given = given.trim_ascii();
     let byte = |byte: &u8| match byte.to_ascii_uppercase() {
         byte if !codes.plain_name => (codes.comment.byte)(byte),

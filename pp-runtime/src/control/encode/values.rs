@@ -14,8 +14,8 @@ pub(crate) struct Values {
     pub(crate) work_offset: String,
     pub(crate) path_tolerance: String,
     /// Degrees.
-    pub(crate) angle: Option<f64>,
-    pub(crate) turning: &'static str,
+    pub(crate) angle_deg: Option<f64>,
+    pub(crate) rotary_path: &'static str,
     pub(crate) tool: Option<u32>,
     pub(crate) next: Option<u32>,
     pub(crate) offset: Option<u32>,
@@ -29,7 +29,7 @@ pub(crate) struct Values {
     pub(crate) hole: Option<HoleValues>,
     pub(crate) numerals: Numerals,
     /// Those of a dwell: without its point it counts milliseconds, whatever the set-up states for lengths.
-    pub(crate) timed: Numerals,
+    pub(crate) dwell_numerals: Numerals,
 }
 
 /// A hole, where a cycle is defined by a template.
@@ -69,14 +69,14 @@ impl Values {
             Field::Units => Some(self.units.to_owned()),
             Field::WorkOffset => Some(self.work_offset.clone()),
             Field::PathTolerance => Some(self.path_tolerance.clone()),
-            Field::Turning => Some(self.turning.to_owned()),
-            Field::Angle => self.angle.map(|angle| text(decimal(angle, 4), unsigned)),
+            Field::RotaryPath => Some(self.rotary_path.to_owned()),
+            Field::Angle => self.angle_deg.map(|angle| text(decimal(angle, 4), unsigned)),
             Field::Tool => whole(self.tool),
             Field::Next => whole(self.next),
             Field::Offset => whole(self.offset),
             Field::Radius => whole(self.radius),
             Field::Speed => self.speed.map(|speed| text(speed, Numerals::default())),
-            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), self.timed)),
+            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), self.dwell_numerals)),
             Field::Milliseconds => self.seconds.map(|seconds| text(decimal(seconds * 1e3, 0), Numerals::default())),
             Field::Posture => Some(self.posture.to_owned()),
             Field::First => Some(text(self.plane[0], self.numerals)),

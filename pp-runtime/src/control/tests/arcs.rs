@@ -18,7 +18,7 @@ fn round(plane: ArcPlane, from: Place, to: Place, centre: [i64; 2], clockwise: b
 }
 
 /// A quarter, a whole turn, a helix and an arc in the plane of Z and X, from X10 Y0 Z0 about the origin.
-fn some_arcs(control: &dyn Control, setup: Options, radius: Option<i64>) -> Vec<String> {
+fn some_arcs(control: &dyn Control, options: ControlOptions, radius: Option<i64>) -> Vec<String> {
     let quarter = Circle { radius, ..round(ArcPlane::Xy, [10_000, 0, 0], [0, 10_000, 0], [0, 0], false) };
     let whole = round(ArcPlane::Xy, [0, 10_000, 0], [0, 10_000, 0], [0, 0], true);
     let helix = round(ArcPlane::Xy, [0, 10_000, 0], [10_000, 0, -2_500], [0, 0], true);
@@ -34,14 +34,14 @@ fn some_arcs(control: &dyn Control, setup: Options, radius: Option<i64>) -> Vec<
         blocks.push(Step::Arc { words: linear([0, 0, 7_500]), circle: &upright, feed: FEED });
         blocks.push(Step::Machine { words: only(0b100, [0; 4]) });
     }
-    let blocks = steps(control, &Layout { setup, ..milling() }, &blocks);
+    let blocks = steps(control, &Layout { options, ..milling() }, &blocks);
     let first = blocks.iter().position(|line| line.contains("X10") || line.contains("X+10")).expect("the first motion");
     blocks[first..].to_vec()
 }
 
 #[test]
 fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
-    let arcs = |control| some_arcs(control, Options::default(), None);
+    let arcs = |control| some_arcs(control, ControlOptions::default(), None);
     let expected = [
         "G1 X10 Y0 Z0 F500",
         "G3 X0 Y10 I-10 J0",
@@ -63,7 +63,7 @@ fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
 #[test]
 fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
     assert_eq!(
-        some_arcs(&Heidenhain, Options::default(), None),
+        some_arcs(&Heidenhain, ControlOptions::default(), None),
         [
             "4 L X+10 Y+0 Z+0 R0 F500",
             "5 CC X+0 Y+0",
@@ -100,7 +100,7 @@ fn behind_a_helix_heidenhain_counts_the_angle_of_a_whole_turn() {
 
 #[test]
 fn a_radius_takes_the_place_of_the_centre() {
-    let quarter = |control, radius| some_arcs(control, Options::default(), Some(radius))[1].clone();
+    let quarter = |control, radius| some_arcs(control, ControlOptions::default(), Some(radius))[1].clone();
     assert_eq!(quarter(&Fanuc, 10_000), "G3 X0. Y10. R10.");
     assert_eq!(quarter(&Siemens, -10_000), "G3 X0 Y10 CR=-10");
     assert_eq!(quarter(&Heidenhain, 10_000), "5 CR X+0 Y+10 R+10 DR+");
@@ -147,8 +147,8 @@ proptest! {
         }
         let said: Vec<_> = CONTROLS.iter().map(|control| {
             let modal = motions(&steps(*control, &milling(), &blocks));
-            let every_word = Options { every_word: true, ..Options::default() };
-            let full = motions(&steps(*control, &Layout { setup: every_word, ..milling() }, &blocks));
+            let every_word = ControlOptions { every_word: true, ..ControlOptions::default() };
+            let full = motions(&steps(*control, &Layout { options: every_word, ..milling() }, &blocks));
             // Behind a helix Heidenhain writes where it ends once more.
             let moving = |mut motions: Vec<Motion>| {
                 motions.dedup_by(|next, before| next.4.is_none() && next.2 == before.2);

@@ -289,8 +289,8 @@ proptest! {
         for control in [&Siemens as &dyn Control, &Heidenhain] {
             let text = steps(control, &milling(), &blocks);
             prop_assert_eq!(&read(&text), &expected, "{:#?}", text);
-            let every_word = Options { every_word: true, ..Options::default() };
-            let text = steps(control, &Layout { setup: every_word, ..milling() }, &blocks);
+            let every_word = ControlOptions { every_word: true, ..ControlOptions::default() };
+            let text = steps(control, &Layout { options: every_word, ..milling() }, &blocks);
             prop_assert_eq!(&read(&text), &expected, "{:#?}", text);
         }
     }

@@ -5,7 +5,7 @@ use super::*;
 #[test]
 fn a_length_that_differs_stops_the_program_on_every_control() {
     let guard =
-        LengthGuard { label: 3, tool: 12, offset: 1, length: 114.3, tolerance: 0.01, units: Units::Millimetres };
+        LengthGuard { label: 3, tool: 12, offset: 1, length_mm: 114.3, tolerance_mm: 0.01, units: Units::Millimetres };
     let haas = "IF [ABS[#2001 + #2201 - 114.3] GT 0.01] THEN #3000= 101 (T12 IS NOT 114.3 LONG)";
     assert_eq!(Haas.length_guard(&guard), [haas]);
     assert!(Haas.length_guard(&LengthGuard { offset: 201, ..guard }).is_empty());
@@ -27,7 +27,7 @@ fn a_length_that_differs_stops_the_program_on_every_control() {
         assert_eq!(Heidenhain.length_guard(&LengthGuard { units, ..guard }), heidenhain);
     }
     for control in CONTROLS {
-        let own = LengthGuard { offset: 12, length: 123.4567, units: Units::Inches, ..guard };
+        let own = LengthGuard { offset: 12, length_mm: 123.4567, units: Units::Inches, ..guard };
         let blocks = control.length_guard(&own);
         assert!(!blocks.is_empty() && blocks.iter().all(|block| block.len() <= control.spellings().line_length));
     }

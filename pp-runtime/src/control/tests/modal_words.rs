@@ -63,8 +63,8 @@ proptest! {
                 !(no_inverse && matches!(step, Step::PerMinute | Step::Feed { feed: FeedWord::InverseTime(_), .. }))
             }).copied().collect();
             let modal = steps(*control, &layout(), &blocks);
-            let every_word = Options { every_word: true, ..Options::default() };
-            let full = steps(*control, &edges(every_word), &blocks);
+            let every_word = ControlOptions { every_word: true, ..ControlOptions::default() };
+            let full = steps(*control, &layout_with(every_word), &blocks);
             prop_assert_eq!(motions(&modal), motions(&full), "{:#?}\n{:#?}", modal, full);
             prop_assert!(modal.iter().map(String::len).sum::<usize>() <= full.iter().map(String::len).sum::<usize>());
         }

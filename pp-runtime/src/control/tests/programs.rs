@@ -47,9 +47,9 @@ fn haas_writes_two_digits_and_a_dwell_in_seconds() {
 
 #[test]
 fn siemens_calls_the_edge_again_behind_machine_coordinates_and_parts_long_names() {
-    let setup = Options { axes: BTreeMap::from([('C', "C1".to_owned())]), ..Options::default() };
+    let options = ControlOptions { axes: BTreeMap::from([('C', "C1".to_owned())]), ..ControlOptions::default() };
     assert_eq!(
-        whole(&Siemens, &edges(setup)),
+        whole(&Siemens, &layout_with(options)),
         [
             "; a (b)",
             "MSG(\"Face 1\")",
@@ -136,16 +136,16 @@ fn words_stand_in_the_usual_order_whatever_the_chain_is() {
 
 #[test]
 fn blocks_of_the_configuration_replace_those_of_the_table() {
-    let setup = Options {
+    let options = ControlOptions {
         tool_change: Some(vec!["M101".into(), "T{tool} M6 (H{offset} S{speed})".into(), "T{next}".into()]),
         safety: Some(vec!["{units} G90".into(), "{work_offset}".into()]),
         program_number: Some(42),
         program_name: Some("x-1".into()),
-        ..Options::default()
+        ..ControlOptions::default()
     };
     let program =
         ProgramBlocks { start: vec!["(P{number} {name})".into()], end: vec!["M99".into()], ..ProgramBlocks::default() };
-    let layout = Layout { program, ..edges(setup) };
+    let layout = Layout { program, ..layout_with(options) };
     let text = written_by(&Fanuc, &layout, |encoder| {
         encoder.open(None)?;
         encoder.start()?;

@@ -4,8 +4,8 @@ use super::*;
 
 #[test]
 fn a_wait_of_haas_has_its_point_where_lengths_have_none() {
-    let control = Options { point: Some(false), ..Options::default() };
-    assert!(steps(&Haas, &edges(control), &[Step::Dwell { seconds: 2.0 }]).iter().any(|line| line == "G04 P2."));
+    let control = ControlOptions { point: Some(false), ..ControlOptions::default() };
+    assert!(steps(&Haas, &layout_with(control), &[Step::Dwell { seconds: 2.0 }]).iter().any(|line| line == "G04 P2."));
 }
 
 #[test]
@@ -22,15 +22,19 @@ fn coolant_goes_off_by_the_code_of_its_kind() {
     let through = Step::Coolant { kind: Coolant::Through };
     let blocks = [Step::CoolantOff, through, Step::CoolantOff, Step::CoolantOff];
     assert_eq!(steps(&Haas, &layout(), &blocks), ["M09", "M88", "M89", "M09"]);
-    let mut setup = Options::default();
-    setup.coolant[2] = Some(["M51".to_owned(), "M59".to_owned()]);
-    assert_eq!(steps(&LinuxCnc, &edges(setup), &blocks), ["M9", "M51", "M59", "M9"]);
+    let mut options = ControlOptions::default();
+    options.coolant[2] = Some(["M51".to_owned(), "M59".to_owned()]);
+    assert_eq!(steps(&LinuxCnc, &layout_with(options), &blocks), ["M9", "M51", "M59", "M9"]);
 }
 
 #[test]
 fn smoothing_is_on_in_cuts_and_off_before_machine_coordinates() {
-    let setup = |smoothing| Options { smoothing, smoothing_angle: Some(0.1_f64.to_radians()), ..Options::default() };
-    let text = |control: &dyn Control, smoothing| whole(control, &edges(setup(smoothing))).join("\n");
+    let options = |smoothing| ControlOptions {
+        smoothing,
+        smoothing_angle_rad: Some(0.1_f64.to_radians()),
+        ..ControlOptions::default()
+    };
+    let text = |control: &dyn Control, smoothing| whole(control, &layout_with(options(smoothing))).join("\n");
     assert!(text(&Fanuc, Smoothing::Finish).contains("G05.1 Q1\nG1 Z-1. F800.\nX12. C31.\nM9\nG05.1 Q0\nG49 G53"));
     assert!(text(&Siemens, Smoothing::Rough).contains("CYCLE832(0.01,3)\nG1 Z-1 F800"));
     assert!(text(&Haas, Smoothing::Medium).contains("G187 P2 E0.01\nG01"));

@@ -15,7 +15,7 @@ fn every_control_states_what_no_two_of_them_share() {
 
 #[test]
 fn every_table_holds_fields_that_exist() {
-    let all = [template::OF_TOOL, &[Field::Seconds, Field::Milliseconds, Field::Angle, Field::Turning]].concat();
+    let all = [template::OF_TOOL, &[Field::Seconds, Field::Milliseconds, Field::Angle, Field::RotaryPath]].concat();
     for control in CONTROLS {
         let codes = control.spellings();
         let blocks = [codes.opening, codes.closing, codes.safety, codes.tool_change, codes.dwell, codes.smoothing_off];
@@ -23,14 +23,14 @@ fn every_table_holds_fields_that_exist() {
         for block in blocks.into_iter().chain(codes.smoothing).flatten().copied().chain(single) {
             assert_eq!(template::check(block, &all), Ok(()), "{} {block}", codes.name);
         }
-        if let Some(Cycles { form: CycleForm::Definitions(cycle), .. }) = &codes.cycles {
+        if let Some(HoleCycles { form: CycleForm::Definitions(cycle), .. }) = &codes.cycles {
             let blocks = [cycle.drill, cycle.peck, cycle.chip_break, cycle.ream, cycle.thread];
             let plain = cycle.plain_drill.into_iter().flatten();
             for block in blocks.into_iter().flatten().chain(plain) {
                 assert_eq!(template::check(block, template::OF_CYCLE), Ok(()), "{} {block}", codes.name);
             }
         }
-        let number = if codes.counted { 8 } else { 0 };
+        let number = if codes.numbers_every_line { 8 } else { 0 };
         assert!(codes.comment.length + codes.comment.marks.concat().len() + number <= codes.line_length);
         assert!(control.work_offset("G54").is_some(), "the default");
     }

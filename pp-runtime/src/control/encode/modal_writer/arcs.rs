@@ -25,7 +25,7 @@ impl<W: Write> ModalWriter<W> {
     }
 
     /// The plane perpendicular to Z, in a block of its own: a length offset may count along the normal of another one.
-    pub(crate) fn usual_plane(&mut self) -> io::Result<()> {
+    pub(crate) fn select_xy_plane(&mut self) -> io::Result<()> {
         let usual = self.codes.arcs.planes[2].unwrap_or_default();
         if self.modal.plane().is_none_or(|plane| plane == usual) {
             return Ok(());
@@ -50,7 +50,7 @@ impl<W: Write> ModalWriter<W> {
             ArcCentre::Offsets => self.arc_with_offsets(words, circle),
             ArcCentre::Pole => self.arc_about_pole(words, circle, known)?,
         }
-        self.side_after_words(false);
+        self.compensation_after_words(false);
         self.changed_feed(feed);
         self.end()
     }

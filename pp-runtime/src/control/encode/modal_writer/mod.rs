@@ -8,7 +8,7 @@ mod motion;
 
 use std::io::{self, Write};
 
-use crate::control::dialects::{Control, Spellings, Vectors};
+use crate::control::dialects::{Control, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
 use crate::control::options::Smoothing;
 use crate::motion::{Mode, ToolPosture, VECTOR_DECIMALS, Words};
@@ -42,7 +42,7 @@ pub(crate) struct ModalWriter<W: Write> {
     every_word: bool,
     smoothing: Smoothing,
     /// How the tool axis is written in the place of rotary words.
-    vectors: Option<&'static Vectors>,
+    vectors: Option<&'static ToolAxisWords>,
     /// Calls the length offset, and with it tip control where the two go together.
     length_code: &'static str,
     /// Side on which the cutter shall run from the next feed block on: left, or right.
@@ -58,7 +58,7 @@ fn addresses(control: &dyn Control, layout: &Layout) -> Vec<Address> {
     axes.sort_by_key(|&(_, letter, _)| "XYZUVWABC".chars().position(|known| known == letter));
     axes.into_iter()
         .map(|(index, letter, decimals)| {
-            let name = layout.setup.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
+            let name = layout.options.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
             // A name that the control cannot have was refused with the configuration.
             Address { index, word: control.axis_word(&name).unwrap_or(name), decimals }
         })
@@ -73,29 +73,29 @@ fn posture(codes: &Spellings, layout: &Layout) -> &'static str {
 }
 
 /// The code that calls the length offset in a motion.
-fn length_code(codes: &Spellings, layout: &Layout, vectors: Option<&Vectors>) -> &'static str {
-    let tip = codes.tip.as_ref().filter(|_| layout.mode == Mode::Tcp && layout.setup.tip_control.is_none());
+fn length_code(codes: &Spellings, layout: &Layout, vectors: Option<&ToolAxisWords>) -> &'static str {
+    let tip = codes.tip.as_ref().filter(|_| layout.mode == Mode::Tcp && layout.options.tip_control.is_none());
     let code = tip.and_then(|tip| vectors.map_or(tip.with_length, |vectors| vectors.with_length));
     code.unwrap_or(codes.length.code)
 }
 
 /// Values that hold for the whole program.
 fn values(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Values {
-    let (codes, setup) = (control.spellings(), &layout.setup);
+    let (codes, options) = (control.spellings(), &layout.options);
     // A tolerance that the format cannot hold was refused with the configuration.
     let path_tolerance = Decimal::fixed(layout.path_tolerance, 6).unwrap_or_default();
     Values {
         name: program_name(codes, layout),
-        number: format!("{:0width$}", setup.program_number.unwrap_or(1), width = codes.number_digits),
+        number: format!("{:0width$}", options.program_number.unwrap_or(1), width = codes.number_digits),
         units: codes.units[usize::from(layout.units == Units::Inches)],
         work_offset: control.work_offset(&layout.work_offset).unwrap_or_else(|| layout.work_offset.clone()),
         path_tolerance: text(path_tolerance, Numerals { plus: false, ..numerals }),
-        angle: setup.smoothing_angle.map(f64::to_degrees),
-        turning: codes.turning[usize::from(layout.shortest)],
+        angle_deg: options.smoothing_angle_rad.map(f64::to_degrees),
+        rotary_path: codes.rotary_path[usize::from(layout.shortest_path)],
         posture: posture(codes, layout),
-        swivel_data: format!("\"{}\"", setup.swivel_data.as_deref().unwrap_or_default()),
+        swivel_data: format!("\"{}\"", options.swivel_data.as_deref().unwrap_or_default()),
         numerals,
-        timed: Numerals { plus: false, point: numerals.point || codes.numerals.point },
+        dwell_numerals: Numerals { plus: false, point: numerals.point || codes.numerals.point },
         ..Values::default()
     }
 }
@@ -104,8 +104,8 @@ impl<W: Write> ModalWriter<W> {
     /// A writer that knows of nothing in force yet.
     pub(crate) fn new(control: &dyn Control, layout: &Layout, out: W) -> Self {
         let codes = control.spellings();
-        let numerals = Numerals { point: layout.setup.point.unwrap_or(codes.numerals.point), ..codes.numerals };
-        let numbering = match (codes.counted, layout.program.line_numbers) {
+        let numerals = Numerals { point: layout.options.point.unwrap_or(codes.numerals.point), ..codes.numerals };
+        let numbering = match (codes.numbers_every_line, layout.program.line_numbers) {
             (true, _) => Numbering::EveryLine,
             (false, Some(step)) => Numbering::Step(step),
             (false, None) => Numbering::None,
@@ -117,8 +117,8 @@ impl<W: Write> ModalWriter<W> {
             axes: addresses(control, layout),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
-            every_word: layout.setup.every_word,
-            smoothing: layout.setup.smoothing,
+            every_word: layout.options.every_word,
+            smoothing: layout.options.smoothing,
             vectors,
             length_code: length_code(codes, layout, vectors),
             side: None,
@@ -190,7 +190,7 @@ impl<W: Write> ModalWriter<W> {
     }
 
     /// Blocks of the configuration: nothing is known after them.
-    pub(crate) fn foreign(&mut self, templates: &[String]) -> io::Result<()> {
+    pub(crate) fn configured_blocks(&mut self, templates: &[String]) -> io::Result<()> {
         for template in templates {
             if let Some(line) = self.values.fill(template) {
                 self.raw(line.as_bytes())?;

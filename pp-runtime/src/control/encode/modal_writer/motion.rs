@@ -24,9 +24,9 @@ impl<W: Write> ModalWriter<W> {
         let along = self.along_vector(words);
         self.motion(along.map_or(self.codes.feed, |(code, _)| code));
         self.call_length(words)?;
-        self.side_before_words();
+        self.compensation_before_words();
         self.axis_words(words, false);
-        self.side_after_words(along.is_some());
+        self.compensation_after_words(along.is_some());
         match feed {
             FeedWord::PerMinute(value) => self.changed_feed(value),
             FeedWord::InverseTime(value) => {
@@ -54,7 +54,7 @@ impl<W: Write> ModalWriter<W> {
     /// A rapid in machine coordinates. Not every control keeps its motion code in force, and some end the length offset.
     pub(crate) fn machine_rapid(&mut self, words: &Words) -> io::Result<()> {
         self.smooth(false)?;
-        self.usual_plane()?;
+        self.select_xy_plane()?;
         let length = &self.codes.length;
         if length.machine_ends {
             if matches!(self.modal.length(), LengthState::On(_) | LengthState::Unknown) {
@@ -131,19 +131,19 @@ impl<W: Write> ModalWriter<W> {
     }
 
     /// From the next feed block on the cutter runs left of its path, right, or on it.
-    pub(crate) fn offset_path(&mut self, side: Option<bool>, register: u32) {
+    pub(crate) fn set_compensation_side(&mut self, side: Option<bool>, register: u32) {
         self.side = side;
         self.values.radius = Some(register);
     }
 
     /// Left or right of the path, or on it again, where that is written before the words.
-    fn side_before_words(&mut self) {
+    fn compensation_before_words(&mut self) {
         if self.codes.no_compensation.is_empty() {
-            self.changed_side();
+            self.changed_compensation();
         }
     }
 
-    fn changed_side(&mut self) {
+    fn changed_compensation(&mut self) {
         if self.modal.side() != self.side {
             let index = self.side.map_or(2, |left| usize::from(!left));
             self.code(self.codes.compensation[index]);
@@ -152,9 +152,9 @@ impl<W: Write> ModalWriter<W> {
     }
 
     /// The side of the path, where that is written after the words; `implied`: the motion code means no compensation.
-    pub(crate) fn side_after_words(&mut self, implied: bool) {
+    pub(crate) fn compensation_after_words(&mut self, implied: bool) {
         if self.side.is_some() || self.modal.side().is_some() {
-            return self.changed_side();
+            return self.changed_compensation();
         }
         if !implied {
             if self.writes(!self.modal.has_no_compensation()) {
