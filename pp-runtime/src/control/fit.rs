@@ -1,4 +1,5 @@
-//! Whether a configuration fits a control, and what the planner may ask of the two: the abilities of `motion`.
+//! Fit of a configuration to a control: settings that the control does not support, and the functions that the planner
+//! may use (the [`Abilities`] of `motion`).
 
 use crate::kinematics::Machine;
 use crate::motion::{self, Abilities, CycleAbilities, Mode, PathNorm, PlaneAbility, TcpWords, TipAbility};
@@ -8,8 +9,8 @@ use crate::set_up::LengthMode;
 use super::dialects::{ArcCentre, Control, LengthCall, coolant_index};
 use super::options::{Demands, Smoothing};
 
-/// Demands of the configuration that the control cannot meet, and why machine, control and configuration do not suit the
-/// mode that is asked for: one sentence each, none if a program can be written.
+/// Settings that the control does not support, and reasons why machine, control and configuration do not suit the mode.
+/// One sentence each; empty if a program can be written.
 #[must_use]
 pub fn unfit<M: Machine>(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let Abilities { tip, plane, .. } = abilities(control, demands);
@@ -18,7 +19,7 @@ pub fn unfit<M: Machine>(control: &dyn Control, demands: Demands<'_>) -> Vec<Str
     faults
 }
 
-/// Demands of the configuration that the control cannot meet.
+/// Settings of the configuration that the control does not support, one sentence each.
 fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let (codes, options) = (control.spellings(), &demands.options);
     let title = codes.title;
@@ -66,7 +67,7 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     faults
 }
 
-/// Tip control as the control has it, or as the configuration switches it.
+/// Tip control: that of the control, or the codes of the configuration.
 fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility> {
     let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
         frame_is_set: tip.frame_is_set,
@@ -77,7 +78,7 @@ fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility
     own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 
-/// The letters of a centre mean the tool axis, so that no arc can be written.
+/// Whether I J K are the components of the tool axis, so that no arc centre can be written with them.
 fn centre_letters_are_tool_axis(control: &dyn Control, demands: Demands<'_>) -> bool {
     let codes = control.spellings();
     let vectors = codes.tip.as_ref().and_then(|tip| tip.vectors.as_ref());
@@ -85,7 +86,7 @@ fn centre_letters_are_tool_axis(control: &dyn Control, demands: Demands<'_>) -> 
     used && codes.arcs.centre == ArcCentre::Offsets && vectors.is_some_and(|vectors| vectors.words[0] == "I")
 }
 
-/// Abilities that the planner may use.
+/// Functions of the control that the planner may use.
 #[must_use]
 pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
     let codes = control.spellings();

@@ -1,4 +1,4 @@
-//! What a job may set about its control, and what of a job the control reads.
+//! Settings of a job for its control, and the data of a job that the control reads.
 
 use std::collections::BTreeMap;
 
@@ -14,21 +14,21 @@ use crate::set_up::SetUp;
 
 use super::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
 
-/// What a job asks of a control: everything that encoding and the fit of the two may read.
+/// The data of a job that a control may read: for the encoder, and to find settings that it does not support.
 #[derive(Debug, Clone, Copy)]
 pub struct Demands<'a> {
-    /// Machine, part and shop.
+    /// Set-up of machine, part and tools.
     pub set_up: &'a SetUp,
-    /// How motion is planned.
+    /// Settings of motion planning.
     pub motion: &'a motion::Options,
-    /// What differs from the table of the control.
+    /// Settings that replace codes and values of the control.
     pub options: &'a ControlOptions,
-    /// Digits of the words.
+    /// Digits of the numbers in words.
     pub formats: &'a Formats,
 }
 
 impl<'a> Demands<'a> {
-    /// What of it the planner reads.
+    /// The part that the planner reads.
     #[must_use]
     pub fn policy(self) -> Policy<'a> {
         Policy { set_up: self.set_up, options: self.motion, formats: self.formats }
@@ -101,10 +101,10 @@ options! {
     }
 }
 
-/// How much the control smooths the path.
+/// Smoothing of the path by the control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Smoothing {
-    /// Not by the program.
+    /// No smoothing code in the program.
     #[default]
     None,
     /// Speed first.
@@ -127,10 +127,10 @@ const PATH_NORMS: [(&str, PathNorm); 4] = [
     ("g93_s", PathNorm::G93Seconds),
 ];
 
-/// Kinds of coolant in the order of their codes.
+/// Kinds of coolant in the order of [`ControlOptions::coolant`].
 const COOLANTS: [&str; 4] = ["flood", "mist", "through", "air"];
 
-/// Smallest path tolerance, mm: in inches it is still no zero with six decimals.
+/// Smallest path tolerance, mm. In inches, with six decimals, it is still greater than zero.
 const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
 
 fn nearly_zero(tolerance: f64) -> Option<String> {
@@ -154,7 +154,7 @@ const AXIS_NAMES: PerAxis<String> = PerAxis {
     schema: || json!({ "type": "string" }),
 };
 
-/// Two codes: on, off.
+/// Value of a key: two codes, on and off.
 #[derive(Debug, Clone, Copy)]
 struct OnAndOff;
 
@@ -181,7 +181,7 @@ impl KeyKind for OnAndOff {
     }
 }
 
-/// `through = ["M88", "M89"]`.
+/// Value of a key: on and off code of each kind of coolant, `{ through = ["M88", "M89"] }`.
 #[derive(Debug, Clone, Copy)]
 struct CoolantCodes;
 
@@ -219,7 +219,7 @@ impl KeyKind for CoolantCodes {
     }
 }
 
-/// A block with named fields: those that may be in it.
+/// Value of a key: a block with the fields that are permitted in it.
 #[derive(Debug, Clone, Copy)]
 struct TemplateBlock(&'static [Field]);
 

@@ -1,4 +1,4 @@
-//! Steps as each control spells them, and programs read back.
+//! Steps in the codes of each control, and programs read back.
 
 mod arcs;
 mod comments;
@@ -65,7 +65,7 @@ fn per_minute(units: i64) -> FeedWord {
 
 const SPEED: Decimal = Decimal { units: 3000, decimals: 0 };
 
-/// From a restart point into a cut, out and to the next tool.
+/// From a restart point to a cut, retract, and optional stop.
 fn short_program() -> Vec<Step<'static>> {
     let (z, x) = (0b0100, 0b1000);
     vec![
@@ -110,7 +110,7 @@ fn milling() -> Layout {
     Layout { axes: vec![('X', 3), ('Y', 3), ('Z', 3)], ..layout() }
 }
 
-/// Where the axes stand, whole units.
+/// Position of X Y Z, whole units.
 type Place = [i64; 3];
 
 fn linear(to: Place) -> Words {

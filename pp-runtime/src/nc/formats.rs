@@ -1,4 +1,4 @@
-//! How many digits words have.
+//! Digits of the numbers in words.
 
 use crate::keys::{Whole, options};
 use crate::program::Units;

@@ -1,17 +1,18 @@
-//! Fanuc 30i, 31i and their kin.
+//! Fanuc 30i, 31i and related controls.
 //!
-//! A number without a point counts least increments, so every axis and feed word has one; `G4 P` counts milliseconds.
-//! `G43` and `G49` may move Z by the length of the tool. `G43 H` is therefore written in the block that moves Z to the
-//! approach point, and `G49` in the block that moves Z to its machine position.
+//! A number without a decimal point is in least increments, so every axis and feed word has one. `G4 P` is in
+//! milliseconds. `G43` and `G49` may move Z by the length of the tool. `G43 H` is therefore written in the block that
+//! moves Z to the approach point, and `G49` in the block that moves Z to its machine position.
 //!
 //! Length guard of the 30i and 31i with offset memory B or C and custom macros: `#10000+H` and `#11000+H` are the two
-//! parts of a length, geometry and wear. Machines differ in which is which (both orders are found in programs of
-//! machines), and `G43` takes their sum, so the guard does. They count in the unit of the program. `#3000` stops with an
-//! alarm and at most 26 characters.
+//! parts of a length, geometry and wear. Machines differ in which is which (programs of machines show both orders).
+//! `G43` takes their sum, and so does the guard. Both are in the unit of the program. `#3000` stops with an alarm of at
+//! most 26 characters.
 //!
-//! `G43.4 H` starts tip control in the block that goes to the first point; which frame it counts in is parameter 19696#5.
-//! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` turns the axes. Of several poses it takes the
-//! one that turns the master axis least (B-63784EN, tool axis direction control), so they are turned there before.
+//! `G43.4 H` starts tip control in the block that moves to the first point. Parameter 19696#5 selects the frame of its
+//! coordinates. `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several
+//! poses it takes the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are
+//! rotated to the planned pose before it.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
@@ -45,7 +46,7 @@ static SPELLINGS: Spellings = Spellings {
     closing: &["%"],
     number_digits: 4,
     arcs: ArcCodes {
-        // Parameter 3410 is 0.01 mm or more on machines in use; a word is off by less than this.
+        // Parameter 3410 is 0.01 mm or more on machines in use; rounded words differ by less than this value.
         radius_tolerance_mm: 0.002,
         ..ArcCodes::ISO
     },
@@ -100,7 +101,7 @@ static SPELLINGS: Spellings = Spellings {
     ..Spellings::ISO
 };
 
-/// Capitals, digits and signs that every model prints.
+/// The byte as a capital, digit or sign that every model can display.
 fn printed(byte: u8) -> u8 {
     match ascii_in_brackets(byte).to_ascii_uppercase() {
         byte @ (b'A'..=b'Z'

@@ -1,14 +1,15 @@
 //! Haas NGC.
 //!
-//! Codes have two digits, as Haas writes them. As on Fanuc a number needs its point and `G43` is written with Z; the dwell
-//! is in seconds because its P has a point. Coolant through the spindle has an off code of its own.
+//! Codes have two digits, as Haas writes them. As on Fanuc, a number needs a decimal point and `G43` is written with Z.
+//! The dwell is in seconds because its P has a point. Coolant through the spindle has its own off code.
 //!
-//! Length guard of the NGC with macros: `#2000+H` is the length in the offset page, `#2200+H` its wear, for H1 to H200, in
-//! the unit of the machine, which is that of the program; `G43` takes their sum. To read them stops the look-ahead (Haas
-//! mill manual 96-8000, macros). `#3000` stops with an alarm.
+//! Length guard of the NGC with macros: `#2000+H` is the length in the offset page, `#2200+H` its wear, for H1 to H200,
+//! in the unit of the machine, which is that of the program; `G43` takes their sum. Reading them stops the look-ahead
+//! (Haas mill manual 96-8000, macros). `#3000` stops with an alarm.
 //!
-//! `G234 H` controls the tip in the frame of the table at zero. `G268` tilts a plane, with the length offset active before
-//! it, and `G253` turns the axes; `Q123` is the order of its angles.
+//! `G234 H` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero. `G268`
+//! tilts a plane, with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
+//! angles.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};

@@ -1,8 +1,8 @@
-//! The base table of controls that write ISO blocks (ISO 6983-1, and what milling controls agree on beyond it).
+//! Base table of the controls that write ISO blocks (ISO 6983-1, and the codes beyond it that milling controls share).
 //!
-//! [`Spellings::ISO`] holds no name, no tip control and no tilted plane, and of the rest only what at least two of the
-//! controls share; whatever differs is stated in the control's own file, with its source. What no two of them share (name,
-//! title, line length, rotary note) is empty here, and a test refuses a control that leaves it so.
+//! [`Spellings::ISO`] has no name, no tip control and no tilted plane. Every other entry is shared by at least two of
+//! the controls; differences are in the file of the control, with their source. Entries that no two controls share
+//! (name, title, line length, rotary note) are empty here, and a test refuses a control that leaves them empty.
 
 use crate::motion::{CycleAbilities, PathNorm, Registers};
 use crate::nc::{Formats, Numerals};
@@ -71,7 +71,7 @@ impl ArcCodes {
         planes: [Some("G19"), Some("G18"), Some("G17")],
         centre: ArcCentre::Offsets,
         radius: "R",
-        // Less than the controls accept as delivered.
+        // Smaller than the limit of the controls as delivered.
         radius_tolerance_mm: 0.002,
     };
 }
@@ -91,7 +91,8 @@ impl CycleCodes {
 }
 
 impl LengthCodes {
-    /// G43 H in the block that moves Z, and G49 in the block that moves Z to its machine position: both may move Z.
+    /// G43 H in the block that moves Z, and G49 in the block that moves Z to its machine position, because both may
+    /// move Z.
     pub const ISO: Self = Self {
         code: "G43 H{offset}",
         call: LengthCall::WithZ,

@@ -1,10 +1,10 @@
 //! LinuxCNC.
 //!
-//! The program ends with M2 and has no `%` frame: a file that lost its end has no M2 and is refused by the control.
-//! `G43 H` moves nothing, `G4 P` counts seconds, `G93` wants an F in every G1 block, and F in `G94` counts along X Y Z
-//! wherever one of them moves. `#5403` is the length that the tool table has for the tool in the spindle, whatever H is in force, in
-//! the unit of the machine and not in that of the program. Without a P after `G64` it would round corners as far as speed
-//! demands. Tip control and tilted planes are switched by codes of the configuration, if at all.
+//! The program ends with M2 and has no `%` lines: a truncated file has no M2, and the control refuses it. `G43 H` moves
+//! nothing, `G4 P` is in seconds, `G93` needs an F in every G1 block, and F in `G94` applies to the path of X Y Z
+//! wherever one of them moves. `#5403` is the length of the tool in the spindle in the tool table, whatever H is in
+//! force, in the unit of the machine and not of the program. `G64` without P would round corners without bound at high
+//! speed. Tip control is only switched by codes of the configuration; there is no tilted plane.
 
 use crate::motion::CycleAbilities;
 
@@ -22,12 +22,12 @@ static SPELLINGS: Spellings = Spellings {
     name: "linuxcnc",
     title: "LinuxCNC",
     line_length: 254,
-    // Of 254 bytes: two brackets, and the "- " before a text that would be an order.
+    // 254 bytes, less two brackets and the "- " before a text that would be a command.
     comment: CommentStyle { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
     end: "M2",
     safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
     arcs: ArcCodes {
-        // Where the radii differ by more the interpreter of 2.9 looks at their ratio, too.
+        // If the radii differ by more, the interpreter of version 2.9 also compares their ratio.
         radius_tolerance_mm: 0.001_27,
         ..ArcCodes::ISO
     },
@@ -58,11 +58,11 @@ impl Control for LinuxCnc {
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
         let LengthGuard { label, tool, .. } = *guard;
         if guard.offset != tool {
-            // The table holds nothing about the register of another tool.
+            // `#5403` is not the length of another register.
             return Vec::new();
         }
         let [length, tolerance] = guard.in_millimetres();
-        // The table of a machine in inches holds another number; no tool fits both ways.
+        // The table of a machine in inches holds the length in inches. No length fits in both units.
         let off = |table: &str| format!("[ABS[{table} - {length}] GT {tolerance}]");
         vec![
             format!("o{label} if [{} AND {}]", off("#5403"), off("[#5403 * 25.4]")),
@@ -77,7 +77,8 @@ impl Control for LinuxCnc {
     }
 }
 
-/// `(MSG,`, `(PRINT,`, `(LOGOPEN,`, `(AXIS,` are orders: a word and a comma at the beginning. Two orders need no comma.
+/// Whether a comment would be a command: it begins with a word and a comma, as `(MSG,`, `(PRINT,`, `(LOGOPEN,` and
+/// `(AXIS,` do, or with one of two words that need no comma.
 fn is_order(text: &[u8]) -> bool {
     let text = text.trim_ascii_start();
     let end = text.iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_').unwrap_or(text.len());

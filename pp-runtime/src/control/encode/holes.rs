@@ -1,4 +1,4 @@
-//! Holes by cycles of the control.
+//! Hole cycles of the control.
 
 use std::io::{self, Write};
 
@@ -12,12 +12,12 @@ use super::modal_state::After;
 use super::modal_writer::ModalWriter;
 use super::values::HoleValues;
 
-/// Writes cycles, and knows which one is in force.
+/// Writes hole cycles, and records the one in force.
 #[derive(Debug)]
 pub(crate) struct HoleWriter {
-    /// The modal cycle that every motion calls until it is cancelled.
+    /// Modal cycle that every motion calls until it is cancelled.
     in_force: Option<CannedCycle>,
-    /// Threads are cut with the spindle under control of its angle.
+    /// Threads are cut by rigid tapping.
     rigid: bool,
     units: Units,
 }
@@ -27,7 +27,7 @@ impl HoleWriter {
         Self { in_force: None, rigid: layout.rigid, units: layout.units }
     }
 
-    /// Cancels the cycle in force; a motion after it writes all its words.
+    /// Cancels the cycle in force; the next motion writes its motion code, the word of the tool axis and F again.
     pub(crate) fn end_cycle<W: Write>(&mut self, out: &mut ModalWriter<W>) -> io::Result<()> {
         let Some(cycle) = self.in_force.take() else { return Ok(()) };
         out.modal().forget(After::HoleCycle { z: cycle.z });
@@ -39,7 +39,7 @@ impl HoleWriter {
         }
     }
 
-    /// A hole: the cycle with all its words, or only its place while the same one is in force.
+    /// Writes a hole: the cycle with all its words, or only the position while the same cycle is in force.
     pub(crate) fn cycle<W: Write>(&mut self, cycle: &CannedCycle, out: &mut ModalWriter<W>) -> io::Result<()> {
         let Some(cycles) = &out.codes().cycles else { return Ok(()) };
         match (&cycles.form, cycle.kind) {
@@ -51,7 +51,7 @@ impl HoleWriter {
         }
     }
 
-    /// `G99 G81 X Y Z R F`, then `X Y`.
+    /// Writes `G99 G81 X Y Z R F`, then `X Y`.
     fn coded_cycle<W: Write>(
         &mut self,
         cycle: &CannedCycle,
@@ -87,14 +87,14 @@ impl HoleWriter {
         Ok(())
     }
 
-    /// `MCALL CYCLE81(..)`, then `G0 X Y`; or `CYCL DEF 200`, then `L X Y R0 FMAX M99`.
+    /// Writes `MCALL CYCLE81(..)`, then `G0 X Y`; or `CYCL DEF 200`, then `L X Y R0 FMAX M99`.
     fn defined_cycle<W: Write>(
         &mut self,
         cycle: &CannedCycle,
         blocks: &'static CycleDefinitions,
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
-        // Where each place calls it a definition outlives the motions between.
+        // Where each position calls the cycle, its definition survives the motions between.
         let lasts = blocks.end.is_empty();
         let known = if lasts { out.modal().cycle() } else { self.in_force };
         if !known.is_some_and(|before| cycle.repeats(&before)) {
@@ -116,7 +116,7 @@ impl HoleWriter {
         out.end()
     }
 
-    /// The blocks that define a cycle.
+    /// Writes the blocks that define a cycle.
     fn define<W: Write>(
         &self,
         cycle: &CannedCycle,
@@ -147,14 +147,14 @@ impl HoleWriter {
         out.fill_all(blocks)
     }
 
-    /// Ends what a cycle does not bear.
+    /// Cancels the functions that must be off in a cycle.
     fn before_cycle<W: Write>(&mut self, out: &mut ModalWriter<W>) -> io::Result<()> {
         self.end_cycle(out)?;
         out.smooth(false)?;
         out.select_xy_plane()
     }
 
-    /// A thread by a motion: over to it, down to its start, in and out, and up to the level after it.
+    /// Writes a thread as motions: rapid above it, rapid to its start, tapping motion, rapid to the return level.
     fn thread<W: Write>(
         &mut self,
         cycle: &CannedCycle,
@@ -162,7 +162,7 @@ impl HoleWriter {
         pitch: Decimal,
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
-        // The rapid over to it would be another hole of the cycle before.
+        // The rapid to the position would be another hole of the cycle before.
         self.before_cycle(out)?;
         let level = |units: i64| {
             let mut words = Words { mask: 1 << cycle.z, ..Words::default() };
@@ -181,7 +181,7 @@ impl HoleWriter {
     }
 }
 
-/// `Z R Q P F`.
+/// Writes the words `Z R Q P F` of a cycle, and ends the block.
 fn cycle_words<W: Write>(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<W>) -> io::Result<()> {
     let decimals = out.decimals(cycle.z);
     let mut bottom = Words { mask: 1 << cycle.z, ..Words::default() };

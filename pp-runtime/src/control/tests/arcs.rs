@@ -6,7 +6,7 @@ use super::reader::{Motion, motions};
 use super::*;
 use crate::motion::{ArcPlane, Circle};
 
-/// A circle of a plane from one place to another about a centre, its sweep as the places say.
+/// A circle in a plane from one position to another about a centre, with the sweep angle of these positions.
 fn round(plane: ArcPlane, from: Place, to: Place, centre: [i64; 2], clockwise: bool) -> Circle {
     let [first, second, square] = plane.axes();
     let (start, end) = ([from[first], from[second]], [to[first], to[second]]);
@@ -17,7 +17,7 @@ fn round(plane: ArcPlane, from: Place, to: Place, centre: [i64; 2], clockwise: b
     Circle { plane, chain: [0, 1, 2], clockwise, start, centre, radius: None, sweep, rise: to[square] - from[square] }
 }
 
-/// A quarter, a whole turn, a helix and an arc in the plane of Z and X, from X10 Y0 Z0 about the origin.
+/// A quarter circle, a full circle, a helix and an arc in the ZX plane, from X10 Y0 Z0 about the origin.
 fn some_arcs(control: &dyn Control, options: ControlOptions, radius: Option<i64>) -> Vec<String> {
     let quarter = Circle { radius, ..round(ArcPlane::Xy, [10_000, 0, 0], [0, 10_000, 0], [0, 0], false) };
     let whole = round(ArcPlane::Xy, [0, 10_000, 0], [0, 10_000, 0], [0, 0], true);
@@ -40,7 +40,7 @@ fn some_arcs(control: &dyn Control, options: ControlOptions, radius: Option<i64>
 }
 
 #[test]
-fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
+fn arcs_hold_the_words_of_their_plane_and_the_offset_of_the_centre() {
     let arcs = |control| some_arcs(control, ControlOptions::default(), None);
     let expected = [
         "G1 X10 Y0 Z0 F500",
@@ -61,7 +61,7 @@ fn arcs_hold_the_words_of_their_plane_and_the_way_to_the_centre() {
 }
 
 #[test]
-fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
+fn heidenhain_writes_the_pole_and_the_angle_of_a_helix() {
     assert_eq!(
         some_arcs(&Heidenhain, ControlOptions::default(), None),
         [
@@ -76,10 +76,10 @@ fn heidenhain_states_the_pole_and_counts_the_angle_of_a_helix() {
     );
 }
 
-/// A helix ends at an angle: where X and Y stand behind it is right but for rounding. To `C` the end of a whole turn would be
-/// a point next to the start, or the start.
+/// A helix ends at an angle, so X and Y after it are exact only up to rounding. The end of a full circle in a `C` block
+/// would be a point next to the start, or the start.
 #[test]
-fn behind_a_helix_heidenhain_counts_the_angle_of_a_whole_turn() {
+fn after_a_helix_heidenhain_writes_a_full_circle_by_its_angle() {
     let helix = round(ArcPlane::Xy, [10_000, 0, 0], [0, 10_000, -2_500], [0, 0], false);
     let whole = round(ArcPlane::Xy, [0, 10_000, -2_500], [0, 10_000, -2_500], [0, 0], true);
     let half = round(ArcPlane::Xy, [0, 10_000, -2_500], [0, -10_000, -2_500], [0, 0], true);
@@ -106,10 +106,10 @@ fn a_radius_takes_the_place_of_the_centre() {
     assert_eq!(quarter(&Heidenhain, 10_000), "5 CR X+0 Y+10 R+10 DR+");
 }
 
-/// Where to; centre and sense of an arc; a number that says what else.
+/// End; centre and sense of an arc; number that selects rapid, feed or a restart point.
 type Leg = (Place, Option<([i64; 2], bool)>, u8);
 
-/// Motions of a program that begins at the origin: arcs with whole turns among them.
+/// Motions of a program that begins at the origin, with arcs and full circles.
 fn any_path() -> impl Strategy<Value = Vec<Leg>> {
     let place = prop::array::uniform3(-3_i64..4).prop_map(|place| place.map(|value| value * 1000));
     let centre = prop::option::weighted(0.6, (prop::array::uniform2(-4_i64..5), any::<bool>()));
@@ -118,13 +118,13 @@ fn any_path() -> impl Strategy<Value = Vec<Leg>> {
 }
 
 proptest! {
-    /// Arcs are the same with every word and without, and on every control.
+    /// Arcs are the same with every word in every block and without, and on every control.
     #[test]
     fn arcs_are_the_same_on_every_control(path in any_path()) {
         let (mut here, mut circles) = ([0; 3], Vec::new());
         for (to, arc, _) in &path {
             circles.push(arc.map(|(centre, clockwise)| {
-                // Both ends as far from the centre: what the words say is then the same for all.
+                // Both ends have the same distance from the centre, so that the words mean the same on every control.
                 let [x, y] = [2 * centre[0] - here[0], 2 * centre[1] - here[1]];
                 let end = if to[0] == here[0] { [here[0], here[1], to[2]] } else { [x, y, to[2]] };
                 (end, round(ArcPlane::Xy, here, end, centre, clockwise))
@@ -145,20 +145,20 @@ proptest! {
                 blocks.extend([Step::Restart { number: 2 }, Step::Rapid { words: linear(at) }]);
             }
         }
-        let said: Vec<_> = CONTROLS.iter().map(|control| {
+        let read: Vec<_> = CONTROLS.iter().map(|control| {
             let modal = motions(&steps(*control, &milling(), &blocks));
             let every_word = ControlOptions { every_word: true, ..ControlOptions::default() };
             let full = motions(&steps(*control, &Layout { options: every_word, ..milling() }, &blocks));
-            // Behind a helix Heidenhain writes where it ends once more.
+            // After a helix Heidenhain writes its end once more.
             let moving = |mut motions: Vec<Motion>| {
                 motions.dedup_by(|next, before| next.4.is_none() && next.2 == before.2);
                 motions
             };
             (moving(modal), moving(full))
         }).collect();
-        for (index, (modal, full)) in said.iter().enumerate() {
+        for (index, (modal, full)) in read.iter().enumerate() {
             prop_assert_eq!(modal, full, "{}", CONTROLS[index].spellings().name);
-            prop_assert_eq!(modal, &said[0].0, "{}", CONTROLS[index].spellings().name);
+            prop_assert_eq!(modal, &read[0].0, "{}", CONTROLS[index].spellings().name);
         }
     }
 }

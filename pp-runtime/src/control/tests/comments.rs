@@ -3,7 +3,7 @@
 use super::*;
 
 #[test]
-fn a_long_comment_stands_on_lines_that_the_control_reads() {
+fn a_long_comment_is_split_into_lines_that_the_control_reads() {
     for control in CONTROLS {
         let text = written_by(*control, &layout(), |encoder| encoder.comment(&[b'('; 1000]));
         let length = control.spellings().line_length;
@@ -22,14 +22,14 @@ fn a_long_comment_is_broken_between_its_words() {
 }
 
 #[test]
-fn a_comment_never_goes_on_in_the_next_line_and_never_ends_early() {
+fn a_comment_never_continues_in_the_next_line_and_never_ends_early() {
     for control in CONTROLS {
         let mut line = Vec::new();
         control.comment(b"A) M3 % \n\" ~", &mut line);
-        let [before, behind] = control.spellings().comment.marks;
+        let [before, after] = control.spellings().comment.marks;
         let line = String::from_utf8(line).expect("ASCII");
-        let inside = line.strip_prefix(before).and_then(|text| text.strip_suffix(behind)).expect("the marks");
-        assert!(behind.is_empty() || !inside.contains([')', '(', '%']), "{line}");
+        let inside = line.strip_prefix(before).and_then(|text| text.strip_suffix(after)).expect("the marks");
+        assert!(after.is_empty() || !inside.contains([')', '(', '%']), "{line}");
         assert!(!inside.contains('\n'));
         assert!(control.spellings().name != "heidenhain" || !inside.contains('~'));
     }

@@ -1,4 +1,4 @@
-//! What a configuration asks of a control that does not have it.
+//! Settings that a control does not support.
 
 use super::*;
 use crate::config::sample::Sample;
@@ -6,7 +6,7 @@ use crate::config::{Config, starting_point};
 use crate::motion::{PathNorm, TcpWords};
 
 #[test]
-fn what_a_control_does_not_have_is_told_before_anything_is_posted() {
+fn settings_that_a_control_does_not_support_are_refused() {
     let faults = |control: &dyn Control, change: fn(&mut Config)| {
         let mut config = starting_point(control);
         change(&mut config);
@@ -34,9 +34,9 @@ fn what_a_control_does_not_have_is_told_before_anything_is_posted() {
     assert_eq!(faults(&Fanuc, gauge), Vec::<String>::new());
 }
 
-/// On Siemens another plane would give the length of the tool to another axis. In the words of G43.5 I J K are the tool axis.
+/// On Siemens the tool length would apply along another axis in another plane. In G43.5 I J K are the tool axis vector.
 #[test]
-fn no_arc_is_said_where_its_plane_or_its_centre_means_something_else() {
+fn no_arc_is_written_where_its_plane_or_its_centre_has_another_meaning() {
     let planes = |control: &dyn Control, mode, tcp_words| {
         let mut config = starting_point(control);
         config.motion.mode = mode;

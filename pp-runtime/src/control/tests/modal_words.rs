@@ -1,4 +1,4 @@
-//! Words that stay in force.
+//! Modal words: left out while in force, written again after events that may change them.
 
 use proptest::prelude::*;
 
@@ -16,14 +16,14 @@ fn a_block_in_which_nothing_changes_is_not_written() {
 }
 
 #[test]
-fn everything_is_written_again_behind_a_restart_a_stop_and_a_foreign_block() {
+fn everything_is_written_again_after_a_restart_a_stop_and_a_block_of_the_cl_data() {
     let feed = Step::Feed { words: words([0; 4]), feed: per_minute(100) };
     for between in [Step::Stop { optional: false }, Step::Raw { text: b"M64" }, Step::Restart { number: 7 }] {
         for control in CONTROLS {
             let text = steps(*control, &layout(), &[feed, between, feed]);
             let (first, last) = (&text[0], &text[text.len() - 1]);
             for word in first.split(' ').filter(|word| word.starts_with(['X', 'Z', 'A', 'C', 'F', 'R'])) {
-                assert!(last.contains(word), "{word} behind {between:?}: {text:#?}");
+                assert!(last.contains(word), "{word} after {between:?}: {text:#?}");
             }
         }
     }
@@ -53,11 +53,11 @@ fn any_step() -> impl Strategy<Value = Step<'static>> {
 }
 
 proptest! {
-    /// Suppressing what stays in force changes no motion: with every word in every block the control does the same.
+    /// Leaving out modal words changes no motion: with every word in every block the motions are the same.
     #[test]
     fn every_word_in_every_block_is_the_same_motion(blocks in prop::collection::vec(any_step(), 1..40)) {
         for control in CONTROLS {
-            // Where the control has no inverse time the planner asks for none.
+            // The planner uses no inverse time on a control that has none.
             let no_inverse = control.spellings().inverse_time.is_none();
             let blocks: Vec<Step<'_>> = blocks.iter().filter(|step| {
                 !(no_inverse && matches!(step, Step::PerMinute | Step::Feed { feed: FeedWord::InverseTime(_), .. }))
@@ -70,16 +70,16 @@ proptest! {
         }
     }
 
-    /// All controls move the machine alike.
+    /// All controls move the machine in the same way.
     #[test]
-    fn every_control_says_the_same_motions(blocks in prop::collection::vec(any_step(), 1..40)) {
+    fn every_control_writes_the_same_motions(blocks in prop::collection::vec(any_step(), 1..40)) {
         let blocks: Vec<Step<'_>> = blocks.into_iter().filter(|step| {
             !matches!(step, Step::Length { .. } | Step::PerMinute | Step::Feed { feed: FeedWord::InverseTime(_), .. })
         }).collect();
-        let said = CONTROLS.iter().map(|control| motions(&steps(*control, &layout(), &blocks)));
-        let said: Vec<Vec<Motion>> = said.collect();
-        for other in &said[1..] {
-            prop_assert_eq!(&said[0], other);
+        let read = CONTROLS.iter().map(|control| motions(&steps(*control, &layout(), &blocks)));
+        let read: Vec<Vec<Motion>> = read.collect();
+        for other in &read[1..] {
+            prop_assert_eq!(&read[0], other);
         }
     }
 }

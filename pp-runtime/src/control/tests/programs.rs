@@ -46,7 +46,7 @@ fn haas_writes_two_digits_and_a_dwell_in_seconds() {
 }
 
 #[test]
-fn siemens_calls_the_edge_again_behind_machine_coordinates_and_parts_long_names() {
+fn siemens_calls_the_edge_again_after_machine_coordinates_and_separates_long_names() {
     let options = ControlOptions { axes: BTreeMap::from([('C', "C1".to_owned())]), ..ControlOptions::default() };
     assert_eq!(
         whole(&Siemens, &layout_with(options)),
@@ -83,7 +83,7 @@ fn siemens_calls_the_edge_again_behind_machine_coordinates_and_parts_long_names(
 }
 
 #[test]
-fn heidenhain_counts_every_line_and_begins_every_motion_with_l() {
+fn heidenhain_numbers_every_line_and_begins_every_motion_with_l() {
     let text = whole(&Heidenhain, &layout());
     let expected = [
         "0 BEGIN PGM PART_7 MM",
@@ -120,16 +120,16 @@ fn heidenhain_counts_every_line_and_begins_every_motion_with_l() {
 }
 
 #[test]
-fn a_program_in_inches_says_so() {
+fn a_program_in_inches_has_the_code_of_inches() {
     let inches = Layout { units: Units::Inches, ..layout() };
-    let said = |control: &dyn Control| whole(control, &inches).join(" ");
-    assert!(said(&LinuxCnc).contains("N1 G20 "));
-    assert!(said(&Siemens).contains("G700 "));
-    assert!(said(&Heidenhain).contains("BEGIN PGM PART_7 INCH") && said(&Heidenhain).contains("END PGM PART_7 INCH"));
+    let text = |control: &dyn Control| whole(control, &inches).join(" ");
+    assert!(text(&LinuxCnc).contains("N1 G20 "));
+    assert!(text(&Siemens).contains("G700 "));
+    assert!(text(&Heidenhain).contains("BEGIN PGM PART_7 INCH") && text(&Heidenhain).contains("END PGM PART_7 INCH"));
 }
 
 #[test]
-fn words_stand_in_the_usual_order_whatever_the_chain_is() {
+fn words_come_in_the_usual_order_whatever_the_chain_is() {
     let text = steps(&LinuxCnc, &layout(), &[Step::Rapid { words: words([10_000, -5, 1500, -1]) }]);
     assert_eq!(text, ["G0 X-0.001 Z1.5 A-0.0005 C1"]);
 }

@@ -1,18 +1,19 @@
-//! A small reader of programs: the motions of every control.
+//! Small reader of programs: returns the motions of a program of any control.
 
 use std::collections::BTreeMap;
 
-/// The centre of an arc, and whether it is clockwise.
+/// Centre of an arc, and whether it is clockwise.
 type Round = (BTreeMap<String, i64>, bool);
 
-/// What a motion block does: rapid, machine coordinates, where every axis stands, the F of a feed block, and its circle.
+/// Motion of a block: whether it is a rapid and in machine coordinates, position of every axis after it, feed (inverse
+/// time, F), and circle.
 pub(super) type Motion = (bool, bool, BTreeMap<String, f64>, Option<(bool, f64)>, Option<Round>);
 
-fn number(word: &str, behind: usize) -> f64 {
-    word[behind..].parse().expect("a number")
+fn number(word: &str, start: usize) -> f64 {
+    word[start..].parse().expect("a number")
 }
 
-/// Turns X and Y about a pole, degrees; to a thousandth.
+/// Rotates X and Y about a pole by an angle in degrees; rounded to a thousandth.
 fn turn_about(pole: &BTreeMap<String, i64>, degrees: f64, at: &mut BTreeMap<String, f64>) {
     let [x, y] = ["X", "Y"].map(|axis| at[axis] - pole[axis] as f64 * 1e-3);
     let (sine, cosine) = degrees.to_radians().sin_cos();
@@ -21,7 +22,7 @@ fn turn_about(pole: &BTreeMap<String, i64>, degrees: f64, at: &mut BTreeMap<Stri
     }
 }
 
-/// Reads the motions of a program back, for every control: words stay in force until they change.
+/// Motions of a program of any control; words are modal.
 pub(super) fn motions(lines: &[String]) -> Vec<Motion> {
     let (mut at, mut feed, mut rapid, mut inverse) = (BTreeMap::<String, f64>::new(), None, false, false);
     let (mut clockwise, mut pole) = (None, BTreeMap::<String, i64>::new());

@@ -3,13 +3,13 @@
 use super::*;
 
 #[test]
-fn a_wait_of_haas_has_its_point_where_lengths_have_none() {
+fn a_dwell_of_haas_has_its_point_where_lengths_have_none() {
     let control = ControlOptions { point: Some(false), ..ControlOptions::default() };
     assert!(steps(&Haas, &layout_with(control), &[Step::Dwell { seconds: 2.0 }]).iter().any(|line| line == "G04 P2."));
 }
 
 #[test]
-fn a_speed_that_changes_stands_in_a_tool_call_on_heidenhain_and_is_not_said_twice() {
+fn a_new_speed_is_written_once_in_a_tool_call_of_heidenhain() {
     let spindle = |units| Step::Spindle { speed: Decimal { units, decimals: 0 }, rotation: Rotation::CounterClockwise };
     assert_eq!(
         steps(&Heidenhain, &layout(), &[spindle(3000), spindle(3000), spindle(4000)]),
@@ -18,7 +18,7 @@ fn a_speed_that_changes_stands_in_a_tool_call_on_heidenhain_and_is_not_said_twic
 }
 
 #[test]
-fn coolant_goes_off_by_the_code_of_its_kind() {
+fn coolant_is_switched_off_by_the_code_of_its_kind() {
     let through = Step::Coolant { kind: Coolant::Through };
     let blocks = [Step::CoolantOff, through, Step::CoolantOff, Step::CoolantOff];
     assert_eq!(steps(&Haas, &layout(), &blocks), ["M09", "M88", "M89", "M09"]);
@@ -43,7 +43,7 @@ fn smoothing_is_on_in_cuts_and_off_before_machine_coordinates() {
 }
 
 #[test]
-fn a_wait_that_is_too_long_for_the_control_is_written_as_several() {
+fn a_dwell_that_is_too_long_for_the_control_is_written_as_several() {
     let waits = |seconds| steps(&Heidenhain, &layout(), &[Step::Dwell { seconds }]);
     let lengths = |seconds| -> Vec<String> {
         waits(seconds).iter().filter_map(|line| Some(line.split_once("9.1 DWELL ")?.1.to_owned())).collect()
