@@ -24,37 +24,39 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
     let (codes, options) = (control.spellings(), &demands.options);
     let title = codes.title;
     let mut faults = Vec::new();
-    for offset in std::iter::once(&demands.set_up.work_offset).chain(demands.set_up.frames.values()) {
+    let own = std::iter::once(("work_offset", &demands.set_up.work_offset));
+    for (key, offset) in own.chain(demands.set_up.frames.values().map(|offset| ("frames", offset))) {
         if control.work_offset(offset).is_none() {
-            faults.push(format!("{title} has no work offset `{offset}`"));
+            faults.push(format!("{title} has no work offset `{offset}`: correct `{key}`"));
         }
     }
     for (letter, name) in &options.axes {
         if control.axis_word(name).is_none() {
-            faults.push(format!("{title} cannot have an axis `{name}`, which is to be the name of {letter}"));
+            faults
+                .push(format!("{title} permits no axis name `{name}`: correct the name of {letter} in `control.axes`"));
         }
     }
     if options.program_number.is_some_and(|number| number.to_string().len() > codes.number_digits) {
         faults.push(match codes.number_digits {
-            0 => format!("programs of {title} have no number"),
-            digits => format!("programs of {title} have a number of at most {digits} digits"),
+            0 => format!("programs of {title} have no number: leave `control.program_number` out"),
+            digits => format!("`control.program_number` has too many digits: {title} permits at most {digits}"),
         });
     }
     if options.file_header && control.file_header("NAME").is_empty() {
-        faults.push(format!("programs of {title} do not begin with the name of their file: leave `file_header` out"));
+        faults.push(format!("{title} has no file header: leave `control.file_header` out"));
     }
     if codes.length.call == LengthCall::WithTool && demands.set_up.length_mode == LengthMode::Gauge {
-        faults.push(format!("{title} takes the length with every tool call: leave `length_mode` at \"tip\""));
+        faults.push(format!("{title} activates the tool length in every tool call: set `length_mode = \"tip\"`"));
     }
     if codes.numbers_every_line && demands.options.program.line_numbers.is_some() {
-        faults.push(format!("{title} counts every line by itself: leave `line_numbers` out"));
+        faults.push(format!("{title} numbers every line by itself: leave `program.line_numbers` out"));
     }
     if options.smoothing != Smoothing::None && codes.smoothing[0].is_empty() {
-        faults.push(format!("{title} has no smoothing levels: give it `path_tolerance`"));
+        faults.push(format!("{title} has no smoothing levels: leave `control.smoothing` out and set `path_tolerance`"));
     }
     let inverse = matches!(options.path_norm, Some(PathNorm::G93Minutes | PathNorm::G93Seconds));
     if inverse && codes.inverse_time.is_none() {
-        faults.push(format!("{title} has no inverse-time feed: `path_norm` is \"xyz\" or \"xyz+deg\""));
+        faults.push(format!("{title} has no inverse-time feed: set `control.path_norm` to \"xyz\" or \"xyz+deg\""));
     }
     let blocks = [&demands.options.program.start, &demands.options.program.end]
         .into_iter()
@@ -62,7 +64,10 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
         .chain(&options.safety)
         .flatten();
     for block in blocks.filter(|block| block.len() > codes.line_length || !block.is_ascii()) {
-        faults.push(format!("{title} reads lines of at most {} bytes of ASCII: `{block}`", codes.line_length));
+        faults.push(format!(
+            "a line of {title} has at most {} characters, ASCII only: correct the block `{block}`",
+            codes.line_length
+        ));
     }
     faults
 }

@@ -36,49 +36,50 @@ impl<'a> Demands<'a> {
 }
 
 options! {
-    /// Where the control differs from what is usual for it. Blocks hold fields in braces: {name}, {number}, {units},
-    /// {work_offset}, {path_tolerance}; those of a tool change {tool}, {next}, {offset} and {speed} besides. A word
-    /// whose field has no value is left out, a block with {next} where no tool follows, too.
+    /// Settings of this control that differ from its standard codes. Blocks may hold fields in braces: {name},
+    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool}, {next}, {offset} and {speed}.
+    /// A word whose field has no value is left out; a block with {next} is left out where no tool follows.
     pub struct ControlOptions in "control" {
-        /// How far the control may leave the programmed path where it blends blocks.
+        /// Largest deviation from the programmed path where the control blends blocks.
         path_tolerance_mm: f64 = 0.01, key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero));
-        /// Number and name of the program. Without them 1, and the name in the CL data.
+        /// Program number. Without this key it is 1.
         program_number: Option<u32> = None, key("control.program_number", Whole(1..=99_999), "1234");
-        /// Name of the program.
-        program_name: Option<String> = None, also("control.program_name", OneLine, "\"BRACKET\"");
-        /// The program begins with the name of its file, as a Siemens archive wants it: `%_N_NAME_MPF`.
+        /// Program name. Without this key it is the name in the CL data.
+        program_name: Option<String> = None, key("control.program_name", OneLine, "\"BRACKET\"");
+        /// The file begins with the program name, as a Siemens archive needs it: `%_N_NAME_MPF`.
         file_header: bool = false, key("control.file_header", Truth);
-        /// Blocks of a restart point, and of a tool change.
+        /// Safety blocks of a restart point, instead of those of the control.
         safety: Option<Vec<String>> = None,
             key("control.safety", ListOf(TemplateBlock(OF_PROGRAM)),
                 "[\"{units} G17 G40 G49 G80 G90 G94 {work_offset}\"]");
-        /// Blocks of a tool change.
+        /// Blocks of a tool change, instead of those of the control.
         tool_change: Option<Vec<String>> = None,
-            also("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
-        /// Call the tool after the next up while the next one cuts.
+            key("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
+        /// Preselect the next tool at each tool change.
         preselect: Option<bool> = None, key("control.preselect", Truth, "true");
-        /// Codes of a kind of coolant: on, off.
-        ///
-        /// In the order flood, mist, coolant through the spindle, air.
+        /// On and off code of each kind of coolant: flood, mist, through (the spindle), air.
         coolant: [Option<[String; 2]>; 4] = [const { None }; 4], key("control.coolant", CoolantCodes);
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
         smoothing: Smoothing = Smoothing::None, key("control.smoothing", OneOf(&Smoothing::NAMES));
-        /// Largest turn of the tool axis while the control smooths.
-        smoothing_angle_rad: Option<f64> = None, also("control.smoothing_angle", Measure::angle(Bound::Positive), "0.1");
-        /// What F counts along where a rotary axis moves: "xyz", "xyz+deg", "g93_min" (1/min) or "g93_s" (1/s).
+        /// Largest deviation of the tool axis while the control smooths; in degrees in the file (Heidenhain: TA of cycle
+        /// 32).
+        smoothing_angle_rad: Option<f64> = None,
+            key("control.smoothing_angle", Measure::angle(Bound::Positive), "0.1");
+        /// Meaning of F where a rotary axis moves: speed along "xyz" or "xyz+deg", or inverse time in "g93_min" (1/min)
+        /// or "g93_s" (1/s).
         path_norm: Option<PathNorm> = None, key("control.path_norm", OneOf(&PATH_NORMS), "\"xyz+deg\"");
-        /// Whole numbers end with a point.
+        /// Whole numbers end with a decimal point.
         point: Option<bool> = None, key("control.point", Truth, "true");
-        /// Codes that switch tip control on and off, in mode "tcp".
+        /// Codes that switch tip control on and off in mode "tcp".
         tip_control: Option<[String; 2]> = None, key("control.tip_control", OnAndOff, "[\"M428\", \"M429\"]");
-        /// Name of the swivel data of CYCLE800.
+        /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
-        /// All axes of a rapid arrive together under tip control (Fanuc: parameter 1401#1): the check of limits asks
-        /// for it.
+        /// Rapids under tip control are interpolated: all axes arrive together (Fanuc: parameter 1401#1). The check of
+        /// travel limits uses this.
         linear_rapids: Option<bool> = None, key("control.linear_rapids", Truth, "true");
-        /// Every word in every block.
+        /// Write every word in every block, modal words included.
         every_word: bool = false, key("control.every_word", Truth);
-        /// Names of axes where they are not their letters.
+        /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AXIS_NAMES);
         /// Blocks around the program.
         program: ProgramBlocks = ProgramBlocks::default(), keys();
@@ -86,17 +87,17 @@ options! {
 }
 
 options! {
-    /// Blocks after the header and before the end code, with fields as in `[control]`.
+    /// Blocks and comments at the start and the end of the program. Blocks may hold fields as in `[control]`.
     pub struct ProgramBlocks in "program" {
-        /// Blocks after the header.
-        start: Vec<String> = Vec::new(), also("program.start", ListOf(TemplateBlock(OF_PROGRAM)));
+        /// Blocks after the program header.
+        start: Vec<String> = Vec::new(), key("program.start", ListOf(TemplateBlock(OF_PROGRAM)));
         /// Blocks before the end code.
-        end: Vec<String> = Vec::new(), also("program.end", ListOf(TemplateBlock(OF_PROGRAM)));
-        /// Machining times as comments at the end.
+        end: Vec<String> = Vec::new(), key("program.end", ListOf(TemplateBlock(OF_PROGRAM)));
+        /// Write machining times as comments at the end.
         times: bool = false, key("program.times", Truth);
-        /// The figures of the check of the program as a comment at the end, or that it was not checked.
+        /// Write the result of the check as a comment at the end, or that the program was not checked.
         checked: bool = false, key("program.checked", Truth);
-        /// Step of the block numbers. Without it there are none.
+        /// Step of the block numbers. Without this key blocks have no numbers.
         line_numbers: Option<u32> = None, key("program.line_numbers", Whole(1..=1000), "10");
     }
 }
@@ -136,8 +137,8 @@ const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
 fn nearly_zero(tolerance: f64) -> Option<String> {
     (tolerance < SMALLEST_PATH_TOLERANCE).then(|| {
         format!(
-            "less than {SMALLEST_PATH_TOLERANCE} mm could be written as 0, which lets the control leave the path \
-             without bound"
+            "a tolerance below {SMALLEST_PATH_TOLERANCE} mm could be written as 0, which removes the limit on the \
+             deviation from the path"
         )
     })
 }
@@ -167,7 +168,7 @@ impl KeyKind for OnAndOff {
         let codes =
             <[String; 2]>::try_from(codes).ok().filter(|codes| codes.iter().all(|code| !code.trim().is_empty()));
         if codes.is_none() {
-            r.fault(value.span(), "two codes are needed here: [on, off]", None);
+            r.fault(value.span(), "expected two codes: [on, off]", None);
         }
         codes
     }
@@ -194,9 +195,9 @@ impl KeyKind for CoolantCodes {
             let Some(kind) = COOLANTS.iter().position(|kind| *kind == key) else {
                 let help = match nearest(key, COOLANTS.into_iter()) {
                     Some(near) => format!("did you mean `{near}`?"),
-                    None => format!("the kinds are {}", list(COOLANTS.into_iter(), '`')),
+                    None => format!("kinds of coolant: {}", list(COOLANTS.into_iter(), '`')),
                 };
-                r.fault(span, format!("`{key}` is no kind of coolant"), Some(help));
+                r.fault(span, format!("unknown kind of coolant `{key}`"), Some(help));
                 continue;
             };
             codes[kind] = OnAndOff.read(r, value);
@@ -231,10 +232,10 @@ impl KeyKind for TemplateBlock {
         if let Err(bad) = template::check(&block, self.0) {
             let names = self.0.iter().map(|field| field.name());
             let help = match &bad {
-                BadTemplate::Brace => "fields stand in braces: {name}".to_owned(),
+                BadTemplate::Brace => "write a field as its name between braces: {name}".to_owned(),
                 BadTemplate::Field(name) => match nearest(name, names.clone()) {
                     Some(near) => format!("did you mean `{{{near}}}`?"),
-                    None => format!("the fields here are {}", list(names, '`')),
+                    None => format!("fields of this block: {}", list(names, '`')),
                 },
             };
             r.fault(value.span(), bad.to_string(), Some(help));

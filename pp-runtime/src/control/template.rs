@@ -144,8 +144,8 @@ pub enum BadTemplate {
 impl fmt::Display for BadTemplate {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Brace => write!(out, "a brace is not closed, or closes nothing"),
-            Self::Field(name) => write!(out, "`{{{name}}}` is no field here"),
+            Self::Brace => write!(out, "unmatched brace"),
+            Self::Field(name) => write!(out, "`{{{name}}}` is not a field of this block"),
         }
     }
 }

@@ -29,7 +29,7 @@ fn settings_that_a_control_does_not_support_are_refused() {
     assert_eq!(faults(&Heidenhain, |config| config.control.program.line_numbers = Some(10)).len(), 1);
     assert_eq!(faults(&LinuxCnc, |config| config.control.smoothing = Smoothing::Rough).len(), 1);
     let gauge: fn(&mut Config) = |config| config.set_up.length_mode = crate::set_up::LengthMode::Gauge;
-    let length = "Heidenhain TNC takes the length with every tool call: leave `length_mode` at \"tip\"";
+    let length = "Heidenhain TNC activates the tool length in every tool call: set `length_mode = \"tip\"`";
     assert_eq!(faults(&Heidenhain, gauge), [length]);
     assert_eq!(faults(&Fanuc, gauge), Vec::<String>::new());
 }
