@@ -95,7 +95,7 @@ static SPELLINGS: Spellings = Spellings {
         decimals: None,
         pose: PoseRule::Nearest,
         cancelled_after_retract: true,
-        note: "G53.1 must take the pose that turns the rotary axes least: they stand there already",
+        note: "G53.1 must take the pose that rotates the rotary axes least; they are in it already",
     }),
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
     ..Spellings::ISO

@@ -81,10 +81,10 @@ static SPELLINGS: Spellings = Spellings {
         decimals: None,
         pose: PoseRule::Nearest,
         cancelled_after_retract: true,
-        note: "G43 H moves nothing by itself, G268 turns about X, then Y, then Z of the work offset, and G253 takes the \
-               pose where the axes stand",
+        note: "G43 H must move nothing by itself, G268 must rotate about X, then Y, then Z of the work offset, and G253 \
+               must take the pose of the actual axis positions",
     }),
-    rotary_note: "the axes must not take the shortest way to an angle of another turn",
+    rotary_note: "the axes must not take the shortest path to an angle beyond 360",
     ..Spellings::ISO
 };
 

@@ -211,7 +211,7 @@ static SPELLINGS: Spellings = Spellings {
         cancelled_after_retract: false,
         note: "the master axis of SEQ must be the rotary axis nearest the tool",
     }),
-    rotary_note: "M127 is in force, the axes take no shorter way",
+    rotary_note: "M127 is in force, so the axes do not take the shortest path",
 };
 
 fn commented(byte: u8) -> u8 {
@@ -248,7 +248,7 @@ impl Control for Heidenhain {
             format!("FN 12: IF +QL1 LT {low} GOTO LBL \"OFF{label}\""),
             format!("FN 12: IF +QL1 LT {high} GOTO LBL \"FITS{label}\""),
             format!("LBL \"OFF{label}\""),
-            format!("; T{tool} was posted with L = {length} mm: the tool table says something else"),
+            format!("; T{tool} was posted with L = {length} mm: the length in the tool table differs"),
             "FN 14: ERROR = 100".to_owned(),
             format!("LBL \"FITS{label}\""),
         ]

@@ -38,7 +38,7 @@ static SPELLINGS: Spellings = Spellings {
     preselect: false,
     // G43 moves nothing, and G53 leaves it in force.
     length: LengthCodes { call: LengthCall::Alone, off: "", machine_ends: false, ..LengthCodes::ISO },
-    rotary_note: "the axes must not be wrapped",
+    rotary_note: "the axes must not be wrapped (WRAPPED_ROTARY = 0)",
     ..Spellings::ISO
 };
 
@@ -66,7 +66,7 @@ impl Control for LinuxCnc {
         let off = |table: &str| format!("[ABS[{table} - {length}] GT {tolerance}]");
         vec![
             format!("o{label} if [{} AND {}]", off("#5403"), off("[#5403 * 25.4]")),
-            format!("(abort, T{tool} was posted with L = {length} mm: the tool table says something else)"),
+            format!("(abort, T{tool} was posted with L = {length} mm: the length in the tool table differs)"),
             format!("o{label} endif"),
         ]
     }
@@ -119,7 +119,7 @@ mod tests {
         };
         let blocks = LinuxCnc.length_guard(&guard);
         let condition = "o3 if [[ABS[#5403 - 114.3] GT 0.01] AND [ABS[[#5403 * 25.4] - 114.3] GT 0.01]]";
-        let message = "(abort, T12 was posted with L = 114.3 mm: the tool table says something else)";
+        let message = "(abort, T12 was posted with L = 114.3 mm: the length in the tool table differs)";
         assert_eq!(blocks, [condition, message, "o3 endif"]);
     }
 

@@ -164,7 +164,7 @@ impl Control for Siemens {
         let [length, tolerance] = guard.in_program();
         vec![
             format!("IF ABS($P_TOOLL[1]-{length})>{tolerance}"),
-            format!("MSG(\"T{} was posted with L = {length}: the tool data say something else\")", guard.tool),
+            format!("MSG(\"T{} was posted with L = {length}: the length in the tool data differs\")", guard.tool),
             "M0".to_owned(),
             "M30".to_owned(),
             "ENDIF".to_owned(),

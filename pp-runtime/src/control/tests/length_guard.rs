@@ -10,7 +10,7 @@ fn a_length_that_differs_stops_the_program_on_every_control() {
     assert_eq!(Haas.length_guard(&guard), [haas]);
     assert!(Haas.length_guard(&LengthGuard { offset: 201, ..guard }).is_empty());
     let inches = Siemens.length_guard(&LengthGuard { units: Units::Inches, ..guard });
-    let message = "MSG(\"T12 was posted with L = 4.5: the tool data say something else\")";
+    let message = "MSG(\"T12 was posted with L = 4.5: the length in the tool data differs\")";
     assert_eq!(inches, ["IF ABS($P_TOOLL[1]-4.5)>0.00039", message, "M0", "M30", "ENDIF"]);
     let heidenhain = [
         "FN 18: SYSREAD QL1 = ID50 NR1 IDX12",
@@ -19,7 +19,7 @@ fn a_length_that_differs_stops_the_program_on_every_control() {
         "FN 12: IF +QL1 LT +114.29 GOTO LBL \"OFF3\"",
         "FN 12: IF +QL1 LT +114.31 GOTO LBL \"FITS3\"",
         "LBL \"OFF3\"",
-        "; T12 was posted with L = 114.3 mm: the tool table says something else",
+        "; T12 was posted with L = 114.3 mm: the length in the tool table differs",
         "FN 14: ERROR = 100",
         "LBL \"FITS3\"",
     ];
