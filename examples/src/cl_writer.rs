@@ -1,7 +1,7 @@
-//! The same program in three dialects of APT: NX, CATIA and Creo.
+//! Writers of CL data in three dialects of APT: NX, CATIA and Creo.
 //!
-//! Each file states its units and tools, so that it can be posted without any configuration. Only the forms that
-//! these parts need: straight moves, one spindle speed per operation, coolant.
+//! Each file states its units and tools, so that it can be posted without a configuration. Only the records that these
+//! parts need are written: straight motions, one spindle speed per operation, coolant.
 
 use core::fmt::Write;
 
@@ -11,7 +11,7 @@ use pp_runtime::program::{Coolant, Spindle, Units};
 
 use crate::parts::{Move, Operation, Program, Tool};
 
-/// A number with a fixed count of decimals; zero has no sign.
+/// A number with a fixed number of decimals; zero has no sign.
 fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
@@ -20,7 +20,7 @@ fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// Numbers with a fixed count of decimals, each in a field, with a separator between them.
+/// Numbers with a fixed number of decimals, each in a field, with a separator between them.
 fn fields(values: &[f64], width: usize, decimals: usize, separator: &str) -> String {
     let texts: Vec<String> = values.iter().map(|&value| format!("{:>width$}", fixed(value, decimals))).collect();
     texts.join(separator)
@@ -36,13 +36,13 @@ impl Lines {
         self.0.push('\n');
     }
 
-    /// A record whose numbers need no field.
+    /// Adds a record whose numbers need no field.
     fn record(&mut self, record: Record<'_>) {
         self.push(&record.to_string());
     }
 }
 
-/// NX CLSF: xyz with 4 decimals, ijk with 7 and only where they change, colours of the path between the moves.
+/// NX CLSF: xyz with 4 decimals, ijk with 7 and only where they change, colours of the path between the motions.
 ///
 /// Real NX files do not state units, spindle and coolant; these do.
 #[must_use]
@@ -60,19 +60,22 @@ pub fn nx(program: &Program) -> String {
 }
 
 fn nx_operation(lines: &mut Lines, operation: &Operation) {
-    let Tool { number, name, diameter, corner_radius, flute_length, gauge_length } = &operation.tool;
+    let Tool { number, name, diameter_mm, corner_radius_mm, flute_length_mm, gauge_length_mm } = &operation.tool;
     lines.push(&format!("TOOL PATH/{},TOOL,{name}", operation.name));
-    lines.push(&format!("TLDATA/MILL,{}", fields(&[*diameter, *corner_radius, *flute_length, 0.0, 0.0], 0, 4, ",")));
+    lines.push(&format!(
+        "TLDATA/MILL,{}",
+        fields(&[*diameter_mm, *corner_radius_mm, *flute_length_mm, 0.0, 0.0], 0, 4, ",")
+    ));
     let origin = fields(&[0.0; 3], 0, 4, ",");
     lines.push(&format!("MSYS/{origin},{}", fields(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0], 0, 7, ",")));
     lines.push("$$ centerline data");
     lines.push("PAINT/PATH");
     lines.push("PAINT/SPEED,10");
-    match gauge_length {
+    match gauge_length_mm {
         Some(length) => lines.push(&format!("LOADTL/{number},LENGTH,{}", fixed(*length, 4))),
         None => lines.push(&format!("LOAD/TOOL,{number}")),
     }
-    lines.push(&format!("SPINDL/RPM,{},CLW", fixed(operation.speed, 0)));
+    lines.push(&format!("SPINDL/RPM,{},CLW", fixed(operation.speed_rev_per_min, 0)));
     lines.record(Record::Machine(MachineRecord::Coolant(Coolant::On)));
     let (mut feed, mut axis, mut colour) = (None, String::new(), 0);
     let colours = colours(&operation.moves);
@@ -81,10 +84,10 @@ fn nx_operation(lines: &mut Lines, operation: &Operation) {
             colour = wanted;
             lines.push(&format!("PAINT/COLOR,{colour}"));
         }
-        match step.feed {
+        match step.feed_mm_per_min {
             None => lines.record(Record::Machine(MachineRecord::Rapid)),
-            Some(value) if feed != step.feed => {
-                feed = step.feed;
+            Some(value) if feed != step.feed_mm_per_min => {
+                feed = step.feed_mm_per_min;
                 lines.push(&format!("FEDRAT/MMPM,{}", fixed(value, 4)));
             }
             Some(_) => {}
@@ -104,14 +107,14 @@ fn nx_operation(lines: &mut Lines, operation: &Operation) {
     lines.record(Record::Program(ProgramRecord::EndOfPath));
 }
 
-/// Colours of the moves: rapids and retracts 211, the approach 186, entering 42, cutting 31.
+/// Colours of the motions: retract 211, approach 186, plunge 42, cut 31.
 fn colours(moves: &[Move]) -> Vec<u32> {
     moves
         .iter()
         .enumerate()
         .map(|(index, step)| {
-            let before = index.checked_sub(1).and_then(|before| moves[before].feed);
-            match (step.feed, before) {
+            let before = index.checked_sub(1).and_then(|before| moves[before].feed_mm_per_min);
+            match (step.feed_mm_per_min, before) {
                 (None, None) => 186,
                 (None, Some(_)) => 211,
                 (Some(_), None) => 42,
@@ -121,10 +124,10 @@ fn colours(moves: &[Move]) -> Vec<u32> {
         .collect()
 }
 
-/// Column after which CATIA cuts a long record.
+/// Column after which CATIA breaks a long record.
 const CATIA_COLUMNS: usize = 71;
 
-/// CATIA aptsource: wide fields, and a long GOTO cut after 71 characters wherever that falls, also inside a number.
+/// CATIA aptsource: wide fields; a long GOTO is broken after 71 characters, even inside a number.
 #[must_use]
 pub fn catia(program: &Program) -> String {
     let mut lines = Lines::default();
@@ -153,29 +156,29 @@ pub fn catia(program: &Program) -> String {
 }
 
 fn catia_operation(lines: &mut Lines, operation: &Operation) {
-    let Tool { number, name, diameter, corner_radius, flute_length, gauge_length } = &operation.tool;
+    let Tool { number, name, diameter_mm, corner_radius_mm, flute_length_mm, gauge_length_mm } = &operation.tool;
     lines.push("$$ OPERATION NAME : Tool Change");
     lines.push("$$ TOOLCHANGEBEGINNING");
-    let middle = diameter / 2.0 - corner_radius;
-    let shape = fields(&[*diameter, *corner_radius, middle, *corner_radius, 0.0], 10, 6, ",");
+    let middle = diameter_mm / 2.0 - corner_radius_mm;
+    let shape = fields(&[*diameter_mm, *corner_radius_mm, middle, *corner_radius_mm, 0.0], 10, 6, ",");
     lines.push(&format!("CUTTER/{shape},$"));
-    lines.push(&format!("       {}", fields(&[0.0, *flute_length], 10, 6, ",")));
+    lines.push(&format!("       {}", fields(&[0.0, *flute_length_mm], 10, 6, ",")));
     lines.push(&format!("TPRINT/T{number} {name}"));
-    match gauge_length {
+    match gauge_length_mm {
         Some(length) => lines.push(&format!("LOADTL/{number},LENGTH,{}", fields(&[*length], 11, 6, ","))),
         None => lines.push(&format!("LOADTL/{number}")),
     }
     lines.push("$$ TOOLCHANGEEND");
     lines.push(&format!("$$ OPERATION NAME : {}", operation.name));
     lines.push("MULTAX");
-    lines.push(&format!("SPINDL/{},RPM,CLW", fields(&[operation.speed], 10, 4, ",")));
+    lines.push(&format!("SPINDL/{},RPM,CLW", fields(&[operation.speed_rev_per_min], 10, 4, ",")));
     lines.record(Record::Machine(MachineRecord::Coolant(Coolant::On)));
     let mut feed = None;
     for step in &operation.moves {
-        match step.feed {
+        match step.feed_mm_per_min {
             None => lines.record(Record::Machine(MachineRecord::Rapid)),
-            Some(value) if feed != step.feed => {
-                feed = step.feed;
+            Some(value) if feed != step.feed_mm_per_min => {
+                feed = step.feed_mm_per_min;
                 lines.push(&format!("FEDRAT/{},MMPM", fields(&[value], 10, 4, ",")));
             }
             Some(_) => {}
@@ -186,7 +189,7 @@ fn catia_operation(lines: &mut Lines, operation: &Operation) {
     lines.record(Record::Machine(MachineRecord::Spindle(Spindle::Off)));
 }
 
-/// A record, cut raw where it is too long.
+/// Adds a record, broken at the column where it is too long.
 fn catia_record(lines: &mut Lines, record: &str) {
     let mut rest = record;
     while rest.len() > CATIA_COLUMNS {
@@ -202,7 +205,7 @@ fn six(pose: &Pose) -> [f64; 6] {
     [tip.x, tip.y, tip.z, axis.x, axis.y, axis.z]
 }
 
-/// Creo NCL: `WORD / a, b`, 10 decimals, continued after a comma, meaning in `$$->` comments.
+/// Creo NCL: `WORD / a, b`, 10 decimals, continued after a comma, additional data in `$$->` comments.
 ///
 /// # Panics
 /// Never: writing to a string does not fail.
@@ -218,25 +221,25 @@ pub fn creo(program: &Program) -> String {
         if index > 0 {
             line("STOP".to_owned());
         }
-        let Tool { number, diameter, gauge_length, .. } = &operation.tool;
+        let Tool { number, diameter_mm, gauge_length_mm, .. } = &operation.tool;
         line(format!("$$-> FEATNO / {}", index + 1));
-        match gauge_length {
+        match gauge_length_mm {
             Some(length) => line(format!("LOADTL / {number}, LENGTH, {}", fixed(*length, 6))),
             None => line(format!("LOADTL / {number}")),
         }
-        line(format!("$$-> CUTTER / {}", fixed(*diameter, 6)));
+        line(format!("$$-> CUTTER / {}", fixed(*diameter_mm, 6)));
         line(format!("$$-> CSYS / {},  $", fields(&[1.0, 0.0, 0.0, 0.0], 0, 10, ", ")));
         line(format!("            {},  $", fields(&[0.0, 1.0, 0.0, 0.0], 0, 10, ", ")));
         line(format!("            {}", fields(&[0.0, 0.0, 1.0, 0.0], 0, 10, ", ")));
         line("MULTAX / ON".to_owned());
-        line(format!("SPINDL / RPM, {},  CLW", fixed(operation.speed, 6)));
+        line(format!("SPINDL / RPM, {},  CLW", fixed(operation.speed_rev_per_min, 6)));
         line("COOLNT / ON".to_owned());
         let mut feed = None;
         for step in &operation.moves {
-            match step.feed {
+            match step.feed_mm_per_min {
                 None => line("RAPID".to_owned()),
-                Some(value) if feed != step.feed => {
-                    feed = step.feed;
+                Some(value) if feed != step.feed_mm_per_min => {
+                    feed = step.feed_mm_per_min;
                     line(format!("FEDRAT / {},  MMPM", fixed(value, 6)));
                 }
                 Some(_) => {}

@@ -1,7 +1,7 @@
-//! CL data that teaches: the parts of the source papers, written as NX, CATIA and Creo write them.
+//! Sample CL data: the parts of the source papers, in the forms of NX, CATIA and Creo.
 //!
-//! [`parts`] holds the geometry, [`cl_writer`] the three dialects; [`files`] is what stands in `examples/cl/`.
-//! `cargo run -p examples --bin generate_cl` writes the files again.
+//! [`parts`] holds the geometry, [`cl_writer`] the three dialects; [`files`] returns the files of `examples/cl/`.
+//! `cargo run -p examples --bin generate_cl` writes these files again.
 
 pub mod cl_writer;
 pub mod no_std_kinematics;

@@ -1,7 +1,7 @@
-//! Kinematics without an operating system: there and back for one pose, as firmware would do it.
+//! Kinematics without an operating system, as in firmware: inverse and forward kinematics of one pose.
 //!
-//! Nothing here needs `std` or allocates. A crate of its own would say `#![no_std]` and depend on
-//! `pp-runtime` with `default-features = false`.
+//! Nothing here needs `std` or allocates. A separate crate would declare `#![no_std]` and depend on `pp-runtime` with
+//! `default-features = false`.
 
 use pp_runtime::kinematics::{Machine, Pose};
 use pp_runtime::machine;
@@ -14,9 +14,10 @@ machine! {
     d = (0, 0, 150);
 }
 
-/// Axis values for a tip on the workpiece with the tool leaning, the first branch, and the pose that they give.
+/// Axis values of the first branch for a tip and a tilted tool axis in the workpiece frame, and the pose of these
+/// values.
 ///
-/// `None` where the machine does not reach.
+/// `None` where the machine cannot reach the tool axis.
 #[must_use]
 pub fn there_and_back(tip: [f64; 3], leaning: [f64; 3]) -> Option<([f64; 5], Pose)> {
     let machine = Table::default();
@@ -33,7 +34,7 @@ mod tests {
     #[test]
     fn a_pose_comes_back() {
         let (axes, pose) = there_and_back([10.0, 20.0, 30.0], [1.0, 0.0, 1.0]).expect("the table reaches it");
-        // B leans by 45° and C stays at zero.
+        // B is at 45° and C at zero.
         assert!(axes[0].abs() < 1e-12 && (axes[1].to_degrees() - 45.0).abs() < 1e-12);
         assert!((pose.tip.coords - super::Vector3::new(10.0, 20.0, 30.0)).norm() < 1e-9);
     }

@@ -1,9 +1,9 @@
 use pp_runtime::machine;
 
 machine! {
-    /// Deckel Maho DMU 70e: a rotary table on a table that turns about an axis inclined by 45°.
+    /// Deckel Maho DMU 70e: a rotary table on a table that rotates about an axis inclined by 45°.
     ///
-    /// The tool tilts by up to 90° while B makes half a turn (My et al.).
+    /// The tool tilts by up to 90° while B rotates by 180° (My et al.).
     pub struct Dmu70e;
     chain: C B | X Y Z;
     axes = { B: Rx(-45 deg) * Y };
@@ -11,8 +11,8 @@ machine! {
     dims = { d: 150.0 };
     limits = { B: 0..180, C: free };
 
-    // (6) and (7) are printed for any alpha. They are right at 45° only: for the paper's own B axis, (0, cos(alpha),
-    // sin(alpha)), sine and cosine of alpha change places.
+    // (6) and (7) are printed for any alpha, but are correct at 45° only: for the B axis of the paper, (0, cos(alpha),
+    // sin(alpha)), sine and cosine of alpha must be exchanged.
     verify "My et al., Deckel Maho DMU 70e, tool axis and eqs. (6)-(9), (11)-(13)" {
         where alpha = -45 deg;
         i = sin(B) * cos(C) / sqrt(2) + sin(C) * (1 - cos(B)) / 2;

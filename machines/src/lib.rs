@@ -1,7 +1,7 @@
 //! The machines of the source papers, one file each.
 //!
-//! A file holds what is true of the machine: its chain, the travel of its rotary axes and `d`. What depends on the
-//! set-up is configuration.
+//! A file holds the data of the machine alone: its chain, the travel of its rotary axes and `d`. Data of the set-up is
+//! in the configuration.
 
 mod dmu_70e;
 mod lola_xoyzba;

@@ -7,8 +7,8 @@ machine! {
     pub struct LolaXoyzba;
     chain: X | Y Z B A;
 
-    // `P` of the paper is the gauge point: (7) X = P_x, Y = P_y, Z = P_z - L_t. Equation (12) is printed with sin(A), which
-    // contradicts (9).
+    // `P` of the paper is the gauge point: (7) X = P_x, Y = P_y, Z = P_z - L_t. Equation (12) is printed with sin(A),
+    // which contradicts (9).
     verify "Maletić and Živanović 2023, LOLA X'OYZBA, eqs. (8)-(14)" {
         i = sin(B) * cos(A);
         j = -sin(A);

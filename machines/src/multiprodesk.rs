@@ -3,13 +3,13 @@ use pp_runtime::machine;
 machine! {
     /// MultiProDesk A'Y'OXZ: a rotary table on a cross slide, four axes.
     ///
-    /// Table and slide run with their words, against ISO 841 (Maletić and Živanović 2023).
+    /// Positive words move table and slide in the positive direction, opposite to ISO 841 (Maletić and Živanović 2023).
     pub struct MultiProDesk;
     chain: A Y | X Z;
     signs = { A: -, Y: - };
     limits = { A: free };
 
-    // (15) to (17) are printed with open constants a_i, b_i, c_i. Here the centre line of A stands at (y_a, z_a) =
+    // (15) to (17) are printed with open constants a_i, b_i, c_i. Here the centre line of A is at (y_a, z_a) =
     // (-part_y, -part_z) in workpiece coordinates.
     verify "Maletić and Živanović 2023, MultiProDesk A'Y'OXZ, eqs. (12)-(18)" {
         i = 0;

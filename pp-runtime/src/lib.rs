@@ -1,7 +1,7 @@
 //! Runtime of machine-specific CNC postprocessors.
 //!
-//! Declare a machine with [`machine!`], hand it to `cli::run`, and the binary turns CL data (APT/CLS) into G-code for
-//! that one machine. Data flows one way: CL text → records → motions → axis values → blocks → text.
+//! Declare a machine with [`machine!`] and pass it to `cli::run`: the binary converts CL data (APT/CLS) to G-code for that
+//! machine. Data flows in one direction: CL text → records → motions → axis values → blocks → text.
 //!
 //! Without default features only [`kinematics`] is built, under `no_std`.
 #![cfg_attr(not(feature = "std"), no_std)]

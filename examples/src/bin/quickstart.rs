@@ -1,11 +1,11 @@
-//! A machine in a few lines, and the postprocessor for it.
+//! A machine in a few lines, and its postprocessor.
 //!
 //! `cargo run -p examples --bin quickstart -- post examples/cl/convex.cls -o convex.nc`
 
 use pp_runtime::machine;
 
 machine! {
-    /// A trunnion table on a small machining centre: A tilts, C turns on it.
+    /// A trunnion table on a small machining centre: A tilts, and C rotates on it.
     pub struct Trunnion;
     chain: C A | X Y Z;
     d = { C: (0, 0, 0), A: (0, 0, height) };

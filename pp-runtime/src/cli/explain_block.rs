@@ -96,7 +96,7 @@ pub(crate) fn run(
     let config = read_config(machine, &args.set_up, &mut Messages::new(streams.errors, format))?;
     let mut source = open(&args.input, streams.input)?;
     let (name, control) = (source.name().to_owned(), args.set_up.control());
-    let numbered = config.control.program.line_numbers.is_some() || control.spellings().counted;
+    let numbered = config.control.program.line_numbers.is_some() || control.spellings().numbers_every_line;
     let mut search = BlockSearch { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
     let no_room = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
     let mut program = tempfile::tempfile().map_err(no_room)?;

@@ -107,7 +107,7 @@ impl Run<'_> {
         let name = source.name().to_owned();
         let unreadable = |error| Failure::Unreadable(name.clone(), error);
         let unwritable = |error| Failure::unwritable(output, error);
-        let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().counted);
+        let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().numbers_every_line);
         let check = (!self.no_check).then(|| SelfCheck::start(machine, config, control, source)).transpose();
         let mut checking = Checking::new(out, check.map_err(unreadable)?, closing);
         let mut tail = account.map(Tail::new);

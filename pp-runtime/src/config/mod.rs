@@ -15,7 +15,7 @@ mod tests;
 use std::collections::BTreeSet;
 
 use crate::cl as reading;
-use crate::control::{Control, Demands, Options as ControlOptions};
+use crate::control::{Control, ControlOptions, Demands};
 use crate::keys::{OneOf, options};
 use crate::motion::{self, Policy};
 use crate::nc;

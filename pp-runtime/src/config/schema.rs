@@ -73,7 +73,11 @@ mod tests {
         let rapid = key("rapid");
         assert_eq!((&rapid["enum"], &rapid["default"]), (&json!(["direct", "split", "feed"]), &json!("direct")));
         assert!(rapid["description"].as_str().is_some_and(|text| text.starts_with("Rapids inside an operation: ")));
-        assert_eq!(key("formats.rotary"), json!({ "type": "integer", "minimum": 0, "maximum": 6, "default": 4 }));
+        let rotary = json!({
+            "type": "integer", "minimum": 0, "maximum": 6, "default": 4,
+            "description": "Decimals of rotary words in degrees.",
+        });
+        assert_eq!(key("formats.rotary"), rotary);
         assert_eq!(key("rapid_feed"), json!({ "type": "number", "exclusiveMinimum": 0 }));
         assert_eq!(key("park.X"), json!({ "type": "number" }));
         assert_eq!(key("rotary_offset.X"), Json::Null);

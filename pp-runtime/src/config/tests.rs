@@ -313,7 +313,7 @@ fn a_field_that_does_not_exist_is_found_where_the_file_is_read() {
     assert_eq!(config.control.tool_change.as_deref(), Some(["T{tool} M6".to_owned(), "T{next}".to_owned()].as_slice()));
     assert_eq!(
         faults("[control]\ntool_change = ['T{tol} M6']\n"),
-        ["2:16: `{tol}` is no field here | did you mean `{tool}`?"]
+        ["2:16: `{tol}` is not a field of this block | did you mean `{tool}`?"]
     );
     assert_eq!(faults("[program]\nstart = ['T{tool}']\n").len(), 1, "no tool has been called there");
     assert_eq!(faults("[control]\nsafety = ['G90 {units']\n").len(), 1);
@@ -326,7 +326,7 @@ fn coolant_codes_are_given_in_pairs_for_kinds_that_exist() {
     assert_eq!(faults("[control]\ncoolant = { air = ['M83'] }\n").len(), 1);
     assert_eq!(
         faults("[control]\ncoolant = { throgh = ['M88', 'M89'] }\n"),
-        ["2:13: `throgh` is no kind of coolant | did you mean `through`?"]
+        ["2:13: unknown kind of coolant `throgh` | did you mean `through`?"]
     );
 }
 
@@ -385,10 +385,12 @@ proptest! {
 
 #[test]
 fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
-    assert!(close(read("path_tolerance = 0.0001").control.path_tolerance, 0.0001));
+    assert!(close(read("path_tolerance = 0.0001").control.path_tolerance_mm, 0.0001));
     assert_eq!(
         faults("path_tolerance = 0.00009"),
-        ["1:18: less than 0.0001 mm could be written as 0, which lets the control leave the path without bound"]
+        [
+            "1:18: a tolerance below 0.0001 mm could be written as 0, which removes the limit on the deviation from the path"
+        ]
     );
     assert!(close(read("spindle_dwell = 0").motion.spindle_dwell, 0.0));
     assert!(close(read("spindle_dwell = 600").motion.spindle_dwell, 600.0));

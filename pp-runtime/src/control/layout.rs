@@ -1,39 +1,39 @@
-//! The job as an encoder sees it: axes and decimals, units, mode, and what the configuration sets of the control.
+//! The data of a job that the encoder reads: axes and decimals, units, mode, and the settings for the control.
 
 use super::options::Demands;
-use super::options::{Options, ProgramBlocks};
+use super::options::{ControlOptions, ProgramBlocks};
 use crate::kinematics::{AnyMachine, AxisKind};
 use crate::motion::{Mode, TcpWords, ToolPosture, Wrap};
 use crate::program::Units;
 
-/// The job as an encoder sees it.
+/// The data of a job that the encoder reads.
 #[derive(Debug, Clone, Default)]
 pub struct Layout {
-    /// Letters of the axes in chain order, and the decimals of their words; blocks hold them as X Y Z U V W A B C.
+    /// Letter of each axis in chain order, with the decimals of its words. In a block they come as X Y Z U V W A B C.
     pub axes: Vec<(char, u32)>,
     /// Unit of lengths.
     pub units: Units,
-    /// Decimals of lengths.
+    /// Decimals of linear words.
     pub linear: u32,
-    /// Work offset as the configuration has it.
+    /// Work offset as written in the configuration.
     pub work_offset: String,
-    /// How far the control may leave the path where it blends blocks, in `units`.
+    /// Largest deviation from the path where the control blends blocks, in `units`.
     pub path_tolerance: f64,
     /// Name of the program in the CL data.
     pub name: Vec<u8>,
-    /// Rotary axes take the shortest path.
-    pub shortest: bool,
-    /// The coordinates of the words of a motion.
+    /// The code for shortest-path rotation is in force.
+    pub shortest_path: bool,
+    /// Mode of the words: axis values, tip coordinates, or a tilted plane.
     pub mode: Mode,
-    /// How the tool axis moves under tip control.
+    /// Motion of the tool axis under tip control.
     pub posture: ToolPosture,
-    /// Blocks hold the tool axis in the place of rotary words.
+    /// Blocks hold the tool axis as a vector instead of rotary words.
     pub vectors: bool,
-    /// Threads are cut with the spindle under control of its angle.
+    /// Threads are cut by rigid tapping (spindle angle synchronised with the feed).
     pub rigid: bool,
-    /// What the configuration sets of the control.
-    pub setup: Options,
-    /// Blocks around the program.
+    /// Settings for the control.
+    pub options: ControlOptions,
+    /// Blocks at the start and the end of the program.
     pub program: ProgramBlocks,
 }
 
@@ -48,14 +48,14 @@ impl Layout {
             units,
             linear,
             work_offset: demands.set_up.work_offset.clone(),
-            path_tolerance: demands.options.path_tolerance / units.in_mm(),
+            path_tolerance: demands.options.path_tolerance_mm / units.in_mm(),
             name: name.to_vec(),
-            shortest: demands.motion.rotaries.wrap.values().any(|wrap| *wrap != Wrap::Sign),
+            shortest_path: demands.motion.rotaries.wrap.values().any(|wrap| *wrap != Wrap::Sign),
             mode: demands.motion.mode,
             posture: demands.motion.tip.tool_posture,
             vectors: demands.motion.mode == Mode::Tcp && demands.motion.tip.tcp_words == TcpWords::Vectors,
             rigid: demands.motion.cycles.rigid,
-            setup: demands.options.clone(),
+            options: demands.options.clone(),
             program: demands.options.program.clone(),
         }
     }

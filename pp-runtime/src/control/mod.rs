@@ -1,12 +1,15 @@
-//! How each control spells what the planner asks for: a table of spellings, and hooks where tables end.
+//! Controls: steps of the planner as blocks in the codes of one CNC.
 //!
-//! Controls know steps and words, nothing of CL data, and plan nothing.
+//! Each control is a table of codes, with methods for what no table can hold. Controls read no CL data and plan
+//! nothing.
 //!
-//! - `dialects`: the table of each control, on [`Spellings::ISO`] where it writes ISO blocks, and the list [`CONTROLS`].
-//! - [`template`]: blocks with named fields, as tables and configurations hold them.
-//! - [`Options`]: what a job sets; [`unfit`] and [`abilities`]: whether it fits the control, and what the planner may use;
-//!   [`Layout`]: what of it the encoder reads.
-//! - [`Encoder`]: steps into blocks.
+//! - `dialects`: the table of each control, based on [`Spellings::ISO`] where it writes ISO blocks, and the list
+//!   [`CONTROLS`].
+//! - [`template`]: blocks with named fields, used in tables and configurations.
+//! - [`ControlOptions`]: settings of a job for its control; [`unfit`] lists those that the control does not support,
+//!   and [`abilities`] states which functions of the control the planner may use. [`Layout`] is the part that the
+//!   encoder reads.
+//! - [`Encoder`]: converts steps to blocks.
 
 mod dialects;
 mod encode;
@@ -17,10 +20,10 @@ pub mod template;
 #[cfg(test)]
 mod tests;
 
-// Every control by its name, and the types of their tables.
+// Every control by name, and the types of its table.
 pub use dialects::*;
 pub use encode::Encoder;
 pub(crate) use encode::{legible, lines_of};
 pub use fit::{abilities, unfit};
 pub use layout::Layout;
-pub use options::{Demands, Options, ProgramBlocks, Smoothing};
+pub use options::{ControlOptions, Demands, ProgramBlocks, Smoothing};

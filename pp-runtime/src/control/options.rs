@@ -1,4 +1,4 @@
-//! What a job may set about its control, and what of a job the control reads.
+//! Settings of a job for its control, and the data of a job that the control reads.
 
 use std::collections::BTreeMap;
 
@@ -14,21 +14,21 @@ use crate::set_up::SetUp;
 
 use super::template::{self, BadTemplate, Field, OF_PROGRAM, OF_TOOL};
 
-/// What a job asks of a control: everything that encoding and the fit of the two may read.
+/// The data of a job that a control may read: for the encoder, and to find settings that it does not support.
 #[derive(Debug, Clone, Copy)]
 pub struct Demands<'a> {
-    /// Machine, part and shop.
+    /// Set-up of machine, part and tools.
     pub set_up: &'a SetUp,
-    /// How motion is planned.
+    /// Settings of motion planning.
     pub motion: &'a motion::Options,
-    /// What differs from the table of the control.
-    pub options: &'a Options,
-    /// Digits of the words.
+    /// Settings that replace codes and values of the control.
+    pub options: &'a ControlOptions,
+    /// Digits of the numbers in words.
     pub formats: &'a Formats,
 }
 
 impl<'a> Demands<'a> {
-    /// What of it the planner reads.
+    /// The part that the planner reads.
     #[must_use]
     pub fn policy(self) -> Policy<'a> {
         Policy { set_up: self.set_up, options: self.motion, formats: self.formats }
@@ -36,49 +36,50 @@ impl<'a> Demands<'a> {
 }
 
 options! {
-    /// Where the control differs from what is usual for it. Blocks hold fields in braces: {name}, {number}, {units},
-    /// {work_offset}, {path_tolerance}; those of a tool change {tool}, {next}, {offset} and {speed} besides. A word
-    /// whose field has no value is left out, a block with {next} where no tool follows, too.
-    pub struct Options in "control" {
-        /// How far the control may leave the programmed path where it blends blocks.
-        path_tolerance: f64 = 0.01, key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero));
-        /// Number and name of the program. Without them 1, and the name in the CL data.
+    /// Settings of this control that differ from its standard codes. Blocks may hold fields in braces: {name},
+    /// {number}, {units}, {work_offset}, {path_tolerance}; in a tool change also {tool}, {next}, {offset} and {speed}.
+    /// A word whose field has no value is left out; a block with {next} is left out where no tool follows.
+    pub struct ControlOptions in "control" {
+        /// Largest deviation from the programmed path where the control blends blocks.
+        path_tolerance_mm: f64 = 0.01, key("path_tolerance", Measure::length(Bound::Positive).unless(nearly_zero));
+        /// Program number. Without this key it is 1.
         program_number: Option<u32> = None, key("control.program_number", Whole(1..=99_999), "1234");
-        /// Name of the program.
-        program_name: Option<String> = None, also("control.program_name", OneLine, "\"BRACKET\"");
-        /// The program begins with the name of its file, as a Siemens archive wants it: `%_N_NAME_MPF`.
+        /// Program name. Without this key it is the name in the CL data.
+        program_name: Option<String> = None, key("control.program_name", OneLine, "\"BRACKET\"");
+        /// The file begins with the program name, as a Siemens archive needs it: `%_N_NAME_MPF`.
         file_header: bool = false, key("control.file_header", Truth);
-        /// Blocks of a restart point, and of a tool change.
+        /// Safety blocks of a restart point, instead of those of the control.
         safety: Option<Vec<String>> = None,
             key("control.safety", ListOf(TemplateBlock(OF_PROGRAM)),
                 "[\"{units} G17 G40 G49 G80 G90 G94 {work_offset}\"]");
-        /// Blocks of a tool change.
+        /// Blocks of a tool change, instead of those of the control.
         tool_change: Option<Vec<String>> = None,
-            also("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
-        /// Call the tool after the next up while the next one cuts.
+            key("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
+        /// Preselect the next tool at each tool change.
         preselect: Option<bool> = None, key("control.preselect", Truth, "true");
-        /// Codes of a kind of coolant: on, off.
-        ///
-        /// In the order flood, mist, coolant through the spindle, air.
+        /// On and off code of each kind of coolant: flood, mist, through (the spindle), air.
         coolant: [Option<[String; 2]>; 4] = [const { None }; 4], key("control.coolant", CoolantCodes);
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
         smoothing: Smoothing = Smoothing::None, key("control.smoothing", OneOf(&Smoothing::NAMES));
-        /// Largest turn of the tool axis while the control smooths.
-        smoothing_angle: Option<f64> = None, also("control.smoothing_angle", Measure::angle(Bound::Positive), "0.1");
-        /// What F counts along where a rotary axis moves: "xyz", "xyz+deg", "g93_min" (1/min) or "g93_s" (1/s).
+        /// Largest deviation of the tool axis while the control smooths; in degrees in the file (Heidenhain: TA of cycle
+        /// 32).
+        smoothing_angle_rad: Option<f64> = None,
+            key("control.smoothing_angle", Measure::angle(Bound::Positive), "0.1");
+        /// Meaning of F where a rotary axis moves: speed along "xyz" or "xyz+deg", or inverse time in "g93_min" (1/min)
+        /// or "g93_s" (1/s).
         path_norm: Option<PathNorm> = None, key("control.path_norm", OneOf(&PATH_NORMS), "\"xyz+deg\"");
-        /// Whole numbers end with a point.
+        /// Whole numbers end with a decimal point.
         point: Option<bool> = None, key("control.point", Truth, "true");
-        /// Codes that switch tip control on and off, in mode "tcp".
+        /// Codes that switch tip control on and off in mode "tcp".
         tip_control: Option<[String; 2]> = None, key("control.tip_control", OnAndOff, "[\"M428\", \"M429\"]");
-        /// Name of the swivel data of CYCLE800.
+        /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
-        /// All axes of a rapid arrive together under tip control (Fanuc: parameter 1401#1): the check of limits asks
-        /// for it.
+        /// Rapids under tip control are interpolated: all axes arrive together (Fanuc: parameter 1401#1). The check of
+        /// travel limits uses this.
         linear_rapids: Option<bool> = None, key("control.linear_rapids", Truth, "true");
-        /// Every word in every block.
+        /// Write every word in every block, modal words included.
         every_word: bool = false, key("control.every_word", Truth);
-        /// Names of axes where they are not their letters.
+        /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AXIS_NAMES);
         /// Blocks around the program.
         program: ProgramBlocks = ProgramBlocks::default(), keys();
@@ -86,25 +87,25 @@ options! {
 }
 
 options! {
-    /// Blocks after the header and before the end code, with fields as in `[control]`.
+    /// Blocks and comments at the start and the end of the program. Blocks may hold fields as in `[control]`.
     pub struct ProgramBlocks in "program" {
-        /// Blocks after the header.
-        start: Vec<String> = Vec::new(), also("program.start", ListOf(TemplateBlock(OF_PROGRAM)));
+        /// Blocks after the program header.
+        start: Vec<String> = Vec::new(), key("program.start", ListOf(TemplateBlock(OF_PROGRAM)));
         /// Blocks before the end code.
-        end: Vec<String> = Vec::new(), also("program.end", ListOf(TemplateBlock(OF_PROGRAM)));
-        /// Machining times as comments at the end.
+        end: Vec<String> = Vec::new(), key("program.end", ListOf(TemplateBlock(OF_PROGRAM)));
+        /// Write machining times as comments at the end.
         times: bool = false, key("program.times", Truth);
-        /// The figures of the check of the program as a comment at the end, or that it was not checked.
+        /// Write the result of the check as a comment at the end, or that the program was not checked.
         checked: bool = false, key("program.checked", Truth);
-        /// Step of the block numbers. Without it there are none.
+        /// Step of the block numbers. Without this key blocks have no numbers.
         line_numbers: Option<u32> = None, key("program.line_numbers", Whole(1..=1000), "10");
     }
 }
 
-/// How much the control smooths the path.
+/// Smoothing of the path by the control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Smoothing {
-    /// Not by the program.
+    /// No smoothing code in the program.
     #[default]
     None,
     /// Speed first.
@@ -127,17 +128,17 @@ const PATH_NORMS: [(&str, PathNorm); 4] = [
     ("g93_s", PathNorm::G93Seconds),
 ];
 
-/// Kinds of coolant in the order of their codes.
+/// Kinds of coolant in the order of [`ControlOptions::coolant`].
 const COOLANTS: [&str; 4] = ["flood", "mist", "through", "air"];
 
-/// Smallest path tolerance, mm: in inches it is still no zero with six decimals.
+/// Smallest path tolerance, mm. In inches, with six decimals, it is still greater than zero.
 const SMALLEST_PATH_TOLERANCE: f64 = 0.0001;
 
 fn nearly_zero(tolerance: f64) -> Option<String> {
     (tolerance < SMALLEST_PATH_TOLERANCE).then(|| {
         format!(
-            "less than {SMALLEST_PATH_TOLERANCE} mm could be written as 0, which lets the control leave the path \
-             without bound"
+            "a tolerance below {SMALLEST_PATH_TOLERANCE} mm could be written as 0, which removes the limit on the \
+             deviation from the path"
         )
     })
 }
@@ -154,7 +155,7 @@ const AXIS_NAMES: PerAxis<String> = PerAxis {
     schema: || json!({ "type": "string" }),
 };
 
-/// Two codes: on, off.
+/// Value of a key: two codes, on and off.
 #[derive(Debug, Clone, Copy)]
 struct OnAndOff;
 
@@ -167,7 +168,7 @@ impl KeyKind for OnAndOff {
         let codes =
             <[String; 2]>::try_from(codes).ok().filter(|codes| codes.iter().all(|code| !code.trim().is_empty()));
         if codes.is_none() {
-            r.fault(value.span(), "two codes are needed here: [on, off]", None);
+            r.fault(value.span(), "expected two codes: [on, off]", None);
         }
         codes
     }
@@ -181,7 +182,7 @@ impl KeyKind for OnAndOff {
     }
 }
 
-/// `through = ["M88", "M89"]`.
+/// Value of a key: on and off code of each kind of coolant, `{ through = ["M88", "M89"] }`.
 #[derive(Debug, Clone, Copy)]
 struct CoolantCodes;
 
@@ -194,9 +195,9 @@ impl KeyKind for CoolantCodes {
             let Some(kind) = COOLANTS.iter().position(|kind| *kind == key) else {
                 let help = match nearest(key, COOLANTS.into_iter()) {
                     Some(near) => format!("did you mean `{near}`?"),
-                    None => format!("the kinds are {}", list(COOLANTS.into_iter(), '`')),
+                    None => format!("kinds of coolant: {}", list(COOLANTS.into_iter(), '`')),
                 };
-                r.fault(span, format!("`{key}` is no kind of coolant"), Some(help));
+                r.fault(span, format!("unknown kind of coolant `{key}`"), Some(help));
                 continue;
             };
             codes[kind] = OnAndOff.read(r, value);
@@ -219,7 +220,7 @@ impl KeyKind for CoolantCodes {
     }
 }
 
-/// A block with named fields: those that may be in it.
+/// Value of a key: a block with the fields that are permitted in it.
 #[derive(Debug, Clone, Copy)]
 struct TemplateBlock(&'static [Field]);
 
@@ -231,10 +232,10 @@ impl KeyKind for TemplateBlock {
         if let Err(bad) = template::check(&block, self.0) {
             let names = self.0.iter().map(|field| field.name());
             let help = match &bad {
-                BadTemplate::Brace => "fields stand in braces: {name}".to_owned(),
+                BadTemplate::Brace => "write a field as its name between braces: {name}".to_owned(),
                 BadTemplate::Field(name) => match nearest(name, names.clone()) {
                     Some(near) => format!("did you mean `{{{near}}}`?"),
-                    None => format!("the fields here are {}", list(names, '`')),
+                    None => format!("fields of this block: {}", list(names, '`')),
                 },
             };
             r.fault(value.span(), bad.to_string(), Some(help));

@@ -1,14 +1,14 @@
 //! Blocks with named fields: `T{tool} M6`.
 //!
-//! The tables of the controls and the blocks of a configuration are written in them. A word whose field has no value is
-//! left out; a block that names a tool that does not exist is left out as a whole.
+//! The tables of the controls and the blocks of a configuration are templates. A word whose field has no value is left
+//! out. A block with `{next}` is left out as a whole where no tool follows.
 
 use std::fmt;
 
-/// The table of fields: each with its meaning and its name between braces.
+/// Table of the fields: meaning, and name in braces.
 macro_rules! fields {
     ($($(#[$doc:meta])* $field:ident = $name:literal,)*) => {
-        /// What a block can hold.
+        /// Field of a template.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum Field {
             $($(#[$doc])* $field,)*
@@ -17,7 +17,7 @@ macro_rules! fields {
         impl Field {
             const ALL: &[Self] = &[$(Self::$field),*];
 
-            /// Its name between braces.
+            /// Name in braces.
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {
@@ -35,7 +35,7 @@ fields! {
     Number = "number",
     /// Code or word of the unit of length.
     Units = "units",
-    /// Work offset as the control spells it.
+    /// Work offset in the code of the control.
     WorkOffset = "work_offset",
     /// Path tolerance of the control, in the unit of the program.
     PathTolerance = "path_tolerance",
@@ -45,62 +45,62 @@ fields! {
     Next = "next",
     /// Length offset of the tool.
     Offset = "offset",
-    /// Register of the radius.
+    /// Register of the cutter radius.
     Radius = "radius",
     /// Spindle speed, rev/min.
     Speed = "speed",
-    /// A time in seconds.
+    /// Dwell, s.
     Seconds = "seconds",
-    /// A time in milliseconds.
+    /// Dwell, ms.
     Milliseconds = "milliseconds",
     /// Largest deviation of the tool axis while the control smooths, degrees.
     Angle = "angle",
-    /// Code by which rotary axes take the shortest path, or do not.
-    Turning = "turning",
-    /// How the tool axis moves under tip control.
+    /// Code that switches shortest-path rotation of rotary axes on or off.
+    RotaryPath = "rotary_path",
+    /// Motion of the tool axis under tip control.
     Posture = "posture",
-    /// Angles of a tilted plane, in the order of the control.
+    /// First angle of a tilted plane, in the order of the control.
     First = "first",
-    /// The second of them.
+    /// Second angle of a tilted plane.
     Second = "second",
-    /// The third of them.
+    /// Third angle of a tilted plane.
     Third = "third",
     /// Pose of the rotary axes in a tilted plane.
     Pose = "pose",
-    /// Name of the swivel data, between quotation marks.
+    /// Name of the swivel data, in quotation marks.
     SwivelData = "swivel_data",
-    /// The top of a hole as a word of Z.
+    /// Top of a hole, as a value of Z.
     Surface = "surface",
-    /// From the top of a hole up to where feed begins.
+    /// Distance from the top of a hole up to the level where feed begins.
     Clearance = "clearance",
-    /// The bottom of a hole as a word of Z.
+    /// Bottom of a hole, as a value of Z.
     Bottom = "bottom",
-    /// From the top of a hole to its bottom, negative.
+    /// Distance from the top of a hole to its bottom, negative.
     Depth = "depth",
-    /// Level of the tool after a hole, as a word of Z.
+    /// Return level after a hole, as a value of Z.
     Back = "back",
-    /// From the top of a hole up to the level of the tool after it.
+    /// Distance from the top of a hole up to the return level.
     Higher = "higher",
-    /// Depth of a step of a hole.
+    /// Depth of one step (peck) of a hole.
     Step = "step",
     /// Number of steps.
     Steps = "steps",
-    /// Retract that breaks chips, or the gap at which feed begins again after a retract.
+    /// Retract that breaks the chip, or distance above the last depth at which feed begins again after a full retract.
     Gap = "gap",
     /// Feed in a hole.
     Feed = "feed",
     /// Pitch of a thread, negative for a left-hand one.
     Pitch = "pitch",
-    /// Unit of a pitch: 1 for millimetres, 3 for inches.
+    /// Unit of the pitch: 1 for millimetres, 3 for inches.
     PitchUnit = "pitch_unit",
-    /// Sense of the spindle, as the number of its M code.
+    /// Sense of rotation of the spindle: 3 or 4, as in M3 and M4.
     Rotation = "rotation",
 }
 
-/// Fields of a whole program.
+/// Fields that have a value in the whole program.
 pub const OF_PROGRAM: &[Field] = &[Field::Name, Field::Number, Field::Units, Field::WorkOffset, Field::PathTolerance];
 
-/// Fields where a tool is called.
+/// Fields that have a value in a tool change.
 pub const OF_TOOL: &[Field] = &[
     Field::Name,
     Field::Number,
@@ -113,7 +113,7 @@ pub const OF_TOOL: &[Field] = &[
     Field::Speed,
 ];
 
-/// Fields of a hole.
+/// Fields that have a value in a hole cycle.
 pub const OF_CYCLE: &[Field] = &[
     Field::Surface,
     Field::Clearance,
@@ -132,35 +132,35 @@ pub const OF_CYCLE: &[Field] = &[
     Field::Speed,
 ];
 
-/// What is wrong with a template.
+/// Error in a template.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum BadTemplate {
-    /// A brace without its other half.
+    /// An opening brace without a closing one, or the reverse.
     Brace,
-    /// No field of this name has a value there.
+    /// A field that does not exist or has no value in this block.
     Field(String),
 }
 
 impl fmt::Display for BadTemplate {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Brace => write!(out, "a brace is not closed, or closes nothing"),
-            Self::Field(name) => write!(out, "`{{{name}}}` is no field here"),
+            Self::Brace => write!(out, "unmatched brace"),
+            Self::Field(name) => write!(out, "`{{{name}}}` is not a field of this block"),
         }
     }
 }
 
-/// The next field of a text: the text before it, its name, the text after it.
+/// The first field of a text: text before it, name, text after it.
 fn split(text: &str) -> Option<(&str, &str, &str)> {
     let (before, rest) = text.split_once('{')?;
     let (name, after) = rest.split_once('}')?;
     Some((before, name, after))
 }
 
-/// Whether a text is a template that holds only the fields `allowed`.
+/// Checks that a text is a template with no other fields than `allowed`.
 ///
 /// # Errors
-/// The first thing that is wrong.
+/// The first error of the text.
 pub fn check(text: &str, allowed: &[Field]) -> Result<(), BadTemplate> {
     let mut rest = text;
     while let Some((before, name, after)) = split(rest) {
@@ -175,7 +175,7 @@ pub fn check(text: &str, allowed: &[Field]) -> Result<(), BadTemplate> {
     if rest.contains(['{', '}']) { Err(BadTemplate::Brace) } else { Ok(()) }
 }
 
-/// The block of a template; `None` if nothing of it is left, or the next tool is named and there is none.
+/// The block of a template; `None` if no word of it is left, or it has `{next}` and no tool follows.
 pub(crate) fn fill(text: &str, value: impl Fn(Field) -> Option<String>) -> Option<String> {
     let mut words = Vec::new();
     for word in text.split(' ') {
@@ -220,7 +220,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_next_tool_nothing_is_said_of_it() {
+    fn a_block_with_the_next_tool_is_left_out_without_one() {
         assert_eq!(filled("TOOL DEF {next}", Some(6), None).as_deref(), Some("TOOL DEF 6"));
         assert_eq!(filled("TOOL DEF {next}", None, None), None);
     }
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn an_unknown_field_and_a_lonely_brace_are_found() {
+    fn an_unknown_field_and_an_unmatched_brace_are_found() {
         assert_eq!(check("T{tool} M6", OF_TOOL), Ok(()));
         assert_eq!(check("T{tol} M6", OF_TOOL), Err(BadTemplate::Field("tol".into())));
         assert_eq!(check("T{tool} M6", OF_PROGRAM), Err(BadTemplate::Field("tool".into())));

@@ -1,6 +1,6 @@
-//! What the generator knows about a machine, for people.
+//! Derivation of the kinematics of a machine as text, written by the generator.
 
-/// One section of an [`Explanation`], twice: as text and as LaTeX.
+/// One section of an [`Explanation`], as text and as LaTeX.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Section {
     /// Lines of at most 96 columns, except where a single name or number is longer.
@@ -10,7 +10,7 @@ pub struct Section {
 }
 
 impl Section {
-    /// A section with nothing in it.
+    /// An empty section.
     pub const EMPTY: Self = Self { text: &[], latex: &[] };
 }
 
@@ -27,22 +27,22 @@ pub struct Explanation {
     pub formulas: Section,
     /// The branches in their order.
     pub branches: Section,
-    /// Where the tool axis leaves a rotary free.
+    /// Tool axes at which a rotary axis is free.
     pub singular_set: Section,
     /// Tool axes that can be reached.
     pub reachable: Section,
-    /// Where the linear axes cannot move the tip in every direction.
+    /// Tool axes at which the linear axes cannot move the tip in every direction.
     pub degenerate: Section,
     /// Claims proven when the machine was compiled.
     pub proofs: Section,
     /// Operations of one call of the inverse kinematics, all branches.
     pub operations: Section,
-    /// What must visibly move which way at the machine, to be ticked off.
+    /// Check list for the machine: visible direction of motion of each axis.
     pub jog_sheet: Section,
 }
 
 impl Explanation {
-    /// Nothing is known.
+    /// Empty sections, for a machine written by hand.
     pub const EMPTY: Self = Self {
         chain: Section::EMPTY,
         matrices: Section::EMPTY,

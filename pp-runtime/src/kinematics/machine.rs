@@ -1,4 +1,4 @@
-//! The contract of a machine, and the data that describes its axes.
+//! The trait of a machine, and the data that describes its axes.
 
 use core::fmt::Debug;
 
@@ -15,7 +15,7 @@ pub struct Pose {
     pub axis: UnitVector3<f64>,
 }
 
-/// Whether an axis slides or turns.
+/// Kind of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxisKind {
     /// X Y Z U V W; values in mm.
@@ -33,12 +33,13 @@ pub enum Side {
     Tool,
 }
 
-/// Sense of an axis word. `Plus` is ISO 841: the tool moves in the positive sense relative to the workpiece.
+/// Sign of an axis word. `Plus` is ISO 841: a positive word moves the tool in the positive sense relative to the
+/// workpiece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sign {
-    /// As ISO 841 has it.
+    /// Sign of ISO 841.
     Plus,
-    /// The word runs backwards.
+    /// Sign opposite to ISO 841.
     Minus,
 }
 
@@ -62,7 +63,7 @@ pub struct Limits {
     pub upper: f64,
 }
 
-/// One axis of the chain: what no dimension can change.
+/// One axis of the chain: the data that no dimension can change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Axis {
     /// Address of the axis: X Y Z U V W A B C.
@@ -71,7 +72,7 @@ pub struct Axis {
     pub kind: AxisKind,
     /// Workpiece side or tool side of the frame.
     pub side: Side,
-    /// Sense of the word.
+    /// Sign of the word.
     pub sign: Sign,
     /// Declared travel, mm or rad; `None` is endless (`free`). A default: configuration may change it.
     pub limits: Option<Limits>,
@@ -81,7 +82,7 @@ pub struct Axis {
     pub held: bool,
 }
 
-/// What a dimension measures.
+/// Quantity of a dimension.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DimensionKind {
     /// Millimetres.
@@ -117,7 +118,7 @@ pub struct Joint {
 
 /// A machine tool with closed-form kinematics; implemented by [`machine!`](crate::machine).
 ///
-/// Zero position: with all axes at zero the tool tip stands on the workpiece origin. Axis values are `[f64; N]` in
+/// Zero position: with all axes at zero the tool tip is on the workpiece origin. Axis values are `[f64; N]` in
 /// chain order, mm and radians, held axes included.
 ///
 /// Not object safe on purpose: everything is monomorphised for the one machine.
@@ -172,9 +173,9 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
 
     /// Axis values that bring the tool to `pose`: at most two, rotary values in (-π, π], first branch first.
     ///
-    /// `held` supplies the values of held axes, and of a rotary that is free at a singular pose: that one stands in the
-    /// solution as it was given, whole turns included. No solution: see
-    /// [`reach`](Self::reach).
+    /// `held` supplies the values of held axes, and of a rotary that is free at a singular pose: the solution holds
+    /// that value as it was given, whole turns included. If there is no solution, [`reach`](Self::reach) gives the
+    /// reason.
     fn inverse_kinematics(&self, pose: &Pose, held: &Self::Axes) -> Solutions<Self::Axes>;
 
     /// Linear axes that bring the tip to `tip` while rotary and held values stay as they are in `axes`.
@@ -182,14 +183,14 @@ pub trait Machine: Default + Clone + Send + Sync + 'static {
     /// `None` where the linear axes are degenerate, see [`SMALLEST_DETERMINANT`](super::SMALLEST_DETERMINANT).
     fn linear_axes(&self, tip: &Point3<f64>, axes: &Self::Axes) -> Option<Self::Axes>;
 
-    /// Says why a tool axis has no solution.
+    /// Checks that a tool axis can be reached.
     ///
     /// # Errors
-    /// [`Unreachable`] with the reason in machine-shop words.
+    /// [`Unreachable`], with the reason.
     fn reach(&self, axis: &UnitVector3<f64>, held: &Self::Axes) -> Result<(), Unreachable>;
 
-    /// Certified bound of how far tip and tool axis leave the straight, evenly turning motion while every axis moves
-    /// linearly from `from` to `to`; never below the true deviation.
+    /// Certified bound of the deviation of tip and tool axis from the straight, evenly rotating motion while every axis
+    /// moves linearly from `from` to `to`; never below the true deviation.
     ///
     /// [`machine!`](crate::machine) emits it specialised to the machine. A machine written by hand may leave it out:
     /// the same bound is then computed from its joints.

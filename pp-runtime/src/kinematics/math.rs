@@ -1,4 +1,4 @@
-//! The functions that `core` does not have, from `std` or from libm.
+//! Mathematical functions that `core` does not have, from `std` or libm.
 
 /// Square root.
 #[must_use]
@@ -37,7 +37,7 @@ pub fn abs(x: f64) -> f64 {
     x.abs()
 }
 
-/// Length of the plane vector `(x, y)`; no care is taken of overflow.
+/// Length of the plane vector `(x, y)`, without protection against overflow.
 #[must_use]
 #[inline]
 pub fn hypot(x: f64, y: f64) -> f64 {
@@ -46,7 +46,7 @@ pub fn hypot(x: f64, y: f64) -> f64 {
 
 /// The angle with the given sine and cosine (any common factor above zero), in (-π, π].
 ///
-/// `atan2` answers -π for a sine of minus zero; a half turn has one name here.
+/// `atan2` returns -π for a sine of minus zero; here a half turn is always π.
 #[must_use]
 #[inline]
 pub fn angle(sine: f64, cosine: f64) -> f64 {
@@ -54,7 +54,7 @@ pub fn angle(sine: f64, cosine: f64) -> f64 {
     named_once(angle)
 }
 
-/// -π and all that rounds to it becomes π.
+/// Replaces -π, and any value that rounds to it, by π.
 #[inline]
 fn named_once(angle: f64) -> f64 {
     if angle <= -core::f64::consts::PI { core::f64::consts::PI } else { angle }

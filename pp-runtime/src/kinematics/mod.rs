@@ -1,6 +1,6 @@
-//! What a machine tool is to the rest of the program: axes, poses, and the maps between them.
+//! Kinematics of a machine tool: its axes, poses, and the maps between axis values and poses.
 //!
-//! Millimetres and radians throughout. *Forward* is always axes to pose, *inverse* pose to axes. Everything here builds
+//! Units are millimetres and radians. *Forward* is always axes to pose, *inverse* pose to axes. Everything here builds
 //! without `std` and allocates nothing; [`machine!`](crate::machine) implements [`Machine`] for one declared machine.
 
 #[cfg(feature = "std")]
@@ -22,14 +22,15 @@ pub use motion::{Curve, MotionBound, motion_of_joints, rates_of_joints};
 pub use refusal::{Cone, Invalid, Unreachable};
 pub use solutions::{Branch, Solution, Solutions};
 
-/// How far outside the reachable set a tool axis may lie and still be posted, in radians.
+/// Largest angle of a tool axis outside the reachable set at which it is still posted, rad.
 ///
 /// CL data carries seven digits: an axis of `k = -5e-8` on a machine that reaches `k >= 0` is rounding. The nearest
 /// reachable axis is used and the deviation is reported with the solution.
 pub const REACH_TOLERANCE: f64 = 1e-6;
 
-/// Sine of the angle to the first rotary axis below which the tool axis carries no information about that rotary.
+/// Sine of the angle between tool axis and first rotary axis below which the tool axis does not define that rotary
+/// value.
 pub const SINGULAR_SINE: f64 = 1e-15;
 
-/// Smallest determinant of the linear axes (unit directions) that counts as solvable.
+/// Smallest determinant of the unit directions of the linear axes for which they can be solved.
 pub const SMALLEST_DETERMINANT: f64 = 1e-9;

@@ -1,13 +1,13 @@
-//! How far a block leaves the straight, evenly turning motion between its ends: bounds that hold, not samples.
+//! Deviation of a block from the straight, evenly rotating motion between its ends: certified bounds, not samples.
 //!
 //! A control moves every axis linearly: `q(s) = q0 + s Δ` for `s` in \[0, 1\]. The tip `P(s)` and the tool axis `a(s)`
-//! then run on curves. Both are known exactly in the middle, with their first two derivatives, and their third
-//! derivative is bounded over the whole block; what follows needs nothing else.
+//! then follow curves. Both are known exactly in the middle, with their first two derivatives, and their third
+//! derivative is bounded over the whole block. The bounds below follow from these alone.
 //!
 //! # The third derivative
-//! From the tool to the workpiece, `y` being the point as it is seen so far and `V A M` the largest `|y'| |y''| |y'''|`:
-//! a linear axis adds a constant to `y'`. A rotary axis about `n` through `c`, turning by `δ`, makes of `y` the point
-//! `z = c + R (y - c)`, and with `N x = n × x`
+//! The chain is followed from the tool to the workpiece; `y` is the point after the axes so far, and `V A M` are the
+//! largest `|y'| |y''| |y'''|`. A linear axis adds a constant to `y'`. A rotary axis about `n` through `c`, rotating by
+//! `δ`, moves `y` to `z = c + R (y - c)`, and with `N x = n × x`
 //!
 //! ```text
 //! z'   = R (y' + δ N (y - c))
@@ -16,7 +16,7 @@
 //! |z'''| <= M + 3 |δ| A + 3 δ² V + |δ|³ ρ,   ρ the largest |N (y - c)|
 //! ```
 //!
-//! In the middle everything is known, and from there to an end is half the block: `A <= |y''(½)| + M/2`,
+//! In the middle everything is known, and from there to an end it is half the block: `A <= |y''(½)| + M/2`,
 //! `V <= |y'(½)| + A/2`, `ρ <= |N (y(½) - c)| + V/2`.
 //!
 //! # The tip
@@ -27,14 +27,14 @@
 //! |E| <= |P''(½)|/8 + M/48
 //! ```
 //!
-//! Normal to the chord only the part of `P''(½)` counts that is normal to it. Along the chord, of length `L`, the tip is
-//! at `L s + e(s)` with `|e| <= b s (1 - s)/2`, `b` being the part of `P''(½)` along it and `M/2`: it never turns back if
-//! `b <= 2 L`, and else runs past an end by at most `b/2 (½ - L/b)²`. The chord is `P'(½)` within `M/24`.
+//! Normal to the chord only the part of `P''(½)` counts that is normal to it. Along the chord, of length `L`, the tip
+//! is at `L s + e(s)` with `|e| <= b s (1 - s)/2`, `b` being the part of `P''(½)` along it plus `M/2`: it never
+//! reverses if `b <= 2 L`, and otherwise passes an end by at most `b/2 (½ - L/b)²`. The chord is `P'(½)` within `M/24`.
 //!
 //! # The tool axis
 //! The same bound, `e`, holds for the distance of `a(s)` from the chord of its arc. That chord lies in the plane of the
-//! great circle, and a unit vector that is `e` away from a vector makes an angle of at most `asin e` with it. Where the
-//! axis never turns back, only the part of `a''(½)` along `N = a0 × a1 / |a0 × a1|` counts: the distance from the
+//! great circle, and a unit vector at distance `e` from a vector makes an angle of at most `asin e` with it. Where the
+//! axis never reverses, only the part of `a''(½)` along `N = a0 × a1 / |a0 × a1|` counts: the distance from the
 //! plane. `a0 × a1` is `(a(½) + a''(½)/8) × a'(½)` within `M/24 + |a'(½)| M/48` and terms of second order.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
@@ -42,16 +42,16 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use super::math;
 use super::{AxisKind, Machine};
 
-/// Certified deviation of one block, all axes moving linearly, from the straight, evenly turning motion.
+/// Certified deviation of one block, all axes moving linearly, from the straight, evenly rotating motion.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct MotionBound {
-    /// No tip of the block is farther than this from the straight line between its ends, mm.
+    /// Upper bound of the distance of the tip from the straight line between the ends, mm.
     pub tip: f64,
-    /// No tool axis of the block is farther than this from the great circle between its ends, rad; at most π.
+    /// Upper bound of the angle of the tool axis from the great circle between the ends, rad; at most π.
     pub axis: f64,
 }
 
-/// What is known of a moving point, or of a moving tool axis, in the middle of a block; per block, not per second.
+/// Derivatives of a moving point or tool axis in the middle of a block; per block, not per second.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Curve {
     /// First derivative in the middle.
@@ -62,20 +62,20 @@ pub struct Curve {
     pub third: f64,
 }
 
-/// Sine of the angle between two tool axes below which they have no great circle.
+/// Sine of the angle between two tool axes below which no great circle is defined.
 const SAME_AXIS: f64 = 1e-9;
 
-/// Rounding of the bounds themselves, as a share of them.
+/// Relative rounding error of the bounds.
 const RELATIVE_ROUNDING: f64 = 1e-12;
 
-/// Units in the last place that forward kinematics may lose.
+/// Relative rounding error of forward kinematics.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl MotionBound {
-    /// The bound of a block from its middle: tip, tool axis there and its curve.
+    /// The bound of a block from its middle: curve of the tip, tool axis, and its curve.
     ///
-    /// `reach`: a length that no lever of the chain exceeds, mm; `turns`: sum of the rotary values, rad. Both only for
-    /// the rounding of forward kinematics, which is part of the bound.
+    /// `reach`: upper bound of the levers of the chain, mm; `turns`: sum of the rotary values, rad. Both are used only
+    /// for the rounding error of forward kinematics, which is part of the bound.
     #[must_use]
     #[inline]
     pub fn of(tip: &Curve, axis: &Vector3<f64>, axis_curve: &Curve, reach: f64, turns: f64) -> Self {
@@ -88,7 +88,7 @@ impl MotionBound {
 }
 
 impl Curve {
-    /// Distance from the evenly travelled chord, given the part of the second derivative that counts.
+    /// Bound of the distance from the evenly travelled chord, for the part `bend` of the second derivative.
     #[inline]
     fn sagitta(&self, bend: f64) -> f64 {
         bend / 8.0 + self.third / 48.0
@@ -147,7 +147,7 @@ fn length(vector: &Vector3<f64>) -> f64 {
     math::sqrt(vector.norm_squared())
 }
 
-/// A point with two derivatives in the middle of a block, and the bound of the third.
+/// A point in the middle of a block with two derivatives, and the bound of the third.
 #[derive(Debug, Clone, Copy)]
 struct Moving {
     place: Vector3<f64>,
@@ -159,7 +159,7 @@ impl Moving {
         Self { place, curve: Curve { rate: Vector3::zeros(), bend: Vector3::zeros(), third: 0.0 } }
     }
 
-    /// Turned about `n` through `centre` by `angle`, in the middle of a turn by `change`.
+    /// The point rotated about `n` through `centre` by `angle`, in the middle of a rotation by `change`, rad.
     fn turned(self, n: &UnitVector3<f64>, centre: &Vector3<f64>, angle: f64, change: f64) -> Self {
         let Curve { rate, bend, third } = self.curve;
         let (sine, cosine) = math::sin_cos(angle);
@@ -176,7 +176,7 @@ impl Moving {
     }
 }
 
-/// Tip and tool axis in the middle of a block, by walking the joints from the tool to the workpiece.
+/// Tip and tool axis in the middle of a block, from the joints in the order tool to workpiece.
 fn walk<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes) -> (Moving, Moving) {
     let (mut tip, mut axis) = (Moving::still(Vector3::zeros()), Moving::still(machine.tool_axis().into_inner()));
     for (index, described) in M::AXES.iter().enumerate().rev() {
@@ -196,14 +196,14 @@ fn walk<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes) -> (Moving, M
     (tip, axis)
 }
 
-/// What [`Machine::rates`] answers of a machine that is written by hand: from its joints.
+/// [`Machine::rates`] from the joints, for a machine written by hand.
 #[must_use]
 pub fn rates_of_joints<M: Machine>(machine: &M, axes: &M::Axes, change: &M::Axes) -> (Vector3<f64>, Vector3<f64>) {
     let (tip, axis) = walk(machine, axes, change);
     (tip.curve.rate, axis.curve.rate)
 }
 
-/// What [`Machine::motion`] answers of a machine that is written by hand: from its joints.
+/// [`Machine::motion`] from the joints, for a machine written by hand.
 #[must_use]
 pub fn motion_of_joints<M: Machine>(machine: &M, from: &M::Axes, to: &M::Axes) -> MotionBound {
     let (mut middle, mut change) = (*from, *from);

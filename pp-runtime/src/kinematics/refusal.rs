@@ -1,4 +1,4 @@
-//! Why a machine or a pose is refused.
+//! Reasons why a machine or a pose is refused.
 
 use core::fmt;
 
@@ -14,7 +14,7 @@ pub enum Invalid {
     Zero {
         /// The expression in the names of the declaration.
         expression: &'static str,
-        /// What it means for the machine.
+        /// Meaning for the machine.
         meaning: &'static str,
     },
 }
@@ -33,23 +33,24 @@ impl core::error::Error for Invalid {}
 /// Angles between the tool axis and the first rotary axis, rad.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cone {
-    /// The wanted one.
+    /// The required angle.
     pub angle: f64,
-    /// The smallest that can be reached.
+    /// The smallest angle within reach.
     pub smallest: f64,
-    /// The largest that can be reached.
+    /// The largest angle within reach.
     pub largest: f64,
 }
 
 impl Cone {
-    /// From the wanted angle, the one between the rotaries, and the one between the last rotary and the tool.
+    /// The cone for the required angle; `between`: angle between the rotaries; `tool`: angle between the last rotary
+    /// and the tool.
     #[must_use]
     pub fn new(angle: f64, between: f64, tool: f64) -> Self {
         use core::f64::consts::PI;
         Self { angle, smallest: (between - tool).abs(), largest: PI - (PI - between - tool).abs() }
     }
 
-    /// The same, if the wanted angle is outside by about the tolerance or more.
+    /// The cone, if the required angle is outside by about the tolerance or more.
     #[must_use]
     pub fn outside(self) -> Option<Self> {
         // Half the tolerance: the angles here carry more rounding than the solver's own test.
@@ -59,21 +60,21 @@ impl Cone {
     }
 }
 
-/// Why no axis values give a wanted tool axis.
+/// Reason why no axis values give the required tool axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Unreachable {
-    /// The wanted axis is not a unit vector of finite numbers.
+    /// The required axis is not a unit vector of finite numbers.
     NotFinite,
-    /// The machine has no solved rotary axis and the tool points elsewhere.
+    /// The machine has no solved rotary axis and its tool axis is another one.
     Fixed {
         /// The machine's name.
         machine: &'static str,
-        /// The wanted axis.
+        /// The required axis.
         wanted: [f64; 3],
-        /// The one there is.
+        /// The tool axis of the machine.
         tool_axis: [f64; 3],
     },
-    /// The angle between the wanted axis and the first rotary direction is outside what can be reached.
+    /// The angle between the required axis and the first rotary direction is out of reach.
     Cone {
         /// The machine's name.
         machine: &'static str,
@@ -81,9 +82,9 @@ pub enum Unreachable {
         rotary: char,
         /// Its direction.
         direction: [f64; 3],
-        /// The wanted axis.
+        /// The required axis.
         wanted: [f64; 3],
-        /// The angle between the two, and the angles the machine reaches.
+        /// The angle between both, and the angles within reach.
         cone: Cone,
     },
     /// At the held values the second rotary is parallel to the tool or to the first rotary.
@@ -114,7 +115,7 @@ impl fmt::Display for Unreachable {
                  wanted ({i:.7}, {j:.7}, {k:.7})"
             ),
             Self::Cone { machine, rotary, direction, wanted, cone: Cone { angle, smallest, largest } } => {
-                // A rotary that keeps the tool square to a coordinate direction: name that direction.
+                // The tool is always perpendicular to a coordinate direction: name that direction.
                 let square =
                     (largest - smallest).abs() < 1e-9 && (smallest - core::f64::consts::FRAC_PI_2).abs() < 1e-9;
                 let towards = direction.iter().position(|component| (component.abs() - 1.0).abs() < 1e-9);

@@ -1,15 +1,15 @@
-//! The answers of the inverse kinematics, on the stack.
+//! Solutions of the inverse kinematics, on the stack.
 
 use core::fmt;
 use core::ops::Deref;
 
-/// Which closed-form answer: the first is the one the papers print (`sin B >= 0` for a C-B table).
+/// Branch of the closed-form inverse. The first is the one that the papers print (`sin B >= 0` for a C-B table).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub enum Branch {
-    /// The branch that is listed first; the only one where both coincide.
+    /// The first branch; the only one where both coincide.
     #[default]
     First,
-    /// The other one.
+    /// The second branch.
     Second,
 }
 
@@ -18,11 +18,11 @@ pub enum Branch {
 pub struct Solution<A> {
     /// Axis values in chain order, mm and rad.
     pub axes: A,
-    /// The closed-form answer this is.
+    /// Branch of this solution.
     pub branch: Branch,
-    /// True where the tool axis is parallel to the first rotary: that rotary keeps its held value.
+    /// The tool axis is parallel to the first rotary, which keeps its held value.
     pub singular: bool,
-    /// Angle between the wanted tool axis and the one reached, rad; at most
+    /// Angle between the required tool axis and the one reached, rad; at most
     /// [`REACH_TOLERANCE`](super::REACH_TOLERANCE).
     pub deviation: f64,
 }
@@ -42,7 +42,7 @@ impl<A: Copy + Default> Solutions<A> {
         Self::default()
     }
 
-    /// What the branches give, in their order.
+    /// The solutions of the branches, in their order.
     #[must_use]
     #[inline]
     pub fn from_branches(branches: [Option<Solution<A>>; 2]) -> Self {

@@ -1,7 +1,7 @@
-//! Blocks and words of an NC program: numbers and one reused buffer.
+//! Blocks and words of an NC program as bytes: numbers, and a writer with one reused buffer.
 //!
-//! Words arrive as whole units of their last decimal, so nothing here rounds a coordinate and nothing parses. Which
-//! letters and codes there are is the business of [`control`](crate::control).
+//! Words come in whole units of their last decimal, so no coordinate is rounded here, and nothing is parsed. Letters
+//! and codes are defined in [`control`](crate::control).
 
 mod formats;
 mod number;
@@ -9,4 +9,4 @@ mod writer;
 
 pub use formats::Formats;
 pub use number::{Decimal, Numerals, Overflow, whole_units, write_decimal, write_number};
-pub use writer::{Line, Numbering, Writer};
+pub use writer::{Numbering, Writer, WrittenLine};

@@ -1,5 +1,5 @@
-//! Numbers of words: whole units of the last decimal, written without zeros at their end, never as `-0`, never with an
-//! exponent. [`Numerals`] states what a control wants besides: a point in every number, a sign before every number.
+//! Numbers in words: whole units of the last decimal, written without trailing zeros, without an exponent, and never as
+//! `-0`. [`Numerals`] adds the requirements of a control: a point in every number, a sign before every number.
 
 /// Largest number of whole units of a word: all integers up to here are exact in an `f64`.
 const LARGEST: f64 = 9_007_199_254_740_992.0;
@@ -20,12 +20,12 @@ pub struct Decimal {
     pub decimals: u32,
 }
 
-/// How a control wants the numbers of its axis and feed words.
+/// Number format of the axis and feed words of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Numerals {
-    /// Whole numbers end with a point: without it the control reads least increments.
+    /// Whole numbers end with a point; without it the control would read least increments.
     pub point: bool,
-    /// Numbers from zero on begin with a plus.
+    /// Zero and positive numbers begin with a plus.
     pub plus: bool,
 }
 
@@ -72,7 +72,8 @@ impl Decimal {
         }
         let digits = digits.clamp(1, 6);
         let (lower, upper) = (power_of_ten(digits - 1), power_of_ten(digits));
-        // Decimals count from the first digit that is not zero; a number of more digits is a whole number.
+        // Digits are counted from the first one that is not zero. A number with more digits before the point has no
+        // decimals.
         let mut decimals = 0;
         while (value * power_of_ten(decimals)).round() < lower {
             decimals += 1;
@@ -88,7 +89,7 @@ impl Decimal {
         Ok(Self { units: units as i64, decimals })
     }
 
-    /// The number itself.
+    /// Value of the number.
     #[must_use]
     pub fn value(self) -> f64 {
         self.units as f64 / power_of_ten(self.decimals)
@@ -134,7 +135,7 @@ pub fn write_decimal(out: &mut Vec<u8>, number: Decimal) {
     out.extend_from_slice(&digits[start..]);
 }
 
-/// Writes a number as a control wants it.
+/// Writes a number in the number format of a control.
 #[inline]
 pub fn write_number(out: &mut Vec<u8>, number: Decimal, numerals: Numerals) {
     if numerals.plus && number.units >= 0 {
@@ -180,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn a_control_that_wants_a_point_or_a_sign_gets_it_in_every_number() {
+    fn a_control_that_needs_a_point_or_a_sign_gets_it_in_every_number() {
         let written = |units, point, plus| {
             let mut out = Vec::new();
             write_number(&mut out, Decimal { units, decimals: 3 }, Numerals { point, plus });
@@ -201,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn inverse_time_has_six_digits_wherever_the_point_stands() {
+    fn inverse_time_has_six_digits_wherever_the_point_is() {
         let six = |value| text(Decimal::significant(value, 6).expect("fits"));
         assert_eq!(six(1.0 / 3.0), "0.333333");
         assert_eq!(six(1234.56789), "1234.57");

@@ -1,74 +1,74 @@
-//! Blocks into one reused buffer, flushed in large pieces. What stays in force is not its business.
+//! Writer of blocks: one reused buffer, handed to the output in large pieces. It has no modal state.
 
 use std::io::{self, Write};
 
 use super::number::{Decimal, Numerals, write_decimal, write_number};
 
-/// Bytes that are collected before they are handed on.
+/// Number of bytes collected before they are written to the output.
 const PIECE: usize = 64 * 1024;
 
-/// Block numbers start again after this one.
+/// Largest block number; numbering starts again after it.
 const LAST_NUMBER: u32 = 99_999;
 
-/// How lines are numbered.
+/// Numbering of lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Numbering {
-    /// Only the blocks that ask for it.
+    /// Numbers only for blocks after [`Writer::number_next`].
     #[default]
     None,
-    /// `N10`, `N20`: blocks in this step, comments not.
+    /// `N10`, `N20`: blocks are numbered in this step, comments are not.
     Step(u32),
-    /// `0`, `1`, `2`: every line, without N and without end.
+    /// `0`, `1`, `2`: every line is numbered, without N and without a largest number.
     EveryLine,
 }
 
-/// A line that was written.
+/// Line of a program that was written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Line {
-    /// Its place in the program, from 1.
+pub struct WrittenLine {
+    /// Line number in the file, from 1.
     pub line: u64,
-    /// Its block number.
+    /// Block number, if it has one.
     pub number: Option<u32>,
 }
 
-/// Writes blocks word by word; a block without words leaves no line.
+/// Writes blocks word by word; a block without words writes no line.
 #[derive(Debug)]
 pub struct Writer<W: Write> {
     out: W,
     buffer: Vec<u8>,
-    /// Where the block begins in the buffer.
+    /// Start of the current block in the buffer.
     block: usize,
     numbering: Numbering,
     next_number: u32,
     /// Number for the next block only, where blocks are not numbered.
     single_number: Option<u32>,
     blocks: u64,
-    /// Number of the block that is being written.
+    /// Number of the current block.
     number: Option<u32>,
     journal: Option<Journal>,
 }
 
-/// What has been written, line by line.
+/// Record of the lines that were written.
 #[derive(Debug, Default)]
 struct Journal {
     lines: u64,
-    /// Lines since they were taken last.
-    kept: Vec<Line>,
+    /// Lines since the last call of [`Writer::take_lines`].
+    kept: Vec<WrittenLine>,
 }
 
 impl Journal {
-    /// A block may take several lines; its number is in the first.
+    /// Adds the lines of a block; its number is in the first one.
     fn add(&mut self, text: &[u8], number: Option<u32>) {
         let ends = text.iter().filter(|&&byte| byte == b'\n').count();
         for index in 0..ends {
             self.lines += 1;
-            self.kept.push(Line { line: self.lines, number: number.filter(|_| index == 0) });
+            self.kept.push(WrittenLine { line: self.lines, number: number.filter(|_| index == 0) });
         }
     }
 }
 
 impl<W: Write> Writer<W> {
-    /// A writer that knows of nothing in force.
+    /// A writer for a new program.
     pub fn new(out: W, numbering: Numbering) -> Self {
         Self {
             out,
@@ -88,7 +88,7 @@ impl<W: Write> Writer<W> {
         self.single_number = Some(number);
     }
 
-    /// A blank after a word, the number at the beginning of a block.
+    /// Writes a blank after a word, or the number at the beginning of a block.
     fn separate(&mut self) {
         if self.buffer.len() > self.block {
             self.buffer.push(b' ');
@@ -109,7 +109,7 @@ impl<W: Write> Writer<W> {
         }
     }
 
-    /// The number of a line where every line has one.
+    /// Writes the number of a line, where every line has one.
     fn count(&mut self) {
         let number = self.next_number;
         self.next_number += 1;
@@ -123,7 +123,7 @@ impl<W: Write> Writer<W> {
         self.buffer.push(b' ');
     }
 
-    /// A code without a number of its own: `G1`, `M30`.
+    /// Writes a code with a fixed number: `G1`, `M30`.
     pub fn code(&mut self, code: &str) {
         if !code.is_empty() {
             self.separate();
@@ -131,17 +131,17 @@ impl<W: Write> Writer<W> {
         }
     }
 
-    /// A word that is always written: `X` or `C1=` and its number.
+    /// Writes a word: `X` or `C1=`, and its number.
     pub fn word(&mut self, prefix: &str, number: Decimal, numerals: Numerals) {
         self.separate();
         self.buffer.extend_from_slice(prefix.as_bytes());
         write_number(&mut self.buffer, number, numerals);
     }
 
-    /// Ends the block; a block without words leaves no line.
+    /// Ends the block; a block without words writes no line.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     #[inline]
     pub fn end(&mut self) -> io::Result<()> {
         if self.buffer.len() > self.block {
@@ -151,10 +151,10 @@ impl<W: Write> Writer<W> {
         Ok(())
     }
 
-    /// A line of its own without modal effect, a comment; numbered only where every line is.
+    /// Writes a line without modal effect, such as a comment; it is numbered only where every line is.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn line(&mut self, text: &[u8]) -> io::Result<()> {
         if self.numbering == Numbering::EveryLine {
             self.count();
@@ -178,25 +178,25 @@ impl<W: Write> Writer<W> {
         Ok(())
     }
 
-    /// Keeps the lines that are written, from the first one on, until they are taken.
+    /// Records the lines from now on; [`take_lines`](Self::take_lines) returns them.
     pub fn keep_lines(&mut self) {
         self.journal = Some(Journal::default());
     }
 
-    /// Takes the lines since the last call; none if they are not kept.
-    pub fn take_lines(&mut self) -> impl Iterator<Item = Line> + '_ {
+    /// Returns the lines since the last call; none if they are not recorded.
+    pub fn take_lines(&mut self) -> impl Iterator<Item = WrittenLine> + '_ {
         self.journal.iter_mut().flat_map(|journal| journal.kept.drain(..))
     }
 
-    /// Blocks written so far, comments not counted.
+    /// Number of blocks written so far, without comments.
     pub fn blocks(&self) -> u64 {
         self.blocks
     }
 
-    /// Hands on what is left.
+    /// Writes the rest of the buffer to the output.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn finish(&mut self) -> io::Result<()> {
         self.out.write_all(&self.buffer)?;
         self.buffer.clear();

@@ -311,7 +311,7 @@ impl Header<'_> {
             return None;
         }
         let of = if wrap.is_empty() { String::new() } else { format!(" of {}", spaced(&letters)) };
-        let shortest = codes.turning[1];
+        let shortest = codes.rotary_path[1];
         let note = match wrap.values().any(|wrap| *wrap != Wrap::Sign) && !shortest.is_empty() {
             true => format!("{shortest} is in force, so they must not be shown within a turn"),
             false => codes.rotary_note.to_owned(),
@@ -367,7 +367,11 @@ impl Header<'_> {
     fn compares(&self, tool: u32, offset: Option<u32>, length: f64) -> bool {
         let Some(offset) = self.job.control.spellings().length.registers.of_tool(tool, offset) else { return false };
         let (tolerance, units) = (self.job.config.motion.guards.length_tolerance, self.units);
-        !self.job.control.length_guard(&LengthGuard { label: 1, tool, offset, length, tolerance, units }).is_empty()
+        !self
+            .job
+            .control
+            .length_guard(&LengthGuard { label: 1, tool, offset, length_mm: length, tolerance_mm: tolerance, units })
+            .is_empty()
     }
 
     fn tool(&self, tool: &ToolUse) -> Vec<String> {

@@ -153,13 +153,13 @@ fn only_axes_that_do_not_roll_over_count_on_past_a_turn() {
     };
     let counts = "are absolute and count on past 360";
     let none = line(&Heidenhain, "", Wrap::Positive).expect("a line");
-    assert_eq!(none, format!("ROTARY WORDS {counts}: M127 is in force, the axes take no shorter way"));
+    assert_eq!(none, format!("ROTARY WORDS {counts}: M127 is in force, so the axes do not take the shortest path"));
     let both = [Wrap::Positive, Wrap::Sign].map(|wrap| line(&Heidenhain, "BC", wrap));
     assert_eq!(both, [None, None]);
     let one = line(&Heidenhain, "C", Wrap::Positive).expect("a line");
     assert_eq!(one, format!("ROTARY WORDS of B {counts}: M126 is in force, so they must not be shown within a turn"));
     let linuxcnc = line(&LinuxCnc, "C", Wrap::Positive).expect("a line");
-    assert_eq!(linuxcnc, format!("ROTARY WORDS of B {counts}: the axes must not be wrapped)"));
+    assert_eq!(linuxcnc, format!("ROTARY WORDS of B {counts}: the axes must not be wrapped [WRAPPED_ROTARY = 0])"));
 }
 
 #[test]

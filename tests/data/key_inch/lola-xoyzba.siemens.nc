@@ -30,7 +30,7 @@ M6
 SUPA G0 Z0 D0
 D1
 IF ABS($P_TOOLL[1]-4.75)>0.00039
-MSG("T12 was posted with L = 4.75: the tool data say something else")
+MSG("T12 was posted with L = 4.75: the length in the tool data differs")
 M0
 M30
 ENDIF

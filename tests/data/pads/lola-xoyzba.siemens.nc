@@ -30,7 +30,7 @@ T22
 SUPA G0 Z0 D0
 D1
 IF ABS($P_TOOLL[1]-120.25)>0.01
-MSG("T21 was posted with L = 120.25: the tool data say something else")
+MSG("T21 was posted with L = 120.25: the length in the tool data differs")
 M0
 M30
 ENDIF
@@ -67,7 +67,7 @@ M6
 SUPA G0 Z0 D0
 D52
 IF ABS($P_TOOLL[1]-96.5)>0.01
-MSG("T22 was posted with L = 96.5: the tool data say something else")
+MSG("T22 was posted with L = 96.5: the length in the tool data differs")
 M0
 M30
 ENDIF

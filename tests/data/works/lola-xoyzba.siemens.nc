@@ -38,7 +38,7 @@ T2
 SUPA G0 Z0 D0
 D1
 IF ABS($P_TOOLL[1]-110)>0.01
-MSG("T1 was posted with L = 110: the tool data say something else")
+MSG("T1 was posted with L = 110: the length in the tool data differs")
 M0
 M30
 ENDIF
@@ -70,7 +70,7 @@ SUPA G0 Z0 D0
 ; T1 stays in the spindle
 D1
 IF ABS($P_TOOLL[1]-110)>0.01
-MSG("T1 was posted with L = 110: the tool data say something else")
+MSG("T1 was posted with L = 110: the length in the tool data differs")
 M0
 M30
 ENDIF
@@ -134,7 +134,7 @@ T1
 SUPA G0 Z0 D0
 D1
 IF ABS($P_TOOLL[1]-130)>0.01
-MSG("T2 was posted with L = 130: the tool data say something else")
+MSG("T2 was posted with L = 130: the length in the tool data differs")
 M0
 M30
 ENDIF
@@ -211,7 +211,7 @@ T3
 SUPA G0 Z0 D0
 D1
 IF ABS($P_TOOLL[1]-110)>0.01
-MSG("T1 was posted with L = 110: the tool data say something else")
+MSG("T1 was posted with L = 110: the length in the tool data differs")
 M0
 M30
 ENDIF
@@ -378,7 +378,7 @@ M6
 SUPA G0 Z0 D0
 D1
 IF ABS($P_TOOLL[1]-95)>0.01
-MSG("T3 was posted with L = 95: the tool data say something else")
+MSG("T3 was posted with L = 95: the length in the tool data differs")
 M0
 M30
 ENDIF

@@ -1,4 +1,4 @@
-//! The interface of a control: its table, and hooks where tables end.
+//! Interface of a control: its table, and methods for what no table can hold.
 
 use std::ops::RangeInclusive;
 
@@ -6,17 +6,17 @@ use crate::program::Units;
 
 use super::spellings::Spellings;
 
-/// A CNC: its spellings, and what tables cannot hold.
+/// A CNC control: its table of codes, and methods for what no table can hold.
 pub trait Control: Sync {
-    /// The codes.
+    /// Table of the codes.
     fn spellings(&self) -> &'static Spellings;
 
-    /// Appends one comment line to `line`, made safe: whatever the text holds, the control does not act on it.
+    /// Appends one comment line to `line`. Characters are replaced so that the control never executes the text.
     fn comment(&self, text: &[u8], line: &mut Vec<u8>) {
         self.plain_comment(text, line);
     }
 
-    /// A comment whose text is no command to the control.
+    /// Appends a comment whose text the control does not read as a command.
     fn plain_comment(&self, text: &[u8], line: &mut Vec<u8>) {
         let comment = &self.spellings().comment;
         line.extend_from_slice(comment.marks[0].as_bytes());
@@ -24,66 +24,67 @@ pub trait Control: Sync {
         line.extend_from_slice(comment.marks[1].as_bytes());
     }
 
-    /// The byte that is written for one of the name of an operation, where that is no comment.
+    /// Byte written for a byte of an operation name, where the name is not written as a comment.
     fn message(&self, byte: u8) -> u8 {
         (self.spellings().comment.byte)(byte)
     }
 
-    /// How a work offset of the configuration is written; `None` if the control does not have it.
+    /// Code of a work offset of the configuration; `None` if the control does not have this work offset.
     fn work_offset(&self, word: &str) -> Option<String>;
 
-    /// The letters before the number of an axis of this name; `None` if the control cannot have an axis of this name.
+    /// Letters before the number in words of an axis; `None` if the control permits no axis of this name.
     fn axis_word(&self, name: &str) -> Option<String> {
         (name.len() == 1 && name.as_bytes()[0].is_ascii_uppercase()).then(|| name.to_owned())
     }
 
-    /// Lines before everything else with the name of the program's file, where the configuration asks for them; none where
-    /// the control knows no such lines. `name`: capitals, digits and `_`.
+    /// First lines of the file, with the name of the program, for `file_header = true`; empty if the control has no
+    /// such lines. `name`: capitals, digits and `_`.
     fn file_header(&self, _name: &str) -> Vec<String> {
         Vec::new()
     }
 
-    /// Lines with the box of the blank for the graphics of the control; corners as words X Y Z.
+    /// Lines that define the box of the blank for the graphics of the control. `lower`, `upper`: corners as words X Y
+    /// Z.
     fn blank(&self, _lower: &str, _upper: &str) -> Vec<String> {
         Vec::new()
     }
 
-    /// Blocks that stop the program with a message where the length of the tool in the spindle, as the control has it,
-    /// differs from the posted one by more than a tolerance. None where a control cannot compare.
+    /// Blocks that compare the tool length of the control with the posted length, and stop the program with a message
+    /// if they differ by more than the tolerance. Empty if the control cannot compare them.
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String>;
 }
 
-/// The length of a tool that is to be compared with the control's own.
+/// Posted length of a tool, to be compared with the length that the control has for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LengthGuard {
-    /// A number that occurs once in a program.
+    /// Number that occurs once in the program, for labels.
     pub label: u32,
-    /// The tool in the spindle.
+    /// Number of the tool in the spindle.
     pub tool: u32,
-    /// Its length offset.
+    /// Number of its length offset.
     pub offset: u32,
     /// Posted gauge length, mm.
-    pub length: f64,
-    /// Largest difference, mm.
-    pub tolerance: f64,
+    pub length_mm: f64,
+    /// Largest permitted difference, mm.
+    pub tolerance_mm: f64,
     /// Unit of the program.
     pub units: Units,
 }
 
 impl LengthGuard {
-    /// Length and tolerance in the unit of the program, as they are written.
+    /// Length and tolerance in the unit of the program, rounded as they are written.
     pub(crate) fn in_program(&self) -> [f64; 2] {
         let places = if self.units == Units::Inches { 1e5 } else { 1e4 };
-        [self.length, self.tolerance].map(|mm| (mm / self.units.in_mm() * places).round() / places)
+        [self.length_mm, self.tolerance_mm].map(|mm| (mm / self.units.in_mm() * places).round() / places)
     }
 
-    /// The same in millimetres, whatever the unit of the program.
+    /// Length and tolerance in millimetres, whatever the unit of the program.
     pub(crate) fn in_millimetres(&self) -> [f64; 2] {
         Self { units: Units::Millimetres, ..*self }.in_program()
     }
 }
 
-/// Whether a word is a prefix and a number of a range, written as people write it.
+/// Whether a word is this prefix followed by a number of this range, without leading zeros or a sign.
 pub(crate) fn numbered(word: &str, prefix: &str, range: RangeInclusive<u32>) -> bool {
     let number = word.strip_prefix(prefix).and_then(|number| Some((number, number.parse::<u32>().ok()?)));
     number.is_some_and(|(text, number)| range.contains(&number) && number.to_string() == text)

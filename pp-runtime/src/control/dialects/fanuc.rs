@@ -1,24 +1,26 @@
-//! Fanuc 30i, 31i and their kin.
+//! Fanuc 30i, 31i and related controls.
 //!
-//! A number without a point counts least increments, so every axis and feed word has one; `G4 P` counts milliseconds.
-//! `G43` and `G49` may move Z by the length of the tool. `G43 H` is therefore written in the block that moves Z to the
-//! approach point, and `G49` in the block that moves Z to its machine position.
+//! A number without a decimal point is in least increments, so every axis and feed word has one. `G4 P` is in
+//! milliseconds. `G43` and `G49` may move Z by the length of the tool. `G43 H` is therefore written in the block that
+//! moves Z to the approach point, and `G49` in the block that moves Z to its machine position.
 //!
 //! Length guard of the 30i and 31i with offset memory B or C and custom macros: `#10000+H` and `#11000+H` are the two
-//! parts of a length, geometry and wear. Machines differ in which is which (both orders are found in programs of
-//! machines), and `G43` takes their sum, so the guard does. They count in the unit of the program. `#3000` stops with an
-//! alarm and at most 26 characters.
+//! parts of a length, geometry and wear. Machines differ in which is which (programs of machines show both orders).
+//! `G43` takes their sum, and so does the guard. Both are in the unit of the program. `#3000` stops with an alarm of at
+//! most 26 characters.
 //!
-//! `G43.4 H` starts tip control in the block that goes to the first point; which frame it counts in is parameter 19696#5.
-//! `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` turns the axes. Of several poses it takes the
-//! one that turns the master axis least (B-63784EN, tool axis direction control), so they are turned there before.
+//! `G43.4 H` starts tip control in the block that moves to the first point. Parameter 19696#5 selects the frame of its
+//! coordinates. `G68.2` takes Euler angles about Z, the new X and the new Z, and `G53.1` rotates the axes. Of several
+//! poses it takes the one that rotates the master axis least (B-63784EN, tool axis direction control), so the axes are
+//! rotated to the planned pose before it.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    Arcs, Comments, CycleCodes, CycleForm, Cycles, Spellings, Thread, Tilting, Tip, Vectors, ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, Spellings, ThreadCodes, TiltedPlaneCodes,
+    TipControlCodes, ToolAxisWords, ascii_in_brackets,
 };
 
 /// The Fanuc dialect.
@@ -39,17 +41,17 @@ static SPELLINGS: Spellings = Spellings {
     },
     numerals: Numerals { point: true, plus: false },
     line_length: 132,
-    comment: Comments { marks: ["(", ")"], length: 72, byte: printed },
+    comment: CommentStyle { marks: ["(", ")"], length: 72, byte: printed },
     opening: &["%", "O{number} ({name})"],
     closing: &["%"],
     number_digits: 4,
-    arcs: Arcs {
-        // Parameter 3410 is 0.01 mm or more on machines in use; a word is off by less than this.
-        radius_tolerance: 0.002,
-        ..Arcs::ISO
+    arcs: ArcCodes {
+        // Parameter 3410 is 0.01 mm or more on machines in use; rounded words differ by less than this value.
+        radius_tolerance_mm: 0.002,
+        ..ArcCodes::ISO
     },
-    cycles: Some(Cycles {
-        can: CycleAbilities {
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities {
             ream_higher: true,
             tap_dwell: true,
             tap_stops: true,
@@ -57,7 +59,7 @@ static SPELLINGS: Spellings = Spellings {
             ..CycleAbilities::CODES
         },
         form: CycleForm::Codes(CycleCodes {
-            thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
+            thread: ThreadCodes::Cycle { codes: ["G84", "G74"], rigid: "M29 S{speed}" },
             dwell: "P{milliseconds}",
             ..CycleCodes::ISO
         }),
@@ -65,14 +67,14 @@ static SPELLINGS: Spellings = Spellings {
     dwell: &["G4 P{milliseconds}"],
     smoothing: [&["G05.1 Q1"], &["G05.1 Q1"], &["G05.1 Q1"]],
     smoothing_off: &["G05.1 Q0"],
-    tip: Some(Tip {
+    tip: Some(TipControlCodes {
         on: &[],
         with_length: Some("G43.4 H{offset} P{posture}"),
         off: &["G49"],
         reset: &[],
         ends_length: true,
         posture: ["0", "1"],
-        vectors: Some(Vectors {
+        vectors: Some(ToolAxisWords {
             words: ["I", "J", "K"],
             with_length: Some("G43.5 H{offset} P{posture}"),
             motion: None,
@@ -83,7 +85,7 @@ static SPELLINGS: Spellings = Spellings {
         turns_in_plane: true,
         note: "G43.4 and G49 must move nothing by themselves (parameter 5006#6 = 1)",
     }),
-    plane: Some(Tilting {
+    plane: Some(TiltedPlaneCodes {
         on: &["G68.2 X0. Y0. Z0. I{first} J{second} K{third}", "G53.1"],
         length_first: false,
         off: &["G69"],
@@ -92,14 +94,14 @@ static SPELLINGS: Spellings = Spellings {
         angles: PlaneAngles::EulerZxz,
         decimals: None,
         pose: PoseRule::Nearest,
-        ends_behind_retract: true,
-        note: "G53.1 must take the pose that turns the rotary axes least: they stand there already",
+        cancelled_after_retract: true,
+        note: "G53.1 must take the pose that rotates the rotary axes least; they are in it already",
     }),
     rotary_note: "the axes must not roll over (parameter 1008#0 = 0)",
     ..Spellings::ISO
 };
 
-/// Capitals, digits and signs that every model prints.
+/// The byte as a capital, digit or sign that every model can display.
 fn printed(byte: u8) -> u8 {
     match ascii_in_brackets(byte).to_ascii_uppercase() {
         byte @ (b'A'..=b'Z'
@@ -149,8 +151,14 @@ mod tests {
 
     #[test]
     fn the_length_guard_adds_geometry_and_wear_of_the_register_in_the_unit_of_the_program() {
-        let guard =
-            LengthGuard { label: 3, tool: 12, offset: 21, length: 114.3, tolerance: 0.01, units: Units::Millimetres };
+        let guard = LengthGuard {
+            label: 3,
+            tool: 12,
+            offset: 21,
+            length_mm: 114.3,
+            tolerance_mm: 0.01,
+            units: Units::Millimetres,
+        };
         let block = "IF [ABS[#10021+#11021-114.3] GT 0.01] THEN #3000=101 (T12 IS NOT 114.3 LONG)";
         assert_eq!(Fanuc.length_guard(&guard), [block]);
         let inches = Fanuc.length_guard(&LengthGuard { units: Units::Inches, ..guard });

@@ -1,20 +1,24 @@
 //! Haas NGC.
 //!
-//! Codes have two digits, as Haas writes them. As on Fanuc a number needs its point and `G43` is written with Z; the dwell
-//! is in seconds because its P has a point. Coolant through the spindle has an off code of its own.
+//! Codes have two digits, as Haas writes them. As on Fanuc, a number needs a decimal point and `G43` is written with Z.
+//! The dwell is in seconds because its P has a point. Coolant through the spindle has its own off code.
 //!
-//! Length guard of the NGC with macros: `#2000+H` is the length in the offset page, `#2200+H` its wear, for H1 to H200, in
-//! the unit of the machine, which is that of the program; `G43` takes their sum. To read them stops the look-ahead (Haas
-//! mill manual 96-8000, macros). `#3000` stops with an alarm.
+//! Length guard of the NGC with macros: `#2000+H` is the length in the offset page, `#2200+H` its wear, for H1 to H200,
+//! in the unit of the machine, which is that of the program; `G43` takes their sum. Reading them stops the look-ahead
+//! (Haas mill manual 96-8000, macros). `#3000` stops with an alarm.
 //!
-//! `G234 H` controls the tip in the frame of the table at zero. `G268` tilts a plane, with the length offset active before
-//! it, and `G253` turns the axes; `Q123` is the order of its angles.
+//! `G234 H` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero. `G268`
+//! tilts a plane, with the length offset active before it, and `G253` rotates the axes; `Q123` is the order of its
+//! angles.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule};
 use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
-use super::spellings::{Arcs, Comments, CycleCodes, CycleForm, Cycles, Spellings, Tilting, Tip, ascii_in_brackets};
+use super::spellings::{
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, Spellings, TiltedPlaneCodes, TipControlCodes,
+    ascii_in_brackets,
+};
 
 /// The Haas dialect.
 #[derive(Debug, Clone, Copy)]
@@ -34,15 +38,15 @@ static SPELLINGS: Spellings = Spellings {
     },
     numerals: Numerals { point: true, plus: false },
     line_length: 254,
-    comment: Comments { marks: ["(", ")"], length: 76, byte: ascii_in_brackets },
+    comment: CommentStyle { marks: ["(", ")"], length: 76, byte: ascii_in_brackets },
     opening: &["%", "O{number} ({name})"],
     closing: &["%"],
     number_digits: 5,
     rapid: "G00",
     feed: "G01",
-    arcs: Arcs { senses: ["G02", "G03"], ..Arcs::ISO },
-    cycles: Some(Cycles {
-        can: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
+    arcs: ArcCodes { senses: ["G02", "G03"], ..ArcCodes::ISO },
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities { ream_higher: true, tap_stops: true, tap_feed: true, ..CycleAbilities::CODES },
         form: CycleForm::Codes(CycleCodes::ISO),
     }),
     machine: ["G53 G00", ""],
@@ -55,7 +59,7 @@ static SPELLINGS: Spellings = Spellings {
     dwell: &["G04 P{seconds}"],
     smoothing: [&["G187 P1 E{path_tolerance}"], &["G187 P2 E{path_tolerance}"], &["G187 P3 E{path_tolerance}"]],
     smoothing_off: &["G187"],
-    tip: Some(Tip {
+    tip: Some(TipControlCodes {
         on: &[],
         with_length: Some("G234 H{offset}"),
         off: &["G49"],
@@ -67,7 +71,7 @@ static SPELLINGS: Spellings = Spellings {
         turns_in_plane: false,
         note: "G234 and G49 must move nothing by themselves",
     }),
-    plane: Some(Tilting {
+    plane: Some(TiltedPlaneCodes {
         on: &["G268 X0. Y0. Z0. I{first} J{second} K{third} Q123", "G253"],
         length_first: true,
         off: &["G269"],
@@ -76,11 +80,11 @@ static SPELLINGS: Spellings = Spellings {
         angles: PlaneAngles::FixedXyz,
         decimals: None,
         pose: PoseRule::Nearest,
-        ends_behind_retract: true,
-        note: "G43 H moves nothing by itself, G268 turns about X, then Y, then Z of the work offset, and G253 takes the \
-               pose where the axes stand",
+        cancelled_after_retract: true,
+        note: "G43 H must move nothing by itself, G268 must rotate about X, then Y, then Z of the work offset, and G253 \
+               must take the pose of the actual axis positions",
     }),
-    rotary_note: "the axes must not take the shortest way to an angle of another turn",
+    rotary_note: "the axes must not take the shortest path to an angle beyond 360",
     ..Spellings::ISO
 };
 

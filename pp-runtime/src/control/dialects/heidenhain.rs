@@ -1,33 +1,34 @@
 //! Heidenhain TNC 640 and iTNC 530, conversational.
 //!
-//! Every line has a number, comments too, and every motion begins with L, an arc with C, CR or, if it is a helix, CP:
-//! nothing but words, F and R0 stays in force.
-//! There is no inverse time, so F counts along the control's own path. The speed is part of TOOL CALL, which takes the
-//! length from the row of the tool. In a program in inches F counts tenths of an inch. A `~` at the end of a line goes on in the
-//! next, so no comment holds one. A dwell of cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
+//! Every line has a number, comments included. Every straight motion begins with L, an arc with C or CR, and a helix
+//! with CP; only axis words, F and R0 are modal. There is no inverse-time feed, so F applies to the control's own path.
+//! The spindle speed is part of TOOL CALL, which takes the length from the tool table. In an inch program F is in
+//! tenths of an inch. A `~` at the end of a line continues it in the next line, so no comment holds one. A dwell of
+//! cycle 9 is at most 3600 s (TNC 640 user's manual, 19.3).
 //!
-//! Length guard: `FN 18` reads from the row of the tool its length (ID50 NR1) and its oversize (NR4), which `TOOL CALL`
-//! adds up; always in millimetres, whatever the unit of the program. `QL` are parameters of this program alone. `FN 14`
-//! stops with a number, so the message is a comment before it.
+//! Length guard: `FN 18` reads the length (ID50 NR1) and the oversize (NR4) of the tool from the tool table, whose sum
+//! `TOOL CALL` takes; always in millimetres, whatever the unit of the program. `QL` parameters are local to this
+//! program. `FN 14` stops with an error number, so the message is a comment before it.
 //!
-//! `FUNCTION TCPM` controls the tip in the frame of the table at zero. `PLANE SPATIAL` turns about X, then Y, then Z of the
-//! frame it tilts (SPC·SPB·SPA as a product), and SEQ is the sign of the master axis, the first one from the tool. Both
-//! are off before a tool call and before M91.
+//! `FUNCTION TCPM` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero.
+//! `PLANE SPATIAL` rotates about X, then Y, then Z of the frame that it tilts (SPC·SPB·SPA as a product). SEQ is the
+//! sign of the master axis, the first one from the tool. Both are switched off before a tool call and before M91.
 //!
-//! A place with M99 calls the cycle that was defined last. All of them go from the clearance Q200 over the surface Q203 down
-//! by Q201, and afterwards out to Q204 over the surface at rapid. Cycle 200 goes down at once here. Cycle 205 goes out to Q200
-//! after each step Q202 and at rapid back to Q258 = Q259 over the last; cycle 203 only Q256 back, as long as there are no more
-//! breaks than Q213, and at last out at Q208. Cycle 201 goes out to Q200 at its own feed where Q208 is 0. Cycle 207 cuts with
-//! spindle and feed in step, left-hand where Q239 is negative, and leaves the spindle standing (user's manuals of cycle
-//! programming, iTNC 530 and TNC 640). F in them counts as elsewhere in the program.
+//! A position with M99 calls the cycle that was defined last. Each cycle moves from the set-up clearance Q200 above the
+//! surface Q203 down by Q201, and afterwards at rapid to Q204 above the surface. Cycle 200 is used without pecking.
+//! Cycle 205 retracts to Q200 after each step Q202 and returns at rapid to Q258 = Q259 above the last depth. Cycle 203
+//! retracts by Q256 only, as long as there are no more chip breaks than Q213, and moves out at Q208 at the end. Cycle
+//! 201 moves out to Q200 at its own feed where Q208 is 0. Cycle 207 synchronises spindle and feed, cuts a left-hand
+//! thread where Q239 is negative, and leaves the spindle stopped (user's manuals of cycle programming, iTNC 530 and TNC
+//! 640). F in cycles is in the same unit as elsewhere in the program.
 
 use crate::motion::{CycleAbilities, PathNorm, PlaneAngles, PoseRule, Registers};
 use crate::nc::{Formats, Numerals};
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Tilting, Tip,
-    Vectors, printable,
+    ArcCentre, ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
+    TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Heidenhain dialect.
@@ -98,8 +99,8 @@ static SPELLINGS: Spellings = Spellings {
     formats: Formats { linear_whole: 5, rotary_whole: 5, feed_whole: 5, speed_whole: 5, ..Formats::DEFAULT },
     numerals: Numerals { point: false, plus: true },
     line_length: 250,
-    counted: true,
-    comment: Comments { marks: ["; ", ""], length: 200, byte: commented },
+    numbers_every_line: true,
+    comment: CommentStyle { marks: ["; ", ""], length: 200, byte: commented },
     operation: Some(["* - ", ""]),
     opening: &["BEGIN PGM {name} {units}"],
     end: "M30",
@@ -110,7 +111,7 @@ static SPELLINGS: Spellings = Spellings {
     safety: &[
         "M129",
         "PLANE RESET STAY",
-        "{turning}",
+        "{rotary_path}",
         "CYCL DEF 247 DATUM SETTING ~\n  Q339=+{work_offset} ;DATUM NUMBER",
     ],
     per_minute: "",
@@ -121,17 +122,17 @@ static SPELLINGS: Spellings = Spellings {
     rapid: "L",
     rapid_end: "R0 FMAX",
     feed: "L",
-    arcs: Arcs {
+    arcs: ArcCodes {
         senses: ["DR-", "DR+"],
         // Arcs lie in the plane perpendicular to the axis of TOOL CALL.
         planes: [None, None, Some("")],
         centre: ArcCentre::Pole,
         radius: "R",
-        // 0.016 mm as delivered.
-        radius_tolerance: 0.01,
+        // The control accepts 0.016 mm as delivered.
+        radius_tolerance_mm: 0.01,
     },
-    cycles: Some(Cycles {
-        can: CycleAbilities {
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities {
             ream_higher: true,
             longest_dwell: 3_600_000,
             own_return: true,
@@ -179,15 +180,15 @@ static SPELLINGS: Spellings = Spellings {
         &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T{path_tolerance}", "CYCL DEF 32.2 HSC-MODE:0 TA{angle}"],
     ],
     smoothing_off: &["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1"],
-    turning: ["M127", "M126"],
-    tip: Some(Tip {
+    rotary_path: ["M127", "M126"],
+    tip: Some(TipControlCodes {
         on: &["FUNCTION TCPM F TCP AXIS POS PATHCTRL {posture}"],
         with_length: None,
         off: &["FUNCTION RESET TCPM"],
         reset: &["FUNCTION RESET TCPM"],
         ends_length: false,
         posture: ["AXIS", "VECTOR"],
-        vectors: Some(Vectors {
+        vectors: Some(ToolAxisWords {
             words: ["TX", "TY", "TZ"],
             with_length: None,
             motion: Some("LN"),
@@ -198,7 +199,7 @@ static SPELLINGS: Spellings = Spellings {
         turns_in_plane: true,
         note: "",
     }),
-    plane: Some(Tilting {
+    plane: Some(TiltedPlaneCodes {
         on: &["PLANE SPATIAL SPA{first} SPB{second} SPC{third} TURN MB MAX FMAX SEQ{pose} TABLE ROT"],
         length_first: false,
         off: &["PLANE RESET STAY"],
@@ -207,10 +208,10 @@ static SPELLINGS: Spellings = Spellings {
         angles: PlaneAngles::FixedXyz,
         decimals: Some(4),
         pose: PoseRule::Sign,
-        ends_behind_retract: false,
+        cancelled_after_retract: false,
         note: "the master axis of SEQ must be the rotary axis nearest the tool",
     }),
-    rotary_note: "M127 is in force, the axes take no shorter way",
+    rotary_note: "M127 is in force, so the axes do not take the shortest path",
 };
 
 fn commented(byte: u8) -> u8 {
@@ -222,7 +223,7 @@ impl Control for Heidenhain {
         &SPELLINGS
     }
 
-    /// A row of the datum table: G54 to G59 are its first six.
+    /// Row of the datum table; G54 to G59 are rows 1 to 6.
     fn work_offset(&self, word: &str) -> Option<String> {
         if numbered(word, "G", 54..=59) {
             let number: u32 = word.strip_prefix('G')?.parse().ok()?;
@@ -247,7 +248,7 @@ impl Control for Heidenhain {
             format!("FN 12: IF +QL1 LT {low} GOTO LBL \"OFF{label}\""),
             format!("FN 12: IF +QL1 LT {high} GOTO LBL \"FITS{label}\""),
             format!("LBL \"OFF{label}\""),
-            format!("; T{tool} was posted with L = {length} mm: the tool table says something else"),
+            format!("; T{tool} was posted with L = {length} mm: the length in the tool table differs"),
             "FN 14: ERROR = 100".to_owned(),
             format!("LBL \"FITS{label}\""),
         ]

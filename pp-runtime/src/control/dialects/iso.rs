@@ -1,15 +1,15 @@
-//! The base table of controls that write ISO blocks (ISO 6983-1, and what milling controls agree on beyond it).
+//! Base table of the controls that write ISO blocks (ISO 6983-1, and the codes beyond it that milling controls share).
 //!
-//! [`Spellings::ISO`] holds no name, no tip control and no tilted plane, and of the rest only what at least two of the
-//! controls share; whatever differs is stated in the control's own file, with its source. What no two of them share (name,
-//! title, line length, rotary note) is empty here, and a test refuses a control that leaves it so.
+//! [`Spellings::ISO`] has no name, no tip control and no tilted plane. Every other entry is shared by at least two of
+//! the controls; differences are in the file of the control, with their source. Entries that no two controls share
+//! (name, title, line length, rotary note) are empty here, and a test refuses a control that leaves them empty.
 
 use crate::motion::{CycleAbilities, PathNorm, Registers};
 use crate::nc::{Formats, Numerals};
 
 use super::spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Thread,
-    ascii_in_brackets,
+    ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
+    ThreadCodes, ascii_in_brackets,
 };
 
 impl Spellings {
@@ -20,8 +20,8 @@ impl Spellings {
         formats: Formats::DEFAULT,
         numerals: Numerals { point: false, plus: false },
         line_length: 0,
-        counted: false,
-        comment: Comments { marks: ["(", ")"], length: 72, byte: ascii_in_brackets },
+        numbers_every_line: false,
+        comment: CommentStyle { marks: ["(", ")"], length: 72, byte: ascii_in_brackets },
         operation: None,
         opening: &[],
         end: "M30",
@@ -38,8 +38,8 @@ impl Spellings {
         rapid: "G0",
         rapid_end: "",
         feed: "G1",
-        arcs: Arcs::ISO,
-        cycles: Some(Cycles { can: CycleAbilities::CODES, form: CycleForm::Codes(CycleCodes::ISO) }),
+        arcs: ArcCodes::ISO,
+        cycles: Some(HoleCycles { abilities: CycleAbilities::CODES, form: CycleForm::Codes(CycleCodes::ISO) }),
         motion_modal: true,
         no_compensation: "",
         compensation: ["G41 D{radius}", "G42 D{radius}", "G40"],
@@ -57,22 +57,22 @@ impl Spellings {
         longest_dwell: 99_999_000,
         smoothing: [&[], &[], &[]],
         smoothing_off: &[],
-        turning: ["", ""],
+        rotary_path: ["", ""],
         tip: None,
         plane: None,
         rotary_note: "",
     };
 }
 
-impl Arcs {
+impl ArcCodes {
     /// G2 and G3 in all three planes, the centre as I J K from the start.
     pub const ISO: Self = Self {
         senses: ["G2", "G3"],
         planes: [Some("G19"), Some("G18"), Some("G17")],
         centre: ArcCentre::Offsets,
         radius: "R",
-        // Less than the controls accept as delivered.
-        radius_tolerance: 0.002,
+        // Smaller than the limit of the controls as delivered.
+        radius_tolerance_mm: 0.002,
     };
 }
 
@@ -84,14 +84,15 @@ impl CycleCodes {
         peck: "G83",
         chip_break: "G73",
         ream: ["G85", "G89"],
-        thread: Thread::Cycle { codes: ["G84", "G74"], rigid: "" },
+        thread: ThreadCodes::Cycle { codes: ["G84", "G74"], rigid: "" },
         dwell: "P{seconds}",
         end: "G80",
     };
 }
 
 impl LengthCodes {
-    /// G43 H in the block that moves Z, and G49 in the block that moves Z to its machine position: both may move Z.
+    /// G43 H in the block that moves Z, and G49 in the block that moves Z to its machine position, because both may
+    /// move Z.
     pub const ISO: Self = Self {
         code: "G43 H{offset}",
         call: LengthCall::WithZ,

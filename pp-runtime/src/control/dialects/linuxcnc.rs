@@ -1,16 +1,17 @@
 //! LinuxCNC.
 //!
-//! The program ends with M2 and has no `%` frame: a file that lost its end has no M2 and is refused by the control.
-//! `G43 H` moves nothing, `G4 P` counts seconds, `G93` wants an F in every G1 block, and F in `G94` counts along X Y Z
-//! wherever one of them moves. `#5403` is the length that the tool table has for the tool in the spindle, whatever H is in force, in
-//! the unit of the machine and not in that of the program. Without a P after `G64` it would round corners as far as speed
-//! demands. Tip control and tilted planes are switched by codes of the configuration, if at all.
+//! The program ends with M2 and has no `%` lines: a truncated file has no M2, and the control refuses it. `G43 H` moves
+//! nothing, `G4 P` is in seconds, `G93` needs an F in every G1 block, and F in `G94` applies to the path of X Y Z
+//! wherever one of them moves. `#5403` is the length of the tool in the spindle in the tool table, whatever H is in
+//! force, in the unit of the machine and not of the program. `G64` without P would round corners without bound at high
+//! speed. Tip control is only switched by codes of the configuration; there is no tilted plane.
 
 use crate::motion::CycleAbilities;
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    Arcs, Comments, CycleCodes, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Thread, ascii_in_brackets,
+    ArcCodes, CommentStyle, CycleCodes, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings, ThreadCodes,
+    ascii_in_brackets,
 };
 
 /// The LinuxCNC dialect.
@@ -21,23 +22,23 @@ static SPELLINGS: Spellings = Spellings {
     name: "linuxcnc",
     title: "LinuxCNC",
     line_length: 254,
-    // Of 254 bytes: two brackets, and the "- " before a text that would be an order.
-    comment: Comments { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
+    // 254 bytes, less two brackets and the "- " before a text that would be a command.
+    comment: CommentStyle { marks: ["(", ")"], length: 250, byte: ascii_in_brackets },
     end: "M2",
     safety: &["{units} G17 G40 G49 G80 G90 G94 {work_offset} G64 P{path_tolerance}"],
-    arcs: Arcs {
-        // Where the radii differ by more the interpreter of 2.9 looks at their ratio, too.
-        radius_tolerance: 0.001_27,
-        ..Arcs::ISO
+    arcs: ArcCodes {
+        // If the radii differ by more, the interpreter of version 2.9 also compares their ratio.
+        radius_tolerance_mm: 0.001_27,
+        ..ArcCodes::ISO
     },
-    cycles: Some(Cycles {
-        can: CycleAbilities::CODES,
-        form: CycleForm::Codes(CycleCodes { thread: Thread::Motion("G33.1"), ..CycleCodes::ISO }),
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities::CODES,
+        form: CycleForm::Codes(CycleCodes { thread: ThreadCodes::Motion("G33.1"), ..CycleCodes::ISO }),
     }),
     preselect: false,
     // G43 moves nothing, and G53 leaves it in force.
     length: LengthCodes { call: LengthCall::Alone, off: "", machine_ends: false, ..LengthCodes::ISO },
-    rotary_note: "the axes must not be wrapped",
+    rotary_note: "the axes must not be wrapped (WRAPPED_ROTARY = 0)",
     ..Spellings::ISO
 };
 
@@ -57,15 +58,15 @@ impl Control for LinuxCnc {
     fn length_guard(&self, guard: &LengthGuard) -> Vec<String> {
         let LengthGuard { label, tool, .. } = *guard;
         if guard.offset != tool {
-            // The table holds nothing about the register of another tool.
+            // `#5403` is not the length of another register.
             return Vec::new();
         }
         let [length, tolerance] = guard.in_millimetres();
-        // The table of a machine in inches holds another number; no tool fits both ways.
+        // The table of a machine in inches holds the length in inches. No length fits in both units.
         let off = |table: &str| format!("[ABS[{table} - {length}] GT {tolerance}]");
         vec![
             format!("o{label} if [{} AND {}]", off("#5403"), off("[#5403 * 25.4]")),
-            format!("(abort, T{tool} was posted with L = {length} mm: the tool table says something else)"),
+            format!("(abort, T{tool} was posted with L = {length} mm: the length in the tool table differs)"),
             format!("o{label} endif"),
         ]
     }
@@ -76,7 +77,8 @@ impl Control for LinuxCnc {
     }
 }
 
-/// `(MSG,`, `(PRINT,`, `(LOGOPEN,`, `(AXIS,` are orders: a word and a comma at the beginning. Two orders need no comma.
+/// Whether a comment would be a command: it begins with a word and a comma, as `(MSG,`, `(PRINT,`, `(LOGOPEN,` and
+/// `(AXIS,` do, or with one of two words that need no comma.
 fn is_order(text: &[u8]) -> bool {
     let text = text.trim_ascii_start();
     let end = text.iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_').unwrap_or(text.len());
@@ -107,11 +109,17 @@ mod tests {
 
     #[test]
     fn the_length_guard_compares_with_the_table_in_either_unit() {
-        let guard =
-            LengthGuard { label: 3, tool: 12, offset: 12, length: 4.5 * 25.4, tolerance: 0.01, units: Units::Inches };
+        let guard = LengthGuard {
+            label: 3,
+            tool: 12,
+            offset: 12,
+            length_mm: 4.5 * 25.4,
+            tolerance_mm: 0.01,
+            units: Units::Inches,
+        };
         let blocks = LinuxCnc.length_guard(&guard);
         let condition = "o3 if [[ABS[#5403 - 114.3] GT 0.01] AND [ABS[[#5403 * 25.4] - 114.3] GT 0.01]]";
-        let message = "(abort, T12 was posted with L = 114.3 mm: the tool table says something else)";
+        let message = "(abort, T12 was posted with L = 114.3 mm: the length in the tool table differs)";
         assert_eq!(blocks, [condition, message, "o3 endif"]);
     }
 

@@ -1,7 +1,7 @@
-//! The dialects: one file a control, with its table of spellings and what tables cannot hold.
+//! Dialects: one file per control, with its table of codes and the methods for what no table can hold.
 //!
-//! A control that writes ISO blocks starts from [`Spellings::ISO`] and states what differs, with its manual and page; its
-//! `mod` line and its line in [`CONTROLS`] are all that is needed besides.
+//! A control that writes ISO blocks starts from [`Spellings::ISO`] and states its differences, with manual and page. A
+//! new control also needs its `mod` line and its line in [`CONTROLS`] in this file, and nothing else.
 
 mod control;
 mod fanuc;
@@ -15,11 +15,11 @@ mod spellings;
 pub use control::{Control, LengthGuard};
 pub(crate) use spellings::coolant_index;
 pub use spellings::{
-    ArcCentre, Arcs, Comments, CycleCodes, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings,
-    Thread, Tilting, Tip, Vectors,
+    ArcCentre, ArcCodes, CommentStyle, CycleCodes, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes,
+    Spellings, ThreadCodes, TiltedPlaneCodes, TipControlCodes, ToolAxisWords,
 };
 
-/// The list of controls, and the public name of each.
+/// Declares the list of controls and the public name of each.
 macro_rules! controls {
     ($($file:ident::$control:ident,)*) => {
         $(pub use $file::$control;)*
@@ -37,7 +37,7 @@ controls! {
     haas::Haas,
 }
 
-/// The control of that name, as on the command line.
+/// The control with this name of the command line; upper or lower case.
 #[must_use]
 pub fn by_name(name: &str) -> Option<&'static dyn Control> {
     CONTROLS.iter().copied().find(|control| control.spellings().name.eq_ignore_ascii_case(name))

@@ -1,33 +1,35 @@
 //! Siemens 840D sl and ONE.
 //!
-//! A name that ends in a digit is parted from its number by `=` (`C1=30`). The length belongs to the cutting edge D of
-//! the tool; `D0` in a block of machine coordinates takes it away, so it is called again before the next motion. `G4 F`
-//! counts seconds and leaves the feed alone. `TRAFOOF` comes before the work offset, which it may clear.
+//! An axis name that ends in a digit is separated from its value by `=` (`C1=30`). The length belongs to the cutting
+//! edge D of the tool. `D0` in a block of machine coordinates cancels it, so D is called again before the next motion.
+//! `G4 F` is in seconds and does not change the feed. `TRAFOOF` comes before the work offset, which it may clear.
 //!
 //! Length guard: `$P_TOOLL[1]` is the first length of the active edge with wear and adapter, whatever number the tool
-//! management has given the tool; with `G710` and `G700` a program reads it in its own unit (Basic Functions 6FC5397-0BP40,
-//! G2, 7.3). `M0` holds with the message in sight, and `M30` after it ends the program. Alarms of `SETAL` would need texts
-//! of the machine.
+//! management gave the tool. With `G710` and `G700` a program reads it in its own unit (Basic Functions 6FC5397-0BP40,
+//! G2, 7.3). `M0` stops with the message displayed, and `M30` after it ends the program. Alarms of `SETAL` would need
+//! alarm texts in the machine.
 //!
-//! `TRAORI` controls the tip in the frame of the table at zero; after it the work offset is called again. `CYCLE800` in
-//! mode 57 turns about X, the new Y and the new Z. Its direction -1 or 1 takes the pose with the lower or the higher value
-//! of the axis that is the direction reference of the swivel data (828D operating manual, 10.6).
+//! `TRAORI` switches on tip control, with coordinates in the frame of the table with its rotary axes at zero; after it
+//! the work offset is called again. `CYCLE800` in mode 57 rotates about X, the new Y and the new Z. Its direction -1 or
+//! 1 takes the pose with the lower or the higher value of the axis that is the direction reference of the swivel data
+//! (828D operating manual, 10.6).
 //!
-//! After `MCALL CYCLE81(..)` each motion ends with the cycle until `MCALL` alone. Arguments (840D Cycles PGZ, 2.1, and 840D
-//! sl, which adds those from `_AXN` on): RTP, RFP, SDIS, DP are the levels it comes back to, top, height of the clearance over
-//! it, bottom. `CYCLE82` adds DPR, DTB; `CYCLE83` DPR, FDEP, FDPR (depth of a step), DAM (0: all alike), DTB, DTS, FRF, VARI
-//! (1 out of the hole, 0 chips broken), _AXN, _MDEP, _VRT (how far back), _DTD (wait at the bottom), _DIS1 (how near it comes
-//! again); `CYCLE85` DPR, DTB, FFR, RFF; `CYCLE84` DPR, DTB, SDAC (sense of the spindle afterwards), MPIT, PIT (negative:
-//! left-hand), POSS, SST, SST1, _AXN, _PITA (1 mm, 3 inches). What is left for the last two steps of `CYCLE83` is halved, so
-//! only whole steps are written with it.
+//! After `MCALL CYCLE81(..)` each motion ends with the cycle until `MCALL` alone. Arguments (840D Cycles PGZ, 2.1, and
+//! 840D sl, which adds those from `_AXN` on): RTP return level, RFP surface, SDIS clearance above the surface, DP
+//! bottom. `CYCLE82` adds DPR, DTB. `CYCLE83` adds DPR, FDEP, FDPR (depth of a step), DAM (0: all steps alike), DTB,
+//! DTS, FRF, VARI (1 retract out of the hole, 0 chip breaking), _AXN, _MDEP, _VRT (retract distance), _DTD (dwell at
+//! the bottom), _DIS1 (distance above the last depth after a retract). `CYCLE85` adds DPR, DTB, FFR, RFF. `CYCLE84`
+//! adds DPR, DTB, SDAC (sense of rotation after the cycle), MPIT, PIT (negative: left-hand), POSS, SST, SST1, _AXN,
+//! _PITA (1 mm, 3 inches). `CYCLE83` divides the rest before the last two steps in halves, so it is only used for whole
+//! steps.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
 
 use super::control::{Control, LengthGuard, numbered};
 use super::spellings::{
-    Arcs, Comments, CycleDefinitions, CycleForm, Cycles, LengthCall, LengthCodes, Spellings, Tilting, Tip, Vectors,
-    printable,
+    ArcCodes, CommentStyle, CycleDefinitions, CycleForm, HoleCycles, LengthCall, LengthCodes, Spellings,
+    TiltedPlaneCodes, TipControlCodes, ToolAxisWords, printable,
 };
 
 /// The Siemens dialect.
@@ -39,21 +41,21 @@ static SPELLINGS: Spellings = Spellings {
     title: "Siemens 840D",
     formats: Formats { linear_whole: 6, rotary_whole: 6, feed_whole: 9, speed_whole: 6, ..Formats::DEFAULT },
     line_length: 512,
-    comment: Comments { marks: ["; ", ""], length: 200, byte: printable },
+    comment: CommentStyle { marks: ["; ", ""], length: 200, byte: printable },
     operation: Some(["MSG(\"", "\")"]),
     units: ["G710", "G700"],
     safety: &["TRAFOOF", "CYCLE800()", "{units} G17 G40 G64 G90 G94 {work_offset}"],
-    arcs: Arcs {
-        // In another plane the length of the tool counts along X or Y, at once, unless SD42940 keeps it
+    arcs: ArcCodes {
+        // In another plane the tool length applies at once along X or Y, unless SD42940 keeps it along Z
         // (6FC5398-1BP10-2BA0, 8.17.4).
         planes: [None, None, Some("G17")],
         radius: "CR=",
         // MD21000, as delivered.
-        radius_tolerance: 0.01,
-        ..Arcs::ISO
+        radius_tolerance_mm: 0.01,
+        ..ArcCodes::ISO
     },
-    cycles: Some(Cycles {
-        can: CycleAbilities {
+    cycles: Some(HoleCycles {
+        abilities: CycleAbilities {
             ream_higher: true,
             tap_dwell: true,
             steps_dwell: true,
@@ -99,15 +101,15 @@ static SPELLINGS: Spellings = Spellings {
         &["CYCLE832({path_tolerance},1)"],
     ],
     smoothing_off: &["CYCLE832()"],
-    tip: Some(Tip {
+    tip: Some(TipControlCodes {
         on: &["TRAORI", "{posture}", "{work_offset}"],
         with_length: None,
         off: &["TRAFOOF"],
         reset: &[],
         ends_length: false,
         posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
-        // In ORIMKS they would be counted in the frame of the machine.
-        vectors: Some(Vectors {
+        // In ORIMKS they would be components in the machine frame.
+        vectors: Some(ToolAxisWords {
             words: ["A3=", "B3=", "C3="],
             with_length: None,
             motion: None,
@@ -118,7 +120,7 @@ static SPELLINGS: Spellings = Spellings {
         turns_in_plane: true,
         note: "",
     }),
-    plane: Some(Tilting {
+    plane: Some(TiltedPlaneCodes {
         on: &["CYCLE800(0,{swivel_data},0,57,0,0,0,{first},{second},{third},0,0,0,{pose},0)"],
         length_first: false,
         off: &["CYCLE800()"],
@@ -127,7 +129,7 @@ static SPELLINGS: Spellings = Spellings {
         angles: PlaneAngles::MovingXyz,
         decimals: Some(6),
         pose: PoseRule::Side,
-        ends_behind_retract: true,
+        cancelled_after_retract: true,
         note: "the direction reference of the swivel data must be the rotary axis nearest the tool",
     }),
     rotary_note: "the axes must not be modulo axes (MD30310 = 0)",
@@ -154,7 +156,7 @@ impl Control for Siemens {
     }
 
     fn file_header(&self, name: &str) -> Vec<String> {
-        // Names of files have at most 24 characters.
+        // File names have at most 24 characters.
         vec![format!("%_N_{}_MPF", &name[..name.len().min(24)]), ";$PATH=/_N_MPF_DIR".to_owned()]
     }
 
@@ -162,7 +164,7 @@ impl Control for Siemens {
         let [length, tolerance] = guard.in_program();
         vec![
             format!("IF ABS($P_TOOLL[1]-{length})>{tolerance}"),
-            format!("MSG(\"T{} was posted with L = {length}: the tool data say something else\")", guard.tool),
+            format!("MSG(\"T{} was posted with L = {length}: the length in the tool data differs\")", guard.tool),
             "M0".to_owned(),
             "M30".to_owned(),
             "ENDIF".to_owned(),

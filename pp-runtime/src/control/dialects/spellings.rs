@@ -1,4 +1,4 @@
-//! The table of a control: what its codes look like.
+//! Table of a control: its codes, the form of its numbers and comments, and its functions.
 //!
 //! Texts with braces are [templates](crate::control::template).
 
@@ -13,301 +13,302 @@ use crate::program::{Coolant, Rotation};
 pub struct Spellings {
     /// Name on the command line.
     pub name: &'static str,
-    /// Name for people.
+    /// Name in messages.
     pub title: &'static str,
-    /// Digits of its words.
+    /// Digits of the numbers in its words.
     pub formats: Formats,
-    /// What its numbers look like.
+    /// Form of its numbers: decimal point, sign.
     pub numerals: Numerals,
-    /// Longest line the control reads, line end not counted.
+    /// Length of the longest line that the control reads, bytes without the line end.
     pub line_length: usize,
-    /// Every line has a number, from 0 on and without N.
-    pub counted: bool,
-    /// Comments.
-    pub comment: Comments,
-    /// Before and after the name of an operation, where that is no comment.
+    /// Every line has a number, counted from 0 and written without N.
+    pub numbers_every_line: bool,
+    /// Form of comments.
+    pub comment: CommentStyle,
+    /// Text before and after the name of an operation; `None` if the name is written as a comment.
     pub operation: Option<[&'static str; 2]>,
-    /// Lines before everything else.
+    /// First lines of the program.
     pub opening: &'static [&'static str],
     /// Last block.
     pub end: &'static str,
     /// Lines after the last block.
     pub closing: &'static [&'static str],
-    /// Digits of the program number; 0: programs have none.
+    /// Digits of the program number; 0 if programs have no number.
     pub number_digits: usize,
-    /// The program's name is one word of capitals, digits and `_`.
+    /// The program name may only hold capitals, digits and `_`.
     pub plain_name: bool,
-    /// `{units}` for millimetres and for inches.
+    /// Value of `{units}` for millimetres and for inches.
     pub units: [&'static str; 2],
-    /// Safety blocks of a restart point: everything cancelled, absolute, feed per minute, work offset.
+    /// Safety blocks of a restart point: cancel all modal functions; absolute mode, feed per minute, work offset.
     pub safety: &'static [&'static str],
-    /// Feed per minute.
+    /// Code of feed per minute.
     pub per_minute: &'static str,
-    /// Title of a work offset for people, before its word.
+    /// Text before the word of a work offset in the program header.
     pub offset_title: &'static str,
-    /// Inverse time, F in 1/min; `None` if the control has none.
+    /// Code of inverse-time feed, F in 1/min; `None` if the control has none.
     pub inverse_time: Option<&'static str>,
-    /// The path along which F counts where a rotary axis moves.
+    /// Path to which F applies where a rotary axis moves.
     pub path_norm: PathNorm,
-    /// Units of F in one unit of length of an inch program.
+    /// Number of units of F in one inch, in an inch program.
     pub feed_per_inch: f64,
-    /// Rapid.
+    /// Code of a rapid.
     pub rapid: &'static str,
-    /// After the words of a rapid.
+    /// Codes after the words of a rapid.
     pub rapid_end: &'static str,
-    /// Feed.
+    /// Code of a straight motion at feed.
     pub feed: &'static str,
-    /// Arcs.
-    pub arcs: Arcs,
-    /// Cycles of holes.
-    pub cycles: Option<Cycles>,
-    /// The motion code stays in force.
+    /// Codes of arcs.
+    pub arcs: ArcCodes,
+    /// Hole cycles; `None` if the control has none.
+    pub cycles: Option<HoleCycles>,
+    /// The motion code is modal.
     pub motion_modal: bool,
-    /// Path without cutter compensation, after the axis words; stays in force.
+    /// Modal code after the axis words for a path without cutter compensation.
     pub no_compensation: &'static str,
     /// Cutter compensation left, right and off, as templates.
     pub compensation: [&'static str; 3],
-    /// Around the words of a rapid in machine coordinates.
+    /// Codes before and after the words of a rapid in machine coordinates.
     pub machine: [&'static str; 2],
-    /// Tool call, and the tool after it.
+    /// Tool change, and preselection of the next tool.
     pub tool_change: &'static [&'static str],
-    /// The tool after it is called up unless the configuration sets otherwise.
+    /// The next tool is preselected unless the configuration sets otherwise.
     pub preselect: bool,
-    /// Length offset.
+    /// Codes of the length offset.
     pub length: LengthCodes,
-    /// Speed in a block of its own, where that of the spindle cannot hold it.
+    /// Block that sets the spindle speed; `None` if the block of `spindle` holds it.
     pub speed: Option<&'static str>,
-    /// Spindle clockwise and counter-clockwise.
+    /// Spindle on, clockwise and counter-clockwise.
     pub spindle: [&'static str; 2],
     /// Spindle stop.
     pub spindle_off: &'static str,
     /// Coolant off.
     pub coolant_off: &'static str,
-    /// Flood, mist, through the spindle and air: on and off.
+    /// On and off codes of flood, mist, coolant through the spindle, and air.
     pub coolant: [Option<[&'static str; 2]>; 4],
-    /// Stop, and stop where the operator has asked for it.
+    /// Program stop, and optional stop.
     pub stop: [&'static str; 2],
     /// Dwell.
     pub dwell: &'static [&'static str],
-    /// Longest dwell that it can hold, milliseconds; a longer one is written as several.
+    /// Longest dwell of one block, ms; a longer one is written as several blocks.
     pub longest_dwell: u32,
-    /// Smoothing on, for roughing, medium and finishing; empty if only `safety` can ask for it.
+    /// Smoothing on, for roughing, medium and finishing; empty if only `safety` can switch it on.
     pub smoothing: [&'static [&'static str]; 3],
     /// Smoothing off.
     pub smoothing_off: &'static [&'static str],
-    /// Rotary axes rotate as their words state, or by the shortest path.
-    pub turning: [&'static str; 2],
-    /// Tip control; `None` if only the configuration can state how it is switched.
-    pub tip: Option<Tip>,
-    /// Tilted planes.
-    pub plane: Option<Tilting>,
-    /// Assumption about the rotary axes of this control where words go beyond 360°.
+    /// Codes for rotary axes that rotate as their words state, and by the shortest path.
+    pub rotary_path: [&'static str; 2],
+    /// Codes of tip control; `None` if only the configuration can state them.
+    pub tip: Option<TipControlCodes>,
+    /// Codes of tilted planes.
+    pub plane: Option<TiltedPlaneCodes>,
+    /// Condition on the rotary axes of the machine where words go beyond 360°; printed in the program header.
     pub rotary_note: &'static str,
 }
 
-/// How arcs look.
+/// Codes of arcs and helices.
 #[derive(Debug)]
-pub struct Arcs {
-    /// Clockwise and counter-clockwise.
+pub struct ArcCodes {
+    /// Codes of a clockwise and a counter-clockwise arc.
     pub senses: [&'static str; 2],
-    /// The planes perpendicular to X, to Y and to Z, stated before an arc and in force from there on; `None`: no arcs in it.
+    /// Modal codes of the planes perpendicular to X, Y and Z, written before an arc; `None` if no arc is written in it.
     pub planes: [Option<&'static str>; 3],
-    /// How the centre is written.
+    /// Form of the centre.
     pub centre: ArcCentre,
-    /// Address of a radius in the place of the centre.
+    /// Address of the radius, where it is written instead of the centre.
     pub radius: &'static str,
-    /// Largest difference of the distances of both ends from the centre, mm.
-    pub radius_tolerance: f64,
+    /// Largest permitted difference between the radii at both ends of an arc, mm.
+    pub radius_tolerance_mm: f64,
 }
 
-/// How cycles of holes look.
+/// Hole cycles of a control.
 #[derive(Debug)]
-pub struct Cycles {
+pub struct HoleCycles {
     /// Cycles that the planner may use.
-    pub can: CycleAbilities,
-    /// How they are written.
+    pub abilities: CycleAbilities,
+    /// Form of the cycles.
     pub form: CycleForm,
 }
 
-/// How a cycle is written.
+/// Form of hole cycles.
 #[derive(Debug)]
 pub enum CycleForm {
-    /// A code with X Y Z R and what belongs to it, in force until it is cancelled.
+    /// A code with X Y Z R and further words, modal until it is cancelled.
     Codes(CycleCodes),
-    /// Blocks that define it, and each place in a block of its own.
+    /// Blocks that define the cycle, then one block for each position.
     Definitions(CycleDefinitions),
 }
 
-/// A cycle by a code.
+/// Codes of hole cycles.
 #[derive(Debug)]
 pub struct CycleCodes {
-    /// Back to the clearance level, and to the level before.
+    /// Return to the R plane, and return to the initial level.
     pub returns: [&'static str; 2],
-    /// In and out; the same with a wait at the bottom.
+    /// Drilling without and with dwell at the bottom.
     pub drill: [&'static str; 2],
-    /// With a retreat to the clearance level after each step.
+    /// Pecking: full retract to the R plane after each step.
     pub peck: &'static str,
-    /// With a short retreat after each step.
+    /// Chip breaking: short retract after each step.
     pub chip_break: &'static str,
-    /// Out at feed; the same with a wait at the bottom.
+    /// Reaming (retract at feed) without and with dwell at the bottom.
     pub ream: [&'static str; 2],
-    /// Threads.
-    pub thread: Thread,
-    /// The wait, as a template.
+    /// Tapping.
+    pub thread: ThreadCodes,
+    /// Word of the dwell, as a template.
     pub dwell: &'static str,
-    /// Cancels it.
+    /// Code that cancels the cycle.
     pub end: &'static str,
 }
 
-/// A cycle by blocks that are templates.
+/// Blocks of hole cycles, as templates.
 #[derive(Debug)]
 pub struct CycleDefinitions {
-    /// In and out, with a wait at the bottom that may be 0.
+    /// Drilling with dwell at the bottom, which may be 0.
     pub drill: &'static [&'static str],
-    /// The same where nothing is waited for, if that is another one.
+    /// Drilling without dwell, where that is another cycle.
     pub plain_drill: Option<&'static [&'static str]>,
-    /// With a retreat to the clearance level after each step.
+    /// Pecking: full retract to the clearance level after each step.
     pub peck: &'static [&'static str],
-    /// With a short retreat after each step.
+    /// Chip breaking: short retract after each step.
     pub chip_break: &'static [&'static str],
-    /// Out at feed.
+    /// Reaming: retract at feed.
     pub ream: &'static [&'static str],
-    /// A thread.
+    /// Tapping.
     pub thread: &'static [&'static str],
-    /// After the words of a place, where each calls the cycle by itself and the definition outlives other motions.
+    /// Code after the words of a position that calls the cycle. The definition then survives other motions. Empty if
+    /// every motion calls the cycle.
     pub call: &'static str,
-    /// Ends it, where every motion calls it.
+    /// Block that ends the cycle, where every motion calls it.
     pub end: &'static str,
 }
 
-/// How a thread is cut, where cycles are codes.
+/// Tapping in controls whose cycles are codes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Thread {
-    /// By a cycle with F.
+pub enum ThreadCodes {
+    /// Cycle with F.
     Cycle {
-        /// Right-hand and left-hand.
+        /// Codes of a right-hand and a left-hand thread.
         codes: [&'static str; 2],
-        /// Brings the spindle under control of its angle, as a template.
+        /// Block that switches rigid tapping on, as a template.
         rigid: &'static str,
     },
-    /// By a motion with the pitch as K, which returns to its start.
+    /// Motion with the pitch as K, which returns to its start.
     Motion(&'static str),
 }
 
-/// How the centre of an arc is written.
+/// Form of the centre of an arc.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArcCentre {
-    /// In the block, as I J K counted from the start.
+    /// I J K in the block of the arc, relative to its start.
     Offsets,
-    /// In a block of its own, `CC` with coordinates; a helix counts its angle.
+    /// Block `CC` with absolute coordinates before the arc; a helix is programmed by its angle.
     Pole,
 }
 
-/// How comments look.
+/// Form of comments.
 #[derive(Debug)]
-pub struct Comments {
-    /// Before and after the text.
+pub struct CommentStyle {
+    /// Marks before and after the text.
     pub marks: [&'static str; 2],
-    /// Most bytes of text in one line.
+    /// Largest number of bytes of text in one line.
     pub length: usize,
-    /// The byte that is written for one of the text.
+    /// Byte written for a byte of the text.
     pub byte: fn(u8) -> u8,
 }
 
-/// How a length offset is called and cancelled.
+/// Codes that call and cancel the length offset.
 #[derive(Debug)]
 pub struct LengthCodes {
-    /// The code.
+    /// Code that calls it.
     pub code: &'static str,
-    /// The block in which it is called.
+    /// Block in which it is called.
     pub call: LengthCall,
-    /// Cancels it in a block of machine coordinates.
+    /// Code that cancels it in a block of machine coordinates.
     pub off: &'static str,
-    /// A block of machine coordinates ends it.
+    /// A block of machine coordinates cancels it.
     pub machine_ends: bool,
-    /// The meaning of the register.
+    /// Meaning of the register.
     pub registers: Registers,
-    /// Address of the register, for people.
+    /// Address of the register in the program header.
     pub address: &'static str,
 }
 
-/// How tip control is switched.
+/// Codes of tip control.
 #[derive(Debug)]
-pub struct Tip {
-    /// Blocks that switch it on; empty if it comes with the length offset.
+pub struct TipControlCodes {
+    /// Blocks that switch it on; empty if the call of the length offset does.
     pub on: &'static [&'static str],
-    /// The code in the place of the length offset.
+    /// Code instead of that of the length offset, which switches on both.
     pub with_length: Option<&'static str>,
     /// Blocks that switch it off.
     pub off: &'static [&'static str],
-    /// Blocks of a restart point besides those of `safety`.
+    /// Blocks of a restart point in addition to those of `safety`.
     pub reset: &'static [&'static str],
-    /// It goes together with the length offset, which has to be called again.
+    /// Switching it off also cancels the length offset, which must be called again.
     pub ends_length: bool,
-    /// Words for a tool axis that follows the rotary axes, and for one that rotates in the plane of its ends.
+    /// Value of `{posture}`: the tool axis follows the rotary axes, or rotates in the plane of its start and end.
     pub posture: [&'static str; 2],
-    /// How it takes the tool axis as a vector, if it does.
-    pub vectors: Option<Vectors>,
-    /// The frame in which it counts is a setting of the machine.
+    /// Words for the tool axis as a vector; `None` if the control takes none.
+    pub vectors: Option<ToolAxisWords>,
+    /// A machine parameter selects the frame of its coordinates.
     pub frame_is_set: bool,
-    /// It can rotate the tool axis in the plane of its ends.
+    /// It can rotate the tool axis in the plane of its start and end.
     pub turns_in_plane: bool,
-    /// Its assumption about the machine.
+    /// Condition on the machine, printed in the program header; empty if there is none.
     pub note: &'static str,
 }
 
-/// How a tool axis is written as a vector.
+/// Words for the tool axis as a vector.
 #[derive(Debug)]
-pub struct Vectors {
+pub struct ToolAxisWords {
     /// Addresses of its components.
     pub words: [&'static str; 3],
-    /// The code in the place of the length offset.
+    /// Code instead of that of the length offset, which switches on both.
     pub with_length: Option<&'static str>,
-    /// Codes of a straight motion that holds one, rapid and at feed, where they are codes of their own.
+    /// Code of a straight motion with a vector, at rapid and at feed; `None` if the usual codes apply.
     pub motion: Option<&'static str>,
-    /// The end of a rapid that holds one.
+    /// Codes after the words of a rapid with a vector.
     pub rapid_end: &'static str,
-    /// As [`Tip::posture`].
+    /// As [`TipControlCodes::posture`].
     pub posture: [&'static str; 2],
 }
 
-/// How a plane is tilted.
+/// Codes of tilted planes.
 #[derive(Debug)]
-pub struct Tilting {
-    /// Blocks that tilt it.
+pub struct TiltedPlaneCodes {
+    /// Blocks that tilt the plane.
     pub on: &'static [&'static str],
-    /// The length offset is called before it.
+    /// The length offset is called before these blocks.
     pub length_first: bool,
-    /// Blocks that cancel it.
+    /// Blocks that cancel the plane.
     pub off: &'static [&'static str],
-    /// Blocks of a restart point besides those of `safety`.
+    /// Blocks of a restart point in addition to those of `safety`.
     pub reset: &'static [&'static str],
-    /// Words for the pose with the lower, and with the higher angle.
+    /// Value of `{pose}` for the pose with the lower, and with the higher angle.
     pub poses: [&'static str; 2],
-    /// The meaning of its words.
+    /// Meaning of its angles.
     pub angles: PlaneAngles,
-    /// Decimals of its angles; `None`: as many as rotary words have.
+    /// Decimals of its angles; `None` if as many as rotary words have.
     pub decimals: Option<u32>,
-    /// How the control chooses its pose.
+    /// Rule by which the control selects the pose of the rotary axes.
     pub pose: PoseRule,
-    /// It is cancelled after the machine retract.
-    pub ends_behind_retract: bool,
-    /// Its assumption about the machine.
+    /// The plane is cancelled after the machine retract, not before.
+    pub cancelled_after_retract: bool,
+    /// Condition on the machine, printed in the program header; empty if there is none.
     pub note: &'static str,
 }
 
-/// The block in which a length offset is called.
+/// Block in which a length offset is called.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthCall {
-    /// In a block of its own: it moves nothing.
+    /// Block of its own, because the call moves nothing.
     Alone,
-    /// In the block that moves Z: it may move by itself.
+    /// Block that moves Z, because the call may move Z.
     WithZ,
-    /// The tool call has done it.
+    /// The tool call, which includes it.
     WithTool,
 }
 
-/// The index of a kind of coolant in a table.
+/// Index of a kind of coolant in [`Spellings::coolant`].
 pub(crate) fn coolant_index(coolant: Coolant) -> Option<usize> {
     match coolant {
         Coolant::On | Coolant::Flood => Some(0),
@@ -319,7 +320,7 @@ pub(crate) fn coolant_index(coolant: Coolant) -> Option<usize> {
 }
 
 impl Spellings {
-    /// The code of a sense of rotation.
+    /// Code that switches the spindle on in this sense of rotation.
     #[must_use]
     pub fn rotation(&self, rotation: Rotation) -> &'static str {
         match rotation {
@@ -329,7 +330,7 @@ impl Spellings {
     }
 }
 
-/// A printable byte of ASCII that closes no comment in brackets.
+/// Printable ASCII byte that does not close a comment in brackets.
 pub(crate) fn ascii_in_brackets(byte: u8) -> u8 {
     match byte {
         b'(' => b'[',
@@ -339,7 +340,7 @@ pub(crate) fn ascii_in_brackets(byte: u8) -> u8 {
     }
 }
 
-/// A printable byte of ASCII.
+/// Printable ASCII byte.
 pub(crate) fn printable(byte: u8) -> u8 {
     match byte {
         b'\t' => b' ',

@@ -1,5 +1,5 @@
-//! The frame in which words count: tip control and tilted planes, and the blocks that reset them, restart points and tool
-//! changes.
+//! Blocks that change the frame of the words: tip control and tilted planes, and the restart points and tool changes
+//! that reset them.
 
 use std::io::{self, Write};
 
@@ -10,7 +10,7 @@ use crate::nc::Decimal;
 use super::modal_state::{After, LengthState};
 use super::modal_writer::ModalWriter;
 
-/// Writes what switches the frame, with the blocks that the configuration has in the place of the control's.
+/// Writes the blocks that change the frame: those of the configuration, or those of the control.
 #[derive(Debug)]
 pub(crate) struct FrameWriter {
     mode: Mode,
@@ -23,15 +23,15 @@ impl FrameWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self {
             mode: layout.mode,
-            tip_control: layout.setup.tip_control.clone(),
-            safety: layout.setup.safety.clone(),
-            tool_change: layout.setup.tool_change.clone(),
+            tip_control: layout.options.tip_control.clone(),
+            safety: layout.options.safety.clone(),
+            tool_change: layout.options.tool_change.clone(),
         }
     }
 
-    /// Tip control on or off; where it comes with the length offset, with the next motion.
+    /// Switches tip control on or off. Where the length offset switches it on, that happens with the next motion.
     pub(crate) fn tip_control<W: Write>(&self, on: bool, out: &mut ModalWriter<W>) -> io::Result<()> {
-        out.usual_plane()?;
+        out.select_xy_plane()?;
         out.modal().forget(After::FrameChange);
         if let Some(codes) = &self.tip_control {
             return out.block(&codes[usize::from(!on)]);
@@ -50,7 +50,7 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// Tilts the plane. The control rotates the axes to it, and its blocks may bring codes of their own.
+    /// Tilts the plane. The control rotates the axes to it and may change modal codes.
     pub(crate) fn tilt<W: Write>(
         &self,
         angles: [Decimal; 3],
@@ -58,14 +58,14 @@ impl FrameWriter {
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
         let Some(plane) = &out.codes().plane else { return Ok(()) };
-        out.usual_plane()?;
+        out.select_xy_plane()?;
         if plane.length_first {
             out.call_length_now()?;
         }
         out.values().plane = angles;
         out.values().pose = match (pose, plane.pose) {
             (Some(higher), _) => plane.poses[usize::from(higher)],
-            // Where both poses are one, a control that wants a word gets one.
+            // Where both poses are the same, a control that needs a word still gets one.
             (None, PoseRule::Side) => plane.poses[1],
             (None, PoseRule::Nearest | PoseRule::Sign) => "",
         };
@@ -74,7 +74,7 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// Gives the tilted plane up.
+    /// Cancels the tilted plane.
     pub(crate) fn tilt_off<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
         let Some(plane) = &out.codes().plane else { return Ok(()) };
         out.smooth(false)?;
@@ -83,7 +83,7 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// The blocks of a restart point, the first one with this number.
+    /// Writes the blocks of a restart point, the first one with this block number.
     pub(crate) fn restart<W: Write>(&self, number: u32, out: &mut ModalWriter<W>) -> io::Result<()> {
         out.smooth(false)?;
         out.modal().forget(After::Anything);
@@ -101,7 +101,7 @@ impl FrameWriter {
         Ok(())
     }
 
-    /// Cancels what `safety` leaves, in a mode that uses it.
+    /// Cancels the tip control or tilted plane of the mode, which `safety` does not cancel.
     fn reset<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
         let codes = out.codes();
         match self.mode {
@@ -115,7 +115,7 @@ impl FrameWriter {
         }
     }
 
-    /// Changes the tool to the one of the values.
+    /// Writes the change to the tool of the values.
     pub(crate) fn tool_change<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
         match &self.tool_change {
             Some(blocks) => out.fill_all(blocks)?,

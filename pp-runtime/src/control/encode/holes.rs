@@ -1,8 +1,8 @@
-//! Holes by cycles of the control.
+//! Hole cycles of the control.
 
 use std::io::{self, Write};
 
-use crate::control::dialects::{CycleCodes, CycleDefinitions, CycleForm, Thread};
+use crate::control::dialects::{CycleCodes, CycleDefinitions, CycleForm, ThreadCodes};
 use crate::control::layout::Layout;
 use crate::motion::{CannedCycle, CannedKind, Words};
 use crate::nc::Decimal;
@@ -12,22 +12,22 @@ use super::modal_state::After;
 use super::modal_writer::ModalWriter;
 use super::values::HoleValues;
 
-/// Writes cycles, and knows which one is in force.
+/// Writes hole cycles, and records the one in force.
 #[derive(Debug)]
-pub(crate) struct Holes {
-    /// The modal cycle that every motion calls until it is cancelled.
+pub(crate) struct HoleWriter {
+    /// Modal cycle that every motion calls until it is cancelled.
     in_force: Option<CannedCycle>,
-    /// Threads are cut with the spindle under control of its angle.
+    /// Threads are cut by rigid tapping.
     rigid: bool,
     units: Units,
 }
 
-impl Holes {
+impl HoleWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
         Self { in_force: None, rigid: layout.rigid, units: layout.units }
     }
 
-    /// Cancels the cycle in force; a motion after it writes all its words.
+    /// Cancels the cycle in force; the next motion writes its motion code, the word of the tool axis and F again.
     pub(crate) fn end_cycle<W: Write>(&mut self, out: &mut ModalWriter<W>) -> io::Result<()> {
         let Some(cycle) = self.in_force.take() else { return Ok(()) };
         out.modal().forget(After::HoleCycle { z: cycle.z });
@@ -39,19 +39,19 @@ impl Holes {
         }
     }
 
-    /// A hole: the cycle with all its words, or only its place while the same one is in force.
+    /// Writes a hole: the cycle with all its words, or only the position while the same cycle is in force.
     pub(crate) fn cycle<W: Write>(&mut self, cycle: &CannedCycle, out: &mut ModalWriter<W>) -> io::Result<()> {
         let Some(cycles) = &out.codes().cycles else { return Ok(()) };
         match (&cycles.form, cycle.kind) {
             (CycleForm::Definitions(blocks), _) => self.defined_cycle(cycle, blocks, out),
-            (CycleForm::Codes(CycleCodes { thread: Thread::Motion(code), .. }), CannedKind::Tap { pitch, .. }) => {
+            (CycleForm::Codes(CycleCodes { thread: ThreadCodes::Motion(code), .. }), CannedKind::Tap { pitch, .. }) => {
                 self.thread(cycle, code, pitch, out)
             }
             (CycleForm::Codes(codes), _) => self.coded_cycle(cycle, codes, out),
         }
     }
 
-    /// `G99 G81 X Y Z R F`, then `X Y`.
+    /// Writes `G99 G81 X Y Z R F`, then `X Y`.
     fn coded_cycle<W: Write>(
         &mut self,
         cycle: &CannedCycle,
@@ -68,14 +68,14 @@ impl Holes {
             (CannedKind::Peck { .. }, _) => codes.peck,
             (CannedKind::ChipBreak { .. }, _) => codes.chip_break,
             (CannedKind::Ream, _) => codes.ream[usize::from(cycle.dwell.is_some())],
-            (CannedKind::Tap { left, speed, .. }, Thread::Cycle { codes, rigid }) => {
+            (CannedKind::Tap { left, speed, .. }, ThreadCodes::Cycle { codes, rigid }) => {
                 if self.rigid {
                     out.values().speed = Some(speed);
                     out.fill(rigid)?;
                 }
                 codes[usize::from(left)]
             }
-            (CannedKind::Tap { .. }, Thread::Motion(code)) => code,
+            (CannedKind::Tap { .. }, ThreadCodes::Motion(code)) => code,
         };
         out.feed_mode(out.codes().per_minute);
         out.writer_mut().code(codes.returns[usize::from(cycle.back != cycle.clearance)]);
@@ -87,14 +87,14 @@ impl Holes {
         Ok(())
     }
 
-    /// `MCALL CYCLE81(..)`, then `G0 X Y`; or `CYCL DEF 200`, then `L X Y R0 FMAX M99`.
+    /// Writes `MCALL CYCLE81(..)`, then `G0 X Y`; or `CYCL DEF 200`, then `L X Y R0 FMAX M99`.
     fn defined_cycle<W: Write>(
         &mut self,
         cycle: &CannedCycle,
         blocks: &'static CycleDefinitions,
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
-        // Where each place calls it a definition outlives the motions between.
+        // Where each position calls the cycle, its definition survives the motions between.
         let lasts = blocks.end.is_empty();
         let known = if lasts { out.modal().cycle() } else { self.in_force };
         if !known.is_some_and(|before| cycle.repeats(&before)) {
@@ -116,7 +116,7 @@ impl Holes {
         out.end()
     }
 
-    /// The blocks that define a cycle.
+    /// Writes the blocks that define a cycle.
     fn define<W: Write>(
         &self,
         cycle: &CannedCycle,
@@ -147,14 +147,14 @@ impl Holes {
         out.fill_all(blocks)
     }
 
-    /// Ends what a cycle does not bear.
+    /// Cancels the functions that must be off in a cycle.
     fn before_cycle<W: Write>(&mut self, out: &mut ModalWriter<W>) -> io::Result<()> {
         self.end_cycle(out)?;
         out.smooth(false)?;
-        out.usual_plane()
+        out.select_xy_plane()
     }
 
-    /// A thread by a motion: over to it, down to its start, in and out, and up to the level after it.
+    /// Writes a thread as motions: rapid above it, rapid to its start, tapping motion, rapid to the return level.
     fn thread<W: Write>(
         &mut self,
         cycle: &CannedCycle,
@@ -162,7 +162,7 @@ impl Holes {
         pitch: Decimal,
         out: &mut ModalWriter<W>,
     ) -> io::Result<()> {
-        // The rapid over to it would be another hole of the cycle before.
+        // The rapid to the position would be another hole of the cycle before.
         self.before_cycle(out)?;
         let level = |units: i64| {
             let mut words = Words { mask: 1 << cycle.z, ..Words::default() };
@@ -181,7 +181,7 @@ impl Holes {
     }
 }
 
-/// `Z R Q P F`.
+/// Writes the words `Z R Q P F` of a cycle, and ends the block.
 fn cycle_words<W: Write>(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<W>) -> io::Result<()> {
     let decimals = out.decimals(cycle.z);
     let mut bottom = Words { mask: 1 << cycle.z, ..Words::default() };

@@ -1,9 +1,9 @@
-//! Steps of the planner into blocks of a control.
+//! Encoder: steps of the planner as blocks of a control.
 //!
-//! [`Encoder`] gives each step to the owner of what it changes: [`ModalWriter`] (motions, and every modal word), [`Holes`]
-//! (the cycle in force), [`FrameWriter`] (tip control, tilted planes, restart points, tool changes) and [`SpindleCoolant`]. All
-//! of them write through the `ModalWriter`, which owns the modal state. A new [`Step`] does not compile before
-//! [`Encoder::encode`] knows it.
+//! [`Encoder`] passes each step to the owner of the state that it changes: [`ModalWriter`] (motions, and every modal
+//! word), [`HoleWriter`] (the cycle in force), [`FrameWriter`] (tip control, tilted planes, restart points, tool
+//! changes) and [`SpindleCoolantWriter`]. All of them write through the `ModalWriter`, which owns the modal state. A
+//! new [`Step`] does not compile before [`Encoder::encode`] knows it.
 
 mod frames;
 mod holes;
@@ -16,7 +16,7 @@ mod values;
 use std::io::{self, Write};
 
 use crate::motion::{Provenance, Sink, Step};
-use crate::nc::{Decimal, Line};
+use crate::nc::{Decimal, WrittenLine};
 use crate::program::Units;
 use crate::set_up::Stock;
 
@@ -25,46 +25,46 @@ use super::layout::Layout;
 use super::options::ProgramBlocks;
 
 use frames::FrameWriter;
-use holes::Holes;
+use holes::HoleWriter;
 use modal_state::After;
 use modal_writer::ModalWriter;
-use spindle_coolant::SpindleCoolant;
+use spindle_coolant::SpindleCoolantWriter;
 use text::plain;
 pub(crate) use text::{legible, lines_of};
 
-/// Writes steps in the words of a control, and suppresses what stays in force.
+/// Writes steps in the codes of a control, and leaves out words that are in force.
 pub struct Encoder<'a, W: Write> {
     control: &'a dyn Control,
     codes: &'static Spellings,
     out: ModalWriter<W>,
-    holes: Holes,
+    holes: HoleWriter,
     frames: FrameWriter,
-    spindle_coolant: SpindleCoolant,
-    /// The tool after the next is called up.
+    spindle_coolant: SpindleCoolantWriter,
+    /// The next tool is preselected at each tool change.
     preselect: bool,
-    /// The program begins with the name of its file.
+    /// The file begins with the name of the program.
     file_header: bool,
     program: ProgramBlocks,
     units: Units,
-    /// Decimals of lengths.
+    /// Decimals of linear words.
     linear: u32,
-    /// A comment line in the making.
+    /// Buffer for a comment line.
     line: Vec<u8>,
 }
 
 impl<'a, W: Write> Encoder<'a, W> {
-    /// An encoder that knows of nothing in force yet.
+    /// An encoder for a new program: the modal state of the control is unknown.
     pub fn new(control: &'a dyn Control, layout: &Layout, out: W) -> Self {
         let codes = control.spellings();
         Self {
             control,
             codes,
             out: ModalWriter::new(control, layout, out),
-            holes: Holes::new(layout),
+            holes: HoleWriter::new(layout),
             frames: FrameWriter::new(layout),
-            spindle_coolant: SpindleCoolant::new(layout),
-            preselect: layout.setup.preselect.unwrap_or(codes.preselect),
-            file_header: layout.setup.file_header,
+            spindle_coolant: SpindleCoolantWriter::new(layout),
+            preselect: layout.options.preselect.unwrap_or(codes.preselect),
+            file_header: layout.options.file_header,
             program: layout.program.clone(),
             units: layout.units,
             linear: layout.linear,
@@ -72,10 +72,10 @@ impl<'a, W: Write> Encoder<'a, W> {
         }
     }
 
-    /// The lines a program of this control begins with. `blank`: the corners of the box around it, mm.
+    /// Writes the first lines of a program. `blank`: box of the blank, mm.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn open(&mut self, blank: Option<&Stock>) -> io::Result<()> {
         if self.file_header {
             let header = self.control.file_header(&plain(&self.out.values().name));
@@ -96,29 +96,29 @@ impl<'a, W: Write> Encoder<'a, W> {
         words.collect::<Vec<_>>().join(" ")
     }
 
-    /// The blocks of the configuration after the header.
+    /// Writes the blocks of the configuration after the header.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn start(&mut self) -> io::Result<()> {
-        self.out.foreign(&self.program.start)
+        self.out.configured_blocks(&self.program.start)
     }
 
-    /// The blocks of the configuration before the end code, remarks as comments, and the end.
+    /// Writes the end of a program: blocks of the configuration, remarks as comments, end code.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn end(&mut self, remarks: &[String]) -> io::Result<()> {
-        self.out.foreign(&self.program.end)?;
+        self.out.configured_blocks(&self.program.end)?;
         remarks.iter().try_for_each(|remark| self.comment(remark.as_bytes()))?;
         self.out.block(self.codes.end)?;
         self.out.lines(self.codes.closing)
     }
 
-    /// A comment, on as many lines as it needs.
+    /// Writes a comment, on as many lines as it needs.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn comment(&mut self, text: &[u8]) -> io::Result<()> {
         let text = legible(text);
         for piece in lines_of(&text, self.codes.comment.length) {
@@ -129,25 +129,25 @@ impl<'a, W: Write> Encoder<'a, W> {
         Ok(())
     }
 
-    /// Keeps the lines that are written, from the first one on, until they are taken.
+    /// Records the lines from now on; [`take_lines`](Self::take_lines) returns them.
     pub fn keep_lines(&mut self) {
         self.out.writer_mut().keep_lines();
     }
 
-    /// Takes the lines since the last call; none if they are not kept.
-    pub fn take_lines(&mut self) -> impl Iterator<Item = Line> + '_ {
+    /// Returns the lines since the last call; none if they are not recorded.
+    pub fn take_lines(&mut self) -> impl Iterator<Item = WrittenLine> + '_ {
         self.out.writer_mut().take_lines()
     }
 
-    /// Blocks written up to now, comments not counted.
+    /// Number of blocks written so far, without comments.
     pub fn blocks(&self) -> u64 {
         self.out.writer().blocks()
     }
 
-    /// Hands on what is left.
+    /// Writes the rest of the buffer to the output.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     pub fn finish(&mut self) -> io::Result<()> {
         self.out.writer_mut().finish()
     }
@@ -155,7 +155,7 @@ impl<'a, W: Write> Encoder<'a, W> {
     /// Writes the blocks of a step.
     ///
     /// # Errors
-    /// Those of the output.
+    /// Errors of the output.
     #[inline]
     pub fn encode(&mut self, step: &Step<'_>) -> io::Result<()> {
         let (codes, out) = (self.codes, &mut self.out);
@@ -176,15 +176,20 @@ impl<'a, W: Write> Encoder<'a, W> {
             Step::Tool { number, offset, next, speed, change } => self.tool(number, offset, next, speed, change),
             Step::Length { offset } => out.length(offset),
             Step::Beside { left, register } => {
-                out.offset_path(left, register);
+                out.set_compensation_side(left, register);
                 Ok(())
             }
             Step::TipControl { on } => self.frames.tip_control(on, out),
             Step::Plane { angles, pose } => self.frames.tilt(angles, pose, out),
             Step::PlaneOff => self.frames.tilt_off(out),
-            Step::LengthGuard { label, tool, offset, length, tolerance } => {
-                self.length_guard(&LengthGuard { label, tool, offset, length, tolerance, units: self.units })
-            }
+            Step::LengthGuard { label, tool, offset, length, tolerance } => self.length_guard(&LengthGuard {
+                label,
+                tool,
+                offset,
+                length_mm: length,
+                tolerance_mm: tolerance,
+                units: self.units,
+            }),
             Step::Spindle { speed, rotation } => self.spindle_coolant.spindle(speed, rotation, out),
             Step::Code { text } => out.block(text),
             Step::SpindleOff => out.block(codes.spindle_off),
@@ -202,7 +207,7 @@ impl<'a, W: Write> Encoder<'a, W> {
         }
     }
 
-    /// The tool of what follows: a change, or a remark that it is in the spindle already.
+    /// Writes a tool change, or a comment that the tool is in the spindle already.
     fn tool(
         &mut self,
         number: u32,
@@ -235,7 +240,7 @@ impl<'a, W: Write> Encoder<'a, W> {
         Ok(())
     }
 
-    /// The name of an operation, for the operator.
+    /// Writes the name of an operation, as a message or a comment.
     fn operation(&mut self, name: &[u8]) -> io::Result<()> {
         let Some([before, after]) = self.codes.operation else {
             return self.comment(&[b"OPERATION ", name].concat());

@@ -1,8 +1,8 @@
-//! Modal state of the control as far as it is known: what is in force need not be written again.
+//! Modal state of the control as far as it is known. Words in force need not be written again.
 //!
-//! Words are compared as written, in whole units of their last decimal. What may change the control without a word of the
-//! program makes it unknown; [`After`] lists every such case, and [`ModalState::forget`] is the one place that knows what
-//! each of them leaves.
+//! Words are compared as written, in whole units of their last decimal. State that may change without a word of the
+//! program becomes unknown: [`After`] lists every such event, and [`ModalState::forget`] alone defines what remains
+//! known after each of them.
 
 use crate::motion::{CannedCycle, MAX_AXES, Words};
 use crate::nc::Decimal;
@@ -11,68 +11,69 @@ use crate::program::Coolant;
 /// The length offset in force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum LengthState {
-    /// Not known.
+    /// Unknown.
     #[default]
     Unknown,
-    /// None.
+    /// No length offset.
     Off,
-    /// This register.
+    /// The offset of this register is in force.
     On(u32),
-    /// This register, to be called with the next motion.
+    /// The offset of this register is to be called with the next motion.
     Pending(u32),
 }
 
 /// Events that leave part of the modal state unknown.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum After<'w> {
-    /// A stop, a restart point, or a block that is not ours. Coolant is kept: it is not switched by hand.
+    /// A stop, a restart point, or a block of the configuration or the CL data. Coolant stays known: it is not switched
+    /// by hand.
     Anything,
     /// A tool change.
     ToolChange,
-    /// Tip control or a tilted plane, on or off: words and F count in another frame.
+    /// Tip control or a tilted plane, on or off: words and F apply in another frame.
     FrameChange,
-    /// A rapid of these axes in machine coordinates.
+    /// A rapid in machine coordinates of these axes.
     MachineRapid(&'w Words),
-    /// A smoothing cycle, which may bring codes of its own.
+    /// A smoothing cycle, which may change modal codes.
     Smoothing,
-    /// The end of a modal cycle of holes, with the position of its tool axis in the chain.
+    /// The end of a modal hole cycle; `z`: index of its tool axis in the chain.
     HoleCycle { z: usize },
-    /// A hole of a cycle that is defined by a template: the tool axis and F are where the cycle left them.
+    /// A hole of a cycle that is defined by a template: the cycle has changed the tool axis and F.
     DefinedHole { z: usize },
-    /// A block with a motion code of its own.
+    /// A block with its own motion code.
     OwnMotion,
 }
 
-/// Modal state as far as it is known; `None` is unknown.
+/// Modal state of the control; `None` is unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct ModalState {
-    /// Words of the axes by position in the chain.
+    /// Words of the axes, by index in the chain.
     axes: [Option<i64>; MAX_AXES],
-    /// Components of the tool axis.
+    /// Components of the tool axis vector.
     vector: Option<[i64; 3]>,
     feed: Option<Decimal>,
     /// Motion code.
     motion: Option<&'static str>,
     feed_mode: Option<&'static str>,
-    /// The code of a path without compensation was written.
+    /// The code for a path without compensation has been written.
     no_compensation: bool,
-    /// The cutter runs left of its path, or right; `None`: on it, or not known.
+    /// Side of cutter compensation, true for left; `None`: off or unknown.
     side: Option<bool>,
     length: LengthState,
-    /// Speed of the spindle, where it is written in blocks of its own.
+    /// Spindle speed, where it is written in its own block.
     speed: Option<Decimal>,
-    /// Coolant that is on.
+    /// Kind of coolant that is on.
     coolant: Option<Coolant>,
-    /// Code of the plane of arcs.
+    /// Code of the arc plane.
     plane: Option<&'static str>,
-    /// The cycle that a place calls, where its definition outlives other motions.
+    /// Cycle that a position calls, where its definition survives other motions.
     cycle: Option<CannedCycle>,
-    /// The control smooths.
+    /// Smoothing is on.
     smooths: bool,
 }
 
 impl ModalState {
-    /// Makes unknown what an event may have changed.
+    /// Sets to unknown all state that an event may have changed.
     pub(crate) fn forget(&mut self, after: After<'_>) {
         match after {
             After::Anything => *self = Self { coolant: self.coolant, ..Self::default() },
@@ -107,12 +108,12 @@ impl ModalState {
         }
     }
 
-    /// The next block with this axis writes its word.
+    /// Makes the next block with this axis write its word.
     pub(crate) fn forget_axis(&mut self, axis: usize) {
         self.axes[axis] = None;
     }
 
-    /// The next block with these axes writes their words.
+    /// Makes the next block with these axes write their words.
     pub(crate) fn forget_axes(&mut self, words: &Words) {
         for (axis, known) in self.axes.iter_mut().enumerate() {
             if words.has(axis) {
@@ -121,7 +122,7 @@ impl ModalState {
         }
     }
 
-    /// The next feed block writes its F.
+    /// Makes the next feed block write its F.
     pub(crate) fn forget_feed(&mut self) {
         self.feed = None;
     }
@@ -131,30 +132,30 @@ impl ModalState {
         self.axes[axis] != Some(units)
     }
 
-    /// Takes over the word of an axis.
+    /// Enters the word of an axis.
     #[inline]
     pub(crate) fn set_axis(&mut self, axis: usize, units: i64) {
         self.axes[axis] = Some(units);
     }
 
-    /// A block would write another tool axis.
+    /// Whether a tool axis vector differs from the one in force.
     #[inline]
     pub(crate) fn vector_changes(&self, vector: Option<[i64; 3]>) -> bool {
         vector.is_some() && self.vector != vector
     }
 
-    /// Takes over a tool axis.
+    /// Enters a tool axis vector.
     pub(crate) fn set_vector(&mut self, vector: [i64; 3]) {
         self.vector = Some(vector);
     }
 
-    /// Takes over an F; true if it was not in force.
+    /// Enters an F; returns true if it was not in force.
     #[inline]
     pub(crate) fn set_feed(&mut self, feed: Decimal) -> bool {
         self.feed.replace(feed) != Some(feed)
     }
 
-    /// Takes over a motion code; true if it was not in force.
+    /// Enters a motion code; returns true if it was not in force.
     pub(crate) fn set_motion(&mut self, code: &'static str) -> bool {
         self.motion.replace(code) != Some(code)
     }
@@ -163,7 +164,7 @@ impl ModalState {
         self.feed_mode == Some(code)
     }
 
-    /// Takes over a feed mode; true if it was not in force: F of another mode means nothing in it.
+    /// Enters a feed mode; returns true if it was not in force. F of another feed mode is then unknown.
     pub(crate) fn set_feed_mode(&mut self, code: &'static str) -> bool {
         let changes = self.feed_mode.replace(code) != Some(code);
         if changes {
@@ -172,7 +173,7 @@ impl ModalState {
         changes
     }
 
-    /// Code of the plane of arcs.
+    /// Code of the arc plane.
     pub(crate) fn plane(&self) -> Option<&'static str> {
         self.plane
     }
@@ -181,18 +182,18 @@ impl ModalState {
         self.plane = code;
     }
 
-    /// Side of the path on which the cutter runs: left, or right.
+    /// Side of cutter compensation, true for left; `None`: off or unknown.
     pub(crate) fn side(&self) -> Option<bool> {
         self.side
     }
 
-    /// Takes over a side that was written, or the cancelling code.
+    /// Enters the side that was written; `None` for the code that cancels compensation.
     pub(crate) fn set_side(&mut self, side: Option<bool>) {
         self.side = side;
         self.no_compensation = side.is_none();
     }
 
-    /// Whether the code of a path without compensation is in force.
+    /// Whether the code for a path without compensation is in force.
     pub(crate) fn has_no_compensation(&self) -> bool {
         self.no_compensation
     }
@@ -221,12 +222,12 @@ impl ModalState {
         self.coolant = Some(kind);
     }
 
-    /// Coolant goes off; the kind that was on.
+    /// Enters that coolant is off; returns the kind that was on.
     pub(crate) fn take_coolant(&mut self) -> Option<Coolant> {
         self.coolant.take()
     }
 
-    /// The cycle that a place calls.
+    /// Cycle that a position calls.
     pub(crate) fn cycle(&self) -> Option<CannedCycle> {
         self.cycle
     }

@@ -9,19 +9,19 @@ use crate::program::{Coolant, Rotation};
 
 use super::modal_writer::ModalWriter;
 
-/// Writes the codes of coolant, with those that the configuration has in the place of the control's.
+/// Writes spindle, coolant and dwell blocks. Coolant codes are those of the configuration, or those of the control.
 #[derive(Debug)]
-pub(crate) struct SpindleCoolant {
+pub(crate) struct SpindleCoolantWriter {
     /// As [`Spellings::coolant`].
     coolant: [Option<[String; 2]>; 4],
 }
 
-impl SpindleCoolant {
+impl SpindleCoolantWriter {
     pub(crate) fn new(layout: &Layout) -> Self {
-        Self { coolant: layout.setup.coolant.clone() }
+        Self { coolant: layout.options.coolant.clone() }
     }
 
-    /// Spindle on.
+    /// Switches the spindle on.
     pub(crate) fn spindle<W: Write>(
         &self,
         speed: Decimal,
@@ -33,7 +33,7 @@ impl SpindleCoolant {
         out.fill(codes.rotation(rotation))
     }
 
-    /// A dwell, in as many pieces as the control needs; pieces are whole milliseconds, as they are written.
+    /// Writes a dwell, in several blocks if it is too long for one; each in whole milliseconds, as it is written.
     pub(crate) fn dwell<W: Write>(&self, seconds: f64, out: &mut ModalWriter<W>) -> io::Result<()> {
         let codes = out.codes();
         let mut rest = (seconds * 1e3).round() as u32;
@@ -46,21 +46,21 @@ impl SpindleCoolant {
         Ok(())
     }
 
-    /// On and off of a kind of coolant.
+    /// On and off codes of a kind of coolant.
     fn codes(&self, kind: Coolant, codes: &'static Spellings) -> Option<[&str; 2]> {
         let index = coolant_index(kind)?;
         let given = self.coolant[index].as_ref().map(|[on, off]| [on.as_str(), off.as_str()]);
         given.or(codes.coolant[index])
     }
 
-    /// Coolant on.
+    /// Switches coolant on.
     pub(crate) fn coolant<W: Write>(&self, kind: Coolant, out: &mut ModalWriter<W>) -> io::Result<()> {
         let code = self.codes(kind, out.codes()).map_or("", |[on, _]| on);
         out.modal().set_coolant(kind);
         out.block(code)
     }
 
-    /// Off by the code of the kind that is on; by the general one where none is known to be.
+    /// Switches coolant off, with the code of the kind that is on, or with the general code if that is unknown.
     pub(crate) fn coolant_off<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
         let (codes, kind) = (out.codes(), out.modal().take_coolant());
         let own = kind.and_then(|kind| self.codes(kind, codes));

@@ -1,11 +1,11 @@
-//! Texts of a program: comments in lines, letters that every control has, names of programs.
+//! Texts of a program: line breaks of comments, characters of the control, program names.
 
 use std::borrow::Cow;
 
 use crate::control::dialects::Spellings;
 use crate::control::layout::Layout;
 
-/// The part of a text that fits into a line of `length` bytes, up to a blank if it holds one, and the rest.
+/// First line of a text, at most `length` bytes and up to a blank if there is one, and the rest of the text.
 fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {
     if text.len() <= length {
         return (text, None);
@@ -16,7 +16,7 @@ fn line_of(text: &[u8], length: usize) -> (&[u8], Option<&[u8]>) {
     }
 }
 
-/// A text in lines of at most `length` bytes; none of an empty one.
+/// A text in lines of at most `length` bytes, without empty lines.
 pub(crate) fn lines_of(text: &[u8], length: usize) -> impl Iterator<Item = &[u8]> {
     let mut rest = Some(text);
     let lines = std::iter::from_fn(move || {
@@ -27,7 +27,7 @@ pub(crate) fn lines_of(text: &[u8], length: usize) -> impl Iterator<Item = &[u8]
     lines.filter(|line| !line.is_empty())
 }
 
-/// A text whose signs that few controls have (`°`, `µ`) are written in letters.
+/// A text with letters instead of signs that few controls have (`°`, `µ`).
 pub(crate) fn legible(text: &[u8]) -> Cow<'_, [u8]> {
     if text.is_ascii() {
         return text.into();
@@ -46,15 +46,15 @@ pub(crate) fn legible(text: &[u8]) -> Cow<'_, [u8]> {
     out.into()
 }
 
-/// A name of capitals, digits and `_`.
+/// A name in capitals, digits and `_`.
 pub(crate) fn plain(name: &str) -> String {
     let byte = |byte: char| if byte.is_ascii_alphanumeric() { byte.to_ascii_uppercase() } else { '_' };
     name.chars().map(byte).collect()
 }
 
-/// The name of a program as the control can hold it.
+/// Name of the program in the characters that the control permits.
 pub(crate) fn program_name(codes: &Spellings, layout: &Layout) -> String {
-    let given = layout.setup.program_name.as_ref().map_or(layout.name.as_slice(), String::as_bytes);
+    let given = layout.options.program_name.as_ref().map_or(layout.name.as_slice(), String::as_bytes);
     let given = given.trim_ascii();
     let byte = |byte: &u8| match byte.to_ascii_uppercase() {
         byte if !codes.plain_name => (codes.comment.byte)(byte),

@@ -1,11 +1,11 @@
-//! Values of the fields of templates: data of the program, the tool, the plane and the hole that are being written.
+//! Values of template fields: data of the program, and of the tool, plane and hole that are being written.
 
 use crate::control::template::{self, Field};
 use crate::motion::{CannedCycle, CannedKind};
 use crate::nc::{Decimal, Numerals, write_number};
 use crate::program::Units;
 
-/// Values of the fields of templates; see [`Field`] for each.
+/// Values of template fields; see [`Field`] for each.
 #[derive(Debug, Default)]
 pub(crate) struct Values {
     pub(crate) name: String,
@@ -13,9 +13,8 @@ pub(crate) struct Values {
     pub(crate) units: &'static str,
     pub(crate) work_offset: String,
     pub(crate) path_tolerance: String,
-    /// Degrees.
-    pub(crate) angle: Option<f64>,
-    pub(crate) turning: &'static str,
+    pub(crate) angle_deg: Option<f64>,
+    pub(crate) rotary_path: &'static str,
     pub(crate) tool: Option<u32>,
     pub(crate) next: Option<u32>,
     pub(crate) offset: Option<u32>,
@@ -28,20 +27,21 @@ pub(crate) struct Values {
     pub(crate) swivel_data: String,
     pub(crate) hole: Option<HoleValues>,
     pub(crate) numerals: Numerals,
-    /// Those of a dwell: without its point it counts milliseconds, whatever the set-up states for lengths.
-    pub(crate) timed: Numerals,
+    /// Number format of a dwell: without a point it would be in milliseconds, whatever the configuration sets for
+    /// lengths.
+    pub(crate) dwell_numerals: Numerals,
 }
 
-/// A hole, where a cycle is defined by a template.
+/// Values of a hole whose cycle is defined by a template.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HoleValues {
     pub(crate) cycle: CannedCycle,
-    /// Decimals of its levels.
+    /// Decimals of its levels and distances.
     pub(crate) decimals: u32,
     pub(crate) units: Units,
 }
 
-/// A number as the control writes it.
+/// A number in the number format of the control.
 pub(crate) fn text(number: Decimal, numerals: Numerals) -> String {
     let mut text = Vec::new();
     write_number(&mut text, number, numerals);
@@ -49,15 +49,15 @@ pub(crate) fn text(number: Decimal, numerals: Numerals) -> String {
 }
 
 impl Values {
-    /// The block of a template; `None` if nothing of it is left.
+    /// The block of a template; `None` if it is left out.
     pub(crate) fn fill(&self, text: &str) -> Option<String> {
         template::fill(text, |field| self.get(field))
     }
 
-    /// The text of a field; `None` if it has no value here.
+    /// Text of a field; `None` if it has no value.
     fn get(&self, field: Field) -> Option<String> {
         let whole = |number: Option<u32>| number.map(|number| number.to_string());
-        // What the format cannot hold was refused with the configuration or by the planner.
+        // The configuration or the planner has refused values that the format cannot hold.
         let decimal = |value: f64, decimals| Decimal::fixed(value, decimals).unwrap_or_default();
         let unsigned = Numerals { plus: false, ..self.numerals };
         let hole = self.hole.as_ref();
@@ -69,14 +69,14 @@ impl Values {
             Field::Units => Some(self.units.to_owned()),
             Field::WorkOffset => Some(self.work_offset.clone()),
             Field::PathTolerance => Some(self.path_tolerance.clone()),
-            Field::Turning => Some(self.turning.to_owned()),
-            Field::Angle => self.angle.map(|angle| text(decimal(angle, 4), unsigned)),
+            Field::RotaryPath => Some(self.rotary_path.to_owned()),
+            Field::Angle => self.angle_deg.map(|angle| text(decimal(angle, 4), unsigned)),
             Field::Tool => whole(self.tool),
             Field::Next => whole(self.next),
             Field::Offset => whole(self.offset),
             Field::Radius => whole(self.radius),
             Field::Speed => self.speed.map(|speed| text(speed, Numerals::default())),
-            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), self.timed)),
+            Field::Seconds => self.seconds.map(|seconds| text(decimal(seconds, 3), self.dwell_numerals)),
             Field::Milliseconds => self.seconds.map(|seconds| text(decimal(seconds * 1e3, 0), Numerals::default())),
             Field::Posture => Some(self.posture.to_owned()),
             Field::First => Some(text(self.plane[0], self.numerals)),
@@ -90,7 +90,7 @@ impl Values {
             Field::Depth => level(|hole| hole.bottom - hole.surface),
             Field::Back => level(|hole| hole.back),
             Field::Higher => level(|hole| hole.back - hole.surface),
-            // Without steps the hole is one step deep.
+            // A hole without pecking is one step deep.
             Field::Step => level(|hole| steps(hole).map_or(hole.surface - hole.bottom, |[step, _]| step)),
             Field::Steps => hole.and_then(|hole| count(&hole.cycle)),
             Field::Gap => hole.and_then(|hole| Some(hole.length(steps(&hole.cycle)?[1], self.numerals))),
@@ -105,13 +105,13 @@ impl Values {
 }
 
 impl HoleValues {
-    /// A level or a distance along the tool axis.
+    /// Text of a level or a distance along the tool axis.
     fn length(&self, units: i64, numerals: Numerals) -> String {
         text(Decimal { units, decimals: self.decimals }, numerals)
     }
 }
 
-/// Depth of a step, and the gap of a retract, where a hole is drilled in steps.
+/// Depth of a step and retract gap, where a hole is drilled in steps.
 fn steps(cycle: &CannedCycle) -> Option<[i64; 2]> {
     match cycle.kind {
         CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } => Some([step, gap]),

@@ -1,7 +1,9 @@
-//! Cycles of holes: what each control is told, and what it does with it.
+//! Hole cycles: words of the cycles of each control, and holes read back from programs.
 //!
-//! The readers know the arguments of `CYCLE81` and the Q of `CYCL DEF` by their place in the manuals, and nothing of the
+//! The readers take the arguments of `CYCLE81` and the Q parameters of `CYCL DEF` from the manuals, not from the
 //! templates.
+
+use proptest::prelude::*;
 
 use super::*;
 use crate::motion::{CannedCycle, CannedKind};
@@ -35,25 +37,25 @@ fn cycles(control: &dyn Control, holes: &[CannedCycle]) -> Vec<String> {
 }
 
 #[test]
-fn siemens_is_told_levels_steps_and_pitch_in_the_order_of_its_cycles() {
+fn siemens_cycles_hold_levels_steps_and_pitch_in_their_order() {
     let definition =
         |cycle: CannedCycle| cycles(&Siemens, &[cycle]).into_iter().find(|line| line.starts_with("MCALL "));
     let waits = |kind| CannedCycle { dwell: Some(0.25), ..cycle(kind) };
-    let said = |cycle| definition(cycle).expect("a call");
-    assert_eq!(said(cycle(CannedKind::Drill)), "MCALL CYCLE81(8,1,2,-9)");
-    assert_eq!(said(waits(CannedKind::Drill)), "MCALL CYCLE82(8,1,2,-9,,0.25)");
-    assert_eq!(said(cycle(PECK)), "MCALL CYCLE83(8,1,2,-9,,,2.5,0,0,0,1,1,,,,0,0.5)");
-    assert_eq!(said(waits(CHIPS)), "MCALL CYCLE83(8,1,2,-9,,,2.5,0,0,0,1,0,,,0.2,0.25)");
-    assert_eq!(said(waits(CannedKind::Ream)), "MCALL CYCLE85(8,1,2,-9,,0.25,500,500)");
-    assert_eq!(said(cycle(thread(false))), "MCALL CYCLE84(8,1,2,-9,,0,3,,1.25,0,400,400,,1)");
-    assert_eq!(said(cycle(thread(true))), "MCALL CYCLE84(8,1,2,-9,,0,4,,-1.25,0,400,400,,1)");
+    let call = |cycle| definition(cycle).expect("a call");
+    assert_eq!(call(cycle(CannedKind::Drill)), "MCALL CYCLE81(8,1,2,-9)");
+    assert_eq!(call(waits(CannedKind::Drill)), "MCALL CYCLE82(8,1,2,-9,,0.25)");
+    assert_eq!(call(cycle(PECK)), "MCALL CYCLE83(8,1,2,-9,,,2.5,0,0,0,1,1,,,,0,0.5)");
+    assert_eq!(call(waits(CHIPS)), "MCALL CYCLE83(8,1,2,-9,,,2.5,0,0,0,1,0,,,0.2,0.25)");
+    assert_eq!(call(waits(CannedKind::Ream)), "MCALL CYCLE85(8,1,2,-9,,0.25,500,500)");
+    assert_eq!(call(cycle(thread(false))), "MCALL CYCLE84(8,1,2,-9,,0,3,,1.25,0,400,400,,1)");
+    assert_eq!(call(cycle(thread(true))), "MCALL CYCLE84(8,1,2,-9,,0,4,,-1.25,0,400,400,,1)");
     let inches = Layout { units: Units::Inches, ..milling() };
     let block = steps(&Siemens, &inches, &[Step::Cycle { cycle: &cycle(thread(false)) }])[1].clone();
     assert!(block.ends_with(",,3)"), "{block}");
 }
 
 #[test]
-fn siemens_calls_the_cycle_at_each_place_until_it_is_told_to_stop() {
+fn siemens_calls_the_cycle_at_each_position_until_it_is_cancelled() {
     let first = cycle(CannedKind::Drill);
     let second = CannedCycle { words: Words { mask: 0b011, ..linear([15_000, 20_000, 0]) }, ..first };
     let higher = CannedCycle { surface: 2_000, clearance: 4_000, bottom: -8_000, ..second };
@@ -78,7 +80,7 @@ fn siemens_calls_the_cycle_at_each_place_until_it_is_told_to_stop() {
 }
 
 #[test]
-fn heidenhain_keeps_a_definition_until_it_changes_or_nobody_knows() {
+fn heidenhain_keeps_a_definition_until_it_changes_or_may_have_changed() {
     let first = cycle(CannedKind::Drill);
     let definition = [
         "CYCL DEF 200 DRILLING ~",
@@ -117,27 +119,27 @@ fn heidenhain_has_a_cycle_for_each_kind() {
     holds(definition(thread(true)), &["CYCL DEF 207 ", "Q239=-1.25 "]);
 }
 
-/// A hole as a control was told.
+/// A hole as written in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct Told {
+struct WrittenHole {
     surface: i64,
     clearance: i64,
     bottom: i64,
     back: i64,
-    /// Depth of a step; 0: at once.
+    /// Depth of a step; 0 without pecking.
     step: i64,
     gap: i64,
-    /// Out of the hole after a step.
+    /// Full retract after each step.
     out: bool,
-    /// Out at feed.
+    /// Retract at feed.
     ream: bool,
     wait: i64,
     feed: i64,
-    /// Ten-thousandths of a unit, negative: left-hand.
+    /// Pitch in ten-thousandths of a unit, negative for a left-hand thread.
     pitch: i64,
 }
 
-fn told(cycle: &CannedCycle) -> Told {
+fn written(cycle: &CannedCycle) -> WrittenHole {
     let CannedCycle { surface, clearance, bottom, back, .. } = *cycle;
     let (step, gap) = match cycle.kind {
         CannedKind::Peck { step, gap } | CannedKind::ChipBreak { step, gap } => (step, gap),
@@ -150,66 +152,73 @@ fn told(cycle: &CannedCycle) -> Told {
     let out = matches!(cycle.kind, CannedKind::Peck { .. });
     let wait = (cycle.dwell.unwrap_or(0.0) * 1e3) as i64;
     let ream = cycle.kind == CannedKind::Ream;
-    Told { surface, clearance, bottom, back, step, gap, out, ream, wait, feed, pitch }
+    WrittenHole { surface, clearance, bottom, back, step, gap, out, ream, wait, feed, pitch }
 }
 
 fn thousandths(number: &str) -> i64 {
     if number.is_empty() { 0 } else { (number.parse::<f64>().expect("a number") * 1e3).round() as i64 }
 }
 
-/// `CYCLE81(RTP,RFP,SDIS,DP,DPR,..)`; `feed`: the F in force.
-fn sinumerik(call: &str, feed: i64) -> Told {
+/// Hole of `CYCLE81(RTP,RFP,SDIS,DP,DPR,..)`; `feed`: the F in force.
+fn sinumerik(call: &str, feed: i64) -> WrittenHole {
     let (number, arguments) = call.split_once('(').expect("arguments");
     let arguments: Vec<i64> = arguments.trim_end_matches(')').split(',').map(thousandths).collect();
     let at = |place: usize| arguments.get(place).copied().unwrap_or(0);
-    let basic = Told { back: at(0), surface: at(1), clearance: at(1) + at(2), bottom: at(3), feed, ..Told::default() };
+    let basic = WrittenHole {
+        back: at(0),
+        surface: at(1),
+        clearance: at(1) + at(2),
+        bottom: at(3),
+        feed,
+        ..WrittenHole::default()
+    };
     match (number, arguments.len()) {
         ("CYCLE81", 4) => basic,
-        ("CYCLE82", 6) => Told { wait: at(5), ..basic },
+        ("CYCLE82", 6) => WrittenHole { wait: at(5), ..basic },
         ("CYCLE83", 16 | 17) => {
             let out = at(11) == 1_000;
             assert!(at(7) == 0 && at(10) == 1_000, "neither degression nor another first feed");
-            Told { step: at(6), out, gap: at(if out { 16 } else { 14 }), wait: at(15), ..basic }
+            WrittenHole { step: at(6), out, gap: at(if out { 16 } else { 14 }), wait: at(15), ..basic }
         }
         ("CYCLE85", 8) => {
             assert_eq!(at(6), at(7));
-            Told { ream: true, wait: at(5), feed: at(6) / 1_000, ..basic }
+            WrittenHole { ream: true, wait: at(5), feed: at(6) / 1_000, ..basic }
         }
         ("CYCLE84", 14) => {
             assert_eq!([at(10), at(11), at(6)], [400_000, 400_000, if at(8) < 0 { 4_000 } else { 3_000 }]);
-            Told { pitch: at(8) * 10, wait: at(5), feed: 0, ..basic }
+            WrittenHole { pitch: at(8) * 10, wait: at(5), feed: 0, ..basic }
         }
         _ => panic!("{call}"),
     }
 }
 
-/// `CYCL DEF` with its Q.
-fn conversational(number: &str, q: &BTreeMap<u32, i64>) -> Told {
+/// Hole of a `CYCL DEF` with its Q parameters.
+fn conversational(number: &str, q: &BTreeMap<u32, i64>) -> WrittenHole {
     let (surface, feed) = (q[&203], q.get(&206).map_or(0, |feed| feed / 1_000));
     let (clearance, bottom, back) = (surface + q[&200], surface + q[&201], surface + q[&204].max(q[&200]));
     let wait = q.get(&211).copied().unwrap_or(0);
-    let basic = Told { surface, clearance, bottom, back, feed, wait, ..Told::default() };
+    let basic = WrittenHole { surface, clearance, bottom, back, feed, wait, ..WrittenHole::default() };
     match number {
         "200" => {
             assert!(q[&202] >= -q[&201], "at once");
             basic
         }
-        "201" if q[&208] == 0 => Told { ream: true, ..basic },
+        "201" if q[&208] == 0 => WrittenHole { ream: true, ..basic },
         "203" => {
             assert!(q[&212] == 0 && q[&213] / 1_000 * q[&202] >= -q[&201], "never out of the hole");
-            Told { step: q[&202], gap: q[&256], ..basic }
+            WrittenHole { step: q[&202], gap: q[&256], ..basic }
         }
         "205" => {
             assert!(q[&212] == 0 && q[&257] == 0 && q[&258] == q[&259] && q[&379] == 0);
-            Told { step: q[&202], gap: q[&258], out: true, ..basic }
+            WrittenHole { step: q[&202], gap: q[&258], out: true, ..basic }
         }
-        "207" => Told { pitch: q[&239] * 10, ..basic },
+        "207" => WrittenHole { pitch: q[&239] * 10, ..basic },
         _ => panic!("{number}"),
     }
 }
 
-/// What a program tells about each hole, and where it is.
-fn read(lines: &[String]) -> Vec<(Told, [i64; 2])> {
+/// Holes of a program, each with its position.
+fn read(lines: &[String]) -> Vec<(WrittenHole, [i64; 2])> {
     let (mut holes, mut at, mut feed) = (Vec::new(), [i64::MIN; 2], 0);
     let (mut modal, mut number, mut q) = (None, String::new(), BTreeMap::new());
     for line in lines {
@@ -242,9 +251,9 @@ fn read(lines: &[String]) -> Vec<(Told, [i64; 2])> {
             }
             if words.ends_with("M99") {
                 holes.push((conversational(&number, &q), at));
-            } else if let Some(told) = modal.filter(|_| moves) {
+            } else if let Some(written) = modal.filter(|_| moves) {
                 assert!(words.starts_with("G0") || !words.starts_with('G'), "{words}");
-                holes.push((told, at));
+                holes.push((written, at));
             }
         }
     }
@@ -270,9 +279,9 @@ fn any_cycle() -> impl Strategy<Value = CannedCycle> {
 }
 
 proptest! {
-    /// Whatever stands between them, each hole is told as it is and where it is, and none is drilled twice.
+    /// Each hole is written as it is and where it is, and none is drilled twice, whatever comes between them.
     #[test]
-    fn every_hole_is_told_as_it_is(holes in prop::collection::vec((any_cycle(), 0_u8..8), 1..20)) {
+    fn every_hole_is_written_as_it_is(holes in prop::collection::vec((any_cycle(), 0_u8..8), 1..20)) {
         let mut blocks = vec![Step::Restart { number: 1 }];
         for (cycle, between) in &holes {
             match between {
@@ -283,12 +292,12 @@ proptest! {
             }
             blocks.push(Step::Cycle { cycle });
         }
-        let expected: Vec<_> = holes.iter().map(|(cycle, _)| (told(cycle), [cycle.words.units[0], cycle.words.units[1]])).collect();
+        let expected: Vec<_> = holes.iter().map(|(cycle, _)| (written(cycle), [cycle.words.units[0], cycle.words.units[1]])).collect();
         for control in [&Siemens as &dyn Control, &Heidenhain] {
             let text = steps(control, &milling(), &blocks);
             prop_assert_eq!(&read(&text), &expected, "{:#?}", text);
-            let every_word = Options { every_word: true, ..Options::default() };
-            let text = steps(control, &Layout { setup: every_word, ..milling() }, &blocks);
+            let every_word = ControlOptions { every_word: true, ..ControlOptions::default() };
+            let text = steps(control, &Layout { options: every_word, ..milling() }, &blocks);
             prop_assert_eq!(&read(&text), &expected, "{:#?}", text);
         }
     }

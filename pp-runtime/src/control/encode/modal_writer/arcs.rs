@@ -9,14 +9,14 @@ use crate::nc::Decimal;
 
 use super::{Address, ModalWriter};
 
-/// Decimals of the angle of a helix, degrees: at 10 m from its axis they are a hundredth of a word.
+/// Decimals of the angle of a helix in degrees. At 10 m from its axis the last one is 0.2 µm.
 const POLAR_DECIMALS: u32 = 6;
 
-/// From this angle on the ends of an arc are so near each other that its start has to be known to the digit, rad.
+/// Arc angle from which start and end are so close that the exact start must be known, rad.
 const NEARLY_WHOLE: f64 = 1.9 * std::f64::consts::PI;
 
 impl<W: Write> ModalWriter<W> {
-    /// The plane of the arc that follows.
+    /// Writes the code of the plane of an arc, unless it is in force.
     fn plane(&mut self, code: &'static str) {
         if self.writes(self.modal.plane() != Some(code)) {
             self.writer.code(code);
@@ -24,8 +24,9 @@ impl<W: Write> ModalWriter<W> {
         self.modal.set_plane(Some(code));
     }
 
-    /// The plane perpendicular to Z, in a block of its own: a length offset may count along the normal of another one.
-    pub(crate) fn usual_plane(&mut self) -> io::Result<()> {
+    /// Writes the plane perpendicular to Z in its own block, if another one is in force: a length offset may apply
+    /// along the normal of the plane.
+    pub(crate) fn select_xy_plane(&mut self) -> io::Result<()> {
         let usual = self.codes.arcs.planes[2].unwrap_or_default();
         if self.modal.plane().is_none_or(|plane| plane == usual) {
             return Ok(());
@@ -34,7 +35,7 @@ impl<W: Write> ModalWriter<W> {
         self.end()
     }
 
-    /// An arc or a helix at feed.
+    /// Writes an arc or a helix at feed.
     pub(crate) fn arc(&mut self, words: &Words, circle: &Circle, feed: Decimal) -> io::Result<()> {
         self.smooth(true)?;
         self.call_length_alone(words)?;
@@ -42,7 +43,7 @@ impl<W: Write> ModalWriter<W> {
         let [first, second, _] = circle.plane.axes().map(|axis| circle.chain[axis]);
         let known =
             !self.modal.axis_changes(first, circle.start[0]) && !self.modal.axis_changes(second, circle.start[1]);
-        // The words of its plane are complete: one that is left out means something else on each control.
+        // Both words of the plane are written: controls differ in the meaning of one that is left out.
         for axis in &circle.plane.axes()[..2] {
             self.modal.forget_axis(circle.chain[*axis]);
         }
@@ -50,12 +51,12 @@ impl<W: Write> ModalWriter<W> {
             ArcCentre::Offsets => self.arc_with_offsets(words, circle),
             ArcCentre::Pole => self.arc_about_pole(words, circle, known)?,
         }
-        self.side_after_words(false);
+        self.compensation_after_words(false);
         self.changed_feed(feed);
         self.end()
     }
 
-    /// `G17 G2 X Y Z I J`.
+    /// Writes `G17 G2 X Y Z I J`.
     fn arc_with_offsets(&mut self, words: &Words, circle: &Circle) {
         let arcs = &self.codes.arcs;
         let [first, second, normal] = circle.plane.axes();
@@ -75,9 +76,9 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`. `known`: the words in force are those of the start of
-    /// the arc. After a helix, whose end is an angle, they are so only up to rounding, and a full circle by `C` might then
-    /// be none at all.
+    /// `CC X Y`, and `C X Y DR+`, `CR X Y R DR+` or `CP IPA IZ DR+`. `known`: the words in force are those of the start
+    /// of the arc. After a helix, whose end is an angle, they are so only up to rounding, and a full circle by `C`
+    /// might then be none at all.
     fn arc_about_pole(&mut self, words: &Words, circle: &Circle, known: bool) -> io::Result<()> {
         let arcs = &self.codes.arcs;
         let [first, second, normal] = circle.plane.axes().map(|axis| circle.chain[axis]);
@@ -103,7 +104,7 @@ impl<W: Write> ModalWriter<W> {
         } else {
             self.writer.code("CP");
             let degrees = if circle.clockwise { -circle.sweep } else { circle.sweep }.to_degrees();
-            // At most one revolution, in six decimals.
+            // An angle of at most one revolution fits into six decimals.
             let angle = Decimal::fixed(degrees, POLAR_DECIMALS).unwrap_or_default();
             self.word("IPA", angle);
             if circle.rise != 0 {
@@ -118,7 +119,7 @@ impl<W: Write> ModalWriter<W> {
     }
 }
 
-/// The letters before the number of an axis.
+/// Letters before the number in words of an axis.
 fn word_of(axes: &[Address], index: usize) -> &str {
     axes.iter().find(|address| address.index == index).map_or("", |address| &address.word)
 }

@@ -1,14 +1,14 @@
-//! Blocks of which only what changes is written: words, motion code, feed mode, F.
+//! Writer of blocks that leaves out modal words in force: axis words, motion code, feed mode, F.
 //!
-//! The writer owns the modal state, so a word that leaves it is always entered there. [`motion`] and [`arcs`] are its
-//! blocks that move the machine; templates, and whatever else changes the state, go through the methods here.
+//! The writer owns the modal state and enters every word that it writes. [`motion`] and [`arcs`] write the blocks that
+//! move the machine; the methods here write templates and everything else that changes the state.
 
 mod arcs;
 mod motion;
 
 use std::io::{self, Write};
 
-use crate::control::dialects::{Control, Spellings, Vectors};
+use crate::control::dialects::{Control, Spellings, ToolAxisWords};
 use crate::control::layout::Layout;
 use crate::control::options::Smoothing;
 use crate::motion::{Mode, ToolPosture, VECTOR_DECIMALS, Words};
@@ -19,93 +19,93 @@ use super::modal_state::{After, LengthState, ModalState};
 use super::text::program_name;
 use super::values::{Values, text};
 
-/// The words of an axis.
+/// Words of an axis.
 #[derive(Debug, Clone)]
 struct Address {
-    /// Position in the chain.
+    /// Index in the chain.
     index: usize,
-    /// The letters before the number: `X`, `C1=`.
+    /// Letters before the number: `X`, `C1=`.
     word: String,
     decimals: u32,
 }
 
-/// Writes blocks in the words of a control, and suppresses what is in force.
+/// Writes blocks in the codes of a control, and leaves out words that are in force.
 pub(crate) struct ModalWriter<W: Write> {
     codes: &'static Spellings,
     writer: Writer<W>,
-    /// In the order of a block.
+    /// Axes in the order of their words in a block.
     axes: Vec<Address>,
-    /// Position of Z in the chain: its word takes a length offset along.
+    /// Index of Z in the chain: a length offset may be called with its word.
     z: Option<usize>,
     numerals: Numerals,
     /// Every block holds every word.
     every_word: bool,
     smoothing: Smoothing,
-    /// How the tool axis is written in the place of rotary words.
-    vectors: Option<&'static Vectors>,
-    /// Calls the length offset, and with it tip control where the two go together.
+    /// Words for the tool axis as a vector, where it is written instead of rotary words.
+    vectors: Option<&'static ToolAxisWords>,
+    /// Code that calls the length offset, and switches on tip control where the same code does both.
     length_code: &'static str,
-    /// Side on which the cutter shall run from the next feed block on: left, or right.
+    /// Side of cutter compensation from the next feed block on, true for left; `None`: off.
     side: Option<bool>,
     modal: ModalState,
     values: Values,
 }
 
-/// The axes in the order in which people read them.
+/// Words of the axes in the usual order of a block, X Y Z U V W A B C.
 fn addresses(control: &dyn Control, layout: &Layout) -> Vec<Address> {
     let mut axes: Vec<(usize, char, u32)> =
         layout.axes.iter().enumerate().map(|(index, &(letter, decimals))| (index, letter, decimals)).collect();
     axes.sort_by_key(|&(_, letter, _)| "XYZUVWABC".chars().position(|known| known == letter));
     axes.into_iter()
         .map(|(index, letter, decimals)| {
-            let name = layout.setup.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
-            // A name that the control cannot have was refused with the configuration.
+            let name = layout.options.axes.get(&letter).cloned().unwrap_or_else(|| letter.to_string());
+            // The configuration was refused if the control permits no axis of this name.
             Address { index, word: control.axis_word(&name).unwrap_or(name), decimals }
         })
         .collect()
 }
 
-/// How the tool axis moves under tip control, in the words of the control.
+/// Code for the motion of the tool axis under tip control.
 fn posture(codes: &Spellings, layout: &Layout) -> &'static str {
     let Some(tip) = &codes.tip else { return "" };
     let words = tip.vectors.as_ref().filter(|_| layout.vectors).map_or(&tip.posture, |vectors| &vectors.posture);
     words[usize::from(layout.posture == ToolPosture::Plane)]
 }
 
-/// The code that calls the length offset in a motion.
-fn length_code(codes: &Spellings, layout: &Layout, vectors: Option<&Vectors>) -> &'static str {
-    let tip = codes.tip.as_ref().filter(|_| layout.mode == Mode::Tcp && layout.setup.tip_control.is_none());
+/// Code that calls the length offset in a motion.
+fn length_code(codes: &Spellings, layout: &Layout, vectors: Option<&ToolAxisWords>) -> &'static str {
+    let tip = codes.tip.as_ref().filter(|_| layout.mode == Mode::Tcp && layout.options.tip_control.is_none());
     let code = tip.and_then(|tip| vectors.map_or(tip.with_length, |vectors| vectors.with_length));
     code.unwrap_or(codes.length.code)
 }
 
-/// Values that hold for the whole program.
+/// Values of the template fields at the start of the program.
 fn values(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Values {
-    let (codes, setup) = (control.spellings(), &layout.setup);
-    // A tolerance that the format cannot hold was refused with the configuration.
+    let (codes, options) = (control.spellings(), &layout.options);
+    // The configuration was refused if the tolerance cannot be written with six decimals.
     let path_tolerance = Decimal::fixed(layout.path_tolerance, 6).unwrap_or_default();
     Values {
         name: program_name(codes, layout),
-        number: format!("{:0width$}", setup.program_number.unwrap_or(1), width = codes.number_digits),
+        number: format!("{:0width$}", options.program_number.unwrap_or(1), width = codes.number_digits),
         units: codes.units[usize::from(layout.units == Units::Inches)],
         work_offset: control.work_offset(&layout.work_offset).unwrap_or_else(|| layout.work_offset.clone()),
         path_tolerance: text(path_tolerance, Numerals { plus: false, ..numerals }),
-        angle: setup.smoothing_angle.map(f64::to_degrees),
-        turning: codes.turning[usize::from(layout.shortest)],
+        angle_deg: options.smoothing_angle_rad.map(f64::to_degrees),
+        rotary_path: codes.rotary_path[usize::from(layout.shortest_path)],
         posture: posture(codes, layout),
-        swivel_data: format!("\"{}\"", setup.swivel_data.as_deref().unwrap_or_default()),
+        swivel_data: format!("\"{}\"", options.swivel_data.as_deref().unwrap_or_default()),
         numerals,
-        timed: Numerals { plus: false, point: numerals.point || codes.numerals.point },
+        dwell_numerals: Numerals { plus: false, point: numerals.point || codes.numerals.point },
         ..Values::default()
     }
 }
 
 impl<W: Write> ModalWriter<W> {
-    /// A writer that knows of nothing in force yet.
+    /// A writer for a new program: the modal state of the control is unknown.
     pub(crate) fn new(control: &dyn Control, layout: &Layout, out: W) -> Self {
         let codes = control.spellings();
-        let numerals = Numerals { point: layout.setup.point.unwrap_or(codes.numerals.point), ..codes.numerals };
-        let numbering = match (codes.counted, layout.program.line_numbers) {
+        let numerals = Numerals { point: layout.options.point.unwrap_or(codes.numerals.point), ..codes.numerals };
+        let numbering = match (codes.numbers_every_line, layout.program.line_numbers) {
             (true, _) => Numbering::EveryLine,
             (false, Some(step)) => Numbering::Step(step),
             (false, None) => Numbering::None,
@@ -117,8 +117,8 @@ impl<W: Write> ModalWriter<W> {
             axes: addresses(control, layout),
             z: layout.axes.iter().position(|&(letter, _)| letter == 'Z'),
             numerals,
-            every_word: layout.setup.every_word,
-            smoothing: layout.setup.smoothing,
+            every_word: layout.options.every_word,
+            smoothing: layout.options.smoothing,
             vectors,
             length_code: length_code(codes, layout, vectors),
             side: None,
@@ -127,7 +127,7 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// The table of the control.
+    /// Table of the control.
     pub(crate) fn codes(&self) -> &'static Spellings {
         self.codes
     }
@@ -136,7 +136,7 @@ impl<W: Write> ModalWriter<W> {
         &self.writer
     }
 
-    /// The writer itself, for lines without modal effect.
+    /// Underlying writer, for lines without modal effect.
     pub(crate) fn writer_mut(&mut self) -> &mut Writer<W> {
         &mut self.writer
     }
@@ -149,24 +149,24 @@ impl<W: Write> ModalWriter<W> {
         &mut self.values
     }
 
-    /// A number as the words of axes have it.
+    /// A number in the form of axis words.
     pub(crate) fn number(&self, number: Decimal) -> String {
         text(number, self.numerals)
     }
 
-    /// A block of one code.
+    /// Writes a block of one code.
     pub(crate) fn block(&mut self, code: &str) -> io::Result<()> {
         self.writer.code(code);
         self.writer.end()
     }
 
-    /// The code of a template as part of a block.
+    /// Writes the code of a template as part of a block.
     pub(crate) fn code(&mut self, template: &str) {
         let code = self.values.fill(template).unwrap_or_default();
         self.writer.code(&code);
     }
 
-    /// The block of a template, if something of it is left.
+    /// Writes the block of a template, unless it is left out.
     pub(crate) fn fill(&mut self, template: &str) -> io::Result<()> {
         match self.values.fill(template) {
             Some(block) => self.block(&block),
@@ -174,12 +174,12 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// Blocks of templates.
+    /// Writes the blocks of templates.
     pub(crate) fn fill_all(&mut self, templates: &[impl AsRef<str>]) -> io::Result<()> {
         templates.iter().try_for_each(|template| self.fill(template.as_ref()))
     }
 
-    /// Lines around the program, which are no blocks.
+    /// Writes lines before or after the program that are not blocks.
     pub(crate) fn lines(&mut self, templates: &[&str]) -> io::Result<()> {
         for template in templates {
             if let Some(line) = self.values.fill(template) {
@@ -189,8 +189,8 @@ impl<W: Write> ModalWriter<W> {
         Ok(())
     }
 
-    /// Blocks of the configuration: nothing is known after them.
-    pub(crate) fn foreign(&mut self, templates: &[String]) -> io::Result<()> {
+    /// Writes blocks of the configuration; the modal state is unknown after them.
+    pub(crate) fn configured_blocks(&mut self, templates: &[String]) -> io::Result<()> {
         for template in templates {
             if let Some(line) = self.values.fill(template) {
                 self.raw(line.as_bytes())?;
@@ -199,14 +199,14 @@ impl<W: Write> ModalWriter<W> {
         Ok(())
     }
 
-    /// A block that is not ours: nothing is known after it.
+    /// Writes a block as it is; the modal state is unknown after it.
     pub(crate) fn raw(&mut self, block: &[u8]) -> io::Result<()> {
         self.writer.line(block)?;
         self.modal.forget(After::Anything);
         Ok(())
     }
 
-    /// Whether a word is written though it may be in force.
+    /// Whether a word is written: it changes, or every word is written.
     #[inline]
     fn writes(&self, changes: bool) -> bool {
         changes || self.every_word
@@ -222,7 +222,7 @@ impl<W: Write> ModalWriter<W> {
             })
     }
 
-    /// Words of axes that change, or all of them.
+    /// Writes the words of the axes that change, or of all axes.
     #[inline]
     pub(crate) fn axis_words(&mut self, words: &Words, all: bool) {
         for axis in &self.axes {
@@ -245,12 +245,12 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// A word in the numerals of axes that is always written.
+    /// Writes a word in the number format of axes, whether it is in force or not.
     pub(crate) fn word(&mut self, prefix: &str, number: Decimal) {
         self.writer.word(prefix, number, self.numerals);
     }
 
-    /// The words of a place; the same place once more is written in full.
+    /// Writes the words of a position that change; if none changes, all of them.
     pub(crate) fn place_words(&mut self, words: &Words) {
         if !self.any_changes(words) {
             self.modal.forget_axes(words);
@@ -258,7 +258,7 @@ impl<W: Write> ModalWriter<W> {
         self.axis_words(words, false);
     }
 
-    /// A motion code.
+    /// Writes a motion code, unless it is in force.
     pub(crate) fn motion(&mut self, code: &'static str) {
         let changes = self.modal.set_motion(code);
         if changes || !self.codes.motion_modal || self.every_word {
@@ -266,7 +266,7 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// A feed mode.
+    /// Writes a feed mode, unless it is in force.
     pub(crate) fn feed_mode(&mut self, code: &'static str) {
         let changes = self.modal.set_feed_mode(code);
         if self.writes(changes) {
@@ -274,7 +274,7 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// F, whether it is in force or not.
+    /// Writes F, whether it is in force or not.
     pub(crate) fn feed_word(&mut self, value: Decimal) {
         let numerals = Numerals { plus: false, ..self.numerals };
         self.writer.word("F", value, numerals);
@@ -298,7 +298,7 @@ impl<W: Write> ModalWriter<W> {
         self.axes.iter().find(|address| address.index == index).map_or(0, |address| address.decimals)
     }
 
-    /// A speed in a block of its own, where the spindle block cannot hold it.
+    /// Enters a spindle speed; writes it in its own block, where the spindle block does not hold it.
     pub(crate) fn changed_speed(&mut self, speed: Decimal) -> io::Result<()> {
         self.values.speed = Some(speed);
         if let Some(alone) = self.codes.speed
@@ -310,7 +310,7 @@ impl<W: Write> ModalWriter<W> {
         Ok(())
     }
 
-    /// Smoothing on or off, where the configuration asks for it.
+    /// Switches smoothing on or off, if the configuration uses it.
     pub(crate) fn smooth(&mut self, on: bool) -> io::Result<()> {
         let level = match self.smoothing {
             Smoothing::None => return Ok(()),

@@ -1,5 +1,5 @@
-//! Straight motions: rapids, feed blocks, rapids in machine coordinates; with them the length offset and the side of the
-//! cutter, which take effect in a motion.
+//! Straight motions: rapids, feed blocks, rapids in machine coordinates. Length offset and cutter compensation take
+//! effect in a motion and are written here too.
 
 use std::io::{self, Write};
 
@@ -10,7 +10,7 @@ use super::ModalWriter;
 use crate::control::encode::modal_state::{After, LengthState};
 
 impl<W: Write> ModalWriter<W> {
-    /// A straight motion at feed; none if nothing changes.
+    /// Writes a straight motion at feed, unless no axis word changes.
     pub(crate) fn feed(&mut self, words: &Words, feed: FeedWord) -> io::Result<()> {
         if !self.any_changes(words) {
             return Ok(());
@@ -24,9 +24,9 @@ impl<W: Write> ModalWriter<W> {
         let along = self.along_vector(words);
         self.motion(along.map_or(self.codes.feed, |(code, _)| code));
         self.call_length(words)?;
-        self.side_before_words();
+        self.compensation_before_words();
         self.axis_words(words, false);
-        self.side_after_words(along.is_some());
+        self.compensation_after_words(along.is_some());
         match feed {
             FeedWord::PerMinute(value) => self.changed_feed(value),
             FeedWord::InverseTime(value) => {
@@ -37,7 +37,7 @@ impl<W: Write> ModalWriter<W> {
         self.end()
     }
 
-    /// A rapid; none if nothing changes.
+    /// Writes a rapid, unless no axis word changes.
     pub(crate) fn rapid(&mut self, words: &Words) -> io::Result<()> {
         if !self.any_changes(words) {
             return Ok(());
@@ -51,10 +51,11 @@ impl<W: Write> ModalWriter<W> {
         self.end()
     }
 
-    /// A rapid in machine coordinates. Not every control keeps its motion code in force, and some end the length offset.
+    /// Writes a rapid in machine coordinates. The motion code is unknown after it, and some controls cancel the length
+    /// offset in it.
     pub(crate) fn machine_rapid(&mut self, words: &Words) -> io::Result<()> {
         self.smooth(false)?;
-        self.usual_plane()?;
+        self.select_xy_plane()?;
         let length = &self.codes.length;
         if length.machine_ends {
             if matches!(self.modal.length(), LengthState::On(_) | LengthState::Unknown) {
@@ -73,13 +74,14 @@ impl<W: Write> ModalWriter<W> {
         self.end()
     }
 
-    /// The code of a motion that writes a tool axis, and the end of a rapid of it, where these differ.
+    /// Codes of a motion that writes a tool axis vector: motion code, and end of a rapid; `None` if the usual ones
+    /// apply.
     fn along_vector(&self, words: &Words) -> Option<(&'static str, &'static str)> {
         let vectors = self.vectors.filter(|_| self.writes(self.modal.vector_changes(words.vector)))?;
         vectors.motion.map(|code| (code, vectors.rapid_end))
     }
 
-    /// Calls a pending length offset in a block of its own, where the control has it so.
+    /// Calls a pending length offset in its own block, for controls that call it so.
     pub(crate) fn call_length_alone(&mut self, words: &Words) -> io::Result<()> {
         match self.codes.length.call {
             LengthCall::Alone => self.call_length(words),
@@ -87,7 +89,7 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// Calls a pending length offset, before a motion or in it.
+    /// Calls a pending length offset, in a block before a motion or in the motion.
     fn call_length(&mut self, words: &Words) -> io::Result<()> {
         let LengthState::Pending(register) = self.modal.length() else { return Ok(()) };
         match self.codes.length.call {
@@ -107,14 +109,14 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// Calls a pending length offset at once, whatever moves it.
+    /// Calls a pending length offset at once, in its own block.
     pub(crate) fn call_length_now(&mut self) -> io::Result<()> {
         let LengthState::Pending(register) = self.modal.length() else { return Ok(()) };
         self.modal.set_length(LengthState::On(register));
         self.fill(self.codes.length.code)
     }
 
-    /// The length offset of the motions that follow.
+    /// Sets the length offset of the motions that follow.
     pub(crate) fn length(&mut self, register: u32) -> io::Result<()> {
         self.values.offset = Some(register);
         match self.codes.length.call {
@@ -130,20 +132,20 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// From the next feed block on the cutter runs left of its path, right, or on it.
-    pub(crate) fn offset_path(&mut self, side: Option<bool>, register: u32) {
+    /// Sets cutter compensation from the next feed block on: true for left, false for right, `None` for off.
+    pub(crate) fn set_compensation_side(&mut self, side: Option<bool>, register: u32) {
         self.side = side;
         self.values.radius = Some(register);
     }
 
-    /// Left or right of the path, or on it again, where that is written before the words.
-    fn side_before_words(&mut self) {
+    /// Writes cutter compensation, where it comes before the axis words.
+    fn compensation_before_words(&mut self) {
         if self.codes.no_compensation.is_empty() {
-            self.changed_side();
+            self.changed_compensation();
         }
     }
 
-    fn changed_side(&mut self) {
+    fn changed_compensation(&mut self) {
         if self.modal.side() != self.side {
             let index = self.side.map_or(2, |left| usize::from(!left));
             self.code(self.codes.compensation[index]);
@@ -151,10 +153,10 @@ impl<W: Write> ModalWriter<W> {
         }
     }
 
-    /// The side of the path, where that is written after the words; `implied`: the motion code means no compensation.
-    pub(crate) fn side_after_words(&mut self, implied: bool) {
+    /// Writes cutter compensation, where it comes after the axis words. `implied`: the motion code includes "off".
+    pub(crate) fn compensation_after_words(&mut self, implied: bool) {
         if self.side.is_some() || self.modal.side().is_some() {
-            return self.changed_side();
+            return self.changed_compensation();
         }
         if !implied {
             if self.writes(!self.modal.has_no_compensation()) {
