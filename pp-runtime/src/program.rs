@@ -60,7 +60,7 @@ pub enum Spindle {
     /// Turn; a missing part keeps the last one given.
     On {
         /// rev/min.
-        speed: Option<f64>,
+        speed_rev_per_min: Option<f64>,
         /// Sense of rotation.
         rotation: Option<Rotation>,
     },
@@ -100,13 +100,13 @@ pub struct ToolCall {
     /// Number of the tool.
     pub number: u32,
     /// Gauge length given with the record, mm.
-    pub length: Option<f64>,
+    pub length_mm: Option<f64>,
     /// Length offset register given with the record (ADJUST, OSETNO).
-    pub offset: Option<u32>,
+    pub length_offset: Option<u32>,
     /// Diameter from CUTTER or TLDATA, mm.
-    pub diameter: Option<f64>,
+    pub diameter_mm: Option<f64>,
     /// Corner radius from CUTTER or TLDATA, mm.
-    pub corner_radius: Option<f64>,
+    pub corner_radius_mm: Option<f64>,
 }
 
 /// One straight motion of the tool.
@@ -134,7 +134,7 @@ pub struct Arc {
     /// Direction of that axis; seen against it the tip turns counter-clockwise.
     pub normal: UnitVector3<f64>,
     /// Angle of the whole motion, rad, above 0; more than a turn for several.
-    pub angle: f64,
+    pub angle_rad: f64,
     /// As for a [`Move`].
     pub feed: Option<Feed>,
 }
@@ -171,21 +171,21 @@ pub enum Drilling {
     /// DEEP: after each step out to the clearance level.
     Peck {
         /// Depth of the first step.
-        first: f64,
+        first_mm: f64,
         /// Depth of each later one.
-        later: f64,
+        later_mm: f64,
     },
     /// BRKCHP: after each step back a little.
     ChipBreak {
         /// Depth of a step.
-        step: f64,
+        step_mm: f64,
         /// How far back; `None`: as configured.
-        back: Option<f64>,
+        retract_mm: Option<f64>,
     },
     /// TAP.
     Tap {
         /// mm per turn, if stated.
-        pitch: Option<f64>,
+        pitch_mm: Option<f64>,
     },
 }
 
@@ -195,11 +195,11 @@ pub struct Hole {
     /// The point of the GOTO: top of the hole.
     pub top: Pose,
     /// How deep the tip goes below `top`, above 0.
-    pub depth: f64,
+    pub depth_mm: f64,
     /// Level to which the tool comes down at rapid, 0 or more.
-    pub clearance: f64,
+    pub clearance_mm: f64,
     /// Level where it stands afterwards, at least `clearance`.
-    pub back_to: f64,
+    pub return_mm: f64,
     /// How it is made.
     pub drilling: Drilling,
     /// Feed of the cycle, else the modal one.
@@ -217,25 +217,25 @@ impl Hole {
 
     /// The rapid to its clearance level.
     #[must_use]
-    pub fn way_over(&self) -> Move {
-        Move { pose: self.level(self.clearance), rapid: true, feed: self.feed }
+    pub fn rapid_to_clearance(&self) -> Move {
+        Move { pose: self.level(self.clearance_mm), rapid: true, feed: self.feed }
     }
 }
 
 /// A plane of the workpiece frame: the points `p` with `normal · p = distance`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
+pub struct ClearancePlane {
     /// Its direction, away from the part.
     pub normal: UnitVector3<f64>,
     /// mm from the origin.
-    pub distance: f64,
+    pub distance_mm: f64,
 }
 
 /// Geometry around the part in the workpiece frame, mm: outside it the tool may move freely.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Clearance {
     /// Everything below a plane.
-    Plane(Plane),
+    Plane(ClearancePlane),
     /// A box along the axes of the frame.
     Box {
         /// Its lowest corner.
@@ -248,11 +248,11 @@ pub enum Clearance {
         /// X and Y of its axis.
         centre: [f64; 2],
         /// Its radius.
-        radius: f64,
+        radius_mm: f64,
         /// Z of its lower end.
-        lower: f64,
+        lower_z_mm: f64,
         /// Z of its upper end.
-        upper: f64,
+        upper_z_mm: f64,
     },
 }
 
@@ -264,7 +264,7 @@ pub struct Compensation {
     /// Offset register, if one is named.
     pub register: Option<u32>,
     /// No other plane than that of X and Y is named.
-    pub xy: bool,
+    pub in_xy_plane: bool,
 }
 
 /// On which side of the path the cutter runs.
@@ -282,11 +282,11 @@ pub enum CutterSide {
 
 /// ROTABL: which way a rotary axis turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turning {
+pub enum RotaryDirection {
     /// The shortest.
     Shortest,
     /// The next one in this sense.
-    Next(Rotation),
+    Towards(Rotation),
 }
 
 /// What the CL data asks for.
@@ -325,11 +325,11 @@ pub enum Event<'a> {
     /// GOHOME without a point.
     Home,
     /// CLEARP.
-    ClearancePlane(Plane),
+    ClearancePlane(ClearancePlane),
     /// LINTOL: the tolerance of what follows, mm; `None`: as configured.
     Tolerance(Option<f64>),
     /// ROTABL/SHORT, ROTABL/NEXT.
-    Turning(Turning),
+    RotaryDirection(RotaryDirection),
     /// DELAY.
     Delay(Dwell),
     /// OPSTOP.

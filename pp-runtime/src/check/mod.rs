@@ -85,7 +85,7 @@ pub fn check<M: Machine>(
         return Err(CheckError::Impossible(unfit.join("\n")));
     }
     let machine = job.config.set_up.machine::<M>().map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
-    let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
+    let options = cl::ReadingOptions { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let units = match job.config.output_units {
         Some(units) => units,
         None => set_up::units_of(&mut input, &options).map_err(CheckError::Input)?.unwrap_or(Units::Millimetres),
@@ -93,7 +93,7 @@ pub fn check<M: Machine>(
     let vocabulary = set_up::vocabulary::<M>(family, job.config, units);
     let offsets = set_up::offsets(job.config, family);
     let mut reader = Reader::new(program, vocabulary);
-    let mut checker = Checker::new(machine, job.config, family, units, offsets, cl::Reader::new(input, options));
+    let mut checker = Checker::new(machine, job.config, family, units, offsets, cl::ClReader::new(input, options));
     while let Some((block, text)) = reader.next_block().map_err(CheckError::Program)? {
         checker.block(block, text).map_err(CheckError::Input)?;
     }

@@ -1,7 +1,7 @@
 //! CL data: APT source and CLS files to machine-independent events.
 //!
 //! Bytes become statements in `text`, typed [`Record`]s in [`record`], and in `meaning`, with units and modes, the
-//! [`Event`](crate::program::Event)s of [`program`](crate::program). The [`Reader`] drives them, and keeps subprograms and
+//! [`Event`](crate::program::Event)s of [`program`](crate::program). The [`ClReader`] drives them, and keeps subprograms and
 //! diagnostics. Memory is constant: one read buffer, one buffer for joined statements, nothing allocated for a record that
 //! is understood.
 //!
@@ -22,6 +22,6 @@ mod vector;
 mod tests;
 
 pub use self::dialect::Dialect;
-pub use self::meaning::{ArcVote, ClPoint, CycleArg, FeedLabel, Frames, Insert, Options, Sense, StatedFrame};
-pub use self::reader::Reader;
+pub use self::meaning::{ArcVote, ClPoint, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, StatedFrame};
+pub use self::reader::ClReader;
 pub use self::record::{Record, list as list_words, not_inert};

@@ -4,7 +4,7 @@ use std::io::{self, Read};
 
 use super::diagnostics::Faults;
 use super::dialect::Dialect;
-use super::meaning::{ArcVote, Options, QueuedEvent, RecordInterpreter, StatedFrame, TextUse};
+use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
 use super::record::{
     CatiaMatrix, Record, SubprogramRecord, comment_dialect, is_goto, is_list, joined_record, parse, plain_goto,
     read_comment, record_dialect,
@@ -18,7 +18,7 @@ use crate::program::{Event, Location, Units};
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 
 /// Reads CL data and returns its events one by one.
-pub struct Reader<R> {
+pub struct ClReader<R> {
     lexer: Lexer<R>,
     interpreter: RecordInterpreter,
     matrix: CatiaMatrix,
@@ -39,10 +39,10 @@ enum Progress {
     Done,
 }
 
-impl<R: Read> Reader<R> {
+impl<R: Read> ClReader<R> {
     /// A reader of `input`; nothing is read yet.
-    pub fn new(input: R, options: Options) -> Self {
-        Reader {
+    pub fn new(input: R, options: ReadingOptions) -> Self {
+        ClReader {
             lexer: Lexer::new(input, options.columns),
             interpreter: RecordInterpreter::new(options),
             matrix: CatiaMatrix::default(),
@@ -142,7 +142,7 @@ impl<R: Read> Reader<R> {
         self.interpreter.coordinates().workpiece().different()
     }
 
-    /// Changes of the CSYS of SolidWorks CAM so far.
+    /// Transforms of the CSYS of SolidWorks CAM so far.
     pub fn setup_changes(&self) -> u64 {
         self.interpreter.coordinates().set_up().changes()
     }
@@ -232,11 +232,11 @@ impl<R: Read> Reader<R> {
                 if let Err(fault) = self.matrix.abandon() {
                     self.faults.add(fault, statement, &self.lexer);
                 }
-                self.interpreter.suspect(record_dialect(text));
+                self.interpreter.note_dialect(record_dialect(text));
                 return self.read_record(statement, self.lexer.locate(statement, 0).0);
             }
             StatementKind::Comment => {
-                self.interpreter.suspect(comment_dialect(text));
+                self.interpreter.note_dialect(comment_dialect(text));
                 let mut lines = self.lexer.joined_lines(statement);
                 match lines.find_map(|(offset, line)| joined_record(text, offset, line)) {
                     Some(swallowed) => Err(swallowed),

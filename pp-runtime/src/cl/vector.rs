@@ -8,7 +8,7 @@ const LARGEST_COORDINATE_MM: f64 = 1e6;
 
 /// The point, if a machine could be there.
 #[inline]
-pub(crate) fn near(point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
+pub(crate) fn within_a_kilometre(point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
     // A NaN fails the comparison, too.
     if point.iter().all(|value| value.abs() <= LARGEST_COORDINATE_MM) {
         return Ok(point);

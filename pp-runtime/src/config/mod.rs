@@ -42,7 +42,7 @@ options! {
         /// Unit of the program. Without it that of the CL data.
         output_units: Option<Units> = None, key("output_units", OneOf(&UNITS), "\"mm\"");
         /// How the CL data is read; its unit is in `cl_units`.
-        cl: reading::Options = reading::Options::default(), keys();
+        cl: reading::ReadingOptions = reading::ReadingOptions::default(), keys();
         /// Machine, part and shop.
         set_up: SetUp = SetUp::default(), keys();
         /// How motion is planned.

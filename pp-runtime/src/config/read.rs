@@ -40,9 +40,9 @@ impl Config {
         // The file's unit first: it decides what every length below means.
         let units = file.get("units", r);
         if let Some(value) = units {
-            r.give("units");
+            r.mark_given("units");
             if let Some(units) = r.choice(value, &UNITS) {
-                r.count_in(units);
+                r.set_units(units);
             }
         }
         self.read(file, r);

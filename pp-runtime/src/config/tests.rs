@@ -108,7 +108,7 @@ fn inches_and_degrees_become_millimetres_and_radians() {
     assert!(close(config.set_up.machine_zero[&'X'], -254.0));
     assert!(close(config.motion.park[&'B'], 90_f64.to_radians()));
     assert_eq!(config.motion.guards.spindle_max, Some(12000.0));
-    assert_eq!(config.set_up.tools[&3].length, Some(101.6));
+    assert_eq!(config.set_up.tools[&3].length_mm, Some(101.6));
     assert!(close(config.set_up.speeds[&'X'], 2540.0));
     assert!(close(config.set_up.speeds[&'C'], std::f64::consts::TAU));
     assert_eq!(config.set_up.limits[&'Z'], Some(Limits { lower: -508.0, upper: 0.0 }));
@@ -196,7 +196,7 @@ fn what_moves_between_cuts_and_how_fast_is_read() {
 fn the_clearance_geometry_is_a_plane_a_box_or_a_cylinder() {
     use crate::program::Clearance;
     let read = |text: &str| read(&format!("units = 'in'\n[retract]\nclearance = {text}\n")).motion.retract.clearance;
-    assert!(matches!(read("{ plane = 2 }"), Some(Clearance::Plane(plane)) if close(plane.distance, 50.8)));
+    assert!(matches!(read("{ plane = 2 }"), Some(Clearance::Plane(plane)) if close(plane.distance_mm, 50.8)));
     assert!(
         matches!(read("{ box = [[-1, -1, -1], [1, 1, 2]] }"), Some(Clearance::Box { upper, .. }) if close(upper.z, 50.8))
     );
@@ -399,7 +399,7 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
 
 #[test]
 fn how_cl_data_is_read_can_be_set() {
-    use crate::cl::record::CycleKind;
+    use crate::cl::record::ClCycleKind;
     use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
     let config = read(
         "units = \"in\"\ntolerance = 0.001\ncl_point = \"centre\"\n[defaults]\ntool = 3\npeck_gap = 0.02\n[tools.2]\n\
@@ -418,7 +418,7 @@ fn how_cl_data_is_read_can_be_set() {
     assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
     assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
     assert_eq!(cl.feed_label, FeedLabel::FileUnits);
-    assert_eq!(cl.cycle_args, [(CycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])]);
+    assert_eq!(cl.cycle_args, [(ClCycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])]);
 }
 
 #[test]

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value as Json, json};
 
 use crate::keys::{
-    AxisSet, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue, Truth,
-    Whole, list, nearest, options,
+    AxisSet, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue, Whole,
+    YesNo, list, nearest, options,
 };
 use crate::motion::{self, PathNorm, Policy};
 use crate::nc::Formats;
@@ -47,7 +47,7 @@ options! {
         /// Name of the program.
         program_name: Option<String> = None, also("control.program_name", OneLine, "\"BRACKET\"");
         /// The program begins with the name of its file, as a Siemens archive wants it: `%_N_NAME_MPF`.
-        file_header: bool = false, key("control.file_header", Truth);
+        file_header: bool = false, key("control.file_header", YesNo);
         /// Blocks of a restart point, and of a tool change.
         safety: Option<Vec<String>> = None,
             key("control.safety", ListOf(TemplateBlock(OF_PROGRAM)),
@@ -56,7 +56,7 @@ options! {
         tool_change: Option<Vec<String>> = None,
             also("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
         /// Call the tool after the next up while the next one cuts.
-        preselect: Option<bool> = None, key("control.preselect", Truth, "true");
+        preselect: Option<bool> = None, key("control.preselect", YesNo, "true");
         /// Codes of a kind of coolant: on, off.
         ///
         /// In the order flood, mist, coolant through the spindle, air.
@@ -68,16 +68,16 @@ options! {
         /// What F counts along where a rotary axis moves: "xyz", "xyz+deg", "g93_min" (1/min) or "g93_s" (1/s).
         path_norm: Option<PathNorm> = None, key("control.path_norm", OneOf(&PATH_NORMS), "\"xyz+deg\"");
         /// Whole numbers end with a point.
-        point: Option<bool> = None, key("control.point", Truth, "true");
+        point: Option<bool> = None, key("control.point", YesNo, "true");
         /// Codes that switch tip control on and off, in mode "tcp".
         tip_control: Option<[String; 2]> = None, key("control.tip_control", OnAndOff, "[\"M428\", \"M429\"]");
         /// Name of the swivel data of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
         /// All axes of a rapid arrive together under tip control (Fanuc: parameter 1401#1): the check of limits asks
         /// for it.
-        linear_rapids: Option<bool> = None, key("control.linear_rapids", Truth, "true");
+        linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
         /// Every word in every block.
-        every_word: bool = false, key("control.every_word", Truth);
+        every_word: bool = false, key("control.every_word", YesNo);
         /// Names of axes where they are not their letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AXIS_NAMES);
         /// Blocks around the program.
@@ -93,9 +93,9 @@ options! {
         /// Blocks before the end code.
         end: Vec<String> = Vec::new(), also("program.end", ListOf(TemplateBlock(OF_PROGRAM)));
         /// Machining times as comments at the end.
-        times: bool = false, key("program.times", Truth);
+        times: bool = false, key("program.times", YesNo);
         /// The figures of the check of the program as a comment at the end, or that it was not checked.
-        checked: bool = false, key("program.checked", Truth);
+        checked: bool = false, key("program.checked", YesNo);
         /// Step of the block numbers. Without it there are none.
         line_numbers: Option<u32> = None, key("program.line_numbers", Whole(1..=1000), "10");
     }

@@ -91,9 +91,9 @@ impl KeyKind for Whole {
 
 /// True or false.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Truth;
+pub(crate) struct YesNo;
 
-impl KeyKind for Truth {
+impl KeyKind for YesNo {
     type Value = bool;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<bool> {

@@ -15,7 +15,7 @@ mod table;
 use serde_json::Value as Json;
 
 pub(crate) use axes::{AxisEntry, AxisSet, PerAxis, along, letters, printed_along, solved};
-pub(crate) use kinds::{Assumed, LengthPoint, ListOf, Measure, OneLine, OneOf, Truth, Whole};
+pub(crate) use kinds::{Assumed, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo};
 pub(crate) use list::{KeyList, KeyRow, Printed, example_entries, printed_degrees, printed_number};
 pub(crate) use reader::{Bound, KeyReader, Quantity, TomlValue, list, nearest};
 pub(crate) use table::KeyTable;
@@ -121,7 +121,7 @@ pub(crate) fn read_into<K: KeyKind>(
 ) {
     let Some(value) = table.get(path, r) else { return };
     if table.is_file() && kind.counts() {
-        r.give(path);
+        r.mark_given(path);
     }
     if let Some(read) = kind.read(r, value) {
         field.put(read);

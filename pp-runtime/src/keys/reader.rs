@@ -113,7 +113,7 @@ impl<'t> KeyReader<'t> {
     }
 
     /// Every length from here on counts in these.
-    pub(crate) fn count_in(&mut self, units: Units) {
+    pub(crate) fn set_units(&mut self, units: Units) {
         self.units = units;
     }
 
@@ -123,7 +123,7 @@ impl<'t> KeyReader<'t> {
     }
 
     /// The file has this key.
-    pub(crate) fn give(&mut self, path: &'static str) {
+    pub(crate) fn mark_given(&mut self, path: &'static str) {
         self.given.insert(path);
     }
 
@@ -138,7 +138,7 @@ impl<'t> KeyReader<'t> {
     }
 
     /// The file has a key that nothing asked for.
-    pub(crate) fn leave(&mut self, key: UnknownKey) {
+    pub(crate) fn add_unknown(&mut self, key: UnknownKey) {
         self.unknown.push(key);
     }
 

@@ -55,7 +55,7 @@ impl<'a> KeyTable<'a> {
             let (name, span) = (key.get_ref().as_ref(), key.span());
             if !self.known.contains(&name) {
                 let (table, name, known) = (self.name.clone(), name.to_owned(), self.known.clone());
-                r.leave(UnknownKey { table, name, span, known });
+                r.add_unknown(UnknownKey { table, name, span, known });
             }
         }
         if self.is_file() {

@@ -16,7 +16,7 @@ mod tests;
 
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
-use crate::cl::{self, Reader};
+use crate::cl::{self, ClReader};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
@@ -301,9 +301,9 @@ impl<'a, I: Read + Seek> ClText<'a, I> {
         Ok(Self { job, input, start })
     }
 
-    fn options(&self) -> cl::Options {
+    fn options(&self) -> cl::ReadingOptions {
         let config = self.job.config;
-        cl::Options { units: self.job.units.or(config.cl_units), ..config.cl.clone() }
+        cl::ReadingOptions { units: self.job.units.or(config.cl_units), ..config.cl.clone() }
     }
 
     /// The first pass; without a machine there is no course.
@@ -315,10 +315,10 @@ impl<'a, I: Read + Seek> ClText<'a, I> {
     }
 
     /// A reader at the start.
-    fn reader(&mut self) -> Result<Reader<&mut I>, PostError> {
+    fn reader(&mut self) -> Result<ClReader<&mut I>, PostError> {
         self.input.seek(SeekFrom::Start(self.start)).map_err(PostError::Input)?;
         let options = self.options();
-        Ok(Reader::new(&mut *self.input, options))
+        Ok(ClReader::new(&mut *self.input, options))
     }
 }
 
@@ -341,7 +341,7 @@ impl<M: Machine> Pass<'_, M> {
     }
 
     /// Which rotary axes stay still for how long: the whole program is planned and nothing written.
-    fn rehearse(&self, reader: Reader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
+    fn rehearse(&self, reader: ClReader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
         let mut planner = self.planner(course, Nowhere);
         // What goes wrong here goes wrong again when the program is written, and is reported then.
         let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
@@ -351,7 +351,7 @@ impl<M: Machine> Pass<'_, M> {
     /// The last pass: header, program, and end code.
     fn write<W: Write>(
         &self,
-        reader: Reader<impl Read>,
+        reader: ClReader<impl Read>,
         recorded: Recorded<'_, '_, W>,
         course: Course,
         moving: MovingAxes,
@@ -387,7 +387,7 @@ impl<M: Machine> Pass<'_, M> {
     /// Plans the CL data from its first event to its last, or to the first error of the reader.
     fn plan<S: Sink>(
         &self,
-        mut reader: Reader<impl Read>,
+        mut reader: ClReader<impl Read>,
         planner: &mut Planner<'_, M, S>,
         remarks: &mut Remarks,
     ) -> Result<Result<(), Stop>, PostError> {

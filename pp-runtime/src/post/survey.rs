@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 use nalgebra::UnitVector3;
 
-use crate::cl::{ArcVote, Dialect, Options, Reader};
+use crate::cl::{ArcVote, ClReader, Dialect, ReadingOptions};
 use crate::config::{list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{Machine, Pose};
@@ -58,7 +58,7 @@ pub(crate) struct FileFacts {
 }
 
 impl FileFacts {
-    fn of<R: Read>(reader: &Reader<R>) -> Self {
+    fn of<R: Read>(reader: &ClReader<R>) -> Self {
         Self {
             units: reader.units(),
             units_only_given: reader.units_are_only_given(),
@@ -118,11 +118,11 @@ impl Survey {
     /// The first pass: reads the whole file, for the survey and the course alike.
     pub(crate) fn take<M: Machine>(
         input: impl Read,
-        options: Options,
+        options: ReadingOptions,
         policy: Policy<'_>,
         navigator: Option<Navigator<M>>,
     ) -> io::Result<Self> {
-        let mut reader = Reader::new(input, options);
+        let mut reader = ClReader::new(input, options);
         let mut source = Source::new::<M>(policy);
         let surveyor = Surveyor::new(policy.options.operations.clone(), M::default().tool_axis());
         let mut pass = FirstPass { surveyor, navigator };
@@ -279,7 +279,7 @@ impl Surveyor {
             | Event::Home
             | Event::ClearancePlane(_)
             | Event::Tolerance(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::OptionalStop
             | Event::Stop
@@ -453,10 +453,10 @@ impl Survey {
             self.tools.len() - 1
         });
         let known = &mut self.tools[index].call;
-        known.length = known.length.or(call.length);
-        known.offset = known.offset.or(call.offset);
-        known.diameter = known.diameter.or(call.diameter);
-        known.corner_radius = known.corner_radius.or(call.corner_radius);
+        known.length_mm = known.length_mm.or(call.length_mm);
+        known.length_offset = known.length_offset.or(call.length_offset);
+        known.diameter_mm = known.diameter_mm.or(call.diameter_mm);
+        known.corner_radius_mm = known.corner_radius_mm.or(call.corner_radius_mm);
         index
     }
 }

@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use nalgebra::Rotation3;
 
 use crate::cl::ClPoint;
-use crate::keys::{Bound, LengthPoint, Measure, OneLine, OneOf, Truth, Whole, options};
+use crate::keys::{Bound, LengthPoint, Measure, OneLine, OneOf, Whole, YesNo, options};
 use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
@@ -70,9 +70,9 @@ options! {
     /// What is known about one tool besides the CL data; everything defaults to unknown.
     pub struct GivenTool {
         /// From gauge line to tip.
-        length: Option<f64> = None, key("length", Measure::length(Bound::NotNegative), "148.32");
+        length_mm: Option<f64> = None, key("length", Measure::length(Bound::NotNegative), "148.32");
         /// Cutting diameter; only compared with the CL data.
-        diameter: Option<f64> = None, key("diameter", Measure::length(Bound::Positive), "10.0");
+        diameter_mm: Option<f64> = None, key("diameter", Measure::length(Bound::Positive), "10.0");
         /// Length offset register (H), where it is not the tool's number or what the CL data says.
         offset: Option<u32> = None, key("offset", Whole(1..=LARGEST_TOOL), "12");
         /// Register of its radius (D), where it is not what CUTCOM says or the tool's number.
@@ -80,9 +80,9 @@ options! {
         /// Name for header and comments.
         name: Option<String> = None, key("name", OneLine, "\"ball 10\"");
         /// Cuts turning counter-clockwise.
-        left_handed: bool = false, key("left_handed", Truth);
+        left_handed: bool = false, key("left_handed", YesNo);
         /// Spindle speed where the CL data gives none, rev/min.
-        speed: Option<f64> = None, key("speed", Measure::plain(Bound::Positive), "8000");
+        speed_rev_per_min: Option<f64> = None, key("speed", Measure::plain(Bound::Positive), "8000");
         /// Sense of rotation where the CL data gives none: CLW (M3) or CCLW (M4).
         rotation: Option<Rotation> = None, key("direction", OneOf(&ROTATIONS), "\"CLW\"");
         /// The kind that COOLNT/ON means for this tool.

@@ -5,12 +5,12 @@
 
 use std::f64::consts::TAU;
 
-use super::change::Changes;
 use super::options::Sense;
 use super::permitted::Permitted;
+use super::transform::Transforms;
 use crate::cl::record::{CircleForm, CircleRecord, TangentArc};
 use crate::cl::text::{ClFault, Span};
-use crate::cl::vector::near;
+use crate::cl::vector::within_a_kilometre;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Arc, Feed};
@@ -34,20 +34,20 @@ pub(crate) struct WaitingCircle {
     /// As in the file: the sense counts about it.
     axis: UnitVector3<f64>,
     sense: Sense,
-    radius: Option<f64>,
+    radius_mm: Option<f64>,
     times: u32,
     /// Angle that the arc must have, rad.
-    angle: Option<f64>,
+    angle_rad: Option<f64>,
     line: u64,
 }
 
 impl WaitingCircle {
-    /// The circle of a CIRCLE or MOVARC in line `line`; `unit`: mm in one unit of the file; `sense`: if it is given,
+    /// The circle of a CIRCLE or MOVARC in line `line`; `unit_mm`: mm in one unit of the file; `sense`: if it is given,
     /// whatever the form.
     pub(crate) fn new(
         circle: &CircleRecord,
-        unit: f64,
-        changes: &Changes,
+        unit_mm: f64,
+        transforms: &Transforms,
         sense: Option<Sense>,
         line: u64,
     ) -> Result<WaitingCircle, ClFault> {
@@ -65,14 +65,14 @@ impl WaitingCircle {
             CircleForm::Six | CircleForm::Seven => Sense::CounterClockwise,
             CircleForm::Eleven => Sense::Clockwise,
         };
-        let centre = changes.point(Point3::from(circle.centre.map(|value| value * unit)));
+        let centre = transforms.point(Point3::from(circle.centre.map(|value| value * unit_mm)));
         Ok(WaitingCircle {
-            centre: near(centre, circle.at)?,
-            axis: changes.direction(UnitVector3::new_normalize(axis)),
+            centre: within_a_kilometre(centre, circle.at)?,
+            axis: transforms.direction(UnitVector3::new_normalize(axis)),
             sense: sense.unwrap_or(of_form),
-            radius: circle.radius.map(|radius| radius * unit),
+            radius_mm: circle.radius.map(|radius| radius * unit_mm),
             times: circle.times,
-            angle: circle.angle.map(f64::to_radians),
+            angle_rad: circle.angle_deg.map(f64::to_radians),
             line,
         })
     }
@@ -93,13 +93,13 @@ pub(crate) fn tangent_circle(
     record: &TangentArc,
     start: &Pose,
     direction: Vector3<f64>,
-    (unit, changes): (f64, &Changes),
+    (unit_mm, transforms): (f64, &Transforms),
     line: u64,
 ) -> Result<(WaitingCircle, Point3<f64>), ClFault> {
     let at = record.at;
     let fault = |text: String| tlon_fault(at, text);
-    let point = |p: [f64; 3]| near(changes.point(Point3::from(p.map(|value| value * unit))), at);
-    let (centre, radius) = (point(record.centre)?, record.radius * unit);
+    let point = |p: [f64; 3]| within_a_kilometre(transforms.point(Point3::from(p.map(|value| value * unit_mm))), at);
+    let (centre, radius) = (point(record.centre)?, record.radius * unit_mm);
     let (from, end) = (point(record.line[0])?, point(record.line[1])?);
     let off = ((end - centre).norm() - radius).abs();
     if off > ARC_TOLERANCE_MM {
@@ -117,7 +117,7 @@ pub(crate) fn tangent_circle(
         return Err(fault("the plane of this arc is not known".into()));
     };
     let sense = Sense::CounterClockwise;
-    Ok((WaitingCircle { centre, axis, sense, radius: Some(radius), times: 1, angle: None, line }, end))
+    Ok((WaitingCircle { centre, axis, sense, radius_mm: Some(radius), times: 1, angle_rad: None, line }, end))
 }
 
 /// A TLON that is not understood.
@@ -246,7 +246,7 @@ pub(crate) fn arc_of(
     if off_plane > ARC_TOLERANCE_MM {
         return Err(fault(format!("the end of an arc is {off_plane:.4} mm off the plane of its circle")));
     }
-    let radius = circle.radius.unwrap_or(first);
+    let radius = circle.radius_mm.unwrap_or(first);
     for (which, found) in [("start", first), ("end", last)] {
         let off = (found - radius).abs();
         if off > ARC_TOLERANCE_MM {
@@ -258,10 +258,10 @@ pub(crate) fn arc_of(
     }
     // Along the axis: a helix that ends over its start is a whole turn.
     let rise = (end.tip - start.tip).dot(&n).abs();
-    let part = part_of_turn(u, v, n, rise, circle.angle.is_some()).map_err(fault)?;
-    let Some(stated) = circle.angle else {
+    let part = part_of_turn(u, v, n, rise, circle.angle_rad.is_some()).map_err(fault)?;
+    let Some(stated) = circle.angle_rad else {
         let angle = part + f64::from(circle.times - 1) * TAU;
-        return Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed });
+        return Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad: angle, feed });
     };
     let turns = ((stated - part) / TAU).round().max(0.0);
     let angle = part + turns * TAU;
@@ -272,7 +272,7 @@ pub(crate) fn arc_of(
             stated.to_degrees()
         )));
     }
-    Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed })
+    Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad: angle, feed })
 }
 
 /// Angle about `n` from the arm `u` to the arm `v` with a rise along `n`, rad, 0 to a whole turn.
@@ -305,5 +305,5 @@ pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
     let angle = n.dot(&u.cross(&p)).atan2(u.dot(&p)).rem_euclid(TAU);
     // Points at the ends may be before the one and after the other by rounding.
     let rounding = ARC_TOLERANCE_MM / radius;
-    (p.norm() - radius).abs() <= ARC_TOLERANCE_MM && (angle <= arc.angle + rounding || angle >= TAU - rounding)
+    (p.norm() - radius).abs() <= ARC_TOLERANCE_MM && (angle <= arc.angle_rad + rounding || angle >= TAU - rounding)
 }

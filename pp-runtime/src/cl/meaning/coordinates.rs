@@ -1,19 +1,19 @@
 //! From the numbers of a file to the workpiece frame: all changes of coordinates, and the frames they come from.
 
-use super::change::{Changes, RigidChange};
 use super::frame::{SetUpFrame, StatedFrame, WorkpieceFrames};
 use super::options::Frames;
+use super::transform::{RigidTransform, Transforms};
 use crate::cl::text::{ClFault, Span};
-use crate::cl::vector::{length, near};
+use crate::cl::vector::{length, within_a_kilometre};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
-use crate::program::Plane;
+use crate::program::ClearancePlane;
 
 /// Everything that decides where a point of the file is.
 #[derive(Debug, Default)]
 pub(crate) struct Coordinates {
     workpiece: WorkpieceFrames,
     set_up: SetUpFrame,
-    changes: Changes,
+    transforms: Transforms,
 }
 
 impl Coordinates {
@@ -28,30 +28,30 @@ impl Coordinates {
     }
 
     /// The changes in force.
-    pub(crate) fn changes(&self) -> &Changes {
-        &self.changes
+    pub(crate) fn transforms(&self) -> &Transforms {
+        &self.transforms
     }
 
-    /// TRACUT; `unit`: mm in one unit of the file.
-    pub(crate) fn set_tracut(&mut self, rows: Option<[f64; 12]>, unit: f64, at: Span) -> Result<(), ClFault> {
-        let tracut = rows.map(|rows| RigidChange::from_rows(&rows, unit, at)).transpose()?;
-        self.changes.set_tracut(tracut);
+    /// TRACUT; `unit_mm`: mm in one unit of the file.
+    pub(crate) fn set_tracut(&mut self, rows: Option<[f64; 12]>, unit_mm: f64, at: Span) -> Result<(), ClFault> {
+        let tracut = rows.map(|rows| RigidTransform::from_rows(&rows, unit_mm, at)).transpose()?;
+        self.transforms.set_tracut(tracut);
         Ok(())
     }
 
     /// ORIGIN, mm.
     pub(crate) fn set_origin(&mut self, origin: Option<[f64; 3]>) {
-        self.changes.set_origin(origin);
+        self.transforms.set_origin(origin);
     }
 
     /// TRANS, mm.
     pub(crate) fn set_translation(&mut self, by: Option<[f64; 3]>) {
-        self.changes.set_translation(by);
+        self.transforms.set_translation(by);
     }
 
     /// The unit of the file became known after the frames.
-    pub(crate) fn scale_frames(&mut self, unit: f64) {
-        self.workpiece.scale(unit);
+    pub(crate) fn scale_frames(&mut self, unit_mm: f64) {
+        self.workpiece.scale(unit_mm);
     }
 
     /// Takes a frame; answers whether another one is in force now.
@@ -62,7 +62,7 @@ impl Coordinates {
     /// Maps the frame in force into the first.
     pub(crate) fn map_frame(&mut self) {
         if let Some((main, current)) = self.workpiece.main_and_current() {
-            self.changes.set_frame(main, current);
+            self.transforms.set_frame(main, current);
         }
     }
 
@@ -88,19 +88,25 @@ impl Coordinates {
 
     /// A point in the workpiece frame, if a machine could be there.
     pub(crate) fn point(&self, point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
-        near(self.changes.point(point), at)
+        within_a_kilometre(self.transforms.point(point), at)
     }
 
-    /// A plane in the workpiece frame; `unit`: mm in one unit of the file.
-    pub(crate) fn plane(&self, normal: [f64; 3], distance: f64, unit: f64, at: Span) -> Result<Plane, ClFault> {
+    /// A plane in the workpiece frame; `unit_mm`: mm in one unit of the file.
+    pub(crate) fn plane(
+        &self,
+        normal: [f64; 3],
+        distance: f64,
+        unit_mm: f64,
+        at: Span,
+    ) -> Result<ClearancePlane, ClFault> {
         let length = length(normal);
         if length < 1e-9 {
             return Err(ClFault::new("CLEARP", at, "the normal of this plane is 0, 0, 0", "write CLEARP/XYPLAN,z"));
         }
         let normal = normal.map(|value| value / length);
-        let distance = distance * unit / length;
+        let distance = distance * unit_mm / length;
         let point = self.point(Point3::from(normal.map(|value| value * distance)), at)?;
-        let normal = self.changes.direction(UnitVector3::new_normalize(Vector3::from(normal)));
-        Ok(Plane { normal, distance: point.coords.dot(&normal) })
+        let normal = self.transforms.direction(UnitVector3::new_normalize(Vector3::from(normal)));
+        Ok(ClearancePlane { normal, distance_mm: point.coords.dot(&normal) })
     }
 }

@@ -64,7 +64,7 @@ impl CycleInForce {
     ) -> Result<(), ClFault> {
         self.active = true;
         self.before = before;
-        if definition.back == ReturnLevel::Initial && before.is_none() {
+        if definition.return_level == ReturnLevel::Initial && before.is_none() {
             return Err(ClFault::new(
                 "CYCLE",
                 at,
@@ -100,13 +100,13 @@ impl CycleInForce {
 
     /// Level to which the tool returns after a hole, mm above its top.
     pub(crate) fn return_level(&self, cycle: &HoleDefinition, top: &Pose, at: Span) -> Result<f64, ClFault> {
-        match cycle.back {
-            ReturnLevel::Clearance => Ok(cycle.clearance),
+        match cycle.return_level {
+            ReturnLevel::Clearance => Ok(cycle.clearance_mm),
             ReturnLevel::Level(level) => Ok(level),
             ReturnLevel::Initial => {
                 let before = self.before.unwrap_or(top.tip);
                 let level = (before - top.tip).dot(&top.axis);
-                if level < cycle.clearance - ARC_TOLERANCE_MM {
+                if level < cycle.clearance_mm - ARC_TOLERANCE_MM {
                     return Err(ClFault::new(
                         "CYCLE",
                         at,
@@ -116,7 +116,7 @@ impl CycleInForce {
                         "retract further before the cycle, or give a return level",
                     ));
                 }
-                Ok(level.max(cycle.clearance))
+                Ok(level.max(cycle.clearance_mm))
             }
         }
     }

@@ -35,7 +35,7 @@ pub struct StatedFrame {
 }
 
 impl StatedFrame {
-    pub(crate) fn new(record: &FrameRecord, unit: f64, location: Location) -> Result<StatedFrame, ClFault> {
+    pub(crate) fn new(record: &FrameRecord, unit_mm: f64, location: Location) -> Result<StatedFrame, ClFault> {
         let [x, y, z] = record.axes;
         let unit_length = [x, y, z].iter().all(|axis| (length(*axis) - 1.0).abs() <= SQUARE);
         let perpendicular = dot(x, y).abs() <= SQUARE && distance(cross(x, y), z) <= SQUARE;
@@ -47,7 +47,7 @@ impl StatedFrame {
                 "check the machine coordinate system in the CAM system",
             ));
         }
-        Ok(StatedFrame { location, origin: record.origin.map(|value| value * unit), axes: record.axes })
+        Ok(StatedFrame { location, origin: record.origin.map(|value| value * unit_mm), axes: record.axes })
     }
 
     pub(crate) fn is_same(&self, other: &StatedFrame) -> bool {
@@ -84,9 +84,9 @@ impl WorkpieceFrames {
     }
 
     /// The unit of the file became known after the frames.
-    pub(crate) fn scale(&mut self, unit: f64) {
+    pub(crate) fn scale(&mut self, unit_mm: f64) {
         for frame in &mut self.frames {
-            frame.origin = frame.origin.map(|value| value * unit);
+            frame.origin = frame.origin.map(|value| value * unit_mm);
         }
     }
 

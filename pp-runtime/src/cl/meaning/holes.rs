@@ -1,7 +1,7 @@
 //! Meaning of a CYCLE: levels along the tool axis from the point of each GOTO, by the habits of each CAM system.
 
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{CycleCall, CycleKind, FeedUnit, Return};
+use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Drilling, Dwell, Feed};
 
@@ -51,9 +51,9 @@ pub(crate) enum ReturnLevel {
 /// A cycle in force, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HoleDefinition {
-    pub(crate) depth: f64,
-    pub(crate) clearance: f64,
-    pub(crate) back: ReturnLevel,
+    pub(crate) depth_mm: f64,
+    pub(crate) clearance_mm: f64,
+    pub(crate) return_level: ReturnLevel,
     pub(crate) drilling: Drilling,
     pub(crate) feed: Option<Feed>,
     pub(crate) dwell: Option<Dwell>,
@@ -63,7 +63,7 @@ pub(crate) struct HoleDefinition {
 pub(crate) struct CycleContext<'a> {
     pub(crate) dialect: Dialect,
     /// mm in one unit of the file.
-    pub(crate) unit: f64,
+    pub(crate) unit_mm: f64,
     /// CYCLE/INIT (true) or CYCLE/CLEAR came before it.
     pub(crate) initial: Option<bool>,
     /// Meaning of numbers without words.
@@ -97,7 +97,7 @@ fn named(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<(CycleCall, Opt
             CycleArg::Depth => &mut cycle.depth,
             CycleArg::Clearance => &mut cycle.clear,
             CycleArg::Step => &mut cycle.step,
-            CycleArg::Dwell => &mut cycle.dwell,
+            CycleArg::Dwell => &mut cycle.dwell_s,
             CycleArg::Pitch => &mut pitch,
             CycleArg::Return => {
                 cycle.back_to = Some(Return::Level(value));
@@ -121,12 +121,12 @@ pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result
 /// The hole that a CYCLE describes.
 pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<HoleDefinition, ClFault> {
     let (cycle, pitch) = named(cycle, context.args)?;
-    let unit = context.unit;
-    let depth = depth(&cycle, context.dialect)? * unit;
-    let clearance = clearance(&cycle, context.dialect)? * unit;
+    let unit_mm = context.unit_mm;
+    let depth = depth(&cycle, context.dialect)? * unit_mm;
+    let clearance = clearance(&cycle, context.dialect)? * unit_mm;
     let back = back(&cycle, context, clearance)?;
-    let drilling = drilling(&cycle, context.feed, pitch, unit)?;
-    let dwell = match (cycle.dwell, cycle.dwell_turns) {
+    let drilling = drilling(&cycle, context.feed, pitch, unit_mm)?;
+    let dwell = match (cycle.dwell_s, cycle.dwell_rev) {
         (Some(_), Some(_)) => return Err(fault(cycle.at, "a cycle waits either seconds or turns", "write one DWELL")),
         (Some(value), None) | (None, Some(value)) if value < 0.0 => {
             return Err(fault(cycle.at, "a wait is not negative", "write DWELL,seconds"));
@@ -135,7 +135,14 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<Ho
         (None, Some(turns)) => (turns > 0.0).then_some(Dwell::Revolutions(turns)),
         (None, None) => None,
     };
-    Ok(HoleDefinition { depth, clearance, back, drilling, feed: context.feed, dwell })
+    Ok(HoleDefinition {
+        depth_mm: depth,
+        clearance_mm: clearance,
+        return_level: back,
+        drilling,
+        feed: context.feed,
+        dwell,
+    })
 }
 
 /// Depth below the point of the GOTO, above 0.
@@ -219,7 +226,7 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
             };
             match level {
                 _ if !initial => ReturnLevel::Clearance,
-                Some(Return::Level(level)) => ReturnLevel::Level(level * context.unit),
+                Some(Return::Level(level)) => ReturnLevel::Level(level * context.unit_mm),
                 _ => return Err(fault(cycle.at, "CYCLE/INIT needs RTRCTO with a level", "write RTRCTO,level")),
             }
         }
@@ -228,7 +235,7 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
         (_, Some(Return::Auto)) => {
             return Err(fault(cycle.at, "RTRCTO,AUTO is known from NX only", "write RETURN with a level"));
         }
-        (_, Some(Return::Level(level))) => ReturnLevel::Level(level * context.unit),
+        (_, Some(Return::Level(level))) => ReturnLevel::Level(level * context.unit_mm),
     };
     match back {
         ReturnLevel::Level(level) if level < clearance => Err(fault(
@@ -240,13 +247,13 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
     }
 }
 
-fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit: f64) -> Result<Drilling, ClFault> {
+fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: f64) -> Result<Drilling, ClFault> {
     let steps = |step: Option<f64>| match step {
-        Some(step) if step > 0.0 => Ok(step * unit),
+        Some(step) if step > 0.0 => Ok(step * unit_mm),
         Some(_) => Err(fault(cycle.at, "the step of a cycle is not above 0", "write STEP,depth")),
         None => Err(fault(cycle.at, "this cycle has no step", "write STEP, INCR or SUBPECK with a depth")),
     };
-    if cycle.orient.is_some() || cycle.kind == CycleKind::Back {
+    if cycle.orient_deg.is_some() || cycle.kind == ClCycleKind::Back {
         return Err(fault(
             cycle.at,
             "this cycle stops the spindle at an angle in the hole, which only a cycle of the control can do",
@@ -255,10 +262,10 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit: f64
     }
     let any = cycle.back.or(cycle.first_step).or(cycle.step);
     let stray = match cycle.kind {
-        CycleKind::Deep => cycle.back,
-        CycleKind::Brkchp => cycle.first_step,
-        CycleKind::Drill | CycleKind::Face | CycleKind::Csink | CycleKind::Thru | CycleKind::Cbore => any,
-        CycleKind::Bore | CycleKind::Back | CycleKind::Ream | CycleKind::Tap => any,
+        ClCycleKind::Deep => cycle.back,
+        ClCycleKind::Brkchp => cycle.first_step,
+        ClCycleKind::Drill | ClCycleKind::Face | ClCycleKind::Csink | ClCycleKind::Thru | ClCycleKind::Cbore => any,
+        ClCycleKind::Bore | ClCycleKind::Back | ClCycleKind::Ream | ClCycleKind::Tap => any,
     };
     if stray.is_some() {
         return Err(fault(
@@ -268,23 +275,25 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit: f64
         ));
     }
     Ok(match cycle.kind {
-        CycleKind::Drill | CycleKind::Face | CycleKind::Csink | CycleKind::Thru | CycleKind::Cbore => Drilling::Drill,
-        CycleKind::Bore | CycleKind::Ream | CycleKind::Back => Drilling::Ream,
-        CycleKind::Deep => {
+        ClCycleKind::Drill | ClCycleKind::Face | ClCycleKind::Csink | ClCycleKind::Thru | ClCycleKind::Cbore => {
+            Drilling::Drill
+        }
+        ClCycleKind::Bore | ClCycleKind::Ream | ClCycleKind::Back => Drilling::Ream,
+        ClCycleKind::Deep => {
             let later = steps(cycle.step)?;
             let first = if cycle.first_step.is_some() { steps(cycle.first_step)? } else { later };
-            Drilling::Peck { first, later }
+            Drilling::Peck { first_mm: first, later_mm: later }
         }
-        CycleKind::Brkchp => {
+        ClCycleKind::Brkchp => {
             let back = if cycle.back.is_some() { Some(steps(cycle.back)?) } else { None };
-            Drilling::ChipBreak { step: steps(cycle.step)?, back }
+            Drilling::ChipBreak { step_mm: steps(cycle.step)?, retract_mm: back }
         }
-        CycleKind::Tap => {
+        ClCycleKind::Tap => {
             let turn = match feed {
                 Some(Feed::PerRevolution(turn)) => Some(turn),
-                _ => pitch.map(|pitch| pitch * unit),
+                _ => pitch.map(|pitch| pitch * unit_mm),
             };
-            Drilling::Tap { pitch: turn }
+            Drilling::Tap { pitch_mm: turn }
         }
     })
 }

@@ -13,7 +13,7 @@ use super::cycle::CycleInForce;
 use super::event_queue::{EventQueue, QueuedEvent, TextUse};
 use super::modal_tool::ModalTool;
 use super::nurbs_curve::OpenCurve;
-use super::options::{ClPoint, Insert, Options};
+use super::options::{ClPoint, Insert, ReadingOptions};
 use super::path_state::PathState;
 use super::permitted::Permitted;
 use super::units::FileUnits;
@@ -26,7 +26,7 @@ use crate::program::{Event, Location, Spline};
 /// Everything modal, each part with its owner.
 #[derive(Debug, Default)]
 pub(crate) struct RecordInterpreter {
-    options: Options,
+    options: ReadingOptions,
     found_dialect: Dialect,
     units: FileUnits,
     tool: ModalTool,
@@ -39,20 +39,20 @@ pub(crate) struct RecordInterpreter {
     cycle: CycleInForce,
     /// The CAM system asks for inverse-time feed.
     inverse_time: bool,
-    /// The next GOTO is a straight motion and nothing else: see [`note_state`](Self::note_state).
-    plain: bool,
+    /// The next GOTO is a straight motion and nothing else: see [`update_plain_goto`](Self::update_plain_goto).
+    plain_goto: bool,
     events: EventQueue,
 }
 
 impl RecordInterpreter {
-    pub(crate) fn new(options: Options) -> Self {
+    pub(crate) fn new(options: ReadingOptions) -> Self {
         let units = FileUnits::new(options.units);
         let mut new = RecordInterpreter { options, units, ..Self::default() };
-        new.note_state();
+        new.update_plain_goto();
         new
     }
 
-    pub(crate) fn options(&self) -> &Options {
+    pub(crate) fn options(&self) -> &ReadingOptions {
         &self.options
     }
 
@@ -95,7 +95,7 @@ impl RecordInterpreter {
     }
 
     /// The first evidence decides.
-    pub(crate) fn suspect(&mut self, dialect: Dialect) {
+    pub(crate) fn note_dialect(&mut self, dialect: Dialect) {
         if self.found_dialect == Dialect::Generic {
             self.found_dialect = dialect;
         }
@@ -121,7 +121,7 @@ impl RecordInterpreter {
         self.arc.admit(permitted)?;
         self.cycle.admit(permitted)?;
         let taken = self.interpret(record, here);
-        self.note_state();
+        self.update_plain_goto();
         taken
     }
 
@@ -146,14 +146,14 @@ impl RecordInterpreter {
     /// Reports what is still open at the end of the file, and lets go of a tool that is held back.
     pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
         let closed = if self.curve.is_open() { self.close_curve() } else { Ok(()) };
-        self.let_go();
-        self.votes.settle(None);
+        self.emit_held_tool();
+        self.votes.conclude_arc(None);
         closed?;
         self.arc.finish()
     }
 
-    fn let_go(&mut self) {
-        if let Some((here, tool)) = self.tool.let_go() {
+    fn emit_held_tool(&mut self) {
+        if let Some((here, tool)) = self.tool.take_held() {
             self.events.push(here, QueuedEvent::Plain(Event::Tool(tool)));
         }
     }
@@ -167,25 +167,25 @@ impl RecordInterpreter {
     }
 
     fn push(&mut self, here: Location, event: QueuedEvent) {
-        self.let_go();
+        self.emit_held_tool();
         self.events.push(here, event);
     }
 
     /// Whether the next GOTO is a motion and no event waits before it.
     #[inline]
     pub(crate) fn is_straight(&self) -> bool {
-        self.plain && !self.tool.is_held() && self.events.is_empty()
+        self.plain_goto && !self.tool.is_held() && self.events.is_empty()
     }
 
     /// Whether a GOTO has nothing to do with circles, curves, cycles, votes and changes of coordinates.
-    fn note_state(&mut self) {
-        self.plain = !self.arc.is_open()
+    fn update_plain_goto(&mut self) {
+        self.plain_goto = !self.arc.is_open()
             && !self.curve.is_open()
             && !self.tool.is_described_anew()
             && !self.cycle.is_active()
             && !self.path.is_above_hole()
-            && !self.votes.waits()
-            && self.coordinates.changes().none()
+            && !self.votes.has_undecided()
+            && self.coordinates.transforms().none()
             && self.options.cl_point == ClPoint::Tip
             && self.options.cl_point_of.is_empty();
     }
@@ -215,7 +215,7 @@ impl RecordInterpreter {
         self.cycle.end_operation();
         // Rapids and lines of another operation are no evidence of the sense of an arc.
         self.path.forget_line();
-        self.votes.settle(None);
+        self.votes.conclude_arc(None);
     }
 
     fn insert(&mut self, text: &Text<'_>, here: Location) -> Result<(), ClFault> {

@@ -7,7 +7,6 @@
 
 mod arc;
 mod axis;
-mod change;
 mod coordinates;
 mod cycle;
 mod event_queue;
@@ -20,6 +19,7 @@ mod nurbs_curve;
 mod options;
 mod path_state;
 mod permitted;
+mod transform;
 mod units;
 mod votes;
 
@@ -27,5 +27,5 @@ pub(crate) use self::event_queue::{QueuedEvent, TextUse};
 pub use self::frame::StatedFrame;
 pub use self::holes::CycleArg;
 pub(crate) use self::interpret::RecordInterpreter;
-pub use self::options::{ClPoint, FeedLabel, Frames, Insert, Options, Sense};
+pub use self::options::{ClPoint, FeedLabel, Frames, Insert, ReadingOptions, Sense};
 pub use self::votes::ArcVote;

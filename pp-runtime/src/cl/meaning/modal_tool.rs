@@ -48,7 +48,7 @@ impl ModalTool {
     }
 
     /// The call that was held back: nothing describes it any more.
-    pub(crate) fn let_go(&mut self) -> Option<(Location, ToolCall)> {
+    pub(crate) fn take_held(&mut self) -> Option<(Location, ToolCall)> {
         let held = self.held.take()?;
         self.last = Some(held.1);
         Some(held)
@@ -57,13 +57,14 @@ impl ModalTool {
     /// LOADTL, LOAD/TOOL, after the call before it was let go; `length` in mm.
     pub(crate) fn call(&mut self, tool: &ToolCallRecord, length: Option<f64>, here: Location) {
         (self.next_is_new, self.uncalled) = (false, None);
-        let mut call = ToolCall { number: tool.number, length, offset: tool.offset, ..ToolCall::default() };
+        let mut call =
+            ToolCall { number: tool.number, length_mm: length, length_offset: tool.offset, ..ToolCall::default() };
         if let Some(cutter) = self.next_cutter.take() {
-            call.diameter = Some(cutter.diameter);
-            call.corner_radius = cutter.corner_radius;
+            call.diameter_mm = Some(cutter.diameter);
+            call.corner_radius_mm = cutter.corner_radius;
         } else if let Some(same) = self.last.filter(|last| last.number == tool.number) {
             // CATIA calls a tool again for each operation and describes it once.
-            (call.diameter, call.corner_radius) = (same.diameter, same.corner_radius);
+            (call.diameter_mm, call.corner_radius_mm) = (same.diameter_mm, same.corner_radius_mm);
         }
         self.held = Some((here, call));
     }
@@ -80,8 +81,8 @@ impl ModalTool {
         self.note_size(cutter, here);
         let held = self.held.as_mut().map(|(_, tool)| tool);
         if let Some(tool) = held.or(self.last.as_mut()) {
-            tool.diameter = Some(cutter.diameter);
-            tool.corner_radius = cutter.corner_radius;
+            tool.diameter_mm = Some(cutter.diameter);
+            tool.corner_radius_mm = cutter.corner_radius;
         }
     }
 
@@ -104,12 +105,12 @@ impl ModalTool {
             return fault("length offset 0 would switch the length offset off", "give a register above 0");
         }
         match &mut self.held {
-            Some((_, tool)) if tool.offset.is_none_or(|offset| offset == register) => {
-                tool.offset = Some(register);
+            Some((_, tool)) if tool.length_offset.is_none_or(|offset| offset == register) => {
+                tool.length_offset = Some(register);
                 Ok(())
             }
             Some(_) => fault("two different length offsets for one tool", "give one register"),
-            None if self.last.is_some_and(|tool| tool.offset.unwrap_or(tool.number) == register) => Ok(()),
+            None if self.last.is_some_and(|tool| tool.length_offset.unwrap_or(tool.number) == register) => Ok(()),
             None => fault(
                 "the length offset changes away from the tool's call",
                 "give it behind LOADTL or LOAD/TOOL: a change in the cut would move the tool",
@@ -123,7 +124,7 @@ impl ModalTool {
             return None;
         }
         let cutter = self.next_cutter?;
-        let called = self.current().and_then(|tool| tool.diameter);
+        let called = self.current().and_then(|tool| tool.diameter_mm);
         let before = self.uncalled.replace(cutter).map(|cutter| cutter.diameter).or(called)?;
         if (before - cutter.diameter).abs() <= SAME_DIAMETER_MM {
             return None;

@@ -7,9 +7,9 @@ use serde_json::{Map, Value as Json, json};
 
 use super::holes::CycleArg;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{CycleKind, not_inert};
+use crate::cl::record::{ClCycleKind, not_inert};
 use crate::keys::{
-    KeyKind, KeyReader, KeyScope, KeyTable, ListOf, OneLine, OneOf, Printed, TomlValue, Truth, Whole, options,
+    KeyKind, KeyReader, KeyScope, KeyTable, ListOf, OneLine, OneOf, Printed, TomlValue, Whole, YesNo, options,
 };
 use crate::program::Units;
 
@@ -89,7 +89,7 @@ impl ClPoint {
 
 options! {
     /// How the CL data is read; `explain --cl` lists its words.
-    pub struct Options in "cl" {
+    pub struct ReadingOptions in "cl" {
         /// Unit of CL data that does not state its own (`--units`). Without it such data is refused.
         units: Option<Units> = None;
         /// The point that the CL data programs: "tip", or "centre" of the corner radius.
@@ -110,7 +110,7 @@ options! {
         /// INSERT: "refuse", "comment" or "write" (as NC text that nobody checks).
         insert: Insert = Insert::Refuse, key("cl.insert", OneOf(&Insert::NAMES));
         /// INSERT/STOP is STOP.
-        insert_stop: bool = false, key("cl.insert_stop", Truth);
+        insert_stop: bool = false, key("cl.insert_stop", YesNo);
         /// Codes that AUXFUN and PREFUN may write.
         auxfun: Vec<u32> = Vec::new(), key("cl.auxfun", ListOf(Whole(0..=LARGEST_CODE)));
         /// Codes that PREFUN may write.
@@ -122,7 +122,7 @@ options! {
         /// `true`: it is written as the first approach.
         from_move: bool = false, key("cl.from", OneOf(&FROMS));
         /// Numbers of a CYCLE that have no word: depth, clearance, return, step, dwell, pitch, feed.
-        cycle_args: Vec<(CycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
+        cycle_args: Vec<(ClCycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
     }
 }
 
@@ -165,12 +165,12 @@ impl KeyKind for InertWord {
 struct CycleNumbers;
 
 impl KeyKind for CycleNumbers {
-    type Value = Vec<(CycleKind, Vec<CycleArg>)>;
+    type Value = Vec<(ClCycleKind, Vec<CycleArg>)>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
         let mut read = Vec::new();
         for (key, span, value) in r.entries(value) {
-            let Some((_, kind)) = CycleKind::WORDS.iter().find(|(word, _)| *word == key) else {
+            let Some((_, kind)) = ClCycleKind::WORDS.iter().find(|(word, _)| *word == key) else {
                 r.fault(span, format!("`{key}` is not a kind of CYCLE"), None);
                 continue;
             };
@@ -191,7 +191,7 @@ impl KeyKind for CycleNumbers {
         let args = ListOf(OneOf(&CycleArg::NAMES)).schema(scope);
         let kind = json!({ "type": "object", "properties": { "args": args }, "additionalProperties": false });
         let kinds: Map<String, Json> =
-            CycleKind::WORDS.iter().map(|(word, _)| ((*word).to_owned(), kind.clone())).collect();
+            ClCycleKind::WORDS.iter().map(|(word, _)| ((*word).to_owned(), kind.clone())).collect();
         json!({ "type": "object", "properties": kinds, "additionalProperties": false })
     }
 

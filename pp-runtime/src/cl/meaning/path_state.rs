@@ -3,7 +3,7 @@
 use crate::cl::text::{ClFault, Span};
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
-use crate::program::{Feed, Plane};
+use crate::program::{ClearancePlane, Feed};
 
 /// Position of the tool and the modes of its motion, in the workpiece frame.
 #[derive(Debug, Default)]
@@ -16,7 +16,7 @@ pub(crate) struct PathState {
     /// RAPID waits for its motion.
     rapid: bool,
     feed: Option<Feed>,
-    clearance: Option<Plane>,
+    clearance: Option<ClearancePlane>,
     motions: u64,
 }
 
@@ -33,7 +33,7 @@ impl PathState {
         self.motions
     }
 
-    pub(crate) fn clearance(&self) -> Option<Plane> {
+    pub(crate) fn clearance(&self) -> Option<ClearancePlane> {
         self.clearance
     }
 
@@ -47,7 +47,7 @@ impl PathState {
     }
 
     /// CLEARP.
-    pub(crate) fn set_clearance(&mut self, plane: Plane) {
+    pub(crate) fn set_clearance(&mut self, plane: ClearancePlane) {
         self.clearance = Some(plane);
     }
 

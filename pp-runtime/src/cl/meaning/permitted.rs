@@ -84,7 +84,7 @@ impl Permitted {
             MachineRecord::Feed(_) | MachineRecord::InverseTime(_) => Self::WITHIN_ARC,
             MachineRecord::Coolant(_) | MachineRecord::Tolerance { .. } => Self::WITHIN_ARC,
             MachineRecord::Rapid | MachineRecord::Spindle(_) | MachineRecord::Compensation { .. } => Self::ORDINARY,
-            MachineRecord::Delay { .. } | MachineRecord::Turning(_) => Self::ORDINARY,
+            MachineRecord::Delay { .. } | MachineRecord::RotaryDirection(_) => Self::ORDINARY,
         }
     }
 

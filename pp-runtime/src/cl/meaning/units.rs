@@ -9,7 +9,7 @@ pub(crate) struct FileUnits {
     given: Option<Units>,
     found: Option<(Units, Location)>,
     /// That none is known has been reported.
-    missed: bool,
+    missing_reported: bool,
 }
 
 impl FileUnits {
@@ -38,7 +38,7 @@ impl FileUnits {
 
     #[cold]
     fn assume_millimetres(&mut self, at: Span) -> Result<f64, ClFault> {
-        if std::mem::replace(&mut self.missed, true) {
+        if std::mem::replace(&mut self.missing_reported, true) {
             return Ok(1.0);
         }
         Err(ClFault::new(

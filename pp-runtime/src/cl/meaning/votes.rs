@@ -76,7 +76,7 @@ pub(crate) struct ArcVotes {
 
 impl ArcVotes {
     /// An arc; `line`: the feed line that led to it.
-    pub(crate) fn arc(
+    pub(crate) fn add_arc(
         &mut self,
         arc: &Arc,
         axis: &UnitVector3<f64>,
@@ -84,7 +84,7 @@ impl ArcVotes {
         frame: u32,
         at: Location,
     ) {
-        self.settle(None);
+        self.conclude_arc(None);
         self.arcs += 1;
         let largest =
             axis.iter().copied().fold(0.0_f64, |most, value| if value.abs() > most.abs() { value } else { most });
@@ -106,12 +106,12 @@ impl ArcVotes {
         });
     }
 
-    pub(crate) fn waits(&self) -> bool {
+    pub(crate) fn has_undecided(&self) -> bool {
         self.undecided.is_some()
     }
 
     /// What follows the last arc: a feed line, or something else.
-    pub(crate) fn settle(&mut self, line: Option<Vector3<f64>>) {
+    pub(crate) fn conclude_arc(&mut self, line: Option<Vector3<f64>>) {
         let Some(arc) = self.undecided.take() else { return };
         let after = line.and_then(|line| vote(line, arc.tangent, &arc.normal));
         let group = &mut self.groups[arc.group];

@@ -30,7 +30,7 @@ pub struct CircleRecord {
     /// TIMES,n: the arc and n - 1 full turns.
     pub times: u32,
     /// MOVARC: the angle that the arc must have, degrees.
-    pub angle: Option<f64>,
+    pub angle_deg: Option<f64>,
     /// The numbers, for messages.
     pub at: Span,
 }
@@ -122,7 +122,7 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         radius: (form != CircleForm::Six).then_some(r),
         form,
         times,
-        angle: None,
+        angle_deg: None,
         at,
     }))
 }
@@ -155,7 +155,7 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         radius: Some(r),
         form: CircleForm::Seven,
         times: 1,
-        angle: Some(degrees),
+        angle_deg: Some(degrees),
         at,
     }))
 }
@@ -247,7 +247,7 @@ impl TlonScan<'_> {
 impl Display for CircleRecord {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         let radius = self.radius.unwrap_or_default();
-        if let Some(angle) = self.angle {
+        if let Some(angle) = self.angle_deg {
             let (centre, axis) = (ClNumbers(&self.centre), ClNumbers(&self.axis));
             return write!(out, "MOVARC/{centre},{axis},{},ANGLE,{}", ClNumber(radius), ClNumber(angle));
         }

@@ -8,7 +8,7 @@ use crate::cl::text::{Arg, Args, ClFault, Span, quoted};
 
 /// Kind of hole that a CYCLE makes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CycleKind {
+pub enum ClCycleKind {
     /// DRILL.
     Drill,
     /// FACE: with a wait at the bottom.
@@ -33,21 +33,21 @@ pub enum CycleKind {
     Cbore,
 }
 
-impl CycleKind {
+impl ClCycleKind {
     /// Words and kinds; the first word of a kind is the one written.
-    pub const WORDS: [(&'static str, CycleKind); 12] = [
-        ("DRILL", CycleKind::Drill),
-        ("FACE", CycleKind::Face),
-        ("CSINK", CycleKind::Csink),
-        ("THRU", CycleKind::Thru),
-        ("DEEP", CycleKind::Deep),
-        ("DEEP2", CycleKind::Deep),
-        ("BRKCHP", CycleKind::Brkchp),
-        ("BORE", CycleKind::Bore),
-        ("BACK", CycleKind::Back),
-        ("REAM", CycleKind::Ream),
-        ("TAP", CycleKind::Tap),
-        ("CBORE", CycleKind::Cbore),
+    pub const WORDS: [(&'static str, ClCycleKind); 12] = [
+        ("DRILL", ClCycleKind::Drill),
+        ("FACE", ClCycleKind::Face),
+        ("CSINK", ClCycleKind::Csink),
+        ("THRU", ClCycleKind::Thru),
+        ("DEEP", ClCycleKind::Deep),
+        ("DEEP2", ClCycleKind::Deep),
+        ("BRKCHP", ClCycleKind::Brkchp),
+        ("BORE", ClCycleKind::Bore),
+        ("BACK", ClCycleKind::Back),
+        ("REAM", ClCycleKind::Ream),
+        ("TAP", ClCycleKind::Tap),
+        ("CBORE", ClCycleKind::Cbore),
     ];
 
     /// The word that is written for it.
@@ -73,7 +73,7 @@ pub const MOST_POSITIONAL: usize = 6;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CycleCall {
     /// Kind.
-    pub kind: CycleKind,
+    pub kind: ClCycleKind,
     /// FEDTO: bottom, signed along the tool axis (NX) or positive into the part (SolidWorks CAM).
     pub fedto: Option<f64>,
     /// DEPTH: positive into the part.
@@ -91,13 +91,13 @@ pub struct CycleCall {
     /// 1STPECK: depth of the first step.
     pub first_step: Option<f64>,
     /// DWELL,n.
-    pub dwell: Option<f64>,
+    pub dwell_s: Option<f64>,
     /// DWELL,REV,n or REV,n: the wait in revolutions of the spindle.
-    pub dwell_turns: Option<f64>,
+    pub dwell_rev: Option<f64>,
     /// BACK,g of BRKCHP: how far back.
     pub back: Option<f64>,
     /// ORIENT,a.
-    pub orient: Option<f64>,
+    pub orient_deg: Option<f64>,
     /// Numbers without a word, in their order.
     pub positional: [f64; MOST_POSITIONAL],
     /// How many of them there are.
@@ -111,7 +111,7 @@ pub struct CycleCall {
 impl CycleCall {
     /// A cycle of this kind without any level.
     #[must_use]
-    pub const fn new(kind: CycleKind, at: Span) -> Self {
+    pub const fn new(kind: ClCycleKind, at: Span) -> Self {
         CycleCall {
             kind,
             fedto: None,
@@ -122,10 +122,10 @@ impl CycleCall {
             back_to: None,
             step: None,
             first_step: None,
-            dwell: None,
-            dwell_turns: None,
+            dwell_s: None,
+            dwell_rev: None,
             back: None,
-            orient: None,
+            orient_deg: None,
             positional: [0.0; MOST_POSITIONAL],
             positionals: 0,
             at,
@@ -174,13 +174,13 @@ pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
     if let Some(state) = first.among(&CycleState::WORDS) {
         return Ok(CycleRecord::Switch { state, at: first.at });
     }
-    let kind = first.among(&CycleKind::WORDS).ok_or_else(|| args.not_understood(first))?;
+    let kind = first.among(&ClCycleKind::WORDS).ok_or_else(|| args.not_understood(first))?;
     let mut cycle = CycleCall::new(kind, at);
     let mut only_kind = true;
     while let Some(arg) = args.next()? {
-        match arg.among(&CycleKind::WORDS) {
+        match arg.among(&ClCycleKind::WORDS) {
             // NX writes DRILL,DEEP.
-            Some(kind) if only_kind && cycle.kind == CycleKind::Drill => cycle.kind = kind,
+            Some(kind) if only_kind && cycle.kind == ClCycleKind::Drill => cycle.kind = kind,
             _ => cycle.take(arg, args)?,
         }
         only_kind = false;
@@ -199,9 +199,9 @@ const NUMBER_AFTER: [(&str, NumberOf); 9] = [
     ("STEP", |cycle| &mut cycle.step),
     ("INCR", |cycle| &mut cycle.step),
     ("SUBPECK", |cycle| &mut cycle.step),
-    ("REV", |cycle| &mut cycle.dwell_turns),
+    ("REV", |cycle| &mut cycle.dwell_rev),
     ("BACK", |cycle| &mut cycle.back),
-    ("ORIENT", |cycle| &mut cycle.orient),
+    ("ORIENT", |cycle| &mut cycle.orient_deg),
 ];
 
 impl CycleCall {
@@ -225,7 +225,7 @@ impl CycleCall {
         }
         if arg.is("DWELL") {
             let turns = follows(args, "REV")?;
-            return put(if turns { &mut self.dwell_turns } else { &mut self.dwell }, arg, args);
+            return put(if turns { &mut self.dwell_rev } else { &mut self.dwell_s }, arg, args);
         }
         Err(args.not_understood(arg))
     }
@@ -299,10 +299,10 @@ impl Display for CycleCall {
             ("1STPECK", self.first_step),
             ("RAPTO", self.rapto),
             ("CLEAR", self.clear),
-            ("DWELL", self.dwell),
-            ("REV", self.dwell_turns),
+            ("DWELL", self.dwell_s),
+            ("REV", self.dwell_rev),
             ("BACK", self.back),
-            ("ORIENT", self.orient),
+            ("ORIENT", self.orient_deg),
         ] {
             if let Some(value) = value {
                 write!(out, ",{word},{}", ClNumber(value))?;

@@ -7,7 +7,7 @@ use super::feed::FeedRecord;
 use super::spindle::write_spindle;
 use super::values::{AxisPlane, ClNumber, word_of, write_on_off};
 use crate::cl::text::{Args, ClFault, Span};
-use crate::program::{Coolant, CutterSide, Dwell, Rotation, Spindle, Turning};
+use crate::program::{Coolant, CutterSide, Dwell, RotaryDirection, Rotation, Spindle};
 
 /// A state of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +46,7 @@ pub enum MachineRecord {
         at: Span,
     },
     /// `ROTABL/SHORT`, `ROTABL/NEXT,CLW|CCLW`.
-    Turning(Turning),
+    RotaryDirection(RotaryDirection),
 }
 
 /// FEDRAT.
@@ -131,10 +131,12 @@ const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW",
 pub(crate) fn rotary_direction(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
     let arg = args.needed()?;
     if arg.is("SHORT") {
-        return Ok(MachineRecord::Turning(Turning::Shortest));
+        return Ok(MachineRecord::RotaryDirection(RotaryDirection::Shortest));
     }
     if arg.is("NEXT") {
-        return args.one_of(&ROTATIONS).map(|rotation| MachineRecord::Turning(Turning::Next(rotation)));
+        return args
+            .one_of(&ROTATIONS)
+            .map(|rotation| MachineRecord::RotaryDirection(RotaryDirection::Towards(rotation)));
     }
     // An empty place is the nearer fault.
     while args.next()?.is_some() {}
@@ -172,8 +174,10 @@ impl Display for MachineRecord {
             Self::Delay { dwell: Dwell::Revolutions(value), .. } => write!(out, "DELAY/{},REV", ClNumber(*value)),
             Self::Tolerance { value: Some(value), .. } => write!(out, "LINTOL/{}", ClNumber(*value)),
             Self::Tolerance { value: None, .. } => out.write_str("LINTOL/OFF"),
-            Self::Turning(Turning::Shortest) => out.write_str("ROTABL/SHORT"),
-            Self::Turning(Turning::Next(rotation)) => write!(out, "ROTABL/NEXT,{}", word_of(&ROTATIONS, rotation)),
+            Self::RotaryDirection(RotaryDirection::Shortest) => out.write_str("ROTABL/SHORT"),
+            Self::RotaryDirection(RotaryDirection::Towards(rotation)) => {
+                write!(out, "ROTABL/NEXT,{}", word_of(&ROTATIONS, rotation))
+            }
         }
     }
 }

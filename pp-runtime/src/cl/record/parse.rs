@@ -5,7 +5,7 @@
 
 use super::Record;
 use super::values::Point;
-use super::words::{Fate, GOTO, look_up};
+use super::words::{GOTO, Handling, look_up};
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{Args, ClFault, Help, Span, quoted, skip_blanks};
 use crate::diag::Severity;
@@ -23,29 +23,29 @@ pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, 
         return if declared() { Ok(Record::Inert) } else { Err(unknown(text, word_at)) };
     };
     let name = row.word.name;
-    match row.fate {
-        Fate::Read(read) => {
+    match row.handling {
+        Handling::Read(read) => {
             let mut args = Args::after_slash(&row.word, text, word_at.end)?;
             let record = read(&mut args)?;
             args.finish()?;
             Ok(record)
         }
-        Fate::ReadText(read) => read(&mut Args::new(&row.word, text, word_at.end)),
-        Fate::Inert => Ok(Record::Inert),
-        Fate::Refused(_) if declared() => Ok(Record::Inert),
-        Fate::Refused(reason) => Err(ClFault::new(
+        Handling::ReadText(read) => read(&mut Args::new(&row.word, text, word_at.end)),
+        Handling::Inert => Ok(Record::Inert),
+        Handling::Refused(_) if declared() => Ok(Record::Inert),
+        Handling::Refused(reason) => Err(ClFault::new(
             name,
             word_at,
             format!("{name} is refused: {reason}"),
             format!("have the CAM system leave it out, or give `--inert {name}` if it is known not to matter"),
         )),
-        Fate::Hazard(reason) => Err(ClFault::new(
+        Handling::Hazard(reason) => Err(ClFault::new(
             name,
             word_at,
             format!("{name} is refused: {reason}"),
             "have the CAM system write plain motion without it",
         )),
-        Fate::Turning => Err(ClFault::turning(word_at)),
+        Handling::Lathe => Err(ClFault::lathe_record(word_at)),
     }
 }
 
@@ -53,7 +53,7 @@ pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, 
 pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<ClFault> {
     let start = skip_blanks(line, 0);
     let end = start + major_word(&line[start..]).end;
-    let row = look_up(&line[start..end]).filter(|row| row.fate.is_read())?;
+    let row = look_up(&line[start..end]).filter(|row| row.handling.is_read())?;
     // Text that happens to begin with such a word goes on with another one.
     if line.get(skip_blanks(line, end)).is_some_and(|next| *next != b'/') {
         return None;

@@ -96,7 +96,7 @@ pub(crate) fn rewind<'a>(args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFau
 pub(crate) fn mode(args: &mut Args<'_>) -> Result<(), ClFault> {
     let arg = args.needed()?;
     if arg.is("TURN") {
-        return Err(ClFault::turning(arg.at));
+        return Err(ClFault::lathe_record(arg.at));
     }
     if arg.is("MILL") || arg.is("ABSOL") { Ok(()) } else { Err(args.not_understood(arg)) }
 }

@@ -41,7 +41,7 @@ impl SpindleWords {
         } else if arg.is("OFF") {
             std::mem::replace(&mut self.off, true)
         } else if SURFACE_SPEED.iter().any(|word| arg.is(word)) {
-            return Err(ClFault::turning(arg.at));
+            return Err(ClFault::lathe_record(arg.at));
         } else {
             return Err(args.not_understood(arg));
         })
@@ -72,7 +72,7 @@ pub(crate) fn spindle(args: &mut Args<'_>) -> Result<Spindle, ClFault> {
         return Err(ClFault::new("spindle speed", args.all(), "RPM without a speed", "write SPINDL/RPM,3600,CLW"));
     }
     let SpindleWords { speed, rotation, off, .. } = words;
-    Ok(if off { Spindle::Off } else { Spindle::On { speed, rotation } })
+    Ok(if off { Spindle::Off } else { Spindle::On { speed_rev_per_min: speed, rotation } })
 }
 
 /// A speed that a spindle can have, rev/min.
@@ -99,7 +99,7 @@ fn speed(arg: Arg<'_>) -> Result<f64, ClFault> {
 }
 
 pub(crate) fn write_spindle(spindle: Spindle, out: &mut Formatter<'_>) -> fmt::Result {
-    let Spindle::On { speed, rotation } = spindle else { return out.write_str("SPINDL/OFF") };
+    let Spindle::On { speed_rev_per_min: speed, rotation } = spindle else { return out.write_str("SPINDL/OFF") };
     out.write_str("SPINDL/ON")?;
     if let Some(speed) = speed {
         write!(out, ",RPM,{}", ClNumber(speed))?;

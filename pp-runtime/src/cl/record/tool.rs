@@ -118,7 +118,7 @@ pub(crate) fn data(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     let kind = args.needed()?;
     let is_mill = kind.is("MILL");
     if ["TURN", "GROOVE", "THREAD"].iter().any(|word| kind.is(word)) {
-        return Err(ClFault::turning(kind.at));
+        return Err(ClFault::lathe_record(kind.at));
     }
     if !is_mill && !kind.is("DRILL") {
         return Err(args.not_understood(kind));
@@ -182,7 +182,7 @@ pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
 pub(crate) fn description(args: &mut Args<'_>) -> Result<(), ClFault> {
     while let Some(arg) = args.next()? {
         if arg.is("TURN") {
-            return Err(ClFault::turning(arg.at));
+            return Err(ClFault::lathe_record(arg.at));
         }
     }
     Ok(())

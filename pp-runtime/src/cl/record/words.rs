@@ -18,7 +18,7 @@ type ReadArgs = for<'a> fn(&mut Args<'a>) -> Result<Record<'a>, ClFault>;
 
 /// What becomes of a record.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Fate {
+pub(crate) enum Handling {
     /// Its arguments, which follow a slash, are read; one that is not taken is a fault.
     Read(ReadArgs),
     /// The rest of its statement is read as it is.
@@ -30,14 +30,14 @@ pub(crate) enum Fate {
     /// It is refused for this reason and cannot be declared inert: what follows would be somewhere else.
     Hazard(&'static str),
     /// It belongs to a lathe.
-    Turning,
+    Lathe,
 }
 
-impl Fate {
+impl Handling {
     pub(crate) fn is_read(self) -> bool {
         match self {
             Read(_) | ReadText(_) => true,
-            Inert | Refused(_) | Hazard(_) | Turning => false,
+            Inert | Refused(_) | Hazard(_) | Lathe => false,
         }
     }
 }
@@ -46,14 +46,14 @@ impl Fate {
 #[derive(Debug)]
 pub(crate) struct Row {
     pub(crate) word: MajorWord,
-    pub(crate) fate: Fate,
+    pub(crate) handling: Handling,
 }
 
-const fn row(name: &'static str, fate: Fate, forms: &'static str) -> Row {
-    Row { word: MajorWord { name, forms }, fate }
+const fn row(name: &'static str, handling: Handling, forms: &'static str) -> Row {
+    Row { word: MajorWord { name, forms }, handling }
 }
 
-use Fate::{Hazard, Inert, Read, ReadText, Refused, Turning};
+use Handling::{Hazard, Inert, Lathe, Read, ReadText, Refused};
 
 const MOVES_COORDINATES: &str = "it changes the coordinates of everything behind it";
 const REDEFINES: &str = "it changes what other records mean";
@@ -81,7 +81,7 @@ static TABLE: &[Row] = &[
     row("CNTRL", Read(|args| nurbs::control_point(args).map(Nurbs)), "/x,y,z of a NURBS"),
     row("COOLNT", Read(|args| machine::coolant(args).map(Machine)), "/ON|OFF|FLOOD|MIST|THRU|AIR"),
     row("COPY", Hazard(MOVES_COORDINATES), ""),
-    row("COUPLE", Turning, ""),
+    row("COUPLE", Lathe, ""),
     row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, behind TRNTYP/WORLD,0,0,0"),
     row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/LEFT|RIGHT[,n][,XYPLAN]; /ON; /OFF"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
@@ -98,7 +98,7 @@ static TABLE: &[Row] = &[
     row("FROM", Read(|args| Point::parse(args).map(|point| Motion(MotionRecord::From(point)))), "/x,y,z[,i,j,k]"),
     row("GODLTA", Read(|args| motion::increment(args).map(Motion)), "/dx,dy,dz[,i,j,k]; /d along the tool axis"),
     row("GOHOME", Read(|args| motion::home(args).map(Motion)), "[/x,y,z[,i,j,k]]"),
-    Row { word: GOTO, fate: Read(|args| motion::goto(args).map(Motion)) },
+    Row { word: GOTO, handling: Read(|args| motion::goto(args).map(Motion)) },
     row("HEAD", Hazard(MACHINE_AXES), ""),
     row("INDEX", Hazard(MOVES_COORDINATES), ""),
     row("INDIRV", Read(|args| arc::direction(args).map(Arc)), "/i,j,k before TLON"),
@@ -128,7 +128,7 @@ static TABLE: &[Row] = &[
     row("PAINT", Inert, ""),
     row("PARTNO", ReadText(|args| Ok(Program(ProgramRecord::PartName(Text::rest(args))))), "text"),
     row("PATTERN", Hazard(MOVES_COORDINATES), ""),
-    row("PITCH", Turning, ""),
+    row("PITCH", Lathe, ""),
     row("PIVOTZ", Hazard(MACHINE_AXES), ""),
     row("POSITN", Hazard(MACHINE_AXES), ""),
     row("PPFUN", Hazard(REDEFINES), ""),
@@ -151,10 +151,10 @@ static TABLE: &[Row] = &[
     row("SETUP", Inert, ""),
     row("SPINDL", Read(|args| spindle::spindle(args).map(|spindle| Machine(MachineRecord::Spindle(spindle)))), "/RPM, n, CLW|CCLW, ON|OFF in any order"),
     row("STOP", Read(|_| Ok(Program(ProgramRecord::Stop))), ""),
-    row("SWITCH", Turning, ""),
+    row("SWITCH", Lathe, ""),
     row("SYN", Hazard(REDEFINES), ""),
     row("SYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/ as MSYS"),
-    row("THREAD", Turning, ""),
+    row("THREAD", Lathe, ""),
     row("TLAXIS", Read(|args| coordinates::tool_axis(args).map(Coordinates)), "/i,j,k"),
     row("TLDATA", Read(|args| tool::data(args).map(Tool)), "/MILL,d,r,..; /DRILL[,word],d,.."),
     row("TLON", ReadText(|args| arc::tangent_arc(args).map(Arc)), ",GOFWD/ (CIRCLE/ c,r),ON,[2,INTOF,](LINE/ c,e)"),
@@ -165,7 +165,7 @@ static TABLE: &[Row] = &[
     row("TRACUT", Read(|args| coordinates::transformation(args).map(Coordinates)), "/12 numbers of a rigid motion; /NOMORE; /0"),
     row("TRANS", Read(|args| coordinates::translation(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
     row("TRNTYP", Read(|args| coordinates::world(args).map(Coordinates)), "/WORLD,0,0,0"),
-    row("TURRET", Turning, ""),
+    row("TURRET", Lathe, ""),
     row("UNIT", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH"),
     row("UNITS", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH|INCHES"),
     row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
@@ -194,10 +194,10 @@ pub fn not_inert(word: &str) -> Option<String> {
     if word.is_empty() || !word.bytes().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b' ')) {
         return Some(format!("`{word}` is not a word of CL data"));
     }
-    match look_up(word.as_bytes())?.fate {
+    match look_up(word.as_bytes())?.handling {
         Read(_) | ReadText(_) => Some(format!("{word} is read, so it cannot be inert")),
         Hazard(reason) => Some(format!("{word} cannot be inert: {reason}")),
-        Turning => Some(format!("{word} cannot be inert: it belongs to a lathe")),
+        Lathe => Some(format!("{word} cannot be inert: it belongs to a lathe")),
         Inert | Refused(_) => None,
     }
 }
@@ -211,22 +211,22 @@ pub fn list(out: &mut dyn Write) -> io::Result<()> {
         out,
         "Words of CL data. A word that is not listed is refused, unless `--inert WORD` says that it is inert."
     )?;
-    list_section(out, "Read", |Row { word: MajorWord { name, forms }, fate }| {
+    list_section(out, "Read", |Row { word: MajorWord { name, forms }, handling }| {
         let glue = if forms.starts_with(['/', ',', '[']) || forms.is_empty() { "" } else { " " };
-        fate.is_read().then(|| format!("{name}{glue}{forms}"))
+        handling.is_read().then(|| format!("{name}{glue}{forms}"))
     })?;
-    list_section(out, "Inert: nothing that moves an axis or changes a state", |row| match row.fate {
+    list_section(out, "Inert: nothing that moves an axis or changes a state", |row| match row.handling {
         Inert => Some(row.word.name.to_string()),
-        Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Turning => None,
+        Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Lathe => None,
     })?;
     writeln!(out, "    CSI_..")?;
-    list_section(out, "Refused, unless `--inert WORD` says that it is inert", |row| match row.fate {
+    list_section(out, "Refused, unless `--inert WORD` says that it is inert", |row| match row.handling {
         Refused(reason) => Some(format!("{:<11} {reason}", row.word.name)),
-        Read(_) | ReadText(_) | Inert | Hazard(_) | Turning => None,
+        Read(_) | ReadText(_) | Inert | Hazard(_) | Lathe => None,
     })?;
-    list_section(out, "Refused always", |row| match row.fate {
+    list_section(out, "Refused always", |row| match row.handling {
         Hazard(reason) => Some(format!("{:<11} {reason}", row.word.name)),
-        Turning => Some(format!("{:<11} it belongs to a lathe", row.word.name)),
+        Lathe => Some(format!("{:<11} it belongs to a lathe", row.word.name)),
         Read(_) | ReadText(_) | Inert | Refused(_) => None,
     })
 }
@@ -276,11 +276,11 @@ mod tests {
         ] {
             let row = look_up(word.as_bytes()).unwrap();
             assert_eq!(row.word.name, name);
-            let Read(read) = row.fate else { panic!("{word} is read") };
+            let Read(read) = row.handling else { panic!("{word} is read") };
             assert_eq!(read(&mut Args::new(&row.word, b"1,2,3", 0)).unwrap(), record);
         }
         let described = look_up(b"csi_set_flute_length").unwrap();
-        assert!(described.word.name == "CSI_" && matches!(described.fate, Inert));
+        assert!(described.word.name == "CSI_" && matches!(described.handling, Inert));
         assert!(look_up(b"CSI").is_none());
         assert!(look_up(b"").is_none());
     }

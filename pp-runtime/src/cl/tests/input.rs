@@ -109,7 +109,7 @@ fn a_comment_that_ends_in_a_dollar_swallows_no_goto() {
 fn a_creo_comment_goes_on_over_the_line_end() {
     let csys = "$$-> CSYS / 1,0,0,0, $\n 0,1,0,0, $\n 0,0,1,0\nGOTO/1,2,3\n";
     assert_eq!(events(csys).len(), 1);
-    let mut reader = Reader::new(csys.as_bytes(), MM.into());
+    let mut reader = ClReader::new(csys.as_bytes(), MM.into());
     while reader.next_event().unwrap().is_some() {}
     assert_eq!(reader.frame().unwrap().axes, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 }
@@ -262,7 +262,7 @@ fn a_hundred_thousand_random_inputs_cause_no_panic() {
                 text.push(choice.to_le_bytes()[3]);
             }
         }
-        let mut reader = Reader::new(&text[..], MM.into());
+        let mut reader = ClReader::new(&text[..], MM.into());
         while let Some((place, _)) = reader.next_event().unwrap() {
             assert!(place.line >= 1 && place.column >= 1, "round {round}: {text:?}");
         }
@@ -310,8 +310,8 @@ proptest! {
             }
         }
         let text = lines.join(&b'\n');
-        let options = Options { insert: crate::cl::Insert::Write, frames: crate::cl::Frames::Main, ..Options::from(MM) };
-        let mut reader = Reader::new(&text[..], options);
+        let options = ReadingOptions { insert: crate::cl::Insert::Write, frames: crate::cl::Frames::Main, ..ReadingOptions::from(MM) };
+        let mut reader = ClReader::new(&text[..], options);
         let mut motions = 0;
         while let Some((place, event)) = reader.next_event().unwrap() {
             prop_assert!(place.line >= 1 && place.column >= 1);

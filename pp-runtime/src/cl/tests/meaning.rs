@@ -189,7 +189,7 @@ fn inert_records_cause_nothing() {
 fn the_catia_matrix_is_a_frame() {
     let matrix = "$$*CATIA0\n$$ Program.1\n$$  1.0 0.0 0.0 10.0\n$$  0.0 -1.0 0.0 0.0\n$$  0.0 0.0 -1.0 5.0\n";
     let text = format!("{matrix}GOTO/0,0,0\n{matrix}GOTO/0,0,0\n");
-    let mut reader = Reader::new(text.as_bytes(), MM.into());
+    let mut reader = ClReader::new(text.as_bytes(), MM.into());
     while reader.next_event().unwrap().is_some() {}
     assert!(!reader.failed());
     assert_eq!(reader.frames_stated(), 2);
@@ -228,7 +228,7 @@ fn the_evidence_tells_the_dialect() {
         ("CSI_X/1\n", Dialect::SolidWorks),
         ("UNITS/MM\n", Dialect::Generic),
     ] {
-        let mut reader = Reader::new(text.as_bytes(), MM.into());
+        let mut reader = ClReader::new(text.as_bytes(), MM.into());
         while reader.next_event().unwrap().is_some() {}
         assert_eq!(reader.dialect(), dialect, "{text}");
     }

@@ -1,23 +1,23 @@
 //! Motion words, line by line: arcs, curves, holes, frames and everything that says where a point is.
 
 use super::*;
-use crate::cl::record::CycleKind;
+use crate::cl::record::ClCycleKind;
 use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
 
-fn mm() -> Options {
-    Options::from(MM)
+fn mm() -> ReadingOptions {
+    ReadingOptions::from(MM)
 }
 
 /// Events without their places.
 #[track_caller]
-fn said(text: &str, options: impl Into<Options>) -> Vec<String> {
+fn said(text: &str, options: impl Into<ReadingOptions>) -> Vec<String> {
     events_with(text, options).iter().map(|event| event.split_once(' ').unwrap().1.to_owned()).collect()
 }
 
 #[test]
 fn from_moves_nothing_unless_it_is_to_move() {
     assert_eq!(said("FROM/1,2,3\nGOTO/0,0,0\n", MM)[0], "from 1 2 3 axis 1");
-    let options = Options { from_move: true, ..mm() };
+    let options = ReadingOptions { from_move: true, ..mm() };
     assert_eq!(said("FROM/1,2,3\nGOTO/0,0,0\n", options)[0], "rapid 1 2 3 axis 0 0 1 None");
 }
 
@@ -79,7 +79,7 @@ fn the_sense_of_a_circle_follows_from_the_count_of_its_numbers() {
         let found = errors(&format!("GOTO/1,0,0\nCIRCLE/{count}\nGOTO/0,1,0\n"));
         assert!(found[0].contains("CIRCLE has 6, 7 or 11 numbers"), "{found:?}");
     }
-    let options = Options { circle_sense: Some(Sense::Clockwise), ..mm() };
+    let options = ReadingOptions { circle_sense: Some(Sense::Clockwise), ..mm() };
     assert!(said("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0\n", options)[1].ends_with("through 270.000"));
 }
 
@@ -97,10 +97,10 @@ fn a_milled_thread_has_its_pitch_and_its_hand() {
     // Two turns and a quarter of pitch 1.5, about an axis down: clockwise about it is counter-clockwise from above.
     let thread = |axis: i32, end: f64| {
         let text = format!("GOTO/5,0,0\nCIRCLE/0,0,{end},0,0,{axis},5,.06,.5,8,0,TIMES,3\nGOTO/0,5,{end}\n");
-        let mut reader = Reader::new(text.as_bytes(), mm());
+        let mut reader = ClReader::new(text.as_bytes(), mm());
         reader.next_event().unwrap();
         let Some((_, Event::Arc(arc))) = reader.next_event().unwrap() else { panic!("an arc") };
-        let turns = arc.angle / std::f64::consts::TAU;
+        let turns = arc.angle_rad / std::f64::consts::TAU;
         let lead = (arc.end.tip.z - arc.start.tip.z) / turns * arc.normal.z;
         ((turns * 4.0).round(), (lead * 1e9).round() / 1e9)
     };
@@ -162,7 +162,7 @@ fn lines_that_run_on_tangentially_vote_on_the_sense_of_arcs() {
     // A line along +Y to (1, 0), the arc left about the origin, a line along -X.
     let path = |circle: &str| format!("GOTO/1,-5,0\nGOTO/1,0,0\nCIRCLE/0,0,0,0,0,{circle}\nGOTO/0,1,0\nGOTO/-5,1,0\n");
     let vote = |text: &str| {
-        let mut reader = Reader::new(text.as_bytes(), mm());
+        let mut reader = ClReader::new(text.as_bytes(), mm());
         while reader.next_event().unwrap().is_some() {}
         (reader.arcs(), reader.diagnostics().to_vec())
     };
@@ -328,11 +328,11 @@ fn a_cycle_that_would_not_make_the_hole_is_refused() {
 fn numbers_without_words_need_a_table_of_their_meaning() {
     let text = "$$*CATIA0\nGOTO/0,0,9\nCYCLE/TAP,   50.7,    1.5\nGOTO/0,0,0\n";
     assert!(errors(text)[0].contains("CYCLE/TAP has 2 numbers without a word"));
-    let args = vec![(CycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])];
-    let found = errors_with(text, Options { cycle_args: args, ..mm() });
+    let args = vec![(ClCycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])];
+    let found = errors_with(text, ReadingOptions { cycle_args: args, ..mm() });
     assert!(found[0].contains("this cycle has no clearance level"), "{found:?}");
-    let args = vec![(CycleKind::Tap, vec![CycleArg::Depth, CycleArg::Clearance])];
-    let found = said(text, Options { cycle_args: args, ..mm() });
+    let args = vec![(ClCycleKind::Tap, vec![CycleArg::Depth, CycleArg::Clearance])];
+    let found = said(text, ReadingOptions { cycle_args: args, ..mm() });
     assert!(found[1].starts_with("hole 0 0 0 deep 50.7 from 1.5 to 1.5 Tap { pitch: None }"), "{found:?}");
 }
 
@@ -400,7 +400,7 @@ fn every_length_of_an_inch_file_is_in_inches() {
     assert_eq!(inch("CIRCLE/1,0,2,0,0,1,1\nGOTO/2,0,2")[1], "arc to 50.8 0 50.8 about 0 0 1 through 180.000");
     let tracut = "TRACUT/1,0,0,1,0,1,0,0,0,0,1,0\n";
     let text = format!("UNITS/INCH\n{tracut}GOTO/0,0,0\nNURBS/\nKNOT/1\nCNTRL/1,0,0\nCNTRL/2,0,0\nCNTRL/3,0,0\n");
-    let mut reader = Reader::new(text.as_bytes(), Options::default());
+    let mut reader = ClReader::new(text.as_bytes(), ReadingOptions::default());
     reader.next_event().unwrap();
     let Some((_, Event::Spline(spline))) = reader.next_event().unwrap() else { panic!("a curve") };
     let x: Vec<f64> = spline.points.iter().map(|point| (point.x * 10.0).round() / 10.0).collect();
@@ -434,31 +434,31 @@ const TWO_FRAMES: &str = "MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3\nMSYS/11,0,0,0,1,0,
 
 #[test]
 fn a_second_frame_is_mapped_into_the_first_or_has_an_offset_of_its_own() {
-    let found = said(TWO_FRAMES, Options { frames: Frames::Main, ..mm() });
+    let found = said(TWO_FRAMES, ReadingOptions { frames: Frames::Main, ..mm() });
     assert_eq!(found[1..], ["SafeSequence", "feed 8 1 3 axis 0 0.6 0.8 None"]);
-    let found = said(TWO_FRAMES, Options { frames: Frames::Offset, ..mm() });
+    let found = said(TWO_FRAMES, ReadingOptions { frames: Frames::Offset, ..mm() });
     assert_eq!(found[1..], ["Frame(2)", "feed 1 2 3 axis 0.6 0 0.8 None"]);
     // Back in the first, and the second again under its own number.
     let back = format!("{TWO_FRAMES}MSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,2,3,0,0,1\nMSYS/11,0,0,0,1,0,-1,0,0\nGOTO/0,0,0\n");
-    let found = said(&back, Options { frames: Frames::Main, ..mm() });
+    let found = said(&back, ReadingOptions { frames: Frames::Main, ..mm() });
     assert!(found[4].starts_with("feed 1 2 3 axis 0 0 1") && found[6].starts_with("feed 10 0 0"), "{found:?}");
-    let found = said(&back, Options { frames: Frames::Offset, ..mm() });
+    let found = said(&back, ReadingOptions { frames: Frames::Offset, ..mm() });
     assert_eq!((found[3].as_str(), found[5].as_str()), ("Frame(1)", "Frame(2)"));
 }
 
 #[test]
 fn a_frame_in_front_of_units_is_in_that_unit_too() {
     let text = "MSYS/1,0,0,1,0,0,0,1,0\nUNITS/INCH\nGOTO/0,0,0\nMSYS/1,0,0,1,0,0,0,1,0\nGOTO/1,0,0\nMSYS/2,0,0,1,0,0,0,1,0\nGOTO/0,0,0\n";
-    let found = said(text, Options { frames: Frames::Main, ..Options::default() });
+    let found = said(text, ReadingOptions { frames: Frames::Main, ..ReadingOptions::default() });
     assert_eq!(found[1..], ["feed 25.4 0 0 axis 0 0 1 None", "SafeSequence", "feed 25.4 0 0 axis 0 0 1 None"]);
 }
 
 #[test]
 fn a_clearance_plane_belongs_to_its_frame() {
     let text = format!("CLEARP/XYPLAN,50\n{TWO_FRAMES}RETRCT\n");
-    let found = errors_with(&text, Options { frames: Frames::Offset, ..mm() });
+    let found = errors_with(&text, ReadingOptions { frames: Frames::Offset, ..mm() });
     assert_eq!(found, ["6:1+6 RETRCT goes to the clearance plane, and there is none"]);
-    let found = said(&text, Options { frames: Frames::Main, ..mm() });
+    let found = said(&text, ReadingOptions { frames: Frames::Main, ..mm() });
     assert_eq!(found.last().map(String::as_str), Some("rapid 8 36.25 50 axis 0 0.6 0.8 None"));
 }
 
@@ -473,7 +473,7 @@ fn csys_of_solidworks_moves_nothing_and_sets_the_tool_axis() {
     assert_eq!(found[1..], ["SafeSequence", "feed 1 2 3 axis 1 0 0 None", "feed 4 5 6 axis 1 0 0 None"]);
     let same = said(&text.replace("0,0,1,0,1,0,0,0,0,1,0,0\nGOTO/1,2,3,1,0,0", "1,0,0,5,0,1,0,5,0,0,1,5"), UNSTATED);
     assert_eq!(same[1..], ["feed 4 5 6 axis 0 0 1 None"], "an equal CSYS is no new set-up");
-    let mut reader = Reader::new(text.as_bytes(), Options::default());
+    let mut reader = ClReader::new(text.as_bytes(), ReadingOptions::default());
     while reader.next_event().unwrap().is_some() {}
     assert_eq!(reader.setup_changes(), 1);
     let against = errors_with(&text.replace("3,1,0,0", "3,0,0,1"), UNSTATED);
@@ -495,7 +495,7 @@ fn retrct_goes_along_the_tool_to_the_plane_of_clearp() {
 #[test]
 fn the_centre_of_the_corner_radius_lies_above_the_tip() {
     let text = "CUTTER/10,5\nLOADTL/1\nGOTO/0,0,0,0,.6,.8\nGOTO/1,0,0,0,0,1\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0\n";
-    let centre = Options { cl_point: ClPoint::Centre, ..mm() };
+    let centre = ReadingOptions { cl_point: ClPoint::Centre, ..mm() };
     let found = said(text, centre.clone());
     assert_eq!(found[1], "feed 0 -3 -4 axis 0 0.6 0.8 None");
     assert_eq!(found[3], "arc to 0 1 -5 about 0 0 1 through 90.000");
@@ -511,12 +511,12 @@ fn the_centre_of_the_corner_radius_lies_above_the_tip() {
 fn insert_is_refused_a_comment_or_nc_text() {
     let text = "GOTO/0,0,0\nINSERT/Stock Size X40. $$ Z40.\nGOTO/1,0,0\n";
     assert_eq!(errors(text), ["2:8+23 INSERT is refused: it writes NC text that the postprocessor cannot see into"]);
-    let insert = |insert| Options { insert, ..mm() };
+    let insert = |insert| ReadingOptions { insert, ..mm() };
     assert_eq!(said(text, insert(Insert::Comment))[1], "message Stock Size X40. $$ Z40.");
     assert_eq!(said(text, insert(Insert::Write))[1], "insert Stock Size X40. $$ Z40.");
     let stop = "GOTO/0,0,0\nINSERT/STOP  Insert holdings\n";
     assert!(errors_with(stop, insert(Insert::Comment))[0].contains("may be a stop that is needed"));
-    let found = said(stop, Options { insert_stop: true, ..mm() });
+    let found = said(stop, ReadingOptions { insert_stop: true, ..mm() });
     assert_eq!(found[1..], ["Stop", "message STOP  Insert holdings"]);
 }
 
@@ -525,7 +525,7 @@ fn codes_pass_only_if_they_are_allowed() {
     let text = "GOTO/0,0,0\nAUXFUN/10,NEXT\nPREFUN/64\n";
     assert_eq!(errors(text).len(), 2);
     assert!(errors(text)[0].contains("AUXFUN is refused: it writes M10"));
-    let found = said(text, Options { auxfun: vec![10], prefun: vec![64], ..mm() });
+    let found = said(text, ReadingOptions { auxfun: vec![10], prefun: vec![64], ..mm() });
     assert_eq!(found[1..], ["Code { letter: 77, number: 10 }", "Code { letter: 71, number: 64 }"]);
 }
 
@@ -541,8 +541,8 @@ fn other_states_become_events() {
             "Delay(Revolutions(3.0))",
             "Compensation(Compensation { side: Left, register: None, xy: true })",
             "Compensation(Compensation { side: Off, register: None, xy: true })",
-            "Turning(Shortest)",
-            "Turning(Next(CounterClockwise))",
+            "RotaryDirection(Shortest)",
+            "RotaryDirection(Next(CounterClockwise))",
             "Tolerance(Some(0.005))",
             "Tolerance(None)",
         ]
@@ -573,14 +573,14 @@ fn a_length_offset_belongs_to_the_tool_in_front_of_it() {
 #[test]
 fn a_feed_label_in_mm_in_an_inch_file_can_be_explained() {
     let text = "UNITS/INCH\nFEDRAT/10,MMPM\nGOTO/1,2,3\n";
-    let label = |feed_label| Options { feed_label, ..Options::default() };
+    let label = |feed_label| ReadingOptions { feed_label, ..ReadingOptions::default() };
     assert!(said(text, label(FeedLabel::Trust))[0].ends_with("Some(PerMinute(10.0))"));
     assert!(said(text, label(FeedLabel::FileUnits))[0].ends_with("Some(PerMinute(254.0))"));
 }
 
 #[test]
 fn a_word_can_be_declared_inert_unless_it_moves_something() {
-    let inert = |word: &str| Options { inert: vec![word.to_owned()], ..mm() };
+    let inert = |word: &str| ReadingOptions { inert: vec![word.to_owned()], ..mm() };
     assert_eq!(said("AICC/ON,10\nGOTO/0,0,0\n", inert("AICC")).len(), 1);
     assert_eq!(said("BREAK\nGOTO/0,0,0\n", inert("BREAK")).len(), 1);
     assert_eq!(errors_with("LOOP/START,15\nGOTO/0,0,0\n", inert("LOOP")).len(), 1);
@@ -590,14 +590,14 @@ fn a_word_can_be_declared_inert_unless_it_moves_something() {
 #[test]
 fn the_dialect_can_be_given() {
     let text = "GOTO/0,0,9\nCYCLE/DRILL,DEPTH,3,CLEAR,1\nGOTO/0,0,0\n";
-    assert!(said(text, Options { dialect: Some(Dialect::Iso), ..mm() })[1].starts_with("hole 0 0 0 deep 3"));
+    assert!(said(text, ReadingOptions { dialect: Some(Dialect::Iso), ..mm() })[1].starts_with("hole 0 0 0 deep 3"));
 }
 
 #[test]
 fn only_the_columns_of_a_card_count() {
     let card = format!("{:<72}00000010\n{:<72}00000020\n", "GOTO/1,2,3", "GOTO/4,5,$");
     let text = format!("{card}{:<72}00000030\n", "6");
-    let options = Options { columns: Some(72), ..mm() };
+    let options = ReadingOptions { columns: Some(72), ..mm() };
     assert_eq!(said(&text, options), ["feed 1 2 3 axis 0 0 1 None", "feed 4 5 6 axis 0 0 1 None"]);
     assert_eq!(errors(&text).len(), 3);
 }

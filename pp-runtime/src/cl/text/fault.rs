@@ -48,7 +48,7 @@ impl ClFault {
     }
 
     /// A record of a lathe.
-    pub(crate) fn turning(at: Span) -> Self {
+    pub(crate) fn lathe_record(at: Span) -> Self {
         ClFault::new(
             "turning",
             at,

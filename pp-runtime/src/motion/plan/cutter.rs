@@ -103,7 +103,7 @@ impl CutterCompensation {
             | Event::Hole(_)
             | Event::ClearancePlane(_)
             | Event::Tolerance(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::Message(_) => return Ok(()),
         };
@@ -145,7 +145,7 @@ fn beside(what: &str) -> Fault {
 
 /// CUTCOM.
 pub(crate) fn request<M: Machine, S: Sink>(planner: &mut Planner<'_, M, S>, asked: &Compensation) -> Planned {
-    let Compensation { side, register, xy } = *asked;
+    let Compensation { side, register, in_xy_plane: xy } = *asked;
     if side == CutterSide::Off {
         if !planner.cutter.end() {
             let fault = Fault::new("CUTCOM/OFF, and no straight feed motion in the plane came before it")
@@ -281,7 +281,7 @@ fn in_program<M: Machine, S: Sink>(
 fn check_length<M: Machine, S: Sink>(planner: &Planner<'_, M, S>, length: f64) -> Result<(), Fault> {
     let policy = planner.policy;
     let given = planner.tooling.current().and_then(|tool| policy.set_up.tools.get(&tool.number));
-    let diameter = given.and_then(|tool| tool.diameter);
+    let diameter = given.and_then(|tool| tool.diameter_mm);
     let radius = diameter.filter(|_| policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
     match radius.filter(|radius| length < *radius) {
         Some(radius) => Err(Fault::new(format_args!(

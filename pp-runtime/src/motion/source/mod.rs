@@ -225,7 +225,7 @@ impl Expansion<'_> {
             | Event::Compensation(_)
             | Event::From(_)
             | Event::ClearancePlane(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::Message(_) => self.record(event, to),
         }

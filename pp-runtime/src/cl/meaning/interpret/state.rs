@@ -33,12 +33,12 @@ impl RecordInterpreter {
             }
             CoordinateRecord::Translation { by, at } => self.take_translation(by, at)?,
             CoordinateRecord::Transformation { matrix, at } => {
-                let unit = self.units.millimetres(at)?;
-                self.coordinates.set_tracut(matrix, unit, at)?;
+                let unit_mm = self.units.millimetres(at)?;
+                self.coordinates.set_tracut(matrix, unit_mm, at)?;
             }
             CoordinateRecord::ClearancePlane { normal, distance, at } => {
-                let unit = self.units.millimetres(at)?;
-                let plane = self.coordinates.plane(normal, distance, unit, at)?;
+                let unit_mm = self.units.millimetres(at)?;
+                let plane = self.coordinates.plane(normal, distance, unit_mm, at)?;
                 self.path.set_clearance(plane);
                 self.emit(here, Event::ClearancePlane(plane));
             }
@@ -55,8 +55,8 @@ impl RecordInterpreter {
 
     fn in_millimetres(&mut self, lengths: Option<[f64; 3]>) -> Result<Option<[f64; 3]>, ClFault> {
         let Some(lengths) = lengths else { return Ok(None) };
-        let unit = self.units.millimetres(Span::WHOLE)?;
-        Ok(Some(lengths.map(|value| value * unit)))
+        let unit_mm = self.units.millimetres(Span::WHOLE)?;
+        Ok(Some(lengths.map(|value| value * unit_mm)))
     }
 
     fn take_translation(&mut self, by: Option<[f64; 3]>, at: Span) -> Result<(), ClFault> {
@@ -137,9 +137,9 @@ impl RecordInterpreter {
     }
 
     fn cutter_in_millimetres(&mut self, cutter: &CutterRecord) -> Result<CutterRecord, ClFault> {
-        let unit = self.units.millimetres(Span::WHOLE)?;
-        let corner_radius = cutter.corner_radius.map(|radius| radius * unit);
-        Ok(CutterRecord { diameter: cutter.diameter * unit, corner_radius })
+        let unit_mm = self.units.millimetres(Span::WHOLE)?;
+        let corner_radius = cutter.corner_radius.map(|radius| radius * unit_mm);
+        Ok(CutterRecord { diameter: cutter.diameter * unit_mm, corner_radius })
     }
 
     fn call_tool(&mut self, tool: &ToolCallRecord, here: Location) -> Result<(), ClFault> {
@@ -147,7 +147,7 @@ impl RecordInterpreter {
             Some(length) => Some(length * self.units.millimetres(Span::WHOLE)?),
             None => None,
         };
-        self.let_go();
+        self.emit_held_tool();
         self.begin_operation();
         self.tool.call(tool, length, here);
         Ok(())
@@ -165,11 +165,11 @@ impl RecordInterpreter {
             MachineRecord::Coolant(coolant) => self.emit(here, Event::Coolant(coolant)),
             MachineRecord::Compensation { side, register, plane } => {
                 let xy = plane.is_none_or(|plane| plane == AxisPlane::Xy);
-                self.emit(here, Event::Compensation(Compensation { side, register, xy }));
+                self.emit(here, Event::Compensation(Compensation { side, register, in_xy_plane: xy }));
             }
             MachineRecord::Delay { dwell, at } => self.delay(dwell, at, here),
             MachineRecord::Tolerance { value, at } => self.take_tolerance(value, at, here)?,
-            MachineRecord::Turning(turning) => self.emit(here, Event::Turning(turning)),
+            MachineRecord::RotaryDirection(turning) => self.emit(here, Event::RotaryDirection(turning)),
         }
         Ok(())
     }
@@ -189,11 +189,11 @@ impl RecordInterpreter {
     }
 
     fn take_tolerance(&mut self, value: Option<f64>, at: Span, here: Location) -> Result<(), ClFault> {
-        let unit = self.units.millimetres(at)?;
+        let unit_mm = self.units.millimetres(at)?;
         if value.is_some_and(|value| value <= 0.0) {
             return Err(ClFault::new("LINTOL", at, "a tolerance is above 0", "LINTOL/OFF takes it back"));
         }
-        self.emit(here, Event::Tolerance(value.map(|value| value * unit)));
+        self.emit(here, Event::Tolerance(value.map(|value| value * unit_mm)));
         Ok(())
     }
 }
