@@ -1,4 +1,4 @@
-//! The reader: bytes in, events and diagnostics out.
+//! The reader of CL data: bytes to events and diagnostics.
 
 use std::io::{self, Read};
 
@@ -14,10 +14,14 @@ use super::text::{Beginning, ClFault, LONGEST_STATEMENT, Lexer, Span, Statement,
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Event, Location, Units};
 
-/// Cutters that are all smaller than this, in a file whose millimetres are only claimed, are inches.
+/// If the unit mm is given by the caller only and no cutter of the file reaches this diameter, the file is taken to be
+/// in inch.
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 
 /// Reads CL data and returns its events one by one.
+///
+/// Input: bytes of a CL file. Output: events in mm and rad in the workpiece frame, and diagnostics with line and
+/// column.
 pub struct ClReader<R> {
     lexer: Lexer<R>,
     interpreter: RecordInterpreter,
@@ -25,10 +29,10 @@ pub struct ClReader<R> {
     faults: Faults,
     progress: Progress,
     records: u64,
-    /// The statement whose bytes the waiting events point into.
+    /// Statement that holds the text of the queued events.
     statement: Option<Statement>,
     subprograms: Subprograms,
-    /// The statement of a subprogram whose bytes the waiting events point into, instead.
+    /// Statement of a subprogram that holds that text, where the events come from a subprogram.
     kept: Option<KeptStatement>,
 }
 
@@ -40,7 +44,7 @@ enum Progress {
 }
 
 impl<R: Read> ClReader<R> {
-    /// A reader of `input`; nothing is read yet.
+    /// Returns a reader of `input`; nothing is read yet.
     pub fn new(input: R, options: ReadingOptions) -> Self {
         ClReader {
             lexer: Lexer::new(input, options.columns),
@@ -55,10 +59,10 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// The next event with the place of its statement's first byte, or `None` at the end.
+    /// Returns the next event with the place of the first byte of its statement, or `None` at the end of the file.
     ///
-    /// After the first error the rest of the file is read for diagnostics only and `None` is returned; ask
-    /// [`failed`](Self::failed) then.
+    /// After the first error the rest of the file is read for diagnostics only and `None` is returned; see
+    /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
         let (location, pending) = loop {
             if let Some(event) = self.interpreter.next_event()
@@ -70,7 +74,7 @@ impl<R: Read> ClReader<R> {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
                 Progress::Reading => match self.lexer.next()? {
-                    // Nearly every statement: a point, and an event that waits for nothing.
+                    // Nearly every statement: a GOTO whose event needs no queue.
                     Some(statement) if self.is_plain_goto(&statement) => {
                         if let Some(found) = self.read_goto(&statement) {
                             return Ok(Some(found));
@@ -101,48 +105,48 @@ impl<R: Read> ClReader<R> {
         Ok(Some((location, event)))
     }
 
-    /// Errors and warnings so far, in the order found. Of one kind the first 20 are kept; at the end one more says how
-    /// many others there were.
+    /// Errors and warnings so far, in the order found. The first 20 of a kind are listed; at the end of the file one
+    /// more gives the number of the others.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         self.faults.diagnostics()
     }
 
-    /// Whether there was an error; nothing may be posted then.
+    /// Whether an error was found; then nothing may be posted.
     pub fn failed(&self) -> bool {
         self.faults.failed()
     }
 
-    /// The unit of the file as found so far, else as given.
+    /// Unit of the file: as stated in it so far, else as given in the options.
     pub fn units(&self) -> Option<Units> {
         self.interpreter.units().known()
     }
 
-    /// Whether the unit is known from the options only.
+    /// Whether the unit is given in the options and not stated in the file.
     pub fn units_are_only_given(&self) -> bool {
         self.interpreter.units().are_only_given()
     }
 
-    /// The CAM system by the evidence so far; the first evidence decides.
+    /// CAM system, as given in the options, else as the first record or comment that identifies one.
     pub fn dialect(&self) -> Dialect {
         self.interpreter.dialect()
     }
 
-    /// The workpiece frame: the first frame stated so far.
+    /// Workpiece frame: the first frame stated in the file.
     pub fn frame(&self) -> Option<&StatedFrame> {
         self.interpreter.coordinates().workpiece().frame()
     }
 
-    /// Evidence of the sense of the arcs read so far.
+    /// Votes on the sense of the arcs read so far.
     pub fn arcs(&self) -> ArcVote {
         self.interpreter.votes().count(self.interpreter.options().circle_sense.is_some())
     }
 
-    /// Different frames stated so far.
+    /// Number of different frames stated so far.
     pub fn different_frames(&self) -> usize {
         self.interpreter.coordinates().workpiece().different()
     }
 
-    /// Transforms of the CSYS of SolidWorks CAM so far.
+    /// Number of changes of CSYS (SolidWorks CAM) so far.
     pub fn setup_changes(&self) -> u64 {
         self.interpreter.coordinates().set_up().changes()
     }
@@ -152,27 +156,27 @@ impl<R: Read> ClReader<R> {
         self.interpreter.asks_for_inverse_time()
     }
 
-    /// Frames stated so far, equal ones included.
+    /// Number of frames stated so far, repeated ones included.
     pub fn frames_stated(&self) -> u64 {
         self.interpreter.coordinates().workpiece().stated()
     }
 
-    /// Statements so far, comments not counted.
+    /// Number of statements so far, without comments.
     pub fn records(&self) -> u64 {
         self.records
     }
 
-    /// Motions so far.
+    /// Number of motions so far.
     pub fn motions(&self) -> u64 {
         self.interpreter.path().motions()
     }
 
-    /// Lines so far.
+    /// Number of lines so far.
     pub fn lines(&self) -> u64 {
         self.lexer.lines()
     }
 
-    /// Tool axes so far whose length was off by more than rounding and which were normalised.
+    /// Number of tool axes so far that had to be normalised by more than rounding.
     pub fn normalised_axes(&self) -> u64 {
         self.interpreter.axis().normalised()
     }
@@ -202,7 +206,8 @@ impl<R: Read> ClReader<R> {
             && is_goto(self.lexer.text(statement))
     }
 
-    /// A GOTO while nothing is open and nothing waits: the same as by `read`, without a queue.
+    /// Reads a GOTO while no arc, curve or cycle is open and no event is queued: the same result as `read`, without a
+    /// queue.
     fn read_goto(&mut self, statement: &Statement) -> Option<(Location, Event<'static>)> {
         self.records += 1;
         let here = self.lexer.locate(statement, 0).0;
@@ -265,7 +270,7 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Any statement that is no comment.
+    /// Reads a statement that is not a comment.
     fn read_record(&mut self, statement: &Statement, here: Location) {
         let text = self.lexer.text(statement);
         let mut lines = self.lexer.joined_lines(statement);
@@ -292,7 +297,7 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// The next statement of a subprogram that is called.
+    /// Runs the next statement of the subprogram that is being called.
     fn run_kept(&mut self) {
         let Some(kept) = self.subprograms.next() else { return };
         self.kept = Some(kept);
@@ -314,7 +319,7 @@ impl<R: Read> ClReader<R> {
         }
     }
 
-    /// Checks of the whole file.
+    /// Makes the checks that need the whole file.
     fn finish(&mut self) {
         self.progress = Progress::Done;
         let unfinished = self.interpreter.finish();
@@ -352,7 +357,7 @@ impl<R: Read> ClReader<R> {
         self.faults.conclude();
     }
 
-    /// Compares the sense of the arcs with the lines next to them.
+    /// Reports arcs whose sense contradicts the feed lines before and after them.
     fn count_votes(&mut self) {
         if self.interpreter.options().circle_sense.is_some() {
             return;

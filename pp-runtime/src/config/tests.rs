@@ -42,7 +42,7 @@ fn an_empty_file_is_the_default() {
 }
 
 #[test]
-fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
+fn every_default_of_the_printed_file_is_the_default_when_enabled() {
     let text: String = print::<Sample>(&Config::default())
         .lines()
         .map(|line| match line.strip_prefix('#') {
@@ -52,7 +52,7 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
         .collect();
     let config = read(&text);
     assert!(config.given.contains("retract.position") && config.given.contains("formats.inverse_time"));
-    // What the machine declares, given once more.
+    // Values that the machine declares, given again.
     assert_eq!(config.set_up.limits.keys().collect::<String>(), "BCXYZ");
     assert_eq!(config.set_up.limits[&'C'], None);
     let machine: Sample = config.set_up.machine().expect("the machine is valid");
@@ -62,7 +62,7 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
     plain.set_up.limits = BTreeMap::new();
     plain.set_up.speeds = BTreeMap::new();
     plain.given = BTreeSet::new();
-    // Zero as it is assumed, given once more.
+    // The assumed zero, given explicitly.
     assert_eq!(plain.motion.retract.position.take(), Some(Retract::POSITION));
     assert_eq!(plain, Config::default());
     let (travel, declared) = (config.set_up.travel::<Sample>(), Config::default().set_up.travel::<Sample>());
@@ -119,7 +119,7 @@ fn inches_and_degrees_become_millimetres_and_radians() {
 }
 
 #[test]
-fn the_unit_of_the_file_counts_wherever_it_stands_among_the_keys() {
+fn the_unit_of_the_file_holds_for_keys_before_it_too() {
     assert_eq!(read("floor = 1\nunits = 'in'\n").motion.guards.floor, Some(25.4));
 }
 
@@ -131,7 +131,7 @@ fn a_length_without_a_unit_is_assumed_to_be_in_millimetres_and_marked() {
 }
 
 #[test]
-fn given_keys_are_told_from_assumed_ones() {
+fn given_keys_are_distinguished_from_assumed_ones() {
     let config = read("[retract]\nposition = 0\n");
     assert!(config.is_given("retract.position"));
     assert!(!config.is_given("approach.distance"));
@@ -158,7 +158,7 @@ fn an_unknown_key_without_a_near_one_lists_what_is_known() {
 }
 
 #[test]
-fn a_key_below_the_wrong_header_is_told_where_it_belongs() {
+fn a_key_below_the_wrong_header_is_reported_with_its_right_place() {
     assert_eq!(
         faults("[retract]\nposition = 0\nwork_offset = 'G55'\n"),
         ["3:1: unknown key `retract.work_offset` | `work_offset` belongs above the first [header] of the file"]
@@ -166,7 +166,7 @@ fn a_key_below_the_wrong_header_is_told_where_it_belongs() {
 }
 
 #[test]
-fn what_moves_between_cuts_and_how_fast_is_read() {
+fn keys_of_rapids_feeds_course_and_grid_are_read() {
     let config =
         read("rapid = 'feed'\nrapid_feed = 9000\n[feed]\nkeep_speeds = false\nlargest = 5000\nshortest_block = 0.01\n");
     assert_eq!((config.motion.rapids.rapid, config.motion.rapids.rapid_feed), (super::Rapid::Feed, Some(9000.0)));
@@ -342,7 +342,7 @@ fn text_that_is_not_toml_is_reported_at_its_place() {
     assert!(faults[0].starts_with("2:"), "{faults:?}");
 }
 
-/// Lines as they might stand in a file, right and wrong.
+/// Lines of a file, right and wrong.
 fn any_line() -> impl Strategy<Value = String> {
     let keys = ["units", "part_origin", "floor", "park", "limits", "machine_zero", "tools", "retract", "\"é\"", "x"];
     let values = [
@@ -368,7 +368,7 @@ fn any_line() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    /// A file is read or refused with places inside it; nothing in it stops the program.
+    /// Any file is read, or refused with places inside it; none causes a panic.
     #[test]
     fn any_file_is_read_or_refused(lines in proptest::collection::vec(any_line(), 0..8)) {
         let text = lines.join("\n");
@@ -398,7 +398,7 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
 }
 
 #[test]
-fn how_cl_data_is_read_can_be_set() {
+fn options_of_reading_cl_data_are_read() {
     use crate::cl::record::ClCycleKind;
     use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
     let config = read(

@@ -1,8 +1,8 @@
-//! What is true of machine, part and shop today, and what several stages read: where the part lies, what words count
-//! from, which tools there are, how the machine differs from its declaration.
+//! Set-up of a job: position of the part, zero points, tools, and dimensions of the machine that differ from its
+//! declaration.
 //!
-//! Data only, in mm, rad and mm/min, and the table of its keys. Nothing here plans or writes; whatever a single stage
-//! decides by is an option of that stage.
+//! Data in mm, rad and mm/min that several stages read, and the table of its keys. Nothing is planned or written here.
+//! An option that only one stage reads belongs to that stage.
 
 mod keys;
 mod machine;
@@ -92,11 +92,11 @@ options! {
     }
 }
 
-/// Senses of the spindle by their names.
+/// Senses of rotation of the spindle, by name.
 pub(crate) const ROTATIONS: [(&str, Rotation); 2] =
     [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
 
-/// Kinds of coolant by their names.
+/// Kinds of coolant, by name.
 pub(crate) const COOLANTS: [(&str, Coolant); 4] =
     [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 
@@ -104,22 +104,22 @@ pub(crate) const COOLANTS: [(&str, Coolant); 4] =
 pub(crate) const LARGEST_TOOL: u32 = 99_999;
 
 impl SetUp {
-    /// `[rx, ry, rz]` of `part_rotation`, degrees, to nine decimals.
+    /// `part_rotation` as `[rx, ry, rz]` in degrees, rounded to nine decimals.
     pub(crate) fn part_angles(&self) -> [f64; 3] {
         part_rotation::angles(&self.part_rotation)
     }
 }
 
-/// A box around the blank, for the pictures of a control, mm.
+/// Box around the blank, mm, for the graphics of the control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stock {
-    /// Its lowest corner.
+    /// Corner with the smallest X, Y and Z.
     pub lower: [f64; 3],
-    /// Its highest corner.
+    /// Corner with the largest X, Y and Z.
     pub upper: [f64; 3],
 }
 
-/// Where linear words count from.
+/// Zero point of the linear words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProgramZero {
     /// The part zero.
@@ -128,12 +128,12 @@ pub enum ProgramZero {
     Table,
 }
 
-/// What linear words say of the tool.
+/// Point of the tool to which linear words refer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthMode {
-    /// Where its tip is at the zero position of the rotary axes; the length offset is active.
+    /// The tool tip, with all rotary axes at zero; the length offset is active.
     Tip,
-    /// Where its gauge line is; no length offset is active.
+    /// The gauge line; no length offset is active.
     Gauge,
 }
 

@@ -1,7 +1,7 @@
-//! Circles that are open, and the arc from one point to the next.
+//! Arcs: a CIRCLE with the GOTO that ends it, and a TLON with the AUTOPS and INDIRV before it.
 //!
-//! A CIRCLE waits for the GOTO that ends its arc; AUTOPS and INDIRV wait for the TLON whose arc they begin. CAM systems
-//! disagree on the sign of a CIRCLE's axis, and the count of its numbers tells which habit a file has.
+//! CAM systems disagree on the sign of the axis of a CIRCLE. The count of its numbers decides: 6 and 7 mean
+//! counter-clockwise about the axis, 11 mean clockwise.
 
 use std::f64::consts::TAU;
 
@@ -15,35 +15,36 @@ use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Arc, Feed};
 
-/// Sine of the largest angle between INDIRV and the tangent of its circle.
+/// Sine of the largest permitted angle between INDIRV and the tangent of its circle.
 const TANGENT: f64 = 1e-2;
 
-/// Largest deviation of an end from the radius or the plane of its circle, mm; real files stay below a tenth of it.
+/// Largest permitted distance of the end of an arc from the radius or the plane of its circle. Real files stay below a
+/// tenth of it.
 pub(crate) const ARC_TOLERANCE_MM: f64 = 0.005;
 
-/// Points closer than this are one point, mm.
+/// Distance below which two points are the same.
 const SAME_POINT_MM: f64 = 1e-6;
 
-/// A chord this short may be rounding, mm: an arc over it may be nothing or a whole turn.
+/// Chord length below which the ends of an arc may differ by rounding alone: the arc may be empty or a full circle.
 const SHORTEST_CHORD_MM: f64 = 5e-4;
 
-/// A circle in the workpiece frame that waits for its end.
+/// A circle in the workpiece frame whose end is not read yet.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WaitingCircle {
     centre: Point3<f64>,
-    /// As in the file: the sense counts about it.
+    /// Axis as in the file; `sense` is about this axis.
     axis: UnitVector3<f64>,
     sense: Sense,
     radius_mm: Option<f64>,
     times: u32,
-    /// Angle that the arc must have, rad.
+    /// Angle that the arc must have (MOVARC).
     angle_rad: Option<f64>,
     line: u64,
 }
 
 impl WaitingCircle {
-    /// The circle of a CIRCLE or MOVARC in line `line`; `unit_mm`: mm in one unit of the file; `sense`: if it is given,
-    /// whatever the form.
+    /// Circle of a CIRCLE or MOVARC in line `line`. `unit_mm`: mm in one unit of the file; `sense`: overrides the sense
+    /// of the form.
     pub(crate) fn new(
         circle: &CircleRecord,
         unit_mm: f64,
@@ -81,14 +82,14 @@ impl WaitingCircle {
         &self.axis
     }
 
-    /// Line of its record.
+    /// Line of the CIRCLE or MOVARC.
     pub(crate) fn line(&self) -> u64 {
         self.line
     }
 }
 
-/// Circle and end of a TLON, which begins at `start` in `direction`. Its plane is that of the radius to the start and of
-/// the direction.
+/// Returns the circle and the end point of a TLON. The arc begins at `start` in `direction`; its plane contains the
+/// radius to the start and the direction.
 pub(crate) fn tangent_circle(
     record: &TangentArc,
     start: &Pose,
@@ -120,18 +121,18 @@ pub(crate) fn tangent_circle(
     Ok((WaitingCircle { centre, axis, sense, radius_mm: Some(radius), times: 1, angle_rad: None, line }, end))
 }
 
-/// A TLON that is not understood.
+/// Fault of a TLON.
 pub(crate) fn tlon_fault(at: Span, text: String) -> ClFault {
     ClFault::new("TLON", at, text, "have the CAM system write lines instead of arcs, or check this one")
 }
 
-/// The arc that is open.
+/// The arc whose end is not read yet.
 #[derive(Debug, Default)]
 pub(crate) struct OpenArc {
     circle: Option<WaitingCircle>,
-    /// INDIRV.
+    /// Direction of INDIRV, in the workpiece frame.
     direction: Option<Vector3<f64>>,
-    /// AUTOPS, INDIRV: a TLON must follow.
+    /// AUTOPS or INDIRV was read: a TLON must follow.
     tangent_begun: bool,
 }
 
@@ -140,7 +141,7 @@ impl OpenArc {
         self.circle.is_some() || self.tangent_begun
     }
 
-    /// Lets a record come while an arc is open; one that may not come ends the arc.
+    /// Checks that a record may come while an arc is open; a record that may not discards the arc.
     pub(crate) fn admit(&mut self, permitted: Permitted) -> Result<(), ClFault> {
         if permitted.begins_motion && std::mem::take(&mut self.tangent_begun) {
             self.direction = None;
@@ -170,12 +171,12 @@ impl OpenArc {
         self.circle = Some(circle);
     }
 
-    /// The circle that waits for its end.
+    /// The circle whose end is not read yet.
     pub(crate) fn circle(&self) -> Option<WaitingCircle> {
         self.circle
     }
 
-    /// The circle that waited, at its end.
+    /// Takes that circle, at its end.
     pub(crate) fn take_circle(&mut self) -> Option<WaitingCircle> {
         self.circle.take()
     }
@@ -195,14 +196,14 @@ impl OpenArc {
         Ok(())
     }
 
-    /// TLON: the direction of its INDIRV.
+    /// TLON: takes the direction of its INDIRV.
     pub(crate) fn end_tangent(&mut self, at: Span) -> Result<Vector3<f64>, ClFault> {
         self.tangent_begun = false;
         let direction = self.direction.take();
         direction.ok_or_else(|| tlon_fault(at, "no INDIRV says in which direction this arc begins".into()))
     }
 
-    /// What the end of the file leaves open.
+    /// End of the file: refuses a circle without an end.
     pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
         match self.circle.take() {
             Some(circle) => Err(ClFault::new(
@@ -216,7 +217,10 @@ impl OpenArc {
     }
 }
 
-/// The arc of a circle from `start` to `end`.
+/// Arc on a circle from `start` to `end`.
+///
+/// Refused if the tool axis changes, an end lies off the circle, the ends are too near to tell an empty arc from a full
+/// circle, or the angle is not that of MOVARC.
 pub(crate) fn arc_of(
     circle: &WaitingCircle,
     start: &Pose,
@@ -256,9 +260,9 @@ pub(crate) fn arc_of(
     if first.min(last) <= ARC_TOLERANCE_MM {
         return Err(fault(format!("an arc has no radius: it begins {first:.4} mm from its centre")));
     }
-    // Along the axis: a helix that ends over its start is a whole turn.
-    let rise = (end.tip - start.tip).dot(&n).abs();
-    let part = part_of_turn(u, v, n, rise, circle.angle_rad.is_some()).map_err(fault)?;
+    // Rise along the axis: a helix that ends above its start has made a full revolution.
+    let rise_mm = (end.tip - start.tip).dot(&n).abs();
+    let part = angle_within_revolution(u, v, n, rise_mm, circle.angle_rad.is_some()).map_err(fault)?;
     let Some(stated) = circle.angle_rad else {
         let angle = part + f64::from(circle.times - 1) * TAU;
         return Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad: angle, feed });
@@ -275,16 +279,16 @@ pub(crate) fn arc_of(
     Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad: angle, feed })
 }
 
-/// Angle about `n` from the arm `u` to the arm `v` with a rise along `n`, rad, 0 to a whole turn.
-fn part_of_turn(
+/// Angle about `n` from the radius vector `u` to the radius vector `v`, with a rise along `n`, rad, 0 to 2π.
+fn angle_within_revolution(
     u: Vector3<f64>,
     v: Vector3<f64>,
     n: Vector3<f64>,
-    rise: f64,
+    rise_mm: f64,
     angle_is_stated: bool,
 ) -> Result<f64, String> {
     let chord = (v - u).norm();
-    if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise > ARC_TOLERANCE_MM) {
+    if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise_mm > ARC_TOLERANCE_MM) {
         Ok(TAU)
     } else if chord < SHORTEST_CHORD_MM && !angle_is_stated {
         Err(format!("the ends of an arc are {chord:.5} mm apart: it may be nothing or a whole turn"))
@@ -293,7 +297,7 @@ fn part_of_turn(
     }
 }
 
-/// Whether the tip passes over a point of the arc; the place along the normal is not compared.
+/// Whether a point lies on the arc, seen along its normal; the coordinate along the normal is not compared.
 pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
     let n = arc.normal.into_inner();
     let flat = |point: Point3<f64>| {
@@ -303,7 +307,7 @@ pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
     let (u, p) = (flat(arc.start.tip), flat(point));
     let radius = u.norm();
     let angle = n.dot(&u.cross(&p)).atan2(u.dot(&p)).rem_euclid(TAU);
-    // Points at the ends may be before the one and after the other by rounding.
+    // By rounding, points at the ends may lie a little before the start or after the end.
     let rounding = ARC_TOLERANCE_MM / radius;
     (p.norm() - radius).abs() <= ARC_TOLERANCE_MM && (angle <= arc.angle_rad + rounding || angle >= TAU - rounding)
 }

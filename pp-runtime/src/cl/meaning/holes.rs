@@ -1,11 +1,11 @@
-//! Meaning of a CYCLE: levels along the tool axis from the point of each GOTO, by the habits of each CAM system.
+//! Meaning of a CYCLE in each CAM system: levels along the tool axis, measured from the point of each GOTO.
 
 use crate::cl::dialect::Dialect;
 use crate::cl::record::{ClCycleKind, CycleCall, FeedUnit, Return};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Drilling, Dwell, Feed};
 
-/// A number of a CYCLE that has no word before it (`[cl.cycle.TAP] args`).
+/// Meaning of a number of a CYCLE that has no word before it (`[cl.cycle.TAP] args`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CycleArg {
     /// Depth, positive into the part.
@@ -16,9 +16,9 @@ pub enum CycleArg {
     Return,
     /// Depth of a step.
     Step,
-    /// Wait at the bottom, seconds.
+    /// Dwell at the bottom, seconds.
     Dwell,
-    /// Pitch of a thread, units of the file per turn.
+    /// Pitch of a thread, units of the file per revolution.
     Pitch,
     /// Feed, units of the file per minute.
     Feed,
@@ -37,18 +37,18 @@ impl CycleArg {
     ];
 }
 
-/// Level of the tool after a hole.
+/// Return level after a hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ReturnLevel {
     /// The clearance level.
     Clearance,
-    /// The level before the cycle.
+    /// The initial level: that of the tool before the cycle.
     Initial,
-    /// This level, mm.
+    /// This level above the top of the hole, mm.
     Level(f64),
 }
 
-/// A cycle in force, mm.
+/// Hole of a cycle; its levels are measured from the top of the hole.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct HoleDefinition {
     pub(crate) depth_mm: f64,
@@ -59,14 +59,14 @@ pub(crate) struct HoleDefinition {
     pub(crate) dwell: Option<Dwell>,
 }
 
-/// What the meaning of a CYCLE depends on besides its record.
+/// State on which the meaning of a CYCLE depends besides its record.
 pub(crate) struct CycleContext<'a> {
     pub(crate) dialect: Dialect,
     /// mm in one unit of the file.
     pub(crate) unit_mm: f64,
-    /// CYCLE/INIT (true) or CYCLE/CLEAR came before it.
+    /// CYCLE/INIT (true) or CYCLE/CLEAR (false) before the cycle.
     pub(crate) initial: Option<bool>,
-    /// Meaning of numbers without words.
+    /// Meaning of the numbers without a word, as configured.
     pub(crate) args: Option<&'a [CycleArg]>,
     /// Feed of the record.
     pub(crate) feed: Option<Feed>,
@@ -76,7 +76,7 @@ fn fault(at: Span, text: impl Into<String>, help: &str) -> ClFault {
     ClFault::new("CYCLE", at, text, help)
 }
 
-/// Gives the numbers without words their meaning.
+/// Returns the record with the numbers without a word under their configured meaning, and the pitch among them.
 fn named(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<(CycleCall, Option<f64>), ClFault> {
     let mut cycle = *cycle;
     let mut pitch = None;
@@ -113,12 +113,12 @@ fn named(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<(CycleCall, Opt
     Ok((cycle, pitch))
 }
 
-/// The record with its numbers named, for the feed in it.
+/// Returns the record with the numbers without a word under their configured meaning; its feed is read from it.
 pub(crate) fn with_names(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<CycleCall, ClFault> {
     named(cycle, args).map(|(cycle, _)| cycle)
 }
 
-/// The hole that a CYCLE describes.
+/// Returns the hole that a CYCLE defines.
 pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<HoleDefinition, ClFault> {
     let (cycle, pitch) = named(cycle, context.args)?;
     let unit_mm = context.unit_mm;
@@ -145,7 +145,7 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<Ho
     })
 }
 
-/// Depth below the point of the GOTO, above 0.
+/// Depth below the point of the GOTO, in units of the file, above 0.
 fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
     let value = match (cycle.fedto, cycle.depth, dialect) {
         (Some(fedto), None, Dialect::Nx) => -fedto,
@@ -180,7 +180,7 @@ fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
     Ok(value)
 }
 
-/// Level to which the tool comes down at rapid.
+/// Clearance level, in units of the file: down to it the tool moves at rapid.
 fn clearance(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
     let couplet = match dialect {
         Dialect::Nx | Dialect::SolidWorks => false,

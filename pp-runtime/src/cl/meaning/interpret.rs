@@ -1,7 +1,7 @@
-//! From records to events: each record goes to the owners of the state that it changes.
+//! Interprets records: updates the modal state that a record changes and queues the events that follow.
 //!
-//! A tool's event is held back until the next event, because Creo gives the diameter after it. Records of motion are in
-//! `motion`, those of coordinates, tools and the machine in `state`.
+//! The event of a tool call is held until the next event, because Creo gives the diameter after the call. Records of
+//! motion are in `motion`, records of coordinates, tools and machine state in `state`.
 
 mod motion;
 mod state;
@@ -23,7 +23,7 @@ use crate::cl::record::{ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Event, Location, Spline};
 
-/// Everything modal, each part with its owner.
+/// All modal state of the CL data, each part with its owner.
 #[derive(Debug, Default)]
 pub(crate) struct RecordInterpreter {
     options: ReadingOptions,
@@ -39,7 +39,7 @@ pub(crate) struct RecordInterpreter {
     cycle: CycleInForce,
     /// The CAM system asks for inverse-time feed.
     inverse_time: bool,
-    /// The next GOTO is a straight motion and nothing else: see [`update_plain_goto`](Self::update_plain_goto).
+    /// The next GOTO is a straight motion only: see [`update_plain_goto`](Self::update_plain_goto).
     plain_goto: bool,
     events: EventQueue,
 }
@@ -84,35 +84,35 @@ impl RecordInterpreter {
         self.inverse_time
     }
 
-    /// The curve of the spline event that was taken last.
+    /// Curve of the spline event that was returned last.
     pub(crate) fn completed_curve(&self) -> Spline<'_> {
         self.curve.completed()
     }
 
-    /// As given, else as found.
+    /// CAM system, as given in the options, else as identified in the file.
     pub(crate) fn dialect(&self) -> Dialect {
         self.options.dialect.unwrap_or(self.found_dialect)
     }
 
-    /// The first evidence decides.
+    /// Notes the CAM system that a record or comment identifies; the first one decides.
     pub(crate) fn note_dialect(&mut self, dialect: Dialect) {
         if self.found_dialect == Dialect::Generic {
             self.found_dialect = dialect;
         }
     }
 
-    /// The next event that waits.
+    /// Takes the next queued event.
     #[inline]
     pub(crate) fn next_event(&mut self) -> Option<(Location, QueuedEvent)> {
         self.events.pop()
     }
 
-    /// The warnings that wait.
+    /// Takes the warnings of the last record.
     pub(crate) fn take_warnings(&mut self) -> impl Iterator<Item = ClFault> + '_ {
         self.events.take_warnings()
     }
 
-    /// Takes the record of the statement at `here`.
+    /// Interprets the record of the statement at `here`.
     pub(crate) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
         let permitted = Permitted::of(record);
         if self.curve.is_open() && !permitted.in_curve {
@@ -143,7 +143,7 @@ impl RecordInterpreter {
         }
     }
 
-    /// Reports what is still open at the end of the file, and lets go of a tool that is held back.
+    /// End of the file: queues a tool call that is held, and refuses an arc or curve without an end.
     pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
         let closed = if self.curve.is_open() { self.close_curve() } else { Ok(()) };
         self.emit_held_tool();
@@ -171,13 +171,13 @@ impl RecordInterpreter {
         self.events.push(here, event);
     }
 
-    /// Whether the next GOTO is a motion and no event waits before it.
+    /// Whether the next GOTO is a straight motion and no event is queued before it.
     #[inline]
     pub(crate) fn is_straight(&self) -> bool {
         self.plain_goto && !self.tool.is_held() && self.events.is_empty()
     }
 
-    /// Whether a GOTO has nothing to do with circles, curves, cycles, votes and changes of coordinates.
+    /// Notes whether a GOTO is independent of circles, curves, cycles, votes and coordinate transforms.
     fn update_plain_goto(&mut self) {
         self.plain_goto = !self.arc.is_open()
             && !self.curve.is_open()
@@ -213,7 +213,7 @@ impl RecordInterpreter {
         self.axis.begin_operation();
         self.coordinates.release_axis();
         self.cycle.end_operation();
-        // Rapids and lines of another operation are no evidence of the sense of an arc.
+        // Motions of another operation do not vote on the sense of an arc.
         self.path.forget_line();
         self.votes.conclude_arc(None);
     }

@@ -1,9 +1,9 @@
-//! Meaning of records in their context: units, modes, and the events that follow.
+//! Meaning of records in their context: units, modal state, and the events that follow.
 //!
-//! `interpret` hands each record to the owners of modal state: `units`, `modal_tool`, `axis`,
-//! `coordinates` (with `frame` and `change`), `path_state`, and what is open: `arc`, `nurbs_curve`, `cycle` (with `holes`,
-//! the habits of the CAM systems). `permitted` lists the records that may come while something is open; `votes` checks the
-//! sense of arcs. Events wait in `event_queue`.
+//! `interpret` passes each record to the owners of modal state: `units`, `feed`, `modal_tool`, `axis`, `coordinates`
+//! (with `frame` and `transform`) and `path_state`. `arc`, `nurbs_curve` and `cycle` span several records; `permitted`
+//! lists the records that may come meanwhile. `holes` has the conventions of the CAM systems for CYCLE, `votes` checks
+//! the sense of arcs. Events are queued in `event_queue`.
 
 mod arc;
 mod axis;

@@ -1,4 +1,4 @@
-//! What the caller knows about a file, or wants of it: command line and `[cl]` of the configuration.
+//! Options of reading CL data: from the command line and from `[cl]` of the configuration.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -13,7 +13,7 @@ use crate::keys::{
 };
 use crate::program::Units;
 
-/// Sense of a circle about its axis.
+/// Sense in which a circle is traversed about its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {
     /// Clockwise.
@@ -22,15 +22,15 @@ pub enum Sense {
     CounterClockwise,
 }
 
-/// What to do with a frame that differs from the first.
+/// Handling of a frame that differs from the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Frames {
-    /// Refuse it, with both lines.
+    /// Refuse it; the message names both lines.
     #[default]
     Refuse,
-    /// Map its points and axes into the first.
+    /// Map its points and tool axes into the first frame.
     Main,
-    /// Leave them as they are: each frame has a work offset of its own.
+    /// Keep points and tool axes; each frame has a work offset of its own.
     Offset,
 }
 
@@ -38,7 +38,7 @@ impl Frames {
     const NAMES: [(&'static str, Self); 3] = [("refuse", Self::Refuse), ("main", Self::Main), ("offset", Self::Offset)];
 }
 
-/// What to do with INSERT.
+/// Handling of INSERT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Insert {
     /// Refuse it.
@@ -61,9 +61,9 @@ pub enum FeedLabel {
     /// Refuse it.
     #[default]
     Refuse,
-    /// It is in millimetres, as labelled.
+    /// The feed is in millimetres, as labelled.
     Trust,
-    /// It is in the unit of the file, whatever its label.
+    /// The feed is in the unit of the file, whatever its label.
     FileUnits,
 }
 
@@ -78,12 +78,12 @@ pub enum ClPoint {
     /// The end of the tool on its axis.
     #[default]
     Tip,
-    /// The centre of the corner radius: above the tip by that radius.
+    /// The centre of the corner radius, which lies above the tip by that radius.
     Centre,
 }
 
 impl ClPoint {
-    /// Both, by their names.
+    /// Names, as in configuration files.
     pub(crate) const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("centre", Self::Centre)];
 }
 
@@ -129,13 +129,13 @@ options! {
 const SENSES: [(&str, Sense); 2] = [("cw", Sense::Clockwise), ("ccw", Sense::CounterClockwise)];
 const FROMS: [(&str, bool); 2] = [("reference", false), ("move", true)];
 
-/// Columns of a line that may count.
+/// Permitted values of `cl.columns`.
 const COLUMNS: RangeInclusive<u32> = 8..=4096;
 
-/// Largest number of a code.
+/// Largest number of an M or G code.
 const LARGEST_CODE: u32 = 9999;
 
-/// A word that moves nothing.
+/// Kind of key: a word of CL data that may be declared inert.
 #[derive(Debug, Clone, Copy)]
 struct InertWord;
 
@@ -160,7 +160,7 @@ impl KeyKind for InertWord {
     }
 }
 
-/// `TAP.args = ["depth", "pitch"]`.
+/// Kind of key: meaning of the numbers without a word, by kind of CYCLE: `TAP.args = ["depth", "pitch"]`.
 #[derive(Debug, Clone, Copy)]
 struct CycleNumbers;
 

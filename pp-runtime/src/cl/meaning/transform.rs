@@ -1,17 +1,17 @@
-//! Transforms of coordinates between the numbers of a file and the workpiece frame: TRACUT, ORIGIN, TRANS and frames.
+//! Coordinate transforms from the numbers of a file to the workpiece frame: TRACUT, ORIGIN, TRANS and frames.
 //!
-//! A point goes through TRACUT, then ORIGIN is subtracted and TRANS added, then a frame other than the first is mapped
-//! into the first. Directions are only rotated. All of it is rigid: a mirror or a scale is refused.
+//! A point is transformed by TRACUT first, then ORIGIN is subtracted and TRANS added, then a frame other than the first
+//! is mapped into the first. Directions are only rotated. Every transform is rigid; a mirror or a scale is refused.
 
 use super::frame::StatedFrame;
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector::{cross, dot, length};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 
-/// How far a matrix may be from a rotation: CL data has five decimals or more.
+/// Largest permitted deviation of a matrix from a rotation. CL data has five decimals or more.
 const RIGID: f64 = 1e-4;
 
-/// A rotation and a shift: `p' = R p + t`, lengths in mm.
+/// A rotation and a translation: `p' = R p + t`, lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RigidTransform {
     rows: [[f64; 3]; 3],
@@ -40,7 +40,7 @@ impl RigidTransform {
         Ok(RigidTransform { rows, shift: [n[3], n[7], n[11]].map(|value| value * unit_mm) })
     }
 
-    /// From the coordinates of `frame` to those of `main`.
+    /// Transform from the coordinates of `frame` to those of `main`.
     fn between(main: &StatedFrame, frame: &StatedFrame) -> RigidTransform {
         // Axes of a frame are columns of its matrix, so they are rows of its inverse.
         let [x, y, z] = frame.axes;
@@ -58,7 +58,7 @@ impl RigidTransform {
         [0, 1, 2].map(|i| rotated[i] + self.shift[i])
     }
 
-    /// `other` first, then `self`.
+    /// Transform that applies `other` first, then `self`.
     fn after(&self, other: &RigidTransform) -> RigidTransform {
         let [a, b, c] = other.rows;
         let column = |i: usize| [a[i], b[i], c[i]];
@@ -69,19 +69,19 @@ impl RigidTransform {
     }
 }
 
-/// Every change that is in force.
+/// All transforms in force.
 #[derive(Debug, Default)]
 pub(crate) struct Transforms {
     tracut: Option<RigidTransform>,
     origin: Option<[f64; 3]>,
     translation: Option<[f64; 3]>,
     frame: Option<RigidTransform>,
-    /// All of them in one; `None` if there is none.
+    /// Product of all of them; `None` if none is in force.
     combined: Option<RigidTransform>,
 }
 
 impl Transforms {
-    /// Whether numbers of the file are coordinates of the workpiece frame, unchanged.
+    /// Whether no transform is in force: the numbers of the file are coordinates of the workpiece frame.
     pub(crate) fn none(&self) -> bool {
         self.combined.is_none()
     }
@@ -101,7 +101,7 @@ impl Transforms {
         self.combine();
     }
 
-    /// Maps `frame` into `main`; the main frame itself needs no mapping.
+    /// Sets the transform from `frame` to `main`; none if they are the same.
     pub(crate) fn set_frame(&mut self, main: &StatedFrame, frame: &StatedFrame) {
         self.frame = (!main.is_same(frame)).then(|| RigidTransform::between(main, frame));
         self.combine();

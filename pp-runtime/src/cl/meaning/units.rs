@@ -1,14 +1,14 @@
-//! The unit of a file: found in it, or given by the caller.
+//! Unit of length of a file: stated in it, or given by the caller.
 
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Location, Units};
 
-/// The unit of a file; the first one stated holds to its end.
+/// Unit of length of a file. The first one stated holds for the whole file.
 #[derive(Debug, Default)]
 pub(crate) struct FileUnits {
     given: Option<Units>,
     found: Option<(Units, Location)>,
-    /// That none is known has been reported.
+    /// The missing unit has been reported.
     missing_reported: bool,
 }
 
@@ -17,17 +17,18 @@ impl FileUnits {
         FileUnits { given, ..Self::default() }
     }
 
-    /// As found, else as given.
+    /// Unit as stated in the file, else as given.
     pub(crate) fn known(&self) -> Option<Units> {
         self.found.map(|(units, _)| units).or(self.given)
     }
 
-    /// Whether the unit is known from the caller only.
+    /// Whether the unit is given by the caller and not stated in the file.
     pub(crate) fn are_only_given(&self) -> bool {
         self.found.is_none() && self.given.is_some()
     }
 
-    /// Millimetres in one unit of the file, for the number at `at`. A missing unit is reported once.
+    /// Length of one unit of the file in mm, for the number at `at`. A missing unit is reported once; then mm is
+    /// assumed.
     #[inline]
     pub(crate) fn millimetres(&mut self, at: Span) -> Result<f64, ClFault> {
         match self.known() {
@@ -49,7 +50,7 @@ impl FileUnits {
         ))
     }
 
-    /// UNITS.
+    /// UNITS, UNIT: sets the unit; refused if it contradicts the one stated or given before.
     pub(crate) fn take(&mut self, units: Units, here: Location) -> Result<(), ClFault> {
         let fault = |text: String, help: &str| Err(ClFault::new("units", Span::WHOLE, text, help));
         if let Some((before, line)) = self.found {

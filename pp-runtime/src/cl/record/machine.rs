@@ -9,7 +9,7 @@ use super::values::{AxisPlane, ClNumber, word_of, write_on_off};
 use crate::cl::text::{Args, ClFault, Span};
 use crate::program::{Coolant, CutterSide, Dwell, RotaryDirection, Rotation, Spindle};
 
-/// A state of the machine.
+/// A record that sets a state of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MachineRecord {
     /// `RAPID`, `FEDRAT/RAPID`.
@@ -24,25 +24,25 @@ pub enum MachineRecord {
     Coolant(Coolant),
     /// `CUTCOM/LEFT|RIGHT[,n][,XYPLAN]`, `CUTCOM/ON`, `CUTCOM/OFF`.
     Compensation {
-        /// Side.
+        /// Side of the path.
         side: CutterSide,
-        /// Offset register.
+        /// Offset register (D).
         register: Option<u32>,
-        /// Plane.
+        /// Plane of the compensation.
         plane: Option<AxisPlane>,
     },
     /// `DELAY/s`, `DELAY/n,REV`.
     Delay {
-        /// Duration.
+        /// Duration of the dwell.
         dwell: Dwell,
-        /// The number, for messages.
+        /// Place of the number, for messages.
         at: Span,
     },
     /// `LINTOL/t`, `LINTOL/OFF`.
     Tolerance {
-        /// In units of the file; `None`: OFF.
+        /// Tolerance in units of the file; `None`: OFF.
         value: Option<f64>,
-        /// The argument, for messages.
+        /// Place of the argument, for messages.
         at: Span,
     },
     /// `ROTABL/SHORT`, `ROTABL/NEXT,CLW|CCLW`.
@@ -138,7 +138,7 @@ pub(crate) fn rotary_direction(args: &mut Args<'_>) -> Result<MachineRecord, ClF
             .one_of(&ROTATIONS)
             .map(|rotation| MachineRecord::RotaryDirection(RotaryDirection::Towards(rotation)));
     }
-    // An empty place is the nearer fault.
+    // An empty place between commas is reported first.
     while args.next()?.is_some() {}
     Err(ClFault::new(
         args.name(),

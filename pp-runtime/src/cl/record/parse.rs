@@ -1,7 +1,7 @@
-//! A statement to a typed record.
+//! Parses a statement into a typed record.
 //!
-//! `MAJOR[/argument,argument..]`: the word is looked up in `words`, and its row reads the arguments completely; an
-//! argument that is not understood is never passed over.
+//! A statement is `MAJOR[/argument,argument..]`. The major word is looked up in `words`, and the function of its row
+//! reads all arguments. An argument that is not understood is refused, never passed over.
 
 use super::Record;
 use super::values::Point;
@@ -10,11 +10,11 @@ use crate::cl::dialect::Dialect;
 use crate::cl::text::{Args, ClFault, Help, Span, quoted, skip_blanks};
 use crate::diag::Severity;
 
-/// Bytes of an unknown word that its message names.
+/// Largest number of bytes of an unknown word that its message shows.
 const LONGEST_NAME: usize = 32;
 
-/// Reads one statement that is no comment. `text` is not empty; the words of `inert` are passed over, unless they are
-/// read or would move what follows.
+/// Parses one statement that is not a comment. `text` is not empty. `inert`: words that the user has declared inert;
+/// words that are read, and words that affect the motion after them, are not passed over.
 pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, ClFault> {
     let word_at = major_word(text);
     let word = &text[word_at.start..word_at.end];
@@ -49,17 +49,17 @@ pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, 
     }
 }
 
-/// The fault of a line that the `$` of the line before joins to the record `text`, if it is a record itself.
+/// Fault of a line that is a record itself and that the `$` of the line before joins to the record `text`.
 pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<ClFault> {
     let start = skip_blanks(line, 0);
     let end = start + major_word(&line[start..]).end;
     let row = look_up(&line[start..end]).filter(|row| row.handling.is_read())?;
-    // Text that happens to begin with such a word goes on with another one.
+    // If another word follows, the line is text that happens to begin with a major word.
     if line.get(skip_blanks(line, end)).is_some_and(|next| *next != b'/') {
         return None;
     }
     let word = major_word(text);
-    // A comment has no word, only its `$$->`.
+    // A comment has no major word; its `$$->` is shown.
     let shown = if word.end == 0 { text.len().min(4) } else { word.end };
     let first = String::from_utf8_lossy(&text[..shown]);
     Some(ClFault::new(
@@ -70,9 +70,9 @@ pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<C
     ))
 }
 
-/// The CAM system that a record gives away.
+/// CAM system that a record identifies.
 pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
-    // Nearly every record is a GOTO and gives nothing away.
+    // Nearly every record is a GOTO, which identifies no CAM system.
     if !matches!(text[0], b'T' | b'U' | b'C' | b't' | b'u' | b'c') {
         return Dialect::Generic;
     }
@@ -84,7 +84,7 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
     }
 }
 
-/// Whether the record is a GOTO; [`plain_goto`] reads it then.
+/// Whether the record is a GOTO, which [`plain_goto`] can read.
 #[inline]
 pub(crate) fn is_goto(text: &[u8]) -> bool {
     let name = GOTO.name.as_bytes();
@@ -97,12 +97,12 @@ pub(crate) fn plain_goto(text: &[u8]) -> Result<Point, ClFault> {
     Point::parse(&mut Args::after_slash(&GOTO, text, GOTO.name.len())?)
 }
 
-/// Whether a GOTO was refused because it is a list of points.
+/// Whether `plain_goto` refused a GOTO because it is a list of points.
 pub(crate) fn is_list(fault: &ClFault) -> bool {
     fault.kind == "second slash"
 }
 
-/// The first word; it may hold `-` and `_`. TOOL PATH is one word with a blank inside.
+/// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside.
 fn major_word(text: &[u8]) -> Span {
     let length = |text: &[u8]| {
         text.iter().take_while(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_')).count()
@@ -111,7 +111,7 @@ fn major_word(text: &[u8]) -> Span {
     if text[..end].eq_ignore_ascii_case(b"TOOL") {
         let next = skip_blanks(text, end);
         let path = next + length(&text[next..]);
-        // One blank only: the table spells the word so.
+        // The table spells the word with exactly one blank.
         if next == end + 1 && text[next..path].eq_ignore_ascii_case(b"PATH") {
             return Span { start: 0, end: path };
         }

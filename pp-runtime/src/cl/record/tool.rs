@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use super::values::ClNumber;
 use crate::cl::text::{Args, ClFault, Span, quoted};
 
-/// Size of a cutter, in the units of the file.
+/// Size of a cutter, in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CutterRecord {
     /// Diameter.
@@ -14,18 +14,18 @@ pub struct CutterRecord {
     pub corner_radius: Option<f64>,
 }
 
-/// A tool call, lengths in the units of the file.
+/// A tool call, lengths in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolCallRecord {
-    /// Number of the tool.
+    /// Tool number.
     pub number: u32,
     /// LENGTH: gauge length.
     pub length: Option<f64>,
-    /// ADJUST or OSETNO: length offset register.
+    /// ADJUST or OSETNO: length offset register (H).
     pub offset: Option<u32>,
 }
 
-/// A tool is called, selected or described.
+/// A record that calls, preselects or describes a tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolRecord {
     /// `LOADTL/n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]`, `LOAD/TOOL,n[,..]`.
@@ -40,7 +40,7 @@ pub enum ToolRecord {
     LengthOffset {
         /// Register.
         register: u32,
-        /// The number, for messages.
+        /// Place of the number, for messages.
         at: Span,
     },
 }
@@ -60,7 +60,7 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     let mut tool = ToolCallRecord { number, length: None, offset: None };
     while let Some(arg) = args.next()? {
         if arg.looks_numeric() {
-            // Some systems repeat the number of the tool; any other number could be a length or an offset.
+            // Some CAM systems repeat the tool number; any other number could be a length or an offset.
             if arg.integer().ok() != Some(number) {
                 return Err(ClFault::new(
                     "number behind the tool",
@@ -104,7 +104,7 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     Ok(ToolRecord::Call(tool))
 }
 
-/// `d[,r[,e,f,a,b,h]]`, the cutter of APT.
+/// CUTTER of APT: `d[,r[,e,f,a,b,h]]`.
 pub(crate) fn cutter(args: &mut Args<'_>) -> Result<CutterRecord, ClFault> {
     let mut numbers = [0.0; 7];
     match args.numbers(&mut numbers)? {
@@ -113,7 +113,7 @@ pub(crate) fn cutter(args: &mut Args<'_>) -> Result<CutterRecord, ClFault> {
     }
 }
 
-/// `TLDATA/MILL,d,r,..` or `TLDATA/DRILL[,word],d,..`.
+/// TLDATA: `MILL,d,r,..` or `DRILL[,word],d,..`.
 pub(crate) fn data(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     let kind = args.needed()?;
     let is_mill = kind.is("MILL");
@@ -164,7 +164,7 @@ pub(crate) fn select(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     preselect(args)
 }
 
-/// SET/OFSETL; SET/MODE,ABSOL changes nothing.
+/// SET/OFSETL; SET/MODE,ABSOL has no effect.
 pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
     let arg = args.needed()?;
     if arg.is("OFSETL") {
@@ -178,7 +178,7 @@ pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
     Err(args.not_understood(arg))
 }
 
-/// TOOLNO describes a tool and changes nothing, unless the tool is a turning tool.
+/// TOOLNO: describes a tool and has no effect; refused for a turning tool.
 pub(crate) fn description(args: &mut Args<'_>) -> Result<(), ClFault> {
     while let Some(arg) = args.next()? {
         if arg.is("TURN") {

@@ -1,8 +1,8 @@
-//! The major words of CL data and what becomes of each: one table.
+//! Table of the major words of CL data and their handling.
 //!
-//! A word is read by the function of its row, or inert (it moves nothing and changes no state, so it is passed over), or
-//! refused with a reason. No word is ever skipped because it is unknown: it might move the tool. `explain --cl` prints
-//! this table.
+//! A word is read by the function of its row; or it is inert (it moves no axis and changes no state) and passed over;
+//! or it is refused with a reason. An unknown word is refused, too: it might move the tool. `explain --cl` prints this
+//! table.
 
 use std::cmp::Ordering;
 use std::io::{self, Write};
@@ -13,23 +13,23 @@ use super::{ArcRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, 
 use super::{arc, coordinates, cycle, machine, motion, nurbs, program, spindle, subprogram, tool};
 use crate::cl::text::{Args, ClFault, MajorWord};
 
-/// Reads the arguments of a word.
+/// Function that reads the arguments of a word.
 type ReadArgs = for<'a> fn(&mut Args<'a>) -> Result<Record<'a>, ClFault>;
 
-/// What becomes of a record.
+/// Handling of a major word.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Handling {
-    /// Its arguments, which follow a slash, are read; one that is not taken is a fault.
+    /// The arguments after the slash are read; an argument that is not taken is a fault.
     Read(ReadArgs),
-    /// The rest of its statement is read as it is.
+    /// The rest of the statement is read as text.
     ReadText(ReadArgs),
-    /// It matters neither to the motion nor to the state of the machine.
+    /// Passed over: no effect on motion or state of the machine.
     Inert,
-    /// It is refused for this reason; the user may know better and declare it inert.
+    /// Refused for this reason; the user may declare it inert.
     Refused(&'static str),
-    /// It is refused for this reason and cannot be declared inert: what follows would be somewhere else.
+    /// Refused for this reason and never inert: without it the motion after it would be wrong.
     Hazard(&'static str),
-    /// It belongs to a lathe.
+    /// Refused: it belongs to turning.
     Lathe,
 }
 
@@ -42,7 +42,7 @@ impl Handling {
     }
 }
 
-/// A word and what becomes of it.
+/// A major word and its handling.
 #[derive(Debug)]
 pub(crate) struct Row {
     pub(crate) word: MajorWord,
@@ -61,11 +61,11 @@ const MACHINE_AXES: &str = "it commands machine axes, which the postprocessor co
 const OWN_MEANING: &str = "its meaning depends on the postprocessor that it was written for";
 const TOLERANCE: &str = "it sets a tolerance of another postprocessor";
 
-/// Nearly every record; read without a look at the table where nothing else is open.
+/// GOTO: nearly every record. While no arc, curve or cycle is open it is read without a search in the table.
 pub(crate) const GOTO: MajorWord = MajorWord { name: "GOTO", forms: "/x,y,z[,i,j,k]; /x,y,z / x,y,z .." };
 
-/// Sorted by name; capitals only. The third column names the forms that are read.
-#[rustfmt::skip] // A row is a line.
+/// The table, sorted by name, in capitals. The third column lists the forms that are read.
+#[rustfmt::skip] // One row in one line.
 static TABLE: &[Row] = &[
     row("ALIGN", Hazard(MACHINE_AXES), ""),
     row("ARCSLP", Refused(OWN_MEANING), ""),
@@ -171,13 +171,13 @@ static TABLE: &[Row] = &[
     row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
 ];
 
-/// Prefix of the tool descriptions of SolidWorks CAM (`CSI_SET_FLUTE_LENGTH/70.`).
+/// Prefix of the words with which SolidWorks CAM describes a tool (`CSI_SET_FLUTE_LENGTH/70.`).
 const TOOL_DESCRIPTION: &[u8] = b"CSI_";
 
-/// What becomes of a tool description.
+/// Row of all words with that prefix.
 static TOOL_DESCRIBED: Row = row("CSI_", Inert, "");
 
-/// Looks a major word up, whatever its case.
+/// Finds the row of a major word, in capitals or small letters.
 pub(crate) fn look_up(word: &[u8]) -> Option<&'static Row> {
     match TABLE.binary_search_by(|row| compare(row.word.name.as_bytes(), word)) {
         Ok(index) => Some(&TABLE[index]),
@@ -188,7 +188,7 @@ pub(crate) fn look_up(word: &[u8]) -> Option<&'static Row> {
     }
 }
 
-/// Why a word cannot be declared inert; `None` if it can.
+/// Reason why a word cannot be declared inert; `None` if it can.
 #[must_use]
 pub fn not_inert(word: &str) -> Option<String> {
     if word.is_empty() || !word.bytes().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b' ')) {
@@ -202,7 +202,7 @@ pub fn not_inert(word: &str) -> Option<String> {
     }
 }
 
-/// Writes what becomes of each word.
+/// Writes the table of words, by handling.
 ///
 /// # Errors
 /// Those of the output.
@@ -231,7 +231,7 @@ pub fn list(out: &mut dyn Write) -> io::Result<()> {
     })
 }
 
-/// A heading and a line for each row that belongs under it.
+/// Writes a heading and a line for each row of which `line` makes one.
 fn list_section(out: &mut dyn Write, heading: &str, line: impl Fn(&Row) -> Option<String>) -> io::Result<()> {
     writeln!(out, "\n{heading}")?;
     TABLE.iter().filter_map(line).try_for_each(|line| writeln!(out, "    {line}"))
@@ -241,16 +241,16 @@ fn compare(name: &[u8], word: &[u8]) -> Ordering {
     name.iter().copied().cmp(word.iter().map(u8::to_ascii_uppercase))
 }
 
-/// The known word that `word` is probably meant to be.
+/// Known word nearest to a misspelt one, if it is near enough.
 pub(crate) fn nearest_word(word: &str) -> Option<&'static str> {
-    /// Two slips of the finger; more would be guessing.
-    const SLIPS: usize = 2;
+    /// Largest number of typing errors; with more the suggestion would be a guess.
+    const MOST_TYPING_ERRORS: usize = 2;
     if word.len() > 16 {
         return None;
     }
     let word = word.to_ascii_uppercase();
-    let allowed = SLIPS.min(word.len() / 3);
-    // Words of another length cannot be near, and the search is the costliest thing done for a fault.
+    let allowed = MOST_TYPING_ERRORS.min(word.len() / 3);
+    // Words of another length are left out first: the search is the most expensive part of a fault.
     let similar = TABLE.iter().map(|row| row.word.name).filter(|name| name.len().abs_diff(word.len()) <= allowed);
     let (distance, name) =
         similar.map(|name| (strsim::damerau_levenshtein(&word, name), name)).min_by_key(|(distance, _)| *distance)?;
@@ -310,7 +310,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slip_of_the_finger_finds_the_word_and_gibberish_finds_none() {
+    fn a_typing_error_finds_the_word_and_gibberish_finds_none() {
         assert_eq!(nearest_word("GOTTO"), Some("GOTO"));
         assert_eq!(nearest_word("fedart"), Some("FEDRAT"));
         assert_eq!(nearest_word("SPINDLE"), Some("SPINDL"));

@@ -1,4 +1,4 @@
-//! Statements that are refused, and where the message points.
+//! Statements that are refused, and the place that the message names.
 
 use super::*;
 
@@ -102,7 +102,7 @@ fn an_unknown_word_names_the_nearest_known_one() {
 }
 
 #[test]
-fn a_slash_must_stand_behind_the_word() {
+fn a_slash_must_follow_the_word() {
     refused("GOTO 1,2,3\n", "1:6+5 `1,2,3` stands behind GOTO where a slash is expected");
     refused("GOTO/1,2,3/4,5\n", "1:12+3 GOTO needs 3 numbers between slashes, found 2");
     refused("FROM/1,2,3/4,5,6\n", "1:10+3 a second slash stands behind this word");

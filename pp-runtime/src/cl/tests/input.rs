@@ -10,7 +10,7 @@ const GOTO: &str = "GOTO/-12.5,.839020,1.E-3,0.6000000,0.0000000,-0.8";
 const MIXED: &str = "$$ NAME\nPARTNO/'A B'\nUNITS/MM\nTOOL PATH/P1,TOOL,T1\nLOADTL/3\n$$-> CUTTER / 4.5\nRAPID\n\
                      GOTO/1,2,3\nFEDRAT/100,MMPM\nGOTO/1,2,-3,0,.6,.8\n\nPPRINT hello\nOPSTOP\nEND\nGOTO/0,0,0\nFINI\n";
 
-/// Files of four CAM systems that use everything which can be left open.
+/// Files of four CAM systems, with every record that can stay open.
 const WHOLE: [&str; 5] = [
     include_str!("../../../../tests/fuzz/seeds/post/nx.cls"),
     include_str!("../../../../tests/fuzz/seeds/post/catia.aptsource"),
@@ -19,7 +19,7 @@ const WHOLE: [&str; 5] = [
     include_str!("../../../../tests/fuzz/seeds/post/others.cls"),
 ];
 
-/// Gives `size` bytes at a time.
+/// Input that returns `size` bytes at a time.
 struct InPieces<'a> {
     bytes: &'a [u8],
     size: usize,
@@ -106,7 +106,7 @@ fn a_comment_that_ends_in_a_dollar_swallows_no_goto() {
 }
 
 #[test]
-fn a_creo_comment_goes_on_over_the_line_end() {
+fn a_creo_comment_is_continued_by_a_dollar() {
     let csys = "$$-> CSYS / 1,0,0,0, $\n 0,1,0,0, $\n 0,0,1,0\nGOTO/1,2,3\n";
     assert_eq!(events(csys).len(), 1);
     let mut reader = ClReader::new(csys.as_bytes(), MM.into());
@@ -123,12 +123,12 @@ fn a_dollar_inside_a_statement_joins_nothing() {
 }
 
 #[test]
-fn a_comment_behind_a_record_ends_it() {
+fn a_comment_after_a_record_ends_it() {
     assert_eq!(events("GOTO/1,2,3 $$ 4,5\nGOTO/1,$ $$ cut\n2,3\n").len(), 2);
 }
 
 #[test]
-fn a_file_that_ends_behind_a_dollar_is_refused() {
+fn a_file_that_ends_after_a_dollar_is_refused() {
     refused("GOTO/0,0,0\nGOTO/1,2,3$\n", "2:1+10 the file ends inside this statement, behind a `$` that continues it");
 }
 
@@ -173,7 +173,7 @@ fn ten_megabytes_of_continued_lines_end_soon_and_in_one_error() {
     assert_eq!(found[1], "2500002:6+3 GOTO needs 3 or 6 numbers, found 2");
 }
 
-/// A generator of noise (xorshift): fast, and the same in every run.
+/// Random numbers (xorshift): fast, and the same in every run.
 fn noise(state: &mut u64) -> u64 {
     *state ^= *state << 13;
     *state ^= *state >> 7;
@@ -287,8 +287,8 @@ proptest! {
         prop_assert_eq!(events(&text), events(GOTO));
     }
 
-    /// Lines left out, doubled, moved, and bytes changed: nothing panics, every place is a place, and a file that is
-    /// refused has said why.
+    /// Lines deleted, doubled, swapped, and bytes changed: no panic, every place has line and column, and a file that
+    /// is refused has an error.
     #[test]
     fn a_file_with_damage_is_read_or_refused_with_a_reason(
         damage in prop::collection::vec((0_u8..4, any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<u8>()), 0..6),

@@ -1,4 +1,4 @@
-//! Tests of the reader from bytes to events. Each name is the sentence that fails.
+//! Tests of the CL reader, from bytes to events. The name of a test is the statement that it checks.
 
 mod faults;
 mod input;
@@ -20,7 +20,7 @@ impl From<Option<Units>> for ReadingOptions {
     }
 }
 
-/// Events as text with their places, and the diagnostics.
+/// Events as text with their places, and diagnostics.
 struct Outcome {
     events: Vec<String>,
     diagnostics: Vec<Diagnostic>,
@@ -33,8 +33,8 @@ fn read_from(input: impl Read, options: impl Into<ReadingOptions>) -> Outcome {
         let event = match event {
             Event::Move(motion) => {
                 let (tip, axis) = (motion.pose.tip, motion.pose.axis);
-                let way = if motion.rapid { "rapid" } else { "feed" };
-                format!("{way} {} {} {} axis {} {} {} {:?}", tip.x, tip.y, tip.z, axis.x, axis.y, axis.z, motion.feed)
+                let kind = if motion.rapid { "rapid" } else { "feed" };
+                format!("{kind} {} {} {} axis {} {} {} {:?}", tip.x, tip.y, tip.z, axis.x, axis.y, axis.z, motion.feed)
             }
             Event::From(pose) => format!("from {} {} {} axis {}", pose.tip.x, pose.tip.y, pose.tip.z, pose.axis.z),
             Event::Name(text) => format!("name {}", String::from_utf8_lossy(text)),
@@ -100,7 +100,7 @@ fn errors_with(text: &str, options: impl Into<ReadingOptions>) -> Vec<String> {
         .collect()
 }
 
-/// A file has this one error, and the error has a help line.
+/// Asserts that a file has exactly this error, with a help line.
 #[track_caller]
 fn refused(text: &str, expected: &str) {
     refused_with(text, MM, expected);

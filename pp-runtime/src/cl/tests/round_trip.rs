@@ -1,4 +1,4 @@
-//! Records to text and back: every kind of record comes back as it was.
+//! Round trip: every kind of record is written as text and read back unchanged.
 
 use crate::cl::record::*;
 use crate::cl::record::{CatiaMatrix, parse, read_comment};
@@ -48,7 +48,7 @@ fn feed_unit() -> impl Strategy<Value = FeedUnit> {
     ])
 }
 
-/// Text that does not begin or end in what the reader takes off.
+/// Texts without characters at either end that the reader removes.
 const TEXTS: [&str; 6] = ["A", "PART 12", "(LOOK, HERE)", "a/b,c.d", "50 % OFF", "T16 D8_R2"];
 
 fn text() -> impl Strategy<Value = Text<'static>> {
@@ -235,14 +235,14 @@ fn read(text: &str) -> Record<'_> {
     }
 }
 
-/// What a record says, without where it stands: the text of its derived form with every place taken out.
+/// Debug text of a record without places: its content.
 fn content(record: &Record<'_>) -> String {
     let mut text = format!("{record:?}");
     while let Some(start) = text.find("Span {") {
         let end = start + text[start..].find('}').map_or(0, |end| end + 1);
         text.replace_range(start..end, "_");
     }
-    // A zero has no sign.
+    // The sign of zero is ignored.
     ["-0.0,", "-0.0]", "-0.0)", "-0.0 "].iter().fold(text, |text, zero| text.replace(zero, &zero[1..]))
 }
 

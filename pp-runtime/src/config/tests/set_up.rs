@@ -1,4 +1,4 @@
-//! Machine, part and shop as a file states them.
+//! Keys of the set-up.
 
 use nalgebra::{Matrix3, Rotation3};
 

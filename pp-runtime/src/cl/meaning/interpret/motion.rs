@@ -1,4 +1,4 @@
-//! Records of motion: points, arcs, curves and holes.
+//! Interprets records of motion: points, arcs, curves and holes.
 
 use super::RecordInterpreter;
 use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon_fault};
@@ -28,7 +28,7 @@ impl RecordInterpreter {
         }
     }
 
-    /// The pose of a point, in the workpiece frame.
+    /// Pose of a point, in the workpiece frame.
     fn pose(&mut self, point: &Point, here: Location) -> Result<Pose, ClFault> {
         let unit_mm = self.units.millimetres(point.at)?;
         let tip = within_a_kilometre(Point3::from(point.tip.map(|value| value * unit_mm)), point.at)?;
@@ -44,7 +44,7 @@ impl RecordInterpreter {
         Ok(pose)
     }
 
-    /// The tip of a pose that may be programmed at the centre of the corner radius.
+    /// Pose of the tool tip, where the CL data may program the centre of the corner radius.
     fn tip(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
         if self.plain_goto {
             return Ok(pose);
@@ -93,7 +93,7 @@ impl RecordInterpreter {
         self.move_to(pose, point.at, here)
     }
 
-    /// GOTO while nothing is open.
+    /// GOTO while no arc, curve or cycle is open and no transform is in force.
     #[inline]
     pub(crate) fn straight(&mut self, point: &Point, here: Location) -> Result<Move, ClFault> {
         let pose = self.pose(point, here)?;
@@ -101,7 +101,7 @@ impl RecordInterpreter {
         Ok(Move { pose, rapid, feed: self.path.feed() })
     }
 
-    /// A motion to a pose in the workpiece frame, whatever is open.
+    /// Motion to a pose in the workpiece frame: the end of an arc, a hole, or a straight motion.
     #[cold]
     fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), ClFault> {
         within_a_kilometre(pose.tip, at)?;
@@ -110,7 +110,7 @@ impl RecordInterpreter {
         }
         if let Some(circle) = self.arc.take_circle() {
             let done = self.end_circle(&circle, pose, at, here);
-            // What follows an arc that is refused counts from its end all the same.
+            // After a refused arc the position is its end, too.
             self.path.set_here(pose);
             self.update_plain_goto();
             return done;
@@ -126,7 +126,7 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// A list of points; after a CIRCLE its last one is the end of the arc.
+    /// GOTO with a list of points; after a CIRCLE the last one is the end of the arc.
     fn go_along(&mut self, points: &Numbers<'_>, here: Location) -> Result<(), ClFault> {
         let Some(circle) = self.arc.circle() else {
             return points.points().try_for_each(|point| self.go_to(&point, here));
@@ -136,7 +136,7 @@ impl RecordInterpreter {
         self.go_to(&end, here).and(passed)
     }
 
-    /// The points of a list after a CIRCLE are on its arc, the last one at its end.
+    /// Checks that the points of a list after a CIRCLE lie on its arc.
     fn pass(
         &mut self,
         circle: &WaitingCircle,
@@ -249,7 +249,7 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// The GOTO after a circle.
+    /// Queues the arc that a GOTO after CIRCLE or MOVARC ends.
     fn end_circle(&mut self, circle: &WaitingCircle, end: Pose, at: Span, here: Location) -> Result<(), ClFault> {
         if self.path.take_rapid() {
             return Err(ClFault::new("circle", at, "RAPID stands before the end of an arc", "give the arc a feed"));
@@ -316,7 +316,7 @@ impl RecordInterpreter {
         let start = self.path.position("CNTRL", point.at)?;
         let unit_mm = self.units.millimetres(point.at)?;
         let tip = within_a_kilometre(Point3::from(point.tip.map(|value| value * unit_mm)), point.at)?;
-        // The axis is held.
+        // The tool axis is constant along a curve.
         let pose = Pose { tip: self.coordinates.point(tip, point.at)?, axis: start.axis };
         let shifted = self.tip(pose, point.at)?;
         self.curve.add_point(shifted.tip);
@@ -324,7 +324,7 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// The record after a curve completes it.
+    /// Completes a curve; the record after it ends it.
     pub(crate) fn close_curve(&mut self) -> Result<(), ClFault> {
         let closed = self.curve.close();
         self.path.forget_line();
@@ -367,10 +367,10 @@ impl RecordInterpreter {
         self.cycle.begin_holes(definition, before, cycle.at)
     }
 
-    /// A point under a cycle.
+    /// GOTO while a cycle is active.
     fn hole(&mut self, top: Pose, at: Span, here: Location) -> Result<(), ClFault> {
         self.path.begin_hole();
-        // The record was refused: so are its holes, silently.
+        // The record of the cycle was refused with a message, so its holes need none.
         let Some(cycle) = self.cycle.definition() else {
             self.path.set_here(top);
             return Ok(());

@@ -1,4 +1,4 @@
-//! Records of coordinates, tools and the machine.
+//! Interprets records of coordinates, tools and machine state.
 
 use super::RecordInterpreter;
 use crate::cl::dialect::Dialect;
@@ -11,8 +11,8 @@ use crate::cl::record::{
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Compensation, Dwell, Event, Location, Units};
 
-/// Longer waits are no intention, seconds.
-const LONG_DELAY: f64 = 10.0;
+/// Longest dwell that is not warned of, seconds.
+const LONG_DELAY_S: f64 = 10.0;
 
 impl RecordInterpreter {
     pub(crate) fn take_coordinates(&mut self, record: &CoordinateRecord, here: Location) -> Result<(), ClFault> {
@@ -86,7 +86,7 @@ impl RecordInterpreter {
                 self.coordinates.map_frame();
                 self.emit(here, Event::SafeSequence);
             }
-            // A frame that differs is refused before it gets here.
+            // `Refuse` was handled in `take_frame`: a frame that differs is an error there.
             Frames::Offset | Frames::Refuse => {
                 self.path.change_frame();
                 let number = self.coordinates.workpiece().number();
@@ -101,7 +101,7 @@ impl RecordInterpreter {
         self.coordinates.set_up().check_world(record.at)?;
         let frame = self.stated_frame(record, here)?;
         if self.coordinates.take_set_up(frame) {
-            // The tool may turn: out of the part first.
+            // The tool axis may change: retract from the part first.
             self.begin_operation();
             self.emit(here, Event::SafeSequence);
         }
@@ -176,7 +176,7 @@ impl RecordInterpreter {
 
     fn delay(&mut self, dwell: Dwell, at: Span, here: Location) {
         if let Dwell::Seconds(seconds) = dwell
-            && seconds > LONG_DELAY
+            && seconds > LONG_DELAY_S
         {
             self.events.warn(ClFault::new(
                 "long wait",
