@@ -55,8 +55,8 @@ const fn row(name: &'static str, handling: Handling, forms: &'static str) -> Row
 
 use Handling::{Hazard, Inert, Lathe, Read, ReadText, Refused};
 
-const MOVES_COORDINATES: &str = "it changes the coordinates of everything behind it";
-const REDEFINES: &str = "it changes what other records mean";
+const MOVES_COORDINATES: &str = "it changes the coordinates of all points after it";
+const REDEFINES: &str = "it changes the meaning of other records";
 const MACHINE_AXES: &str = "it commands machine axes, which the postprocessor computes itself";
 const OWN_MEANING: &str = "its meaning depends on the postprocessor that it was written for";
 const TOLERANCE: &str = "it sets a tolerance of another postprocessor";
@@ -82,7 +82,7 @@ static TABLE: &[Row] = &[
     row("COOLNT", Read(|args| machine::coolant(args).map(Machine)), "/ON|OFF|FLOOD|MIST|THRU|AIR"),
     row("COPY", Hazard(MOVES_COORDINATES), ""),
     row("COUPLE", Lathe, ""),
-    row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, behind TRNTYP/WORLD,0,0,0"),
+    row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, after TRNTYP/WORLD,0,0,0"),
     row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/LEFT|RIGHT[,n][,XYPLAN]; /ON; /OFF"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
     row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON"),
@@ -90,7 +90,7 @@ static TABLE: &[Row] = &[
     row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
     row("DISPLAY", Inert, ""),
     row("DISPLY", Inert, ""),
-    row("END", Read(|_| Ok(Program(ProgramRecord::End))), "what follows is still read"),
+    row("END", Read(|_| Ok(Program(ProgramRecord::End))), "records after it are still read"),
     row("END-OF-PATH", Read(|_| Ok(Program(ProgramRecord::EndOfPath))), ""),
     row("ENDSUB", Read(|_| Ok(Subprogram(SubprogramRecord::End))), ""),
     row("FEDRAT", Read(|args| machine::feed(args).map(Machine)), "/v[,unit]; /unit,v; /RAPID; /INVERS,AUTO; MMPM MMPR IPM IPR PERMIN PERREV"),
@@ -108,7 +108,7 @@ static TABLE: &[Row] = &[
     row("KNOT", Read(|args| nurbs::knots(args).map(Nurbs)), "/k,k.. of a NURBS"),
     row("LEADER", Inert, ""),
     row("LETTER", Inert, ""),
-    row("LIMIT", Refused("it sets limits of axes, which the configuration states"), ""),
+    row("LIMIT", Refused("it sets limits of axes, which belong in the configuration"), ""),
     row("LINTOL", Read(|args| machine::tolerance(args).map(Machine)), "/t; /OFF"),
     row("LOAD", Read(|args| tool::load(args).map(Tool)), "/TOOL,n[,LENGTH,l][,OSETNO,o][,ADJUST,h]"),
     row("LOADTL", Read(|args| tool::call(args).map(Tool)), "/n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]"),
@@ -120,7 +120,7 @@ static TABLE: &[Row] = &[
     row("MOVARC", Read(|args| arc::move_arc(args).map(Arc)), "/x,y,z,i,j,k,r,ANGLE,degrees and the GOTO that ends it"),
     row("MSYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/x,y,z,i1,j1,k1,i2,j2,k2"),
     row("MULTAX", Read(|args| coordinates::multi_axis(args).map(Coordinates)), "[/ON|OFF]"),
-    row("NURBS", Read(|_| Ok(Nurbs(NurbsRecord::Begin))), "/ with KNOT and CNTRL behind it"),
+    row("NURBS", Read(|_| Ok(Nurbs(NurbsRecord::Begin))), "/ and KNOT and CNTRL after it"),
     row("OPSKIP", Read(|args| args.keyword("OFF").map(|()| Record::Inert)), "/OFF"),
     row("OPSTOP", Read(|_| Ok(Program(ProgramRecord::OptionalStop))), ""),
     row("ORIGIN", Read(|args| coordinates::origin(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
@@ -160,7 +160,7 @@ static TABLE: &[Row] = &[
     row("TLON", ReadText(|args| arc::tangent_arc(args).map(Arc)), ",GOFWD/ (CIRCLE/ c,r),ON,[2,INTOF,](LINE/ c,e)"),
     row("TMARK", Inert, ""),
     row("TOOL PATH", ReadText(|args| program::tool_path(args).map(Program)), "/name,TOOL,name"),
-    row("TOOLNO", Read(|args| tool::description(args).map(|()| Record::Inert)), "/n,.. describes a tool and changes nothing"),
+    row("TOOLNO", Read(|args| tool::description(args).map(|()| Record::Inert)), "/n,.. describes a tool and has no effect"),
     row("TPRINT", Inert, ""),
     row("TRACUT", Read(|args| coordinates::transformation(args).map(Coordinates)), "/12 numbers of a rigid motion; /NOMORE; /0"),
     row("TRANS", Read(|args| coordinates::translation(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
@@ -197,7 +197,7 @@ pub fn not_inert(word: &str) -> Option<String> {
     match look_up(word.as_bytes())?.handling {
         Read(_) | ReadText(_) => Some(format!("{word} is read, so it cannot be inert")),
         Hazard(reason) => Some(format!("{word} cannot be inert: {reason}")),
-        Lathe => Some(format!("{word} cannot be inert: it belongs to a lathe")),
+        Lathe => Some(format!("{word} cannot be inert: it belongs to turning")),
         Inert | Refused(_) => None,
     }
 }
@@ -207,26 +207,23 @@ pub fn not_inert(word: &str) -> Option<String> {
 /// # Errors
 /// Those of the output.
 pub fn list(out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Words of CL data. A word that is not listed is refused, unless `--inert WORD` says that it is inert."
-    )?;
+    writeln!(out, "Words of CL data. A word that is not listed is refused, unless `--inert WORD` declares it inert.")?;
     list_section(out, "Read", |Row { word: MajorWord { name, forms }, handling }| {
         let glue = if forms.starts_with(['/', ',', '[']) || forms.is_empty() { "" } else { " " };
         handling.is_read().then(|| format!("{name}{glue}{forms}"))
     })?;
-    list_section(out, "Inert: nothing that moves an axis or changes a state", |row| match row.handling {
+    list_section(out, "Inert: no motion and no change of state", |row| match row.handling {
         Inert => Some(row.word.name.to_string()),
         Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Lathe => None,
     })?;
     writeln!(out, "    CSI_..")?;
-    list_section(out, "Refused, unless `--inert WORD` says that it is inert", |row| match row.handling {
+    list_section(out, "Refused, unless `--inert WORD` declares it inert", |row| match row.handling {
         Refused(reason) => Some(format!("{:<11} {reason}", row.word.name)),
         Read(_) | ReadText(_) | Inert | Hazard(_) | Lathe => None,
     })?;
-    list_section(out, "Refused always", |row| match row.handling {
+    list_section(out, "Always refused", |row| match row.handling {
         Hazard(reason) => Some(format!("{:<11} {reason}", row.word.name)),
-        Lathe => Some(format!("{:<11} it belongs to a lathe", row.word.name)),
+        Lathe => Some(format!("{:<11} it belongs to turning", row.word.name)),
         Read(_) | ReadText(_) | Inert | Refused(_) => None,
     })
 }
