@@ -39,11 +39,11 @@ options! {
     pub struct Config {
         /// Unit of CL data that does not state its own. Without it such data is refused.
         cl_units: Option<Units> = None, key("cl_units", OneOf(&UNITS), "\"mm\"");
-        /// Unit of the program. Without it that of the CL data.
+        /// Unit of the NC program. Without it the unit of the CL data is used.
         output_units: Option<Units> = None, key("output_units", OneOf(&UNITS), "\"mm\"");
         /// How the CL data is read; its unit is in `cl_units`.
         cl: reading::ReadingOptions = reading::ReadingOptions::default(), keys();
-        /// Machine, part and shop.
+        /// Set-up: machine, part and tools.
         set_up: SetUp = SetUp::default(), keys();
         /// How motion is planned.
         motion: motion::Options = motion::Options::default(), keys();

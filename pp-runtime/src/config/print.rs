@@ -24,7 +24,7 @@ pub fn print<M: Machine>(config: &Config) -> String {
 #
 # A line that begins with `#` and a key shows a default: remove the `#` and change the value.
 # A line that begins with `# e.g.` shows a key that has no default.
-# What is not set here is marked as assumed in the summary and in the header of the program.
+# A key that is not set here is marked as assumed in the summary and in the header of the program.
 # Angles are in degrees, speeds per minute, lengths in the unit of this file.
 
 # Unit of length of this file: "mm" or "in".

@@ -65,7 +65,7 @@ impl Config {
             && let Err(invalid) = self.set_up.machine::<M>()
         {
             let span = file.get("dimensions", r).map_or(0..0, |value| value.span());
-            r.fault(span, format!("{} cannot be built like this: {invalid}", M::NAME), None);
+            r.fault(span, format!("the kinematics of {} are invalid with these dimensions: {invalid}", M::NAME), None);
         }
     }
 }

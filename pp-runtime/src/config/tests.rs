@@ -152,7 +152,7 @@ fn an_unknown_key_without_a_near_one_lists_what_is_known() {
     assert_eq!(
         faults("[retract]\nspeed = 3\n"),
         [
-            "2:1: unknown key `retract.speed` | known here are `position`, `distance`, `clearance`, `rewind`, `rewind_dry`"
+            "2:1: unknown key `retract.speed` | known keys are `position`, `distance`, `clearance`, `rewind`, `rewind_dry`"
         ]
     );
 }
@@ -161,7 +161,7 @@ fn an_unknown_key_without_a_near_one_lists_what_is_known() {
 fn a_key_below_the_wrong_header_is_reported_with_its_right_place() {
     assert_eq!(
         faults("[retract]\nposition = 0\nwork_offset = 'G55'\n"),
-        ["3:1: unknown key `retract.work_offset` | `work_offset` belongs above the first [header] of the file"]
+        ["3:1: unknown key `retract.work_offset` | `work_offset` belongs before the first [section] of the file"]
     );
 }
 
@@ -243,7 +243,7 @@ fn numbers_outside_their_range_are_refused() {
     assert_eq!(faults("floor = 1e300\n").len(), 1);
     assert_eq!(
         faults("units = 'in'\nfloor = 5000\n"),
-        ["2:9: this is a length of 127 m | the unit of this file is `in`"]
+        ["2:9: a length of 127 m is not plausible | the unit of this file is `in`"]
     );
     assert_eq!(faults("[approach]\ndistance = 0\n"), ["2:12: a number above zero is needed here"]);
     assert_eq!(faults("[formats]\ninverse_time = 3\n"), ["2:16: a whole number from 6 to 12 is needed here"]);
@@ -258,7 +258,7 @@ fn a_letter_that_is_not_an_axis_of_the_machine_is_refused() {
     assert_eq!(faults("[speeds]\nx = 1\n"), ["2:1: `x` is not an axis of Sample | its axes are C B X Y Z"]);
     assert_eq!(
         faults("machine_zero = { C = 0 }\n"),
-        ["1:18: C turns; `machine_zero` is for linear axes | linear axes are X Y Z"]
+        ["1:18: C is a rotary axis; `machine_zero` is for linear axes | linear axes are X Y Z"]
     );
 }
 
@@ -274,7 +274,7 @@ fn an_unknown_dimension_names_the_nearest() {
 fn dimensions_for_which_the_formulas_fail_are_refused() {
     assert_eq!(
         faults("[dimensions]\nd = 0\n"),
-        ["1:1: Sample cannot be built like this: `d` is zero: the table has no height"]
+        ["1:1: the kinematics of Sample are invalid with these dimensions: `d` is zero: the table has no height"]
     );
 }
 
@@ -441,7 +441,7 @@ fn words_that_move_something_cannot_be_set_inert() {
     }
     assert_eq!(
         faults("[frames]\n0 = \"G55\""),
-        ["2:1: `0` is not the number of a frame | frames count from 1 in the order of the CL data: 2 = \"G55\""]
+        ["2:1: `0` is not the number of a frame | frames are numbered from 1 in the order of the CL data: 2 = \"G55\""]
     );
 }
 

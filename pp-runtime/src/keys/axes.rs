@@ -98,8 +98,8 @@ fn entries<'a>(r: &mut KeyReader<'_>, set: AxisSet, value: TomlValue<'a>) -> Vec
     for (key, span, value) in r.entries(value) {
         match axes.iter().find(|axis| axis.letter.to_string() == key) {
             Some(axis) if set == AxisSet::Solved && !solved(axis) => {
-                let help = format!("these are {}", letters(axes, solved));
-                r.fault(value.span(), format!("{} is no rotary axis that is solved", axis.letter), Some(help));
+                let help = format!("solved rotary axes are {}", letters(axes, solved));
+                r.fault(value.span(), format!("{} is not a solved rotary axis", axis.letter), Some(help));
             }
             Some(axis) => read.push(AxisEntry { axis, span, value }),
             None => {

@@ -149,12 +149,12 @@ impl<'t> KeyReader<'t> {
             let dot = if table.is_empty() { "" } else { "." };
             let path = format!("{table}{dot}{name}");
             if !table.is_empty() && above.contains(&name.as_str()) {
-                let help = format!("`{name}` belongs above the first [header] of the file");
+                let help = format!("`{name}` belongs before the first [section] of the file");
                 self.fault(span, format!("unknown key `{path}`"), Some(help));
             } else if let Some(near) = nearest(&name, known.iter().copied()) {
                 self.fault(span, format!("unknown key `{path}`; did you mean `{near}`?"), None);
             } else {
-                let help = format!("known here are {}", list(known.iter().copied(), '`'));
+                let help = format!("known keys are {}", list(known.iter().copied(), '`'));
                 self.fault(span, format!("unknown key `{path}`"), Some(help));
             }
         }
@@ -249,7 +249,7 @@ impl<'t> KeyReader<'t> {
         if length.abs() > LONGEST_MM {
             let metres = length.abs() / 1000.0;
             let help = format!("the unit of this file is `{}`", self.units.name());
-            self.fault(value.span(), format!("this is a length of {metres} m"), Some(help));
+            self.fault(value.span(), format!("a length of {metres} m is not plausible"), Some(help));
             return None;
         }
         Some(length)
@@ -303,7 +303,7 @@ impl<'t> KeyReader<'t> {
                 Some(near) => format!("did you mean \"{near}\"?"),
                 None => format!("write one of {}", list(names, '"')),
             };
-            self.fault(value.span(), format!("\"{text}\" is not known here"), Some(help));
+            self.fault(value.span(), format!("\"{text}\" is not a permitted value"), Some(help));
         }
         found
     }

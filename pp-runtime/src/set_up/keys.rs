@@ -53,7 +53,7 @@ impl KeyKind for FrameOffsets {
     type Value = BTreeMap<u32, String>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<u32, String>> {
-        let help = "frames count from 1 in the order of the CL data: 2 = \"G55\"";
+        let help = "frames are numbered from 1 in the order of the CL data: 2 = \"G55\"";
         let mut frames = BTreeMap::new();
         for (key, span, value) in r.entries(value) {
             match number(key, 1..=u32::MAX) {
@@ -144,7 +144,7 @@ impl KeyKind for BlankCorners {
             return None;
         };
         if (0..3).any(|index| lower[index] >= upper[index]) {
-            r.fault(value.span(), "this blank is empty: `lower` is its lowest corner", None);
+            r.fault(value.span(), "this blank is empty: each value of `lower` must be below that of `upper`", None);
             return None;
         }
         Some(Stock { lower, upper })
@@ -252,7 +252,7 @@ pub(crate) const MACHINE_ZERO: PerAxis<f64> = PerAxis {
     read: |r, AxisEntry { axis, span, value }| {
         if axis.kind == AxisKind::Rotary {
             let linear = letters(r.scope().axes, |axis| axis.kind == AxisKind::Linear);
-            let text = format!("{} turns; `machine_zero` is for linear axes", axis.letter);
+            let text = format!("{} is a rotary axis; `machine_zero` is for linear axes", axis.letter);
             r.fault(span.clone(), text, Some(format!("linear axes are {linear}")));
             return None;
         }
@@ -320,7 +320,7 @@ fn read_limits(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>) -> Option<Option<Li
     }
     let numbers = r.list(value)?;
     let &[lower, upper] = numbers.as_slice() else {
-        r.fault(value.span(), "a travel is [lowest, highest] or \"free\"", None);
+        r.fault(value.span(), "the travel of an axis is [lowest, highest] or \"free\"", None);
         return None;
     };
     let [lower, upper] = [lower, upper].map(|number| along(r, axis, number, Bound::Any));

@@ -78,10 +78,10 @@ fn matrix(r: &mut KeyReader<'_>, value: TomlValue<'_>, rows: [TomlValue<'_>; 3])
     let off = (matrix * matrix.transpose() - Matrix3::identity()).abs().max();
     let wrong = match matrix.determinant() {
         _ if off.is_nan() || off > ROUNDED => {
-            Some(format!("this matrix is no rotation: its rows miss unit length or right angles by {off:.1e}"))
+            Some(format!("this matrix is no rotation: its rows differ from perpendicular unit vectors by {off:.1e}"))
         }
         determinant if determinant < 0.0 => {
-            Some("this matrix mirrors the part: one of its rows points the other way".to_owned())
+            Some("this matrix mirrors the part: one of its rows has the wrong sign".to_owned())
         }
         _ => None,
     };

@@ -88,40 +88,41 @@ impl ClPoint {
 }
 
 options! {
-    /// How the CL data is read; `explain --cl` lists its words.
+    /// Reading of CL data. `explain --cl` lists the words that are read.
     pub struct ReadingOptions in "cl" {
         /// Unit of CL data that does not state its own (`--units`). Without it such data is refused.
         units: Option<Units> = None;
-        /// The point that the CL data programs: "tip", or "centre" of the corner radius.
+        /// Point of the tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: ClPoint = ClPoint::Tip, key("cl_point", OneOf(&ClPoint::NAMES));
-        /// The same for single tools.
+        /// The same by tool number, where it differs.
         cl_point_of: BTreeMap<u32, ClPoint> = BTreeMap::new();
-        /// CAM system where the file does not tell, or tells wrongly: "nx", "catia", "creo", "solidworks" or "iso".
+        /// CAM system of the CL data, if the file does not identify it or identifies it wrongly: "nx", "catia", "creo",
+        /// "solidworks" or "iso".
         dialect: Option<Dialect> = None, key("cl.dialect", OneOf(&Dialect::NAMES), "\"nx\"");
-        /// Columns of a line that count, for cards with numbers behind them. Without it all of them.
+        /// Number of columns of a line that are read, for cards with sequence numbers after them. Without it all columns
+        /// are read.
         columns: Option<u32> = None, key("cl.columns", Whole(COLUMNS), "72");
-        /// Words that are passed over.
+        /// Words of CL data that are passed over, because they move no axis and change no state.
         inert: Vec<String> = Vec::new(), key("cl.inert", ListOf(InertWord));
-        /// A second frame: "refuse", "main" (mapped into the first) or "offset" (a work offset of its own, see
-        /// `[frames]`).
+        /// A frame that differs from the first: "refuse", "main" (mapped into the first) or "offset" (a work offset of its
+        /// own, see `[frames]`).
         frames: Frames = Frames::Refuse, key("cl.frames", OneOf(&Frames::NAMES));
-        /// Sense of every CIRCLE about its axis, whatever its form says: "cw" or "ccw".
+        /// Sense of every CIRCLE about its axis, "cw" or "ccw". Without it the count of its numbers decides.
         circle_sense: Option<Sense> = None, key("cl.circle_sense", OneOf(&SENSES), "\"ccw\"");
-        /// INSERT: "refuse", "comment" or "write" (as NC text that nobody checks).
+        /// INSERT: "refuse", "comment" or "write" (as NC text, which is not checked).
         insert: Insert = Insert::Refuse, key("cl.insert", OneOf(&Insert::NAMES));
-        /// INSERT/STOP is STOP.
+        /// Treat INSERT/STOP as STOP.
         insert_stop: bool = false, key("cl.insert_stop", YesNo);
-        /// Codes that AUXFUN and PREFUN may write.
+        /// M codes that AUXFUN may output, and G codes that PREFUN may output.
         auxfun: Vec<u32> = Vec::new(), key("cl.auxfun", ListOf(Whole(0..=LARGEST_CODE)));
-        /// Codes that PREFUN may write.
+        /// G codes that PREFUN may output.
         prefun: Vec<u32> = Vec::new(), also("cl.prefun", ListOf(Whole(0..=LARGEST_CODE)));
-        /// A feed labelled in mm in a file in inches: "refuse", "trust" or "file-units".
+        /// Feed labelled in mm in a file in inch: "refuse", "trust" (it is in mm) or "file-units" (it is in inch).
         feed_label: FeedLabel = FeedLabel::Refuse, key("cl.feed_label", OneOf(&FeedLabel::NAMES));
-        /// FROM: "reference" (nothing moves) or "move".
-        ///
-        /// `true`: it is written as the first approach.
+        /// FROM: "reference" (start point, no motion) or "move" (a rapid to this point, as first approach).
         from_move: bool = false, key("cl.from", OneOf(&FROMS));
-        /// Numbers of a CYCLE that have no word: depth, clearance, return, step, dwell, pitch, feed.
+        /// Meaning of the numbers of a CYCLE that have no word before them, in order: depth, clearance, return, step, dwell,
+        /// pitch, feed.
         cycle_args: Vec<(ClCycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
     }
 }
