@@ -74,7 +74,7 @@ impl Remarks {
     pub(crate) fn add(&mut self, found: Diagnostic) {
         let mut kind = found.kind();
         if self.kinds.len() >= MOST_KINDS && !self.kinds.contains_key(&kind) {
-            kind = "other remarks".into();
+            kind = "other messages".into();
         }
         let (count, hidden) = self.kinds.entry(kind).or_default();
         *count += 1;

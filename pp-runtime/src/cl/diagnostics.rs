@@ -52,8 +52,8 @@ impl Faults {
             Help::Text(text) => text,
             Help::NearestTo(word) => match nearest_word(&word) {
                 Some(known) => format!("did you mean {known}?"),
-                None if word.is_empty() => "check whether this is CL data".into(),
-                None => format!("if it is known to move nothing, delete it or give `--inert {word}`"),
+                None if word.is_empty() => "check whether this file is CL data".into(),
+                None => format!("if it moves no axis and changes no state, delete it or add `--inert {word}`"),
             },
         };
         self.diagnostics.push(Diagnostic {

@@ -188,8 +188,8 @@ impl<R: Read> ClReader<R> {
                 return Ok(());
             }
             Beginning::Binary => (
-                "this is no text file: it holds NUL bytes",
-                "write the CL data as text (APT source, CLS); UTF-16 text must be saved as UTF-8",
+                "this is not a text file: it contains NUL bytes",
+                "output the CL data as text (APT source, CLS); save UTF-16 text as UTF-8",
             ),
             Beginning::Empty => ("the file is empty", "check whether the CAM system wrote it completely"),
         };
@@ -251,13 +251,13 @@ impl<R: Read> ClReader<R> {
             StatementKind::TooLong => Err(ClFault::new(
                 "statement too long",
                 Span::WHOLE,
-                format!("a statement here is longer than {} bytes", LONGEST_STATEMENT),
-                "check whether this is CL data and whether its line ends were lost",
+                format!("this statement is longer than {} bytes", LONGEST_STATEMENT),
+                "check whether this file is CL data, and whether its line ends were lost",
             )),
             StatementKind::Unfinished => Err(ClFault::new(
                 "unfinished statement",
                 Span { start: 0, end: text.len() },
-                "the file ends inside this statement, behind a `$` that continues it",
+                "the file ends after the `$` that continues this statement",
                 "check whether the CAM system wrote the file completely",
             )),
         };
@@ -309,7 +309,7 @@ impl<R: Read> ClReader<R> {
         };
         let taken = parse(text, &self.interpreter.options().inert).and_then(|record| match record {
             Record::Subprogram(SubprogramRecord::Call { at, .. }) => {
-                Err(subprogram_fault(at, "a subprogram that calls another one is not understood"))
+                Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"))
             }
             record => self.interpreter.take(&record, kept.location()),
         });
@@ -325,7 +325,7 @@ impl<R: Read> ClReader<R> {
         let unfinished = self.interpreter.finish();
         let unfinished = unfinished.err().or_else(|| {
             let open = self.subprograms.is_open();
-            open.then(|| subprogram_fault(Span::WHOLE, "the file ends inside a subprogram"))
+            open.then(|| subprogram_fault(Span::WHOLE, "the file ends before the ENDSUB of a subprogram"))
         });
         if let (Some(fault), Some(statement)) = (unfinished, &self.statement) {
             self.faults.add(fault, statement, &self.lexer);
@@ -335,9 +335,9 @@ impl<R: Read> ClReader<R> {
         let normalised = reading.axis().normalised();
         if normalised > 0 {
             let text = format!(
-                "{normalised} tool axes are off from length 1 by more than 0.00001 and were normalised; this is the first"
+                "{normalised} tool axes differ from length 1 by more than 0.00001 and were normalised; this is the first"
             );
-            let help = "have the CAM system write i, j, k with more digits";
+            let help = "have the CAM system output i, j, k with more digits";
             self.faults.add_about_file(Severity::Warning, reading.axis().first_normalised(), text, help);
         }
         if let Some((largest_mm, first)) = reading.tool().largest_cutter()
@@ -345,13 +345,13 @@ impl<R: Read> ClReader<R> {
             && reading.units().known() == Some(Units::Millimetres)
             && largest_mm < SMALLEST_LARGEST_CUTTER_MM
         {
-            let text = format!("no cutter is larger than {largest_mm} mm: is this file in inch?");
-            let help = "give `--units in`; if these are millimetres, say UNITS/MM at the top of the file";
+            let text = format!("the largest cutter has a diameter of {largest_mm} mm: is this file in inch?");
+            let help = "add `--units in`; if the file is in mm, write UNITS/MM at its top";
             self.faults.add_about_file(Severity::Error, first, text, help);
         }
         if reading.path().motions() == 0 && !self.faults.failed() {
-            let text = "the file holds no motion: there is no GOTO in it".into();
-            let help = "check whether the tool path was generated before it was written";
+            let text = "the file contains no motion: no GOTO was found".into();
+            let help = "check whether the tool path was generated in the CAM system before it was output";
             self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text, help);
         }
         self.faults.conclude();
@@ -366,13 +366,13 @@ impl<R: Read> ClReader<R> {
             let majority = 2 * against > decided;
             let severity = if majority { Severity::Error } else { Severity::Warning };
             let text = format!(
-                "{against} of {decided} arcs whose neighbours decide run the other way than the form of CIRCLE says; \
+                "{against} of {decided} arcs with a tangent line before or after them contradict the sense of their CIRCLE; \
                  this is the first"
             );
             let help = if majority {
-                "give `--circle-sense cw` or `ccw` if the CAM system has another habit"
+                "if the CAM system uses the other sense, add `--circle-sense cw` or `ccw`"
             } else {
-                "a cusp, if the path really turns back here"
+                "correct if the path reverses here in a cusp; else check the arc in the CAM system"
             };
             self.faults.add_about_file(severity, location, text, help);
         }

@@ -64,12 +64,12 @@ impl Subprograms {
 
     fn try_define(&mut self, number: u32) -> Result<(), &'static str> {
         if self.open.is_some() || self.running.is_some() {
-            return Err("a subprogram cannot be defined inside another one");
+            return Err("DEFSUB inside a subprogram is not supported");
         }
         // A refused DEFSUB still has its ENDSUB.
         self.open = Some((number, self.statements.len()));
         if self.known.contains_key(&number) {
-            return Err("this subprogram is defined twice");
+            return Err("this subprogram is already defined");
         }
         if self.known.len() >= MOST_SUBPROGRAMS { Err("the file defines too many subprograms") } else { Ok(()) }
     }
@@ -100,10 +100,10 @@ impl Subprograms {
     /// CALSUB; refused inside a subprogram and for a number that is not defined.
     pub(crate) fn call(&mut self, number: u32, at: Span) -> Result<(), ClFault> {
         if self.running.is_some() {
-            return Err(subprogram_fault(at, "a subprogram that calls another one is not understood"));
+            return Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"));
         }
         let known = self.known.get(&number);
-        let known = known.ok_or_else(|| subprogram_fault(at, "this subprogram is not defined before it is called"))?;
+        let known = known.ok_or_else(|| subprogram_fault(at, "no DEFSUB with this number comes before the call"))?;
         self.running = Some((known.first, known.after));
         Ok(())
     }
@@ -125,5 +125,5 @@ impl Subprograms {
 }
 
 pub(crate) fn subprogram_fault(at: Span, why: &str) -> ClFault {
-    ClFault::new("subprogram", at, why, "DEFSUB/n stands before CALSUB/n, with ENDSUB behind the last record")
+    ClFault::new("subprogram", at, why, "write DEFSUB/n, the records of the subprogram and ENDSUB before CALSUB/n")
 }

@@ -59,7 +59,7 @@ impl WaitingCircle {
                 "circle",
                 circle.at,
                 format!("the axis of this circle has length {length:.6}, not 1"),
-                "i, j, k are a vector of length 1",
+                "i, j, k must be a unit vector",
             ));
         }
         let of_form = match circle.form {
@@ -104,7 +104,9 @@ pub(crate) fn tangent_circle(
     let (from, end) = (point(record.line[0])?, point(record.line[1])?);
     let off = ((end - centre).norm() - radius).abs();
     if off > ARC_TOLERANCE_MM {
-        return Err(fault(format!("the end of the line is {off:.4} mm off the circle, so the end is not known")));
+        return Err(fault(format!(
+            "the end of the line is {off:.4} mm off the circle, so the end of the arc is unknown"
+        )));
     }
     if record.second && (end - from).dot(&(centre - from)) > 0.0 && (end - centre).dot(&(end - from)) < 0.0 {
         return Err(fault("the end of the line is the first intersection with the circle, not the second".into()));
@@ -112,10 +114,10 @@ pub(crate) fn tangent_circle(
     let arm = start.tip - centre;
     let across = direction.dot(&arm).abs() / radius.max(f64::MIN_POSITIVE);
     if across > TANGENT {
-        return Err(fault("INDIRV is not tangential to the circle where the arc begins".into()));
+        return Err(fault("INDIRV is not tangent to the circle at the start of the arc".into()));
     }
     let Some(axis) = UnitVector3::try_new(arm.cross(&direction), 1e-9) else {
-        return Err(fault("the plane of this arc is not known".into()));
+        return Err(fault("the start of this arc and INDIRV define no plane".into()));
     };
     let sense = Sense::CounterClockwise;
     Ok((WaitingCircle { centre, axis, sense, radius_mm: Some(radius), times: 1, angle_rad: None, line }, end))
@@ -123,7 +125,7 @@ pub(crate) fn tangent_circle(
 
 /// Fault of a TLON.
 pub(crate) fn tlon_fault(at: Span, text: String) -> ClFault {
-    ClFault::new("TLON", at, text, "have the CAM system write lines instead of arcs, or check this one")
+    ClFault::new("TLON", at, text, "check this arc in the CAM system, or have it output lines instead of arcs")
 }
 
 /// The arc whose end is not read yet.
@@ -148,8 +150,8 @@ impl OpenArc {
             return Err(ClFault::new(
                 "TLON",
                 Span::WHOLE,
-                "this motion stands behind AUTOPS or INDIRV, where TLON is expected",
-                "have the CAM system write lines instead of arcs",
+                "expected TLON after AUTOPS or INDIRV, found another motion",
+                "have the CAM system output lines instead of arcs",
             ));
         }
         match self.circle {
@@ -158,8 +160,8 @@ impl OpenArc {
                 Err(ClFault::new(
                     "circle",
                     Span::WHOLE,
-                    format!("the circle of line {} has no end: this record stands before its GOTO", circle.line),
-                    "behind CIRCLE stands the GOTO that ends the arc",
+                    format!("the circle of line {} has no end: this record comes before its GOTO", circle.line),
+                    "write the GOTO that ends the arc directly after CIRCLE",
                 ))
             }
             _ => Ok(()),
@@ -189,7 +191,12 @@ impl OpenArc {
     /// INDIRV, in the workpiece frame.
     pub(crate) fn set_direction(&mut self, direction: Vector3<f64>, at: Span) -> Result<(), ClFault> {
         if direction.norm() < 1e-9 {
-            return Err(ClFault::new("INDIRV", at, "INDIRV points nowhere", "it is the direction of the path"));
+            return Err(ClFault::new(
+                "INDIRV",
+                at,
+                "INDIRV is 0, 0, 0 and has no direction",
+                "INDIRV is the direction of the path at the start of the arc",
+            ));
         }
         self.direction = Some(direction.normalize());
         self.tangent_begun = true;
@@ -200,7 +207,9 @@ impl OpenArc {
     pub(crate) fn end_tangent(&mut self, at: Span) -> Result<Vector3<f64>, ClFault> {
         self.tangent_begun = false;
         let direction = self.direction.take();
-        direction.ok_or_else(|| tlon_fault(at, "no INDIRV says in which direction this arc begins".into()))
+        direction.ok_or_else(|| {
+            tlon_fault(at, "no INDIRV comes before this TLON: the direction of the arc is unknown".into())
+        })
     }
 
     /// End of the file: refuses a circle without an end.
@@ -230,7 +239,7 @@ pub(crate) fn arc_of(
 ) -> Result<Arc, ClFault> {
     let fault = |text: String| {
         let text = format!("{text} (circle of line {})", circle.line);
-        ClFault::new("circle", at, text, "check the arc in the CAM system, or have it write lines instead of arcs")
+        ClFault::new("circle", at, text, "check the arc in the CAM system, or have it output lines instead of arcs")
     };
     if (start.axis.into_inner() - end.axis.into_inner()).norm() > 1e-6 {
         return Err(fault("the tool axis changes on an arc".into()));
@@ -271,7 +280,7 @@ pub(crate) fn arc_of(
     let angle = part + turns * TAU;
     if (angle - stated).abs() * radius > ARC_TOLERANCE_MM {
         return Err(fault(format!(
-            "the end of an arc lies at {:.4} degrees, not at the {:.4} of its record",
+            "the end of an arc is at {:.4} degrees, its record states {:.4} degrees",
             angle.to_degrees(),
             stated.to_degrees()
         )));
@@ -291,7 +300,7 @@ fn angle_within_revolution(
     if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise_mm > ARC_TOLERANCE_MM) {
         Ok(TAU)
     } else if chord < SHORTEST_CHORD_MM && !angle_is_stated {
-        Err(format!("the ends of an arc are {chord:.5} mm apart: it may be nothing or a whole turn"))
+        Err(format!("the ends of an arc are {chord:.5} mm apart: the arc may be empty or a full circle"))
     } else {
         Ok(n.dot(&u.cross(&v)).atan2(u.dot(&v)).rem_euclid(TAU))
     }

@@ -72,14 +72,14 @@ impl ModalAxis {
             AxisDoubt::NewOperation => Err(ClFault::new(
                 "tool axis",
                 at,
-                "the tool was tilted in the operation before, and this point does not say its tool axis",
-                "write i, j, k with the first GOTO of every operation",
+                "this point has no tool axis i, j, k, and the operation before ended with a tilted tool",
+                "program i, j, k in the first GOTO of every operation",
             )),
             AxisDoubt::MultaxOff => Err(ClFault::new(
                 "tool axis",
                 at,
-                "the tool was tilted when MULTAX/OFF came, and this point does not say its tool axis",
-                "write i, j, k with this GOTO, or turn the tool back before MULTAX/OFF",
+                "this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF",
+                "program i, j, k in this GOTO, or return the tool axis to 0, 0, 1 before MULTAX/OFF",
             )),
         }
     }
@@ -148,7 +148,7 @@ impl ModalAxis {
         let tolerated = excess <= TOLERATED;
         if !tolerated {
             let text = if given.iter().all(|value| value.abs() < f64::MIN_POSITIVE) {
-                "the tool axis is 0, 0, 0 and points nowhere".to_string()
+                "the tool axis is 0, 0, 0 and has no direction".to_string()
             } else {
                 format!("the tool axis has length {length:.6}, not 1")
             };
@@ -156,7 +156,7 @@ impl ModalAxis {
                 "tool axis",
                 at,
                 text,
-                "i, j, k are a vector of length 1 from the tip to the spindle",
+                "i, j, k must be a unit vector from the tip to the spindle",
             ));
         }
         let [i, j, k] = given;

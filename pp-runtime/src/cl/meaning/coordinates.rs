@@ -101,7 +101,7 @@ impl Coordinates {
     ) -> Result<ClearancePlane, ClFault> {
         let length = length(normal);
         if length < 1e-9 {
-            return Err(ClFault::new("CLEARP", at, "the normal of this plane is 0, 0, 0", "write CLEARP/XYPLAN,z"));
+            return Err(ClFault::new("CLEARP", at, "the normal of this plane is 0, 0, 0", "program CLEARP/XYPLAN,z"));
         }
         let normal = normal.map(|value| value / length);
         let distance = distance * unit_mm / length;

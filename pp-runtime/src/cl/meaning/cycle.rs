@@ -39,8 +39,8 @@ impl CycleInForce {
         Err(ClFault::new(
             "CYCLE",
             Span::WHOLE,
-            "this record stands under a CYCLE, where only points of holes are expected",
-            "end the cycle before it: CYCLE/OFF",
+            "this record is not permitted between the points of a CYCLE",
+            "end the cycle before this record: CYCLE/OFF",
         ))
     }
 
@@ -68,8 +68,8 @@ impl CycleInForce {
             return Err(ClFault::new(
                 "CYCLE",
                 at,
-                "RTRCTO,AUTO goes back to the level before the cycle, and nothing says where the tool stands",
-                "give a GOTO before the cycle",
+                "RTRCTO,AUTO returns to the level before the cycle, and the tool position is unknown",
+                "program a GOTO before the cycle",
             ));
         }
         self.definition = Some(definition);
@@ -113,7 +113,7 @@ impl CycleInForce {
                         format!(
                             "the level before the cycle lies {level:.4} mm above this hole, below its clearance level"
                         ),
-                        "retract further before the cycle, or give a return level",
+                        "retract further before the cycle, or program a return level",
                     ));
                 }
                 Ok(level.max(cycle.clearance_mm))

@@ -27,8 +27,8 @@ pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLab
             return Err(ClFault::new(
                 "feed unit",
                 unit_at,
-                "a feed in mm stands in a file in inch; such labels are often wrong",
-                "have the CAM system write IPM or IPR, or say what it is: `[cl] feed_label = \"trust\"` or \"file-units\"",
+                "feed labelled in mm in a file in inch: such labels are often wrong",
+                "have the CAM system output IPM or IPR, or set the meaning: `[cl] feed_label = \"trust\"` or \"file-units\"",
             ));
         }
         FeedLabel::FileUnits if doubtful => of_file,
@@ -51,18 +51,19 @@ fn check(feed: Feed, record: &FeedRecord) -> Result<Feed, ClFault> {
     let value = record.value;
     let fault = |text: String, help: &str| Err(ClFault::new("feed", record.at, text, help));
     match feed {
-        _ if value <= 0.0 => {
-            fault(format!("the feed {value} is not above 0"), "set a feed for every cutting move in the CAM system")
-        }
+        _ if value <= 0.0 => fault(
+            format!("the feed must be above 0, found {value}"),
+            "set a feed for every cutting move in the CAM system",
+        ),
         Feed::PerMinute(speed) if speed < SLOWEST_FEED_MM_PER_MIN => {
             fault(format!("a feed of {speed:.4} mm/min is not plausible"), "check the unit of the file and of the feed")
         }
         Feed::PerRevolution(feed) if feed > LARGEST_FEED_MM_PER_REV => fault(
             format!("a feed of {feed} mm per revolution is not plausible"),
-            "check the unit of the feed: IPM, MMPM and PERMIN count per minute",
+            "check the unit of the feed: IPM, MMPM and PERMIN are per minute",
         ),
         Feed::PerMinute(_) | Feed::PerRevolution(_) if !value.is_finite() || value > LARGEST_FEED => {
-            fault(format!("the feed {value:e} is not plausible"), "check the exponent")
+            fault(format!("the feed {value:e} is not plausible"), "check the exponent of this number")
         }
         Feed::PerMinute(_) | Feed::PerRevolution(_) => Ok(feed),
     }

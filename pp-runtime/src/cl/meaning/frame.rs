@@ -44,7 +44,7 @@ impl StatedFrame {
             return Err(ClFault::new(
                 "frame",
                 record.at,
-                "the axes of this frame are not at right angles, of length 1 and right-handed",
+                "the axes of this frame are not perpendicular, right-handed unit vectors",
                 "check the machine coordinate system in the CAM system",
             ));
         }
@@ -116,8 +116,8 @@ impl WorkpieceFrames {
                     "the frame in line {} differs from the workpiece frame in line {}",
                     frame.location.line, first.location.line
                 ),
-                "`--frames main` maps it into the first, `--frames offset` gives it a work offset of its own; or write \
-                 one file for each frame",
+                "`--frames main` maps it into the first, `--frames offset` gives it a work offset of its own; or \
+                 output one file for each frame",
             ));
         }
         let known = self.frames.iter().position(|known| known.is_same(&frame));
@@ -132,7 +132,7 @@ impl WorkpieceFrames {
                     "second frame",
                     at,
                     format!("the file states more than {MOST_FRAMES} different frames"),
-                    "write one file for each set-up",
+                    "output one file for each set-up",
                 ));
             }
         };
@@ -171,8 +171,8 @@ impl SetUpFrame {
         Err(ClFault::new(
             "CSYS",
             at,
-            "CSYS without TRNTYP/WORLD,0,0,0 in front of it: in which frame the points are is not known",
-            "have SolidWorks CAM write its points in one common frame",
+            "CSYS without TRNTYP/WORLD,0,0,0 before it: the frame of the points is unknown",
+            "have SolidWorks CAM output all points in one common frame",
         ))
     }
 
@@ -203,7 +203,7 @@ impl SetUpFrame {
                 "tool axis",
                 at,
                 "this tool axis contradicts the third column of CSYS",
-                "under one CSYS the tool keeps its direction: check the set-up in the CAM system",
+                "the tool axis is constant within one CSYS: check the set-up in the CAM system",
             ));
         }
         Ok(())

@@ -89,7 +89,8 @@ fn named(cycle: &CycleCall, args: Option<&[CycleArg]>) -> Result<(CycleCall, Opt
             "CYCLE/{word} has {} numbers without a word, whose meaning depends on a table of the CAM system",
             cycle.positionals
         );
-        let help = format!("say what they are: `[cl.cycle.{word}] args = [\"depth\", \"pitch\"]` in the configuration");
+        let help =
+            format!("state their meaning in the configuration: `[cl.cycle.{word}] args = [\"depth\", \"pitch\"]`");
         return Err(ClFault::new("CYCLE", cycle.at, text, help));
     };
     for (arg, value) in args.iter().zip(cycle.positional) {
@@ -127,9 +128,15 @@ pub(crate) fn define(cycle: &CycleCall, context: &CycleContext<'_>) -> Result<Ho
     let back = back(&cycle, context, clearance)?;
     let drilling = drilling(&cycle, context.feed, pitch, unit_mm)?;
     let dwell = match (cycle.dwell_s, cycle.dwell_rev) {
-        (Some(_), Some(_)) => return Err(fault(cycle.at, "a cycle waits either seconds or turns", "write one DWELL")),
+        (Some(_), Some(_)) => {
+            return Err(fault(
+                cycle.at,
+                "this cycle has a dwell in seconds and one in revolutions",
+                "program one DWELL",
+            ));
+        }
         (Some(value), None) | (None, Some(value)) if value < 0.0 => {
-            return Err(fault(cycle.at, "a wait is not negative", "write DWELL,seconds"));
+            return Err(fault(cycle.at, "DWELL must not be negative", "write DWELL,seconds"));
         }
         (Some(seconds), None) => (seconds > 0.0).then_some(Dwell::Seconds(seconds)),
         (None, Some(turns)) => (turns > 0.0).then_some(Dwell::Revolutions(turns)),
@@ -153,28 +160,32 @@ fn depth(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
         (Some(_), ..) => {
             return Err(fault(
                 cycle.depth_at,
-                "FEDTO counts down in one CAM system and up in another, and this file does not say which wrote it",
-                "give `--dialect nx` or `--dialect solidworks`",
+                "the sign of FEDTO depends on the CAM system, and that of this file is unknown",
+                "add `--dialect nx` or `--dialect solidworks`",
             ));
         }
         (None, Some(_), Dialect::Generic) => {
             return Err(fault(
                 cycle.at,
-                "the levels of a cycle depend on the CAM system, and this file does not say which wrote it",
-                "give `--dialect iso`, `catia` or `creo`",
+                "the meaning of the levels of a CYCLE depends on the CAM system, and that of this file is unknown",
+                "add `--dialect iso`, `catia` or `creo`",
             ));
         }
         (None, Some(depth), _) => depth,
-        (None, None, _) => return Err(fault(cycle.at, "this cycle has no depth", "write DEPTH or FEDTO")),
+        (None, None, _) => return Err(fault(cycle.at, "this cycle has no depth", "program DEPTH or FEDTO")),
     };
     if value.abs() < f64::MIN_POSITIVE {
-        return Err(fault(cycle.depth_at, "a depth of 0 is no hole", "set the depth of the hole in the CAM system"));
+        return Err(fault(
+            cycle.depth_at,
+            "the depth of this hole is 0",
+            "set the depth of the hole in the CAM system",
+        ));
     }
     if value < 0.0 {
         return Err(fault(
             cycle.depth_at,
-            "this depth points out of the part",
-            "check its sign: NX counts FEDTO negative into the part, everybody else positive",
+            "the sign of this depth is wrong: it leads out of the part",
+            "into the part FEDTO is negative in NX, and every other depth is positive",
         ));
     }
     Ok(value)
@@ -193,15 +204,15 @@ fn clearance(cycle: &CycleCall, dialect: Dialect) -> Result<f64, ClFault> {
         (Some(_), Some(_)) => {
             return Err(fault(
                 cycle.at,
-                "RAPTO and CLEAR of this cycle differ, and which of them is the clearance level is not known",
-                "have the CAM system write one of them",
+                "RAPTO and CLEAR of this cycle differ: the clearance level is ambiguous",
+                "have the CAM system output one of them",
             ));
         }
         (Some(_), None) => {
-            return Err(fault(cycle.at, "RAPTO without CLEAR: the clearance level is not known", "write CLEAR"));
+            return Err(fault(cycle.at, "RAPTO without CLEAR: the clearance level is unknown", "program CLEAR"));
         }
         (None, None) => {
-            return Err(fault(cycle.at, "this cycle has no clearance level", "write RAPTO or CLEAR"));
+            return Err(fault(cycle.at, "this cycle has no clearance level", "program RAPTO or CLEAR"));
         }
     };
     if level < 0.0 {
@@ -220,20 +231,20 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
             let Some(initial) = context.initial else {
                 return Err(fault(
                     cycle.at,
-                    "neither CYCLE/INIT nor CYCLE/CLEAR stands before this cycle",
-                    "one of them says to which level the tool goes back",
+                    "neither CYCLE/INIT nor CYCLE/CLEAR comes before this cycle",
+                    "program one of them: it selects the return level",
                 ));
             };
             match level {
                 _ if !initial => ReturnLevel::Clearance,
                 Some(Return::Level(level)) => ReturnLevel::Level(level * context.unit_mm),
-                _ => return Err(fault(cycle.at, "CYCLE/INIT needs RTRCTO with a level", "write RTRCTO,level")),
+                _ => return Err(fault(cycle.at, "CYCLE/INIT needs RTRCTO with a level", "program RTRCTO,level")),
             }
         }
         (_, None) => ReturnLevel::Clearance,
         (Dialect::Nx, Some(Return::Auto)) => ReturnLevel::Initial,
         (_, Some(Return::Auto)) => {
-            return Err(fault(cycle.at, "RTRCTO,AUTO is known from NX only", "write RETURN with a level"));
+            return Err(fault(cycle.at, "RTRCTO,AUTO is supported for NX only", "program RETURN,level"));
         }
         (_, Some(Return::Level(level))) => ReturnLevel::Level(level * context.unit_mm),
     };
@@ -241,7 +252,7 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
         ReturnLevel::Level(level) if level < clearance => Err(fault(
             cycle.at,
             "the return level of this cycle lies below its clearance level",
-            "give a return level at or above the clearance level",
+            "program a return level at or above the clearance level",
         )),
         back => Ok(back),
     }
@@ -250,14 +261,14 @@ fn back(cycle: &CycleCall, context: &CycleContext<'_>, clearance: f64) -> Result
 fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: f64) -> Result<Drilling, ClFault> {
     let steps = |step: Option<f64>| match step {
         Some(step) if step > 0.0 => Ok(step * unit_mm),
-        Some(_) => Err(fault(cycle.at, "the step of a cycle is not above 0", "write STEP,depth")),
-        None => Err(fault(cycle.at, "this cycle has no step", "write STEP, INCR or SUBPECK with a depth")),
+        Some(_) => Err(fault(cycle.at, "the step of a cycle must be above 0", "program STEP,depth")),
+        None => Err(fault(cycle.at, "this cycle has no step", "program STEP, INCR or SUBPECK with a depth")),
     };
     if cycle.orient_deg.is_some() || cycle.kind == ClCycleKind::Back {
         return Err(fault(
             cycle.at,
-            "this cycle stops the spindle at an angle in the hole, which only a cycle of the control can do",
-            "have the CAM system write the motions, or bore with feed out: BORE without ORIENT",
+            "this cycle stops the spindle at an angle in the hole: only a canned cycle of the control can do that",
+            "have the CAM system output the motions, or retract at feed: BORE without ORIENT",
         ));
     }
     let any = cycle.back.or(cycle.first_step).or(cycle.step);
@@ -270,7 +281,7 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: 
     if stray.is_some() {
         return Err(fault(
             cycle.at,
-            format!("a word of this cycle has no meaning for {}", cycle.kind.word()),
+            format!("this cycle has a word that does not belong to {}", cycle.kind.word()),
             "STEP belongs to DEEP and BRKCHP, 1STPECK to DEEP, BACK to BRKCHP",
         ));
     }
@@ -289,11 +300,11 @@ fn drilling(cycle: &CycleCall, feed: Option<Feed>, pitch: Option<f64>, unit_mm: 
             Drilling::ChipBreak { step_mm: steps(cycle.step)?, retract_mm: back }
         }
         ClCycleKind::Tap => {
-            let turn = match feed {
-                Some(Feed::PerRevolution(turn)) => Some(turn),
+            let pitch_mm = match feed {
+                Some(Feed::PerRevolution(feed)) => Some(feed),
                 _ => pitch.map(|pitch| pitch * unit_mm),
             };
-            Drilling::Tap { pitch_mm: turn }
+            Drilling::Tap { pitch_mm }
         }
     })
 }

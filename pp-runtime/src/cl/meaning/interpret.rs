@@ -231,8 +231,8 @@ impl RecordInterpreter {
             return Err(ClFault::new(
                 "INSERT",
                 text.at,
-                "INSERT/STOP may be a stop that is needed",
-                "`[cl] insert_stop = true` makes it STOP",
+                "INSERT/STOP may be a program stop that is needed",
+                "`[cl] insert_stop = true` treats it as STOP",
             ));
         }
         match self.options.insert {
@@ -245,8 +245,8 @@ impl RecordInterpreter {
                 return Err(ClFault::new(
                     "INSERT",
                     text.at,
-                    "INSERT is refused: it writes NC text that the postprocessor cannot see into",
-                    "`--insert comment` writes it as a comment, `--allow-insert` as it stands",
+                    "INSERT is refused: the effect of its NC text on the machine is unknown",
+                    "`--insert comment` outputs the text as a comment, `--allow-insert` as written",
                 ));
             }
         }
@@ -262,11 +262,8 @@ impl RecordInterpreter {
             return Err(ClFault::new(
                 word,
                 at,
-                format!(
-                    "{word} is refused: it writes {}{number}, which the postprocessor cannot see into",
-                    char::from(letter)
-                ),
-                format!("if the control is to have it, allow it: `[cl] {key} = [{number}]`"),
+                format!("{word} is refused: the effect of {}{number} on the machine is unknown", char::from(letter)),
+                format!("to output the code, allow it: `[cl] {key} = [{number}]`"),
             ));
         }
         self.path.forget_position();

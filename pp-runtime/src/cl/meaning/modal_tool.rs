@@ -102,18 +102,18 @@ impl ModalTool {
     pub(crate) fn set_length_offset(&mut self, register: u32, at: Span) -> Result<(), ClFault> {
         let fault = |text: &str, help: &str| Err(ClFault::new("length offset", at, text, help));
         if register == 0 {
-            return fault("length offset 0 would switch the length offset off", "give a register above 0");
+            return fault("OFSETL 0 would cancel the length offset", "program a register above 0");
         }
         match &mut self.held {
             Some((_, tool)) if tool.length_offset.is_none_or(|offset| offset == register) => {
                 tool.length_offset = Some(register);
                 Ok(())
             }
-            Some(_) => fault("two different length offsets for one tool", "give one register"),
+            Some(_) => fault("two different length offset registers for one tool", "program one register"),
             None if self.last.is_some_and(|tool| tool.length_offset.unwrap_or(tool.number) == register) => Ok(()),
             None => fault(
-                "the length offset changes away from the tool's call",
-                "give it behind LOADTL or LOAD/TOOL: a change in the cut would move the tool",
+                "this change of the length offset does not directly follow the tool call",
+                "program it directly after LOADTL or LOAD/TOOL: a change in the cut would move the tool",
             ),
         }
     }
@@ -129,9 +129,8 @@ impl ModalTool {
         if (before - cutter.diameter).abs() <= SAME_DIAMETER_MM {
             return None;
         }
-        let text =
-            format!("the cutter changes from {before:.3} mm to {:.3} mm, and no tool record calls it", cutter.diameter);
-        let help = "the tool in the spindle goes on: give LOADTL or LOAD/TOOL in front of this motion";
+        let text = format!("the cutter changes from {before:.3} mm to {:.3} mm without a tool call", cutter.diameter);
+        let help = "the tool in the spindle stays in use: program LOADTL or LOAD/TOOL before this motion";
         Some(ClFault::new("cutter without call", at, text, help))
     }
 }

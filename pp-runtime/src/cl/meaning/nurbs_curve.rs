@@ -51,17 +51,17 @@ impl NurbsCurve {
     fn complete(&mut self) -> Result<(), String> {
         let (knots, points) = (self.knots.len() - 4, self.points.len() - 1);
         if knots == 0 || points != knots + 2 {
-            return Err(format!("it lists {knots} knots and {points} control points, which must be two more"));
+            return Err(format!("it lists {knots} knots and {points} control points, expected {}", knots + 2));
         }
         if self.knots.windows(2).any(|pair| pair[1] < pair[0]) {
-            return Err("its knots do not rise".into());
+            return Err("its knots decrease".into());
         }
         let last = self.knots[self.knots.len() - 1];
         self.knots.extend([last; 3]);
         // A cubic is discontinuous at an inner knot of multiplicity 4, and degenerate at an end knot of multiplicity 5.
         let inner = &self.knots[1..self.knots.len() - 1];
         if inner.windows(4).any(|four| four[3] <= four[0]) {
-            return Err("it breaks where too many of its knots are equal".into());
+            return Err("it is discontinuous where too many of its knots are equal".into());
         }
         Ok(())
     }
@@ -92,11 +92,11 @@ impl OpenCurve {
             return Ok(());
         }
         let text = if self.open {
-            "this curve has more points than a curve of a tool path can have".to_string()
+            format!("this curve has more than {MOST_POINTS} knots or control points")
         } else {
-            format!("{name} stands outside a NURBS")
+            format!("{name} comes outside a NURBS")
         };
-        Err(ClFault::new("NURBS", at, text, "knots and control points stand behind NURBS/"))
+        Err(ClFault::new("NURBS", at, text, "write KNOT and CNTRL after NURBS/"))
     }
 
     /// KNOT.
@@ -116,8 +116,8 @@ impl OpenCurve {
             return Err(ClFault::new(
                 "NURBS",
                 Span::WHOLE,
-                format!("the curve of line {} is not understood: {why}", self.reading.at.line),
-                "have the CAM system write lines instead of curves",
+                format!("the curve of line {} is invalid: {why}", self.reading.at.line),
+                "have the CAM system output lines instead of curves",
             ));
         }
         std::mem::swap(&mut self.reading, &mut self.complete);

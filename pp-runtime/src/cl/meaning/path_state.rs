@@ -68,16 +68,16 @@ impl PathState {
             return Err(ClFault::new(
                 name,
                 at,
-                format!("{name} stands behind a hole: whether it counts from the hole or from above it is not known"),
-                "give a GOTO in front of it",
+                format!("{name} after a hole is ambiguous: it may start from the hole or from the level above it"),
+                "program a GOTO before it",
             ));
         }
         self.here.ok_or_else(|| {
             ClFault::new(
                 name,
                 at,
-                format!("{name} counts from where the tool stands, and nothing before it says where that is"),
-                "give a GOTO or FROM before it",
+                format!("{name} is relative to the tool position, which is unknown here"),
+                "program a GOTO or FROM before it",
             )
         })
     }

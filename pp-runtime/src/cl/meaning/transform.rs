@@ -33,8 +33,8 @@ impl RigidTransform {
             return Err(ClFault::new(
                 "TRACUT",
                 at,
-                "this matrix does not only turn and move: it scales, shears or mirrors",
-                "a mirrored path would cut against the sense it was made for: have the CAM system write it out",
+                "this matrix is not a rigid motion: it scales, shears or mirrors",
+                "have the CAM system output the transformed path; a mirrored one would turn climb into conventional milling",
             ));
         }
         Ok(RigidTransform { rows, shift: [n[3], n[7], n[11]].map(|value| value * unit_mm) })

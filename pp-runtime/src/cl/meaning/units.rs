@@ -45,8 +45,8 @@ impl FileUnits {
         Err(ClFault::new(
             "units",
             at,
-            "the file does not say its unit: no UNITS/MM, UNITS/INCH or UNIT/.. stands before this number",
-            "give `--units mm` or `--units in`, as the part is modelled",
+            "the unit of the file is unknown: no UNITS/MM, UNITS/INCH or UNIT/.. comes before this number",
+            "add `--units mm` or `--units in`, the unit of the part in the CAM system",
         ))
     }
 
@@ -55,15 +55,15 @@ impl FileUnits {
         let fault = |text: String, help: &str| Err(ClFault::new("units", Span::WHOLE, text, help));
         if let Some((before, line)) = self.found {
             if before != units {
-                let text = format!("the unit changes in the middle of the file; line {} says another one", line.line);
-                return fault(text, "write the whole file in one unit");
+                let text = format!("this unit differs from that of line {}", line.line);
+                return fault(text, "have the CAM system output the whole file in one unit");
             }
             return Ok(());
         }
         self.found = Some((units, here));
         if self.given.is_some_and(|given| given != units) {
-            let text = "the file says another unit than `--units`".to_string();
-            return fault(text, "leave `--units` out if the file is right");
+            let text = "the unit of the file contradicts `--units` or `cl_units`".to_string();
+            return fault(text, "leave these out if the file is right");
         }
         Ok(())
     }

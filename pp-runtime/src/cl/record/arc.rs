@@ -88,8 +88,8 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
             let count = args.needed()?;
             times = count.integer()?;
             if !(1..=MOST_REVOLUTIONS).contains(&times) {
-                let text = format!("an arc has 1 to {MOST_REVOLUTIONS} turns, not {times}");
-                return Err(ClFault::new("circle", count.at, text, "TIMES,1 is the arc itself"));
+                let text = format!("TIMES must be 1 to {MOST_REVOLUTIONS}, found {times}");
+                return Err(ClFault::new("circle", count.at, text, "TIMES,n is the arc and n - 1 full revolutions"));
             }
             break;
         }
@@ -108,10 +108,10 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
                 "circle",
                 at,
                 format!(
-                    "{} has 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
+                    "{} needs 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
                     args.name()
                 ),
-                "6 and 7 are counter-clockwise about i, j, k; 11 are clockwise",
+                "6 and 7 numbers: counter-clockwise about i, j, k; 11 numbers: clockwise",
             ));
         }
     };
@@ -144,8 +144,8 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         return Err(ClFault::new(
             "circle",
             angle.at,
-            format!("an arc of {} degrees is not understood", quoted(angle.text)),
-            "an arc turns counter-clockwise about i, j, k by more than 0 and at most a thousand turns",
+            format!("the angle of an arc cannot be {} degrees", quoted(angle.text)),
+            "the angle is counter-clockwise about i, j, k, above 0 degrees and at most 1000 revolutions",
         ));
     }
     let [x, y, z, i, j, k, r] = numbers;
@@ -238,8 +238,8 @@ impl TlonScan<'_> {
         ClFault::new(
             "TLON",
             Span { start, end: start + 1 },
-            format!("TLON is not understood from here on: {wanted} is expected"),
-            "the form known here is TLON,GOFWD/ (CIRCLE/ x,y,z,r),ON,(LINE/ x,y,z,x,y,z)",
+            format!("TLON: expected {wanted} here"),
+            "accepted: TLON,GOFWD/ (CIRCLE/ x,y,z,r),ON,[2,INTOF,](LINE/ x,y,z,x,y,z)",
         )
     }
 }

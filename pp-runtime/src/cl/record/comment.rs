@@ -64,8 +64,8 @@ fn incomplete() -> ClFault {
     ClFault::new(
         "frame",
         Span::WHOLE,
-        "a row of the matrix behind $$*CATIA0 is expected here: four numbers with blanks between them",
-        "the matrix says where the points lie: write its three rows, or delete them all",
+        "expected a row of the matrix of $$*CATIA0: four numbers separated by blanks",
+        "the matrix is the frame of the points: write all three rows, or delete all of them",
     )
 }
 

@@ -94,7 +94,7 @@ pub(crate) fn units(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     } else if arg.is("INCH") || arg.is("INCHES") || arg.is("IN") {
         Ok(CoordinateRecord::Units(Units::Inches))
     } else {
-        Err(ClFault::new("unit", arg.at, format!("{} is not a unit known here", quoted(arg.text)), "write MM or INCH"))
+        Err(ClFault::new("unit", arg.at, format!("{} is not a known unit", quoted(arg.text)), "write MM or INCH"))
     }
 }
 
@@ -133,8 +133,8 @@ pub(crate) fn world(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
         return Err(ClFault::new(
             args.name(),
             args.all(),
-            "TRNTYP with numbers other than 0 moves the coordinates in a way that is not known",
-            "have the CAM system write its points in one common frame: TRNTYP/WORLD,0,0,0",
+            "TRNTYP with numbers other than 0 is refused: its effect on the coordinates is not known",
+            "have the CAM system output all points in one common frame: TRNTYP/WORLD,0,0,0",
         ));
     }
     Ok(CoordinateRecord::World)

@@ -224,8 +224,8 @@ impl CycleCall {
             return self.take_return(arg, args);
         }
         if arg.is("DWELL") {
-            let turns = follows(args, "REV")?;
-            return put(if turns { &mut self.dwell_rev } else { &mut self.dwell_s }, arg, args);
+            let in_revolutions = follows(args, "REV")?;
+            return put(if in_revolutions { &mut self.dwell_rev } else { &mut self.dwell_s }, arg, args);
         }
         Err(args.not_understood(arg))
     }
@@ -282,8 +282,8 @@ fn once(first: bool, word: Arg<'_>) -> Result<(), ClFault> {
     if first {
         return Ok(());
     }
-    let text = format!("{} is said twice", quoted(word.text));
-    Err(ClFault::new("CYCLE", word.at, text, "write every level of a cycle once"))
+    let text = format!("{} is programmed twice in this cycle", quoted(word.text));
+    Err(ClFault::new("CYCLE", word.at, text, "program each word of a CYCLE once"))
 }
 
 impl Display for CycleCall {

@@ -108,7 +108,7 @@ pub(crate) fn delay(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
     let arg = args.needed()?;
     let value = arg.number()?;
     if value < 0.0 {
-        return Err(ClFault::new("DELAY", arg.at, "a wait is not negative", "write DELAY/seconds"));
+        return Err(ClFault::new("DELAY", arg.at, "DELAY must not be negative", "write DELAY/seconds"));
     }
     let dwell = match args.next()? {
         None => Dwell::Seconds(value),
@@ -143,8 +143,8 @@ pub(crate) fn rotary_direction(args: &mut Args<'_>) -> Result<MachineRecord, ClF
     Err(ClFault::new(
         args.name(),
         args.all(),
-        "ROTABL moves the table itself, which the postprocessor does from the tool axis",
-        "have the CAM system give the tool axis with i, j, k; ROTABL/SHORT and ROTABL/NEXT,CLW are read",
+        "this form of ROTABL is refused: the postprocessor computes rotary axes from the tool axis",
+        "have the CAM system output the tool axis as i, j, k; accepted are ROTABL/SHORT and ROTABL/NEXT,CLW|CCLW",
     ))
 }
 

@@ -37,13 +37,15 @@ pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, 
             name,
             word_at,
             format!("{name} is refused: {reason}"),
-            format!("have the CAM system leave it out, or give `--inert {name}` if it is known not to matter"),
+            format!(
+                "suppress {name} in the CAM system; if it moves no axis and changes no state, add `--inert {name}`"
+            ),
         )),
         Handling::Hazard(reason) => Err(ClFault::new(
             name,
             word_at,
             format!("{name} is refused: {reason}"),
-            "have the CAM system write plain motion without it",
+            format!("have the CAM system output plain motions without {name}"),
         )),
         Handling::Lathe => Err(ClFault::lathe_record(word_at)),
     }
@@ -65,8 +67,8 @@ pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<C
     Some(ClFault::new(
         "joined record",
         Span { start: offset + start, end: offset + end },
-        format!("{} begins a line that the `$` before it makes part of {first}", row.word.name),
-        "delete that `$`: at the end of a line it joins the next one",
+        format!("{} would be lost: the `$` at the end of the line before joins it to {first}", row.word.name),
+        "delete that `$`: at the end of a line it continues the statement on the next line",
     ))
 }
 
@@ -128,7 +130,7 @@ fn unknown(text: &[u8], mut at: Span) -> ClFault {
     ClFault {
         kind: "unknown word",
         at,
-        text: format!("{} is not a word of CL data known here", quoted(word)),
+        text: format!("{} is not a known word of CL data", quoted(word)),
         help: Help::NearestTo(String::from_utf8_lossy(&text[named]).into_owned()),
         severity: Severity::Error,
     }

@@ -62,14 +62,19 @@ pub(crate) fn spindle(args: &mut Args<'_>) -> Result<Spindle, ClFault> {
             return Err(ClFault::new(
                 "spindle",
                 arg.at,
-                format!("{} contradicts what stands before it", quoted(arg.text)),
-                "write one speed and one sense of rotation, or OFF alone",
+                format!("{} contradicts an earlier word of this SPINDL", quoted(arg.text)),
+                "program one speed and one sense of rotation, or OFF alone",
             ));
         }
         next = args.next()?;
     }
     if words.rpm && words.speed.is_none() {
-        return Err(ClFault::new("spindle speed", args.all(), "RPM without a speed", "write SPINDL/RPM,3600,CLW"));
+        return Err(ClFault::new(
+            "spindle speed",
+            args.all(),
+            "SPINDL with RPM has no speed",
+            "write SPINDL/RPM,3600,CLW",
+        ));
     }
     let SpindleWords { speed, rotation, off, .. } = words;
     Ok(if off { Spindle::Off } else { Spindle::On { speed_rev_per_min: speed, rotation } })
@@ -81,7 +86,7 @@ fn speed(arg: Arg<'_>) -> Result<f64, ClFault> {
     let fault = |text: String, help: &str| Err(ClFault::new("spindle speed", arg.at, text, help));
     if value <= 0.0 {
         return fault(
-            format!("the spindle speed {} is not above 0", quoted(arg.text)),
+            format!("the spindle speed must be above 0, found {}", quoted(arg.text)),
             "SPINDL/OFF stops the spindle; the sense of rotation is CLW or CCLW",
         );
     }
@@ -93,7 +98,7 @@ fn speed(arg: Arg<'_>) -> Result<f64, ClFault> {
     }
     if value > FASTEST_REV_PER_MIN {
         let text = format!("a spindle speed of {} rev/min is not plausible", quoted(arg.text));
-        return fault(text, "check the exponent");
+        return fault(text, "check the exponent of this number");
     }
     Ok(value)
 }

@@ -53,8 +53,8 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
         return Err(ClFault::new(
             "tool 0",
             first.at,
-            "0 is not the number of a tool",
-            "give every tool its number in the CAM system; two tools with the number 0 would be taken for one",
+            "tool number 0 is not permitted",
+            "number every tool in the CAM system: two tools with number 0 would be the same tool",
         ));
     }
     let mut tool = ToolCallRecord { number, length: None, offset: None };
@@ -63,10 +63,10 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
             // Some CAM systems repeat the tool number; any other number could be a length or an offset.
             if arg.integer().ok() != Some(number) {
                 return Err(ClFault::new(
-                    "number behind the tool",
+                    "number after the tool",
                     arg.at,
-                    format!("{} behind tool {number}: its meaning is not stated", quoted(arg.text)),
-                    format!("write {} with LENGTH, OSETNO or ADJUST in front of the number", args.name()),
+                    format!("{} after tool {number} has no word before it: its meaning is unknown", quoted(arg.text)),
+                    format!("write LENGTH, OSETNO or ADJUST before this number of {}", args.name()),
                 ));
             }
         } else if arg.is("LENGTH") {
@@ -76,8 +76,8 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
                 return Err(ClFault::new(
                     "gauge length",
                     value.at,
-                    format!("the gauge length {} is not above 0", quoted(value.text)),
-                    "give the real length, or leave LENGTH out and state it in the configuration",
+                    format!("the gauge length (LENGTH) must be above 0, found {}", quoted(value.text)),
+                    "program the real length, or leave LENGTH out and set `length` in `[tools.N]` of the configuration",
                 ));
             }
             tool.length = Some(length);
@@ -89,11 +89,11 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
                     "length offset",
                     value.at,
                     if offset == 0 {
-                        format!("{} 0 would switch the length offset off", quoted(arg.text))
+                        format!("{} 0 would cancel the length offset", quoted(arg.text))
                     } else {
-                        "two different length offsets for one tool".to_string()
+                        "two different length offset registers for one tool".to_string()
                     },
-                    "give one register above 0, or none to use the one with the tool's number",
+                    "program one register above 0; without one the tool number is used",
                 ));
             }
             tool.offset = Some(offset);
@@ -140,7 +140,7 @@ fn cutter_of(diameter: f64, corner_radius: Option<f64>, at: Span) -> Result<Cutt
         return Err(ClFault::new(
             "size of the cutter",
             at,
-            "diameter and corner radius of a cutter are not negative",
+            "diameter and corner radius of a cutter must not be negative",
             "check the tool's description in the CAM system",
         ));
     }

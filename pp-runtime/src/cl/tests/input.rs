@@ -118,7 +118,7 @@ fn a_creo_comment_is_continued_by_a_dollar() {
 fn a_dollar_inside_a_statement_joins_nothing() {
     refused(
         "GOTO/1,2,3 $ five\n,0,0,1\nGOTO/1,2,3\n".replace("\n,0,0,1", "").as_str(),
-        "1:10+8 `$` stands inside a statement: `3 $ five`",
+        "1:10+8 `$` inside a statement: `3 $ five`",
     );
 }
 
@@ -129,7 +129,7 @@ fn a_comment_after_a_record_ends_it() {
 
 #[test]
 fn a_file_that_ends_after_a_dollar_is_refused() {
-    refused("GOTO/0,0,0\nGOTO/1,2,3$\n", "2:1+10 the file ends inside this statement, behind a `$` that continues it");
+    refused("GOTO/0,0,0\nGOTO/1,2,3$\n", "2:1+10 the file ends after the `$` that continues this statement");
 }
 
 #[test]
@@ -145,8 +145,8 @@ fn a_byte_order_mark_and_foreign_encodings_are_no_fault() {
 fn empty_binary_and_motionless_files_have_one_clear_error() {
     refused("", "1:1+1 the file is empty");
     refused("\u{FEFF}", "1:1+1 the file is empty");
-    refused("GOTO/1,2,3\n\0\0GOTO\n", "1:1+1 this is no text file: it holds NUL bytes");
-    refused("\n$$ nothing\nFINI\n", "1:1+1 the file holds no motion: there is no GOTO in it");
+    refused("GOTO/1,2,3\n\0\0GOTO\n", "1:1+1 this is not a text file: it contains NUL bytes");
+    refused("\n$$ nothing\nFINI\n", "1:1+1 the file contains no motion: no GOTO was found");
 }
 
 #[test]
@@ -158,10 +158,7 @@ fn a_line_of_ten_megabytes_ends_soon_and_in_one_error() {
     let outcome = read_from(&text[..], MM);
     assert!(start.elapsed() < Duration::from_secs(20));
     let texts: Vec<_> = outcome.diagnostics.iter().map(|d| (d.location.line, d.text.as_str())).collect();
-    assert_eq!(
-        texts,
-        [(2, "a statement here is longer than 1048576 bytes"), (3, "GOTO needs 3 or 6 numbers, found 2")]
-    );
+    assert_eq!(texts, [(2, "this statement is longer than 1048576 bytes"), (3, "GOTO needs 3 or 6 numbers, found 2")]);
 }
 
 #[test]
@@ -169,7 +166,7 @@ fn ten_megabytes_of_continued_lines_end_soon_and_in_one_error() {
     let text = format!("GOTO/{}3\nGOTO/4,5\n", "1,$\n".repeat(2_500_000));
     let found = errors(&text);
     assert_eq!(found.len(), 2);
-    assert_eq!(found[0], "1:1+1 a statement here is longer than 1048576 bytes");
+    assert_eq!(found[0], "1:1+1 this statement is longer than 1048576 bytes");
     assert_eq!(found[1], "2500002:6+3 GOTO needs 3 or 6 numbers, found 2");
 }
 

@@ -121,7 +121,7 @@ fn a_cutter_that_changes_without_a_tool_record_causes_a_warning() {
         assert!(found.iter().all(|found| found.severity == Severity::Warning), "{found:?}");
         found.iter().map(|found| format!("{} {}", found.location.line, found.text)).collect::<Vec<_>>()
     };
-    let change = "the cutter changes from 16.000 mm to 8.000 mm, and no tool record calls it";
+    let change = "the cutter changes from 16.000 mm to 8.000 mm without a tool call";
     let operation = |d: u32, call: &str| format!("TOOL PATH/A,TOOL,D{d}\nTLDATA/MILL,{d},0,75,0,0\n{call}GOTO/0,0,0\n");
     assert_eq!(warnings(&(operation(16, "") + &operation(8, ""))), [format!("6 {change}")]);
     assert_eq!(warnings(&(operation(16, "LOAD/TOOL,1\n") + &operation(8, ""))), [format!("7 {change}")]);
@@ -152,7 +152,7 @@ fn the_tool_axis_is_modal() {
 
 #[test]
 fn a_tilt_is_not_carried_into_the_next_operation() {
-    let expected = "3:6+5 the tool was tilted in the operation before, and this point does not say its tool axis";
+    let expected = "3:6+5 this point has no tool axis i, j, k, and the operation before ended with a tilted tool";
     refused("GOTO/0,0,0,0,.6,.8\nTOOL PATH/B,TOOL,B\nGOTO/1,0,0\n", expected);
     refused("GOTO/0,0,0,0,.6,.8\nLOADTL/2\nGOTO/1,0,0\n", expected);
     refused("GOTO/0,0,0,0,0,-1\nLOADTL/2\nGOTO/1,0,0\n", expected);
@@ -168,7 +168,7 @@ fn an_axis_stated_by_tlaxis_holds_after_the_tool_change_that_follows() {
 
 #[test]
 fn an_axis_stated_by_tlaxis_and_used_is_not_carried_further() {
-    let expected = "4:6+5 the tool was tilted in the operation before, and this point does not say its tool axis";
+    let expected = "4:6+5 this point has no tool axis i, j, k, and the operation before ended with a tilted tool";
     refused("TLAXIS/0,.6,.8\nGOTO/1,0,0\nLOADTL/2\nGOTO/1,0,0\n", expected);
 }
 
@@ -176,7 +176,7 @@ fn an_axis_stated_by_tlaxis_and_used_is_not_carried_further() {
 fn multax_off_keeps_the_axis_but_in_creo_a_tilt_is_in_doubt() {
     let text = "MULTAX/ON\nGOTO/0,0,0,0,.6,.8\nMULTAX/OFF\nGOTO/1,0,0\n";
     assert_eq!(events(text)[1], "4:1 feed 1 0 0 axis 0 0.6 0.8 None");
-    let expected = "5:6+5 the tool was tilted when MULTAX/OFF came, and this point does not say its tool axis";
+    let expected = "5:6+5 this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF";
     refused(&format!("$$-> MFGNO / A\n{text}"), expected);
 }
 
@@ -208,7 +208,7 @@ fn the_catia_matrix_is_a_frame() {
 
 #[test]
 fn a_matrix_of_catia_is_read_whole_or_refused() {
-    let row = "a row of the matrix behind $$*CATIA0 is expected here: four numbers with blanks between them";
+    let row = "expected a row of the matrix of $$*CATIA0: four numbers separated by blanks";
     let matrix = |rows: &str| errors(&format!("$$*CATIA0\n$$ Program.1\n{rows}GOTO/0,0,0\nGOTO/1,0,0\n"));
     // A number that fills its field leaves no blank.
     assert_eq!(matrix("$$ 1 0 0-10000.0\n$$ 0 1 0 0\n$$ 0 0 1 0\n"), [format!("3:1+16 {row}")]);

@@ -36,7 +36,7 @@ fn rapid_holds_across_fedrat_for_one_motion_of_any_kind() {
     assert!(found[1].starts_with("rapid 1 0 0") && found[2].starts_with("feed 2 0 0"), "{found:?}");
     refused(
         "GOTO/0,0,0\nRAPID\nCIRCLE/5,0,0,0,0,1,5\nGOTO/10,0,0\n",
-        "3:1+20 RAPID stands before a circle: no control runs an arc at rapid",
+        "3:1+20 RAPID before a circle: no control runs an arc at rapid",
     );
 }
 
@@ -45,10 +45,7 @@ fn godlta_counts_along_the_axes_or_along_the_tool() {
     let found = events_without_places("GOTO/1,2,3,0,.6,.8\nGODLTA/1,1,1\nGODLTA/10\n", MM);
     assert_eq!(found[1], "feed 2 3 4 axis 0 0.6 0.8 None");
     assert_eq!(found[2], "feed 2 9 12 axis 0 0.6 0.8 None");
-    refused(
-        "GODLTA/1\nGOTO/0,0,0\n",
-        "1:8+1 GODLTA counts from where the tool stands, and nothing before it says where that is",
-    );
+    refused("GODLTA/1\nGOTO/0,0,0\n", "1:8+1 GODLTA is relative to the tool position, which is unknown here");
     assert_eq!(events_without_places("FROM/1,0,0\nGODLTA/1,0,0\n", MM)[1], "feed 2 0 0 axis 0 0 1 None");
 }
 
@@ -63,7 +60,7 @@ fn each_point_of_a_list_is_a_motion_and_after_a_circle_the_last_is_the_end_of_th
     for point in [".6,.7,0", "0,-1,0"] {
         refused(
             &format!("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/{point} / 0,1,0\n"),
-            &format!("3:6+{} a point of this list is not on the arc that it ends (circle of line 2)", point.len() + 8),
+            &format!("3:6+{} a point of this list is not on its arc (circle of line 2)", point.len() + 8),
         );
     }
 }
@@ -77,7 +74,7 @@ fn the_sense_of_a_circle_follows_from_the_count_of_its_numbers() {
     }
     for count in ["0,0,0,0,0", "0,0,0,0,0,1,1,1", "0,0,0,0,0,1,1,.06,.5,10,1,1"] {
         let found = errors(&format!("GOTO/1,0,0\nCIRCLE/{count}\nGOTO/0,1,0\n"));
-        assert!(found[0].contains("CIRCLE has 6, 7 or 11 numbers"), "{found:?}");
+        assert!(found[0].contains("CIRCLE needs 6, 7 or 11 numbers"), "{found:?}");
     }
     let options = ReadingOptions { circle_sense: Some(Sense::Clockwise), ..mm() };
     assert!(
@@ -143,9 +140,9 @@ fn a_helix_that_ends_over_its_start_has_gone_round() {
 #[test]
 fn a_chord_that_may_be_rounding_is_neither_nothing_nor_a_turn() {
     let found = errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,.0002,0\n");
-    assert!(found[0].contains("it may be nothing or a whole turn"), "{found:?}");
+    assert!(found[0].contains("the arc may be empty or a full circle"), "{found:?}");
     let found = errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,-.0002,0\n");
-    assert!(found[0].contains("it may be nothing or a whole turn"), "{found:?}");
+    assert!(found[0].contains("the arc may be empty or a full circle"), "{found:?}");
     assert_eq!(errors("GOTO/10,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/10,.001,0\n"), [""; 0]);
 }
 
@@ -193,7 +190,7 @@ fn movarc_must_have_the_angle_of_its_record() {
     let text = |angle: &str| format!("GOTO/1,0,0\nMOVARC/0,0,0,0,0,1,1,ANGLE,{angle}\nGOTO/0,1,0\n");
     assert!(events_without_places(&text("90"), MM)[1].ends_with("through 90.000"));
     assert!(events_without_places(&text("450"), MM)[1].ends_with("through 450.000"));
-    assert!(errors(&text("91"))[0].contains("lies at 90.0000 degrees, not at the 91.0000"));
+    assert!(errors(&text("91"))[0].contains("is at 90.0000 degrees, its record states 91.0000"));
 }
 
 #[test]
@@ -206,12 +203,12 @@ fn an_arc_of_catia_begins_along_indirv_and_ends_where_its_line_ends() {
     let second = text.replace("ON,(", "ON,2,INTOF,(");
     assert_eq!(events_without_places(&second, MM)[1], found[1]);
     assert!(errors(&text.replace("-25.4)", "-25.3)"))[0].contains("off the circle"));
-    assert!(errors(&text.replace("INDIRV/0,0,1", "INDIRV/1,0,0"))[0].contains("INDIRV is not tangential"));
+    assert!(errors(&text.replace("INDIRV/0,0,1", "INDIRV/1,0,0"))[0].contains("INDIRV is not tangent"));
     assert!(errors(&text.replace("INDIRV/0,0,1\n", ""))[0].contains("no INDIRV"));
-    assert!(errors(&text.replace("GOFWD", "GOBACK"))[0].contains("`GOFWD` is expected"));
+    assert!(errors(&text.replace("GOFWD", "GOBACK"))[0].contains("expected `GOFWD`"));
     for word in ["AUTOPS", "INDIRV/0,0,1"] {
         let alone = errors(&format!("GOTO/0,0,0\n{word}\nGOTO/1,0,0\nGOTO/2,0,0\n"));
-        assert_eq!(alone, ["3:1+10 this motion stands behind AUTOPS or INDIRV, where TLON is expected"]);
+        assert_eq!(alone, ["3:1+10 expected TLON after AUTOPS or INDIRV, found another motion"]);
     }
 }
 
@@ -226,14 +223,11 @@ fn a_curve_of_nx_begins_at_the_tool_position_and_the_next_goto_is_a_line() {
     assert_eq!(found[2], "spline [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0] 4");
     assert!(found[3].starts_with("feed 8 0 0"), "{found:?}");
     let missing = errors(&text.replace("CNTRL/4,4,0\n", ""));
-    assert!(
-        missing[0].starts_with("9:1+10 the curve of line 2 is not understood: it lists 2 knots and 3"),
-        "{missing:?}"
-    );
-    assert!(errors(&text.replace("KNOT/1.0", "KNOT/.25"))[0].contains("its knots do not rise"));
+    assert!(missing[0].starts_with("9:1+10 the curve of line 2 is invalid: it lists 2 knots and 3"), "{missing:?}");
+    assert!(errors(&text.replace("KNOT/1.0", "KNOT/.25"))[0].contains("its knots decrease"));
     for knots in ["0,1", "1,1", "0,0", "-1,-1"] {
         let broken = errors(&text.replace("KNOT/.5\nKNOT/1.0", &format!("KNOT/{knots}")));
-        let why = if knots.starts_with('-') { "its knots do not rise" } else { "too many of its knots are equal" };
+        let why = if knots.starts_with('-') { "its knots decrease" } else { "too many of its knots are equal" };
         assert!(broken[0].ends_with(why), "{knots}: {broken:?}");
     }
     let inside = |knots: &str| {
@@ -242,11 +236,8 @@ fn a_curve_of_nx_begins_at_the_tool_position_and_the_next_goto_is_a_line() {
     };
     assert_eq!(inside(".5,.5,.5,1"), [""; 0], "a corner is no break");
     assert!(inside(".5,.5,.5,.5,1")[0].ends_with("too many of its knots are equal"));
-    refused("GOTO/0,0,0\nKNOT/1\n", "2:6+1 KNOT stands outside a NURBS");
-    refused(
-        "NURBS/\nGOTO/0,0,0\n",
-        "1:1+6 NURBS counts from where the tool stands, and nothing before it says where that is",
-    );
+    refused("GOTO/0,0,0\nKNOT/1\n", "2:6+1 KNOT comes outside a NURBS");
+    refused("NURBS/\nGOTO/0,0,0\n", "1:1+6 NURBS is relative to the tool position, which is unknown here");
 }
 
 const NX: &str = "TOOL PATH/A,TOOL,B\nGOTO/0,0,50\n";
@@ -321,24 +312,24 @@ fn a_cycle_that_would_not_make_the_hole_is_refused() {
         assert_eq!(found.len(), 1, "{found:?}");
         found[0].split_once(' ').unwrap().1.to_owned()
     };
-    assert_eq!(nx("DRILL,RAPTO,3,FEDTO,0.0000,MMPM,250"), "a depth of 0 is no hole");
-    assert_eq!(nx("DRILL,RAPTO,3,FEDTO,5,MMPM,250"), "this depth points out of the part");
+    assert_eq!(nx("DRILL,RAPTO,3,FEDTO,0.0000,MMPM,250"), "the depth of this hole is 0");
+    assert_eq!(nx("DRILL,RAPTO,3,FEDTO,5,MMPM,250"), "the sign of this depth is wrong: it leads out of the part");
     assert_eq!(nx("DRILL,RAPTO,-3,FEDTO,-5,MMPM,250"), "the clearance level lies below the top of the hole");
     assert_eq!(nx("DRILL,FEDTO,-5,MMPM,250"), "this cycle has no clearance level");
     assert_eq!(nx("DRILL,RAPTO,3,FEDTO,-5,RTRCTO,2"), "the return level of this cycle lies below its clearance level");
     assert_eq!(nx("DRILL,DEEP,RAPTO,3,FEDTO,-5"), "this cycle has no step");
-    assert_eq!(nx("DRILL,RAPTO,3,FEDTO,-5,STEP,2"), "a word of this cycle has no meaning for DRILL");
+    assert_eq!(nx("DRILL,RAPTO,3,FEDTO,-5,STEP,2"), "this cycle has a word that does not belong to DRILL");
     assert!(nx("BORE,RAPTO,3,FEDTO,-5,ORIENT,0").contains("stops the spindle at an angle"));
     assert!(nx("BACK,RAPTO,3,FEDTO,-5").contains("stops the spindle at an angle"));
-    assert_eq!(nx("MILL,RAPTO,3"), "CYCLE with `MILL` is not understood yet");
+    assert_eq!(nx("MILL,RAPTO,3"), "CYCLE with `MILL` is not supported");
     let low = errors(&format!("{NX}GOTO/0,0,1\nCYCLE/DRILL,RAPTO,3,FEDTO,-5,RTRCTO,AUTO\nGOTO/1,0,0\n"));
     assert!(low[0].contains("the level before the cycle lies 1.0000 mm above this hole"), "{low:?}");
     let unknown = errors("GOTO/0,0,9\nCYCLE/DRILL,DEPTH,3,CLEAR,1\nGOTO/0,0,0\n");
-    assert!(unknown[0].contains("this file does not say which wrote it"), "{unknown:?}");
+    assert!(unknown[0].contains("that of this file is unknown"), "{unknown:?}");
     let unknown = errors("GOTO/0,0,9\nCYCLE/DRILL,FEDTO,3,RAPTO,1\nGOTO/0,0,0\n");
-    assert!(unknown[0].contains("FEDTO counts down in one CAM system"), "{unknown:?}");
+    assert!(unknown[0].contains("the sign of FEDTO depends on the CAM system"), "{unknown:?}");
     let under = errors(&format!("{NX}CYCLE/DRILL,RAPTO,3,FEDTO,-5\nLOADTL/1\nGOTO/1,0,0\n"));
-    assert!(under[0].contains("this record stands under a CYCLE"), "{under:?}");
+    assert!(under[0].contains("this record is not permitted between the points of a CYCLE"), "{under:?}");
     assert!(errors("CYCLE/DRILL,FEDTO,1.5,DWELL,,IPM,1\nGOTO/0,0,0\n")[0].contains("an argument is missing"));
 }
 
@@ -384,10 +375,10 @@ fn no_relative_motion_follows_a_hole() {
     let counted = |text: &str| errors(&format!("{cycle}GOTO/1,0,0\n{text}\n"));
     assert_eq!(
         counted("GODLTA/10,0,0"),
-        ["6:8+6 GODLTA stands behind a hole: whether it counts from the hole or from above it is not known"]
+        ["6:8+6 GODLTA after a hole is ambiguous: it may start from the hole or from the level above it"]
     );
     for text in ["GODLTA/5", "CYCLE/OFF\nGODLTA/5", "CYCLE/OFF\nCIRCLE/0,0,0,0,0,1\nGOTO/0,1,0", "CYCLE/OFF\nNURBS/"] {
-        assert!(counted(text)[0].contains("stands behind a hole"), "{text}");
+        assert!(counted(text)[0].contains("after a hole is ambiguous"), "{text}");
     }
     assert_eq!(counted("CYCLE/OFF\nGOTO/0,0,9\nGODLTA/5"), [""; 0]);
     assert_eq!(counted("CYCLE/OFF\nRETRCT\nGODLTA/5"), [""; 0]);
@@ -446,7 +437,7 @@ fn origin_is_subtracted_trans_added_and_tracut_turns_points_and_axes() {
     assert!(errors("TRACUT/LAST\nGOTO/0,0,0\n")[0].contains("`LAST` is not a number"));
     assert!(errors("$$-> A\nTRANS/1,2,3\nGOTO/0,0,0\n")[0].contains("TRANS of Creo"));
     assert!(errors("$$-> A\nROTATE/AAXIS,90\nGOTO/0,0,0\n")[0].contains("ROTATE is refused"));
-    assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("ROTABL moves the table itself"));
+    assert!(errors("$$-> A\nROTABL/90,CLW\nGOTO/0,0,0\n")[0].contains("this form of ROTABL is refused"));
 }
 
 /// Two frames: the origin of the second is at (10, 0, 0) of the first, its X is the model's Y.
@@ -477,7 +468,7 @@ fn a_frame_before_units_is_in_that_unit_too() {
 fn a_clearance_plane_belongs_to_its_frame() {
     let text = format!("CLEARP/XYPLAN,50\n{TWO_FRAMES}RETRCT\n");
     let found = errors_with(&text, ReadingOptions { frames: Frames::Offset, ..mm() });
-    assert_eq!(found, ["6:1+6 RETRCT goes to the clearance plane, and there is none"]);
+    assert_eq!(found, ["6:1+6 RETRCT needs a clearance plane, and no CLEARP comes before it"]);
     let found = events_without_places(&text, ReadingOptions { frames: Frames::Main, ..mm() });
     assert_eq!(found.last().map(String::as_str), Some("rapid 8 36.25 50 axis 0 0.6 0.8 None"));
 }
@@ -511,8 +502,8 @@ fn retrct_goes_along_the_tool_to_the_plane_of_clearp() {
     assert_eq!(found[2], "rapid 0 37.5 50 axis 0 0.6 0.8 None");
     assert_eq!(found.len(), 3, "the tool is above the plane already");
     assert!(events_without_places("CLEARP/0,0,2,100\nGOTO/0,0,0\nRETRCT\n", MM)[2].starts_with("rapid 0 0 50"));
-    refused("GOTO/0,0,0\nRETRCT\n", "2:1+6 RETRCT goes to the clearance plane, and there is none");
-    assert!(errors("CLEARP/XYPLAN,50\nGOTO/0,0,0,1,0,0\nRETRCT\n")[0].contains("does not lead to the clearance plane"));
+    refused("GOTO/0,0,0\nRETRCT\n", "2:1+6 RETRCT needs a clearance plane, and no CLEARP comes before it");
+    assert!(errors("CLEARP/XYPLAN,50\nGOTO/0,0,0,1,0,0\nRETRCT\n")[0].contains("does not reach the clearance plane"));
 }
 
 #[test]
@@ -533,12 +524,12 @@ fn the_centre_of_the_corner_radius_lies_above_the_tip() {
 #[test]
 fn insert_is_refused_a_comment_or_nc_text() {
     let text = "GOTO/0,0,0\nINSERT/Stock Size X40. $$ Z40.\nGOTO/1,0,0\n";
-    assert_eq!(errors(text), ["2:8+23 INSERT is refused: it writes NC text that the postprocessor cannot see into"]);
+    assert_eq!(errors(text), ["2:8+23 INSERT is refused: the effect of its NC text on the machine is unknown"]);
     let insert = |insert| ReadingOptions { insert, ..mm() };
     assert_eq!(events_without_places(text, insert(Insert::Comment))[1], "message Stock Size X40. $$ Z40.");
     assert_eq!(events_without_places(text, insert(Insert::Write))[1], "insert Stock Size X40. $$ Z40.");
     let stop = "GOTO/0,0,0\nINSERT/STOP  Insert holdings\n";
-    assert!(errors_with(stop, insert(Insert::Comment))[0].contains("may be a stop that is needed"));
+    assert!(errors_with(stop, insert(Insert::Comment))[0].contains("may be a program stop that is needed"));
     let found = events_without_places(stop, ReadingOptions { insert_stop: true, ..mm() });
     assert_eq!(found[1..], ["Stop", "message STOP  Insert holdings"]);
 }
@@ -547,7 +538,7 @@ fn insert_is_refused_a_comment_or_nc_text() {
 fn codes_pass_only_if_they_are_allowed() {
     let text = "GOTO/0,0,0\nAUXFUN/10,NEXT\nPREFUN/64\n";
     assert_eq!(errors(text).len(), 2);
-    assert!(errors(text)[0].contains("AUXFUN is refused: it writes M10"));
+    assert!(errors(text)[0].contains("AUXFUN is refused: the effect of M10 on the machine is unknown"));
     let found = events_without_places(text, ReadingOptions { auxfun: vec![10], prefun: vec![64], ..mm() });
     assert_eq!(found[1..], ["Code { letter: 77, number: 10 }", "Code { letter: 71, number: 64 }"]);
 }
@@ -570,12 +561,9 @@ fn records_of_machine_state_become_events() {
             "Tolerance(None)",
         ]
     );
-    refused(
-        "ROTABL/    0.000000,,TABLE,CLW\nGOTO/0,0,0\n",
-        "1:21+1 an argument is missing: nothing stands between the commas here",
-    );
-    assert!(errors("ROTABL/90\nGOTO/0,0,0\n")[0].contains("ROTABL moves the table itself"));
-    assert!(errors("LINTOL/0\nGOTO/0,0,0\n")[0].contains("a tolerance is above 0"));
+    refused("ROTABL/    0.000000,,TABLE,CLW\nGOTO/0,0,0\n", "1:21+1 an argument is missing at this comma");
+    assert!(errors("ROTABL/90\nGOTO/0,0,0\n")[0].contains("this form of ROTABL is refused"));
+    assert!(errors("LINTOL/0\nGOTO/0,0,0\n")[0].contains("LINTOL must be above 0"));
 }
 
 #[test]
@@ -590,7 +578,7 @@ fn a_long_dwell_causes_a_warning() {
 fn a_length_offset_belongs_to_the_tool_called_before_it() {
     assert!(events_without_places("LOADTL/3\nSET/OFSETL,7\nGOTO/0,0,0\n", MM)[0].contains("length_offset: Some(7)"));
     assert_eq!(errors("LOADTL/3\nGOTO/0,0,0\nSET/OFSETL,3\n"), [""; 0]);
-    assert!(errors("LOADTL/3\nGOTO/0,0,0\nSET/OFSETL,4\n")[0].contains("changes away from the tool's call"));
+    assert!(errors("LOADTL/3\nGOTO/0,0,0\nSET/OFSETL,4\n")[0].contains("does not directly follow the tool call"));
 }
 
 #[test]
@@ -667,17 +655,14 @@ fn a_subprogram_is_executed_where_it_is_called() {
             "3:1 message there",
         ]
     );
-    refused("GOTO/0,0,0\nCALSUB/2\n", "2:8+1 this subprogram is not defined before it is called");
-    refused("GOTO/0,0,0\nDEFSUB/2\nGOTO/1,0,0\n", "3:1+10 the file ends inside a subprogram");
+    refused("GOTO/0,0,0\nCALSUB/2\n", "2:8+1 no DEFSUB with this number comes before the call");
+    refused("GOTO/0,0,0\nDEFSUB/2\nGOTO/1,0,0\n", "3:1+10 the file ends before the ENDSUB of a subprogram");
     refused("GOTO/0,0,0\nENDSUB\n", "2:1+6 ENDSUB without DEFSUB");
-    refused(
-        "DEFSUB/1\nCALSUB/1\nENDSUB\nGOTO/0,0,0\nCALSUB/1\n",
-        "2:8+1 a subprogram that calls another one is not understood",
-    );
-    refused("DEFSUB/1\nENDSUB\nDEFSUB/1\nENDSUB\nGOTO/0,0,0\n", "3:1+8 this subprogram is defined twice");
+    refused("DEFSUB/1\nCALSUB/1\nENDSUB\nGOTO/0,0,0\nCALSUB/1\n", "2:8+1 CALSUB inside a subprogram is not supported");
+    refused("DEFSUB/1\nENDSUB\nDEFSUB/1\nENDSUB\nGOTO/0,0,0\n", "3:1+8 this subprogram is already defined");
     refused("DEFSUB/1\n  GOTO/1,2\nENDSUB\nGOTO/0,0,0\n", "2:8+3 GOTO needs 3 or 6 numbers, found 2");
     refused(
         "DEFSUB/1\n  GODLTA/1\nENDSUB\nCALSUB/1\nGOTO/0,0,0\n",
-        "2:10+1 GODLTA counts from where the tool stands, and nothing before it says where that is",
+        "2:10+1 GODLTA is relative to the tool position, which is unknown here",
     );
 }

@@ -36,8 +36,8 @@ impl Arg<'_> {
             Some(_) => Err(ClFault::new(
                 "number too large",
                 self.at,
-                format!("{} is too large to be a number here", quoted(self.text)),
-                "check the exponent",
+                format!("{} is beyond the range of numbers", quoted(self.text)),
+                "check the exponent of this number",
             )),
             None => Err(self.not_a_number()),
         }
@@ -54,7 +54,7 @@ impl Arg<'_> {
                 "whole number",
                 self.at,
                 format!("{} must be a whole number, 0 or more", quoted(self.text)),
-                "write it as in LOADTL/12",
+                "write a tool or register number without decimals: LOADTL/12",
             ))
         }
     }
@@ -65,23 +65,23 @@ impl Arg<'_> {
             return ClFault::new(
                 "second slash",
                 self.at,
-                "a second slash stands behind this word",
-                "arguments are separated by commas; only a GOTO may hold a list of points",
+                "this argument contains a second slash",
+                "separate arguments by commas; only GOTO takes a list of points with slashes between them",
             );
         }
         if self.text.contains(&b'$') {
             return ClFault::new(
                 "stray $",
                 self.at,
-                format!("`$` stands inside a statement: {}", quoted(self.text)),
-                "`$` continues a statement only at the end of a line; `$$` begins a comment",
+                format!("`$` inside a statement: {}", quoted(self.text)),
+                "at the end of a line `$` continues the statement, `$$` begins a comment",
             );
         }
         let glued = number_at_start(self.text).is_some_and(|(_, used)| used > 0);
         let help = if glued {
             "a number ends at a comma: is a comma missing?"
         } else {
-            "numbers look like 12, -0.5, .5 or 1.5E-3"
+            "write numbers as 12, -0.5, .5 or 1.5E-3"
         };
         ClFault::new("number expected", self.at, format!("{} is not a number", quoted(self.text)), help)
     }
@@ -99,7 +99,7 @@ impl MajorWord {
     /// Help for a message: the forms that are read.
     fn help(&self) -> Option<String> {
         let Self { name, forms } = self;
-        forms.starts_with(['/', '[']).then(|| format!("what is read is {name}{forms}"))
+        forms.starts_with(['/', '[']).then(|| format!("accepted: {name}{forms}"))
     }
 }
 
@@ -207,7 +207,7 @@ impl<'a> Args<'a> {
             "wrong number of arguments",
             self.all(),
             format!("{} needs {needs}, found {found}", self.name()),
-            "a line that was cut off ends in `$`; write every number, or delete those too many",
+            "check the count of numbers; a record that continues on the next line ends in `$`",
         )
     }
 
@@ -216,10 +216,8 @@ impl<'a> Args<'a> {
         ClFault::new(
             self.name(),
             arg.at,
-            format!("{} with {} is not understood yet", self.name(), quoted(arg.text)),
-            self.word
-                .help()
-                .unwrap_or_else(|| "check the spelling; `explain --cl` lists the forms that are read".into()),
+            format!("{} with {} is not supported", self.name(), quoted(arg.text)),
+            self.word.help().unwrap_or_else(|| "check the spelling; `explain --cl` lists the accepted forms".into()),
         )
     }
 
@@ -288,9 +286,9 @@ impl<'a> Args<'a> {
     fn empty_place(&self, at: usize) -> ClFault {
         let start = at.min(self.text.len() - 1);
         ClFault::new(
-            "empty place",
+            "empty argument",
             Span { start, end: start + 1 },
-            "an argument is missing: nothing stands between the commas here",
+            "an argument is missing at this comma",
             "write the missing argument, or delete the comma",
         )
     }
@@ -302,7 +300,7 @@ fn slash_expected(word: &MajorWord, text: &[u8], at: usize) -> ClFault {
     ClFault::new(
         "slash expected",
         Span { start: at, end: text.len() },
-        format!("{} stands behind {name} where a slash is expected", quoted(&text[at..])),
+        format!("expected a slash after {name}, found {}", quoted(&text[at..])),
         format!("write {name}/.."),
     )
 }

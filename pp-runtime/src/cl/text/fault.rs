@@ -50,10 +50,10 @@ impl ClFault {
     /// Fault: the record belongs to turning.
     pub(crate) fn lathe_record(at: Span) -> Self {
         ClFault::new(
-            "turning",
+            "turning record",
             at,
-            "this is a turning file: records of a lathe are not understood",
-            "post it for a lathe; only milling is understood here",
+            "this record belongs to turning: only milling is supported",
+            "use a postprocessor for turning, or output milling operations only",
         )
     }
 }

@@ -60,7 +60,7 @@ impl RecordInterpreter {
                 "cl_point",
                 at,
                 "the CL data programs the centre of the corner radius, and the radius of this tool is unknown",
-                "give it with CUTTER or TLDATA in front of the tool call",
+                "program CUTTER or TLDATA before the tool call",
             ));
         };
         Ok(Pose { tip: pose.tip - pose.axis.into_inner() * radius, axis: pose.axis })
@@ -153,8 +153,8 @@ impl RecordInterpreter {
                 return Err(ClFault::new(
                     "circle",
                     points.at,
-                    format!("a point of this list is not on the arc that it ends (circle of line {})", circle.line()),
-                    "check the arc in the CAM system; `--circle-sense` says which way round it goes",
+                    format!("a point of this list is not on its arc (circle of line {})", circle.line()),
+                    "check the arc in the CAM system; `--circle-sense` sets its sense",
                 ));
             }
         }
@@ -201,13 +201,13 @@ impl RecordInterpreter {
     fn retract(&mut self, here: Location) -> Result<(), ClFault> {
         let fault = |text, help| Err(ClFault::new("RETRCT", Span::WHOLE, text, help));
         let Some(plane) = self.path.clearance() else {
-            return fault("RETRCT goes to the clearance plane, and there is none", "give CLEARP before it");
+            return fault("RETRCT needs a clearance plane, and no CLEARP comes before it", "program CLEARP before it");
         };
         self.path.leave_hole();
         let from = self.path.position("RETRCT", Span::WHOLE)?;
         let along = from.axis.dot(&plane.normal);
         if along < 1e-3 {
-            return fault("the tool axis does not lead to the clearance plane", "check CLEARP");
+            return fault("RETRCT along the tool axis does not reach the clearance plane", "check CLEARP");
         }
         let distance = (plane.distance_mm - from.tip.coords.dot(&plane.normal)) / along;
         let is_above = distance <= 0.0;
@@ -238,8 +238,8 @@ impl RecordInterpreter {
             return Err(ClFault::new(
                 "circle",
                 Span::WHOLE,
-                "RAPID stands before a circle: no control runs an arc at rapid",
-                "give the arc a feed",
+                "RAPID before a circle: no control runs an arc at rapid",
+                "program a feed for the arc",
             ));
         }
         self.path.position("CIRCLE", circle.at)?;
@@ -252,7 +252,12 @@ impl RecordInterpreter {
     /// Queues the arc that a GOTO after CIRCLE or MOVARC ends.
     fn end_circle(&mut self, circle: &WaitingCircle, end: Pose, at: Span, here: Location) -> Result<(), ClFault> {
         if self.path.take_rapid() {
-            return Err(ClFault::new("circle", at, "RAPID stands before the end of an arc", "give the arc a feed"));
+            return Err(ClFault::new(
+                "circle",
+                at,
+                "RAPID before the end of an arc: no control runs an arc at rapid",
+                "program a feed for the arc",
+            ));
         }
         let start = self.path.position("CIRCLE", at)?;
         let arc = arc_of(circle, &start, &end, self.path.feed(), at)?;
@@ -279,7 +284,7 @@ impl RecordInterpreter {
         let unit_mm = self.units.millimetres(at)?;
         let start = self.path.position("TLON", at)?;
         if self.path.take_rapid() {
-            return Err(tlon_fault(at, "RAPID stands before an arc".into()));
+            return Err(tlon_fault(at, "RAPID before an arc: no control runs an arc at rapid".into()));
         }
         let direction = self.arc.end_tangent(at)?;
         let scale = (unit_mm, self.coordinates.transforms());
@@ -303,7 +308,12 @@ impl RecordInterpreter {
 
     fn open_curve(&mut self, here: Location) -> Result<(), ClFault> {
         if self.path.take_rapid() {
-            return Err(ClFault::new("NURBS", Span::WHOLE, "RAPID stands before a curve", "give the curve a feed"));
+            return Err(ClFault::new(
+                "NURBS",
+                Span::WHOLE,
+                "RAPID before a curve: it needs a feed",
+                "program a feed for the curve",
+            ));
         }
         let start = self.path.position("NURBS", Span::WHOLE)?;
         let tip = self.tip(start, Span::WHOLE)?.tip;

@@ -64,8 +64,8 @@ impl RecordInterpreter {
             return Err(ClFault::new(
                 "TRANS",
                 at,
-                "TRANS of Creo belongs to output in the frame of each sequence, which is not known",
-                "have Creo write its CL data in the machine coordinate system, without TRANS",
+                "TRANS of Creo is refused: it belongs to output in the frame of each sequence, which the file does not state",
+                "have Creo output its CL data in the machine coordinate system, without TRANS",
             ));
         }
         let by = self.in_millimetres(by)?;
@@ -179,10 +179,10 @@ impl RecordInterpreter {
             && seconds > LONG_DELAY_S
         {
             self.events.warn(ClFault::new(
-                "long wait",
+                "long dwell",
                 at,
-                format!("a wait of {seconds} seconds"),
-                "DELAY counts seconds: check whether turns or milliseconds were meant",
+                format!("a dwell of {seconds} seconds is unusually long"),
+                "DELAY is in seconds: check whether revolutions or milliseconds are meant",
             ));
         }
         self.emit(here, Event::Delay(dwell));
@@ -191,7 +191,12 @@ impl RecordInterpreter {
     fn take_tolerance(&mut self, value: Option<f64>, at: Span, here: Location) -> Result<(), ClFault> {
         let unit_mm = self.units.millimetres(at)?;
         if value.is_some_and(|value| value <= 0.0) {
-            return Err(ClFault::new("LINTOL", at, "a tolerance is above 0", "LINTOL/OFF takes it back"));
+            return Err(ClFault::new(
+                "LINTOL",
+                at,
+                "LINTOL must be above 0",
+                "LINTOL/OFF restores the configured tolerance",
+            ));
         }
         self.emit(here, Event::Tolerance(value.map(|value| value * unit_mm)));
         Ok(())
