@@ -285,7 +285,7 @@ pub enum CutterSide {
 pub enum RotaryDirection {
     /// Shortest rotation.
     Shortest,
-    /// In this sense, in the next motion that turns it.
+    /// Rotation of the table in this sense, in the next motion only.
     Towards(Rotation),
 }
 

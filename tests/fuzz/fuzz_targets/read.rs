@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use pp_runtime::cl::{ClPoint, Dialect, FeedLabel, Frames, Insert, ReadingOptions, ClReader};
+use pp_runtime::cl::{ClPoint, ClReader, Dialect, FeedLabel, Frames, Insert, ReadingOptions};
 use pp_runtime::program::{Event, Units};
 
 /// The first two bytes choose the options.
@@ -37,7 +37,7 @@ fuzz_target!(|data: &[u8]| {
             assert!((motion.pose.axis.norm() - 1.0).abs() < 1e-9);
         }
         if let Event::Arc(arc) = event {
-            assert!(arc.angle.is_finite() && arc.angle > 0.0);
+            assert!(arc.angle_rad.is_finite() && arc.angle_rad > 0.0);
         }
     }
     for found in reader.diagnostics() {
