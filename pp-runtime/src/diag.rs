@@ -1,43 +1,44 @@
-//! Faults and remarks about CL data or a configuration file, without the text they point at.
+//! Errors and warnings about CL data or a configuration file. They name line and column, and do not hold the text
+//! there.
 
 use std::collections::BTreeMap;
 
 use crate::program::Location;
 
-/// Diagnostics of one kind that are listed; the rest is counted.
+/// Number of diagnostics of one kind that are listed; further ones are counted.
 pub(crate) const LISTED_OF_A_KIND: u64 = 20;
 
-/// More kinds than this share one count; it bounds the memory.
+/// Largest number of kinds that are counted separately; further kinds share one count. It bounds the memory.
 const MOST_KINDS: usize = 1000;
 
-/// How much a diagnostic weighs.
+/// Severity of a diagnostic.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Nothing is posted from here on.
+    /// Posting ends here.
     Error,
-    /// Posted, but to be looked at.
+    /// Posting goes on; a person should check this place.
     Warning,
 }
 
-/// One fault or remark, in a machinist's words, with a remedy.
+/// One error or warning, in a machinist's words, with its remedy.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Error or warning.
     pub severity: Severity,
-    /// First byte it speaks of.
+    /// Place of the first byte concerned.
     pub location: Location,
-    /// Number of bytes it speaks of, at least 1, within that line.
+    /// Number of bytes concerned, at least 1, within that line.
     pub length: u32,
     /// One sentence, no final stop.
     pub text: String,
-    /// What to do about it.
+    /// Remedy.
     pub help: Option<String>,
-    /// How many it stands for: 1, or all that are not listed because they are like others before them.
+    /// Number of diagnostics that this one represents: 1, or all of its kind that are not listed.
     pub count: u64,
 }
 
 impl Diagnostic {
-    /// What diagnostics have in common that differ only in numbers and quoted words.
+    /// Text with every number and every quoted word replaced: equal for diagnostics of one kind.
     pub(crate) fn kind(&self) -> String {
         let mut kind = String::new();
         for (index, piece) in self.text.split('`').enumerate() {
@@ -60,12 +61,12 @@ impl Diagnostic {
     }
 }
 
-/// Remarks in the order found. A file with a million of them must not fill the memory, so each kind is listed a few
-/// times and counted from then on.
+/// Diagnostics in the order found. The first [`LISTED_OF_A_KIND`] of a kind are listed, further ones are counted: a
+/// file with a million of them must not fill the memory.
 #[derive(Debug, Default)]
 pub(crate) struct Remarks {
     listed: Vec<Diagnostic>,
-    /// How many of each kind were found, and the first that is not listed.
+    /// Number found of each kind, and the first of them that is not listed.
     kinds: BTreeMap<String, (u64, Option<Diagnostic>)>,
 }
 
@@ -73,7 +74,7 @@ impl Remarks {
     pub(crate) fn add(&mut self, found: Diagnostic) {
         let mut kind = found.kind();
         if self.kinds.len() >= MOST_KINDS && !self.kinds.contains_key(&kind) {
-            kind = "other remarks".into();
+            kind = "other messages".into();
         }
         let (count, hidden) = self.kinds.entry(kind).or_default();
         *count += 1;
@@ -84,7 +85,7 @@ impl Remarks {
         }
     }
 
-    /// All that is listed, and how many others there were.
+    /// The listed diagnostics, then one for each kind that has more, with their number.
     pub(crate) fn conclude(self) -> Vec<Diagnostic> {
         let hidden = self.kinds.into_iter().filter_map(|(kind, (count, hidden))| {
             let count = count - LISTED_OF_A_KIND.min(count);
@@ -97,7 +98,7 @@ impl Remarks {
     }
 }
 
-/// A number as people read it: `48 211`.
+/// Formats a number in groups of three digits: `48 211`.
 pub(crate) fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();

@@ -1,15 +1,15 @@
-//! The machine-independent program: what the CL data asks for, one event at a time.
+//! The machine-independent program: one [`Event`] for each thing that the CL data asks for.
 //!
-//! The CL reader produces these events, the planner consumes them. Everything is in millimetres, radians,
-//! mm/min and rev/min; points and axes are in the workpiece frame as the CL data gives it.
+//! The CL reader produces the events, the planner consumes them. Lengths are in mm, angles in rad, feeds in mm/min or
+//! mm/rev, speeds in rev/min. Points and tool axes are in the workpiece frame, as the CL data gives it.
 
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3};
 
-/// Where something stands in a text file; lines and columns count from 1, columns in bytes.
+/// Line and column in a text file. Both count from 1; columns count bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Location {
-    /// Line of the first byte of the statement (for a continued statement the line of the offending byte).
+    /// Line of the first byte of the statement; in a continued statement the line of the byte in question.
     pub line: u64,
     /// Column of that byte.
     pub column: u32,
@@ -45,7 +45,7 @@ impl Units {
     }
 }
 
-/// Sense of rotation of the spindle, seen from the spindle towards the tip.
+/// Sense of rotation, of the spindle seen from the spindle towards the tool tip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Rotation {
     /// CLW: M3.
@@ -57,29 +57,29 @@ pub enum Rotation {
 /// Spindle command.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spindle {
-    /// Turn; a missing part keeps the last one given.
+    /// Spindle on. A part that is `None` keeps its last programmed value.
     On {
-        /// rev/min.
-        speed: Option<f64>,
+        /// Spindle speed.
+        speed_rev_per_min: Option<f64>,
         /// Sense of rotation.
         rotation: Option<Rotation>,
     },
-    /// Stop.
+    /// Spindle off.
     Off,
 }
 
 /// Coolant command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Coolant {
-    /// COOLNT/ON: the default kind of the configuration, FLOOD without one.
+    /// COOLNT/ON: the kind that the configuration sets, else flood.
     On,
     /// M8.
     Flood,
     /// M7.
     Mist,
-    /// Through the spindle.
+    /// Coolant through the spindle.
     Through,
-    /// Air.
+    /// Air blast.
     Air,
     /// M9.
     Off,
@@ -94,185 +94,185 @@ pub enum Feed {
     PerRevolution(f64),
 }
 
-/// A tool record: LOADTL, LOAD/TOOL.
+/// Tool call: LOADTL, LOAD/TOOL.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ToolCall {
-    /// Number of the tool.
+    /// Tool number.
     pub number: u32,
-    /// Gauge length given with the record, mm.
-    pub length: Option<f64>,
-    /// Length offset register given with the record (ADJUST, OSETNO).
-    pub offset: Option<u32>,
-    /// Diameter from CUTTER or TLDATA, mm.
-    pub diameter: Option<f64>,
-    /// Corner radius from CUTTER or TLDATA, mm.
-    pub corner_radius: Option<f64>,
+    /// Gauge length in the record (LENGTH).
+    pub length_mm: Option<f64>,
+    /// Length offset register (H) in the record (ADJUST, OSETNO).
+    pub length_offset: Option<u32>,
+    /// Cutter diameter from CUTTER or TLDATA.
+    pub diameter_mm: Option<f64>,
+    /// Corner radius from CUTTER or TLDATA.
+    pub corner_radius_mm: Option<f64>,
 }
 
 /// One straight motion of the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Move {
-    /// Where it ends. The axis is normalised.
+    /// Pose at the end of the motion; its tool axis is normalised.
     pub pose: Pose,
-    /// RAPID stood in front.
+    /// The motion is a rapid: RAPID comes before it.
     pub rapid: bool,
-    /// Modal feed; `None` until the first FEDRAT. Meaningless for a rapid.
+    /// Feed in force; `None` until the first FEDRAT. Not used for a rapid.
     pub feed: Option<Feed>,
 }
 
-/// An arc of a circle, a full circle, several turns or a helix, with the tool axis held.
+/// An arc, a full circle, several revolutions or a helix, with constant tool axis.
 ///
-/// The tip turns counter-clockwise about `normal`; what it moves along `normal` it moves in proportion to the angle.
+/// The tip runs counter-clockwise about `normal`. Its motion along `normal` is proportional to the angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
-    /// Where it begins: the end of the motion before.
+    /// Pose at the start: the end of the motion before.
     pub start: Pose,
-    /// Where it ends; the axis is that of the start.
+    /// Pose at the end, with the tool axis of the start.
     pub end: Pose,
-    /// A point of the circle's axis.
+    /// Point on the axis of the circle.
     pub centre: Point3<f64>,
-    /// Direction of that axis; seen against it the tip turns counter-clockwise.
+    /// Direction of that axis. Looking against it, the tip runs counter-clockwise.
     pub normal: UnitVector3<f64>,
-    /// Angle of the whole motion, rad, above 0; more than a turn for several.
-    pub angle: f64,
+    /// Angle of the whole motion, above 0; above 2π for more than one revolution.
+    pub angle_rad: f64,
     /// As for a [`Move`].
     pub feed: Option<Feed>,
 }
 
-/// A cubic B-spline that begins where the motion before ended.
+/// A cubic B-spline that begins at the end of the motion before, with constant tool axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spline<'a> {
-    /// Every knot, ends included as often as they count: four more than points.
+    /// All knots, with the end knots in their multiplicity of 4: four more knots than points.
     pub knots: &'a [f64],
-    /// Control points; the first is where the spline begins, the last where it ends.
+    /// Control points; the first is the start of the spline, the last its end.
     pub points: &'a [Point3<f64>],
-    /// The tool axis, held.
+    /// Tool axis.
     pub axis: UnitVector3<f64>,
     /// As for a [`Move`].
     pub feed: Option<Feed>,
 }
 
-/// A wait.
+/// A dwell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Dwell {
-    /// Seconds.
+    /// Duration in seconds.
     Seconds(f64),
-    /// Revolutions of the spindle.
+    /// Duration in revolutions of the spindle.
     Revolutions(f64),
 }
 
-/// How a hole is made; depths and steps in mm along the tool axis, above 0.
+/// Kind of hole-making. Depths and steps are along the tool axis, above 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Drilling {
     /// DRILL, FACE, CSINK, THRU: in at feed, out at rapid.
     Drill,
     /// BORE, REAM: in at feed, out at feed.
     Ream,
-    /// DEEP: after each step out to the clearance level.
+    /// DEEP: peck drilling, out to the clearance level after each step.
     Peck {
         /// Depth of the first step.
-        first: f64,
+        first_mm: f64,
         /// Depth of each later one.
-        later: f64,
+        later_mm: f64,
     },
-    /// BRKCHP: after each step back a little.
+    /// BRKCHP: chip breaking, a short retract after each step.
     ChipBreak {
-        /// Depth of a step.
-        step: f64,
-        /// How far back; `None`: as configured.
-        back: Option<f64>,
+        /// Depth of each step.
+        step_mm: f64,
+        /// Retract after each step; `None`: as configured.
+        retract_mm: Option<f64>,
     },
     /// TAP.
     Tap {
-        /// mm per turn, if stated.
-        pitch: Option<f64>,
+        /// Pitch of the thread, mm per revolution, if the CL data states it.
+        pitch_mm: Option<f64>,
     },
 }
 
-/// One hole of a CYCLE. Levels count from `top` along the tool axis, + away from the part.
+/// One hole of a CYCLE. Levels are measured from `top` along the tool axis, positive away from the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hole {
-    /// The point of the GOTO: top of the hole.
+    /// Top of the hole: the point of the GOTO.
     pub top: Pose,
-    /// How deep the tip goes below `top`, above 0.
-    pub depth: f64,
-    /// Level to which the tool comes down at rapid, 0 or more.
-    pub clearance: f64,
-    /// Level where it stands afterwards, at least `clearance`.
-    pub back_to: f64,
-    /// How it is made.
+    /// Depth of the tip below `top`, above 0.
+    pub depth_mm: f64,
+    /// Clearance level, 0 or more: down to it the tool moves at rapid (R plane).
+    pub clearance_mm: f64,
+    /// Return level after the hole, at least the clearance level.
+    pub return_mm: f64,
+    /// Kind of hole-making.
     pub drilling: Drilling,
-    /// Feed of the cycle, else the modal one.
+    /// Feed of the cycle, else the feed in force.
     pub feed: Option<Feed>,
-    /// Wait at the bottom.
+    /// Dwell at the bottom.
     pub dwell: Option<Dwell>,
 }
 
 impl Hole {
-    /// The pose at a height over its top, mm.
+    /// Pose at a level above the top of the hole.
     #[must_use]
-    pub fn level(&self, height: f64) -> Pose {
-        Pose { tip: self.top.tip + self.top.axis.into_inner() * height, axis: self.top.axis }
+    pub fn level(&self, level_mm: f64) -> Pose {
+        Pose { tip: self.top.tip + self.top.axis.into_inner() * level_mm, axis: self.top.axis }
     }
 
-    /// The rapid to its clearance level.
+    /// Rapid motion to the clearance level of the hole.
     #[must_use]
-    pub fn way_over(&self) -> Move {
-        Move { pose: self.level(self.clearance), rapid: true, feed: self.feed }
+    pub fn rapid_to_clearance(&self) -> Move {
+        Move { pose: self.level(self.clearance_mm), rapid: true, feed: self.feed }
     }
 }
 
 /// A plane of the workpiece frame: the points `p` with `normal · p = distance`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
-    /// Its direction, away from the part.
+pub struct ClearancePlane {
+    /// Unit normal, away from the part.
     pub normal: UnitVector3<f64>,
-    /// mm from the origin.
-    pub distance: f64,
+    /// Distance from the origin along the normal.
+    pub distance_mm: f64,
 }
 
-/// Geometry around the part in the workpiece frame, mm: outside it the tool may move freely.
+/// Clearance geometry around the part in the workpiece frame. Outside it the tool may move freely.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Clearance {
-    /// Everything below a plane.
-    Plane(Plane),
+    /// The half space below a plane.
+    Plane(ClearancePlane),
     /// A box along the axes of the frame.
     Box {
-        /// Its lowest corner.
+        /// Corner with the smallest X, Y and Z.
         lower: Point3<f64>,
-        /// Its highest corner.
+        /// Corner with the largest X, Y and Z.
         upper: Point3<f64>,
     },
     /// A cylinder along Z.
     Cylinder {
         /// X and Y of its axis.
         centre: [f64; 2],
-        /// Its radius.
-        radius: f64,
+        /// Radius.
+        radius_mm: f64,
         /// Z of its lower end.
-        lower: f64,
+        lower_z_mm: f64,
         /// Z of its upper end.
-        upper: f64,
+        upper_z_mm: f64,
     },
 }
 
-/// CUTCOM.
+/// Cutter compensation: CUTCOM.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Compensation {
-    /// On which side.
+    /// Side of the path.
     pub side: CutterSide,
-    /// Offset register, if one is named.
+    /// Offset register (D), if the record names one.
     pub register: Option<u32>,
-    /// No other plane than that of X and Y is named.
-    pub xy: bool,
+    /// The record names the XY plane or no plane.
+    pub in_xy_plane: bool,
 }
 
-/// On which side of the path the cutter runs.
+/// Side of the path on which the cutter runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CutterSide {
-    /// Off.
+    /// Compensation off.
     Off,
-    /// On again, on the side that was given last.
+    /// Compensation on again, on the side programmed last.
     On,
     /// Left of the path.
     Left,
@@ -280,31 +280,32 @@ pub enum CutterSide {
     Right,
 }
 
-/// ROTABL: which way a rotary axis turns.
+/// Direction in which the rotary axis turns: ROTABL.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turning {
-    /// The shortest.
+pub enum RotaryDirection {
+    /// Shortest rotation.
     Shortest,
-    /// The next one in this sense.
-    Next(Rotation),
+    /// Rotation of the table in this sense, in the next motion only.
+    Towards(Rotation),
 }
 
-/// What the CL data asks for.
+/// One instruction of the CL data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Event<'a> {
-    /// PARTNO: the program's name as written.
+    /// PARTNO: name of the program, as written.
     Name(&'a [u8]),
-    /// MACHIN: the machine that the CL data was made for, as written.
+    /// MACHIN: name of the machine that the CL data was made for, as written.
     MachineName(&'a [u8]),
-    /// TOOL PATH: an operation begins; its name as written.
+    /// TOOL PATH: begin of an operation, with its name as written.
     Operation(&'a [u8]),
-    /// What follows begins with the safe sequence.
+    /// The next motion begins with the safe sequence.
     SafeSequence,
-    /// What follows is in the frame of this number, from 1: a work offset of its own. Begins like an operation.
+    /// The following points are in the frame of this number, counted from 1, which has its own work offset. Begins like
+    /// an operation.
     Frame(u32),
-    /// A tool record.
+    /// Tool call.
     Tool(ToolCall),
-    /// SELECT/TOOL: the tool that will be needed next.
+    /// SELECT/TOOL: number of the next tool.
     Preselect(u32),
     /// SPINDL.
     Spindle(Spindle),
@@ -312,7 +313,7 @@ pub enum Event<'a> {
     Coolant(Coolant),
     /// CUTCOM.
     Compensation(Compensation),
-    /// FROM: the point and axis from which motion counts; nothing moves.
+    /// FROM: point and tool axis at the start; nothing moves.
     From(Pose),
     /// GOTO.
     Move(Move),
@@ -325,11 +326,11 @@ pub enum Event<'a> {
     /// GOHOME without a point.
     Home,
     /// CLEARP.
-    ClearancePlane(Plane),
-    /// LINTOL: the tolerance of what follows, mm; `None`: as configured.
+    ClearancePlane(ClearancePlane),
+    /// LINTOL: tolerance of the following motions, mm; `None`: as configured.
     Tolerance(Option<f64>),
     /// ROTABL/SHORT, ROTABL/NEXT.
-    Turning(Turning),
+    RotaryDirection(RotaryDirection),
     /// DELAY.
     Delay(Dwell),
     /// OPSTOP.
@@ -338,13 +339,13 @@ pub enum Event<'a> {
     Stop,
     /// PPRINT: text for the operator.
     Message(&'a [u8]),
-    /// INSERT: a block of NC text as written.
+    /// INSERT: block of NC text, as written.
     Insert(&'a [u8]),
-    /// AUXFUN, PREFUN: a code of the control.
+    /// AUXFUN, PREFUN: an M or G code of the control.
     Code {
         /// `M` or `G`.
         letter: u8,
-        /// Its number.
+        /// Number after the letter.
         number: u32,
     },
 }

@@ -287,17 +287,20 @@ fn a_closed_pipe_is_status_2_without_a_word() {
 #[test]
 fn bad_cl_data_is_rejected_with_its_place() {
     assert_rejected("", "part.cls:1:1: error: the file is empty");
-    assert_rejected("\n\n", "part.cls:1:1: error: the file holds no motion: there is no GOTO in it");
-    assert_rejected([0_u8, 1, 2, 255, 10, 0, 200], "part.cls:1:1: error: this is no text file: it holds NUL bytes");
+    assert_rejected("\n\n", "part.cls:1:1: error: the file contains no motion: no GOTO was found");
+    assert_rejected(
+        [0_u8, 1, 2, 255, 10, 0, 200],
+        "part.cls:1:1: error: this is not a text file: it contains NUL bytes",
+    );
     let line = |text: &str| format!("{HEAD}{text}\n");
     assert_rejected(line("GOTO/1,2,3,4,5"), "part.cls:6:6: error: GOTO needs 3 or 6 numbers, found 5");
-    assert_rejected(line("GOTO/1,2,3,0,0,0"), "part.cls:6:6: error: the tool axis is 0, 0, 0 and points nowhere");
+    assert_rejected(line("GOTO/1,2,3,0,0,0"), "part.cls:6:6: error: the tool axis is 0, 0, 0 and has no direction");
     assert_rejected(line("GOTO/nan,2,3"), "part.cls:6:6: error: `nan` is not a number");
     assert_rejected(line("GOTO/1,inf,3"), "part.cls:6:8: error: `inf` is not a number");
     assert_rejected(line("GOTO/1,2,-Infinity"), "part.cls:6:10: error: `-Infinity` is not a number");
     assert_rejected(
         line("COPY/1\nGOTO/1,2,3"),
-        "part.cls:6:1: error: COPY is refused: it changes the coordinates of everything behind it",
+        "part.cls:6:1: error: COPY is refused: it changes the coordinates of all points after it",
     );
 }
 
@@ -309,7 +312,7 @@ fn a_line_of_ten_megabytes_is_rejected_and_not_repeated_in_full() {
     let shop = Shop::with(text);
     let run = shop.post();
     assert_eq!(run.status, 1);
-    assert!(run.errors.starts_with("part.cls:6:1: error: a statement here is longer than "), "{:.200}", run.errors);
+    assert!(run.errors.starts_with("part.cls:6:1: error: this statement is longer than "), "{:.200}", run.errors);
     assert!(run.errors.len() < 2000, "{} bytes of messages", run.errors.len());
 }
 

@@ -369,7 +369,7 @@ fn place<M: Machine>(axis: usize) -> Option<usize> {
 /// rotary axes, or what the program says.
 fn pose<M: Machine>(config: &Config, block: &Block) -> (Vector3<f64>, Vector3<f64>) {
     let mut machine = config.set_up.machine::<M>().expect("a machine");
-    let length = block.state.tool.and_then(|tool| config.set_up.tools.get(&tool)).and_then(|tool| tool.length);
+    let length = block.state.tool.and_then(|tool| config.set_up.tools.get(&tool)).and_then(|tool| tool.length_mm);
     machine.set_up(config.set_up.part_origin.into(), length.unwrap_or(100.0));
     let mut values = M::HELD;
     for (value, word) in values.as_mut().iter_mut().zip(&block.values) {

@@ -156,7 +156,7 @@ fn set_up<M: Machine>(description: &Value, tools: &[(u32, Option<f64>)]) -> (Con
     config.motion.retract.distance = Some(60.0);
     for (number, length) in tools {
         let length = Some(length.unwrap_or(own_length));
-        config.set_up.tools.insert(*number, GivenTool { length, ..GivenTool::default() });
+        config.set_up.tools.insert(*number, GivenTool { length_mm: length, ..GivenTool::default() });
     }
     for axis in description["chain"].as_array().expect("a chain") {
         let letter = axis["name"].as_str().expect("a name").to_ascii_lowercase();
@@ -166,7 +166,7 @@ fn set_up<M: Machine>(description: &Value, tools: &[(u32, Option<f64>)]) -> (Con
         }
     }
     assert_same_chain(&config.set_up.machine::<M>().expect("valid"), description);
-    let length = if single { config.set_up.tools.values().find_map(|tool| tool.length).unwrap_or(0.0) } else { 0.0 };
+    let length = if single { config.set_up.tools.values().find_map(|tool| tool.length_mm).unwrap_or(0.0) } else { 0.0 };
     (config, length)
 }
 

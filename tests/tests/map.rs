@@ -99,7 +99,7 @@ fn assert_standing<M: Machine>(posted: &Posted, config: &str) {
             let before = &records[..line["cl_line"].as_u64().expect("a record") as usize];
             let call = before.iter().rev().find_map(|record| record.strip_prefix("LOAD/TOOL,")).expect("a tool");
             let number: u32 = call.split(',').next().and_then(|number| number.parse().ok()).expect("a number");
-            length = config.set_up.tools[&number].length.expect("a length");
+            length = config.set_up.tools[&number].length_mm.expect("a length");
         }
         let Some(tip) = numbers::<3>(&line["tip"]) else { continue };
         machine.set_up(Vector3::from(config.set_up.part_origin), length);

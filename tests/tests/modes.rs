@@ -262,8 +262,8 @@ fn meant<M: Machine>(machine: &M, config: &Config, control: &str, says: &Says) -
 /// Operations with a tool axis of their own each, and cuts in which the axis turns unless it is to be held.
 fn events<M: Machine>(machine: &M, random: &mut Random, hold: bool) -> Vec<Event<'static>> {
     let mut events = vec![
-        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
-        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed_rev_per_min: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
     ];
     for _ in 0..6 {
         events.push(Event::Operation(b"OPERATION"));
@@ -302,7 +302,7 @@ fn set_up(mode: Mode, tcp_frame: Option<TcpFrame>, control: &dyn Control, random
     config.motion.guards.length_guard = Some(false);
     config.motion.feed.largest = Some(30_000.0);
     config.motion.tip.tcp_confirmed = true;
-    config.set_up.tools.insert(1, GivenTool { length: Some(LENGTH), ..GivenTool::default() });
+    config.set_up.tools.insert(1, GivenTool { length_mm: Some(LENGTH), ..GivenTool::default() });
     config
 }
 
@@ -474,8 +474,8 @@ fn one_rotary_in_the_table_and_one_in_the_head() {
 /// One operation, a rapid and a cut, for each pair of rotary values in steps of 10°; axes with nine digits, as CAM writes them.
 fn round_angles<M: Machine>(machine: &M) -> Vec<Event<'static>> {
     let mut events = vec![
-        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
-        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed_rev_per_min: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
     ];
     let rotaries: Vec<usize> =
         (0..M::AXES.len()).filter(|index| M::AXES[*index].kind == AxisKind::Rotary && !M::AXES[*index].held).collect();
@@ -520,8 +520,8 @@ fn through_the_pole() -> Vec<Event<'static>> {
         Event::Move(Move { pose, rapid: index == 0, feed: Some(Feed::PerMinute(750.0)) })
     };
     let mut events = vec![
-        Event::Tool(ToolCall { number: 1, length: Some(LENGTH), ..ToolCall::default() }),
-        Event::Spindle(Spindle::On { speed: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::Tool(ToolCall { number: 1, length_mm: Some(LENGTH), ..ToolCall::default() }),
+        Event::Spindle(Spindle::On { speed_rev_per_min: Some(9000.0), rotation: Some(Rotation::Clockwise) }),
     ];
     events.extend(axes.into_iter().enumerate().map(motion));
     events

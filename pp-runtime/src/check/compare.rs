@@ -139,7 +139,7 @@ impl<'a, R: Read> Checker<'a, R> {
         family: Family,
         units: Units,
         offsets: Vec<(u32, WorkOffset)>,
-        reader: cl::Reader<R>,
+        reader: cl::ClReader<R>,
     ) -> Self {
         let words = Words::new(&*machine, config);
         let decimals = |digits: u32| 10_f64.powi(-(digits as i32));

@@ -91,7 +91,7 @@ pub(super) enum Kind {
 
 /// The items of a program.
 pub(super) struct Expect<'a, R> {
-    reader: cl::Reader<R>,
+    reader: cl::ClReader<R>,
     setting: Setting,
     follow: Follow<'a>,
     queue: VecDeque<Item>,
@@ -143,7 +143,7 @@ impl<'a, R: Read> Expect<'a, R> {
     /// `unit`: one unit of linear words, mm.
     pub(super) fn new(
         machine: &dyn AnyMachine,
-        reader: cl::Reader<R>,
+        reader: cl::ClReader<R>,
         config: &'a Config,
         family: Family,
         unit: f64,
@@ -319,7 +319,7 @@ impl<'a> Follow<'a> {
             | Event::Preselect(_)
             | Event::Home
             | Event::ClearancePlane(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::OptionalStop
             | Event::Stop
@@ -376,7 +376,7 @@ impl<'a> Follow<'a> {
             | Event::Name(_)
             | Event::MachineName(_)
             | Event::Preselect(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Message(_)
             | Event::Arc(_)
             | Event::Spline(_)
@@ -422,8 +422,8 @@ impl<'a> Follow<'a> {
         self.there = false;
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
         let given = self.config.set_up.tools.get(&call.number);
-        let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
-        self.calls.insert(call.number, ToolCall { length, offset, ..*call });
+        let (length, offset) = (call.length_mm.or(before.length_mm), call.length_offset.or(before.length_offset));
+        self.calls.insert(call.number, ToolCall { length_mm: length, length_offset: offset, ..*call });
         if self.wanted.tool != Some(call.number) {
             self.wanted.called = at;
             (self.request, self.spindle_off) = if self.called { ((None, None), false) } else { self.in_start };
@@ -431,7 +431,7 @@ impl<'a> Follow<'a> {
         }
         self.called = true;
         self.wanted.tool = Some(call.number);
-        self.wanted.length = given.and_then(|tool| tool.length).or(length);
+        self.wanted.length = given.and_then(|tool| tool.length_mm).or(length);
         let offset = given.and_then(|tool| tool.offset).or(offset);
         self.wanted.register = match self.family {
             Family::LinuxCnc | Family::Fanuc | Family::Haas => offset.unwrap_or(call.number),
@@ -495,7 +495,7 @@ impl<'a> Follow<'a> {
         }
         let given = self.wanted.tool.and_then(|tool| self.config.set_up.tools.get(&tool));
         let defaults = &self.config.motion.defaults;
-        let speed = self.request.0.or(given.and_then(|tool| tool.speed)).or(defaults.speed)?;
+        let speed = self.request.0.or(given.and_then(|tool| tool.speed_rev_per_min)).or(defaults.speed)?;
         let sense = self.request.1.or(given.and_then(|tool| tool.rotation)).or(defaults.rotation)?;
         let scale = 10_f64.powi(self.config.formats.speed as i32);
         Some(((speed * scale).round() / scale, sense))
@@ -547,7 +547,7 @@ impl<'a> Follow<'a> {
 /// Takes what a SPINDL says; what it leaves out stays.
 fn take(request: &mut (Option<f64>, Option<Rotation>), off: &mut bool, spindle: Spindle) {
     *off = spindle == Spindle::Off;
-    if let Spindle::On { speed, rotation } = spindle {
+    if let Spindle::On { speed_rev_per_min: speed, rotation } = spindle {
         *request = (speed.or(request.0), rotation.or(request.1));
     }
 }

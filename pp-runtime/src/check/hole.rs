@@ -54,45 +54,45 @@ pub(super) fn unfolded(hole: &Hole, here: Option<&Pose>, peck_gap: f64) -> Vec<S
     let same_axis = here.filter(|here| angle_between(&here.axis, &axis) <= SAME_AXIS);
     if let Some(here) = same_axis {
         let height = (here.tip - top).dot(&axis);
-        let lift = hole.clearance - height;
+        let lift = hole.clearance_mm - height;
         if lift > SAME_LEVEL {
             steps.push(go(Pose { tip: here.tip + axis.into_inner() * lift, axis }, true));
         }
-        let over = level(height.max(hole.clearance));
+        let over = level(height.max(hole.clearance_mm));
         if (over.tip - here.tip).norm() > SAME_LEVEL {
             steps.push(go(over, true));
         }
     }
-    steps.push(go(level(hole.clearance), true));
+    steps.push(go(level(hole.clearance_mm), true));
     let (first, later) = match hole.drilling {
-        Drilling::Peck { first, later } => (first, later),
-        Drilling::ChipBreak { step, .. } => (step, step),
-        Drilling::Drill | Drilling::Ream | Drilling::Tap { .. } => (hole.depth, hole.depth),
+        Drilling::Peck { first_mm: first, later_mm: later } => (first, later),
+        Drilling::ChipBreak { step_mm: step, .. } => (step, step),
+        Drilling::Drill | Drilling::Ream | Drilling::Tap { .. } => (hole.depth_mm, hole.depth_mm),
     };
-    let mut depth = first.min(hole.depth);
+    let mut depth = first.min(hole.depth_mm);
     for _ in 0..MOST_STEPS {
-        if depth > hole.depth - SAME_LEVEL {
-            depth = hole.depth;
+        if depth > hole.depth_mm - SAME_LEVEL {
+            depth = hole.depth_mm;
         }
         steps.push(go(level(-depth), false));
-        if depth >= hole.depth {
+        if depth >= hole.depth_mm {
             break;
         }
         if matches!(hole.drilling, Drilling::Peck { .. }) {
-            steps.push(go(level(hole.clearance), true));
+            steps.push(go(level(hole.clearance_mm), true));
         }
         let back = match hole.drilling {
-            Drilling::ChipBreak { back: Some(back), .. } => back,
+            Drilling::ChipBreak { retract_mm: Some(back), .. } => back,
             _ => peck_gap,
         };
-        steps.push(go(level((back - depth).min(hole.clearance)), true));
+        steps.push(go(level((back - depth).min(hole.clearance_mm)), true));
         depth += later;
     }
     steps.extend(hole.dwell.map(Step::Wait));
     if matches!(hole.drilling, Drilling::Ream | Drilling::Tap { .. }) {
-        steps.push(go(level(hole.clearance), false));
+        steps.push(go(level(hole.clearance_mm), false));
     }
-    steps.push(go(level(hole.back_to), true));
+    steps.push(go(level(hole.return_mm), true));
     steps
 }
 
@@ -127,22 +127,22 @@ impl<R: Read> Checker<'_, R> {
             placed(&Pose { tip: hole.top.tip + hole.top.axis.into_inner() * height, axis: hole.top.axis })
         };
         let levels =
-            [("comes down to", cycle.reference, hole.clearance), ("ends its cut at", cycle.bottom, -hole.depth)];
+            [("comes down to", cycle.reference, hole.clearance_mm), ("ends its cut at", cycle.bottom, -hole.depth_mm)];
         for (what, level, height) in levels {
-            self.level_is(block, level, (&placed_at(height), height - hole.clearance), what, shown);
+            self.level_is(block, level, (&placed_at(height), height - hole.clearance_mm), what, shown);
         }
         // A thread that only goes in and out leaves the way up to a motion.
-        let (back, clearance) = (placed_at(hole.back_to), placed_at(hole.clearance));
+        let (back, clearance) = (placed_at(hole.return_mm), placed_at(hole.clearance_mm));
         let end = ends(self, cycle.back_to);
         let short = matches!(cycle.kind, CycleKind::Tap(_)) && end.is_some_and(|end| self.is_at(&end, &clearance));
-        let stays = short && hole.back_to - hole.clearance > SAME_LEVEL;
-        let (back, above) = if stays { (clearance, 0.0) } else { (back, hole.back_to - hole.clearance) };
+        let stays = short && hole.return_mm - hole.clearance_mm > SAME_LEVEL;
+        let (back, above) = if stays { (clearance, 0.0) } else { (back, hole.return_mm - hole.clearance_mm) };
         self.level_is(block, cycle.back_to, (&back, above), "ends at", shown);
         self.kind_is(cycle, &hole, state.spindle, shown);
         self.cycle_feed_is(block, cycle, &hole, state.spindle.map(|(speed, _)| speed), shown);
         self.cycle_wait_is(cycle, &hole, state.spindle.map(|(speed, _)| speed), shown);
         self.finish_hole(wanted.number, stays)?;
-        self.led_out = (back.tip - placed_at(-hole.depth).tip).dot(&back.axis);
+        self.led_out = (back.tip - placed_at(-hole.depth_mm).tip).dot(&back.axis);
         self.out_from = Some(back);
         self.reached = Some(back);
         self.here = end.or(Some(back));
@@ -179,10 +179,11 @@ impl<R: Read> Checker<'_, R> {
         let at = |height: f64| self.is_at(end, &Placed { tip: top + axis * height, axis });
         let over = self.here.is_some_and(|here| {
             let height = (here.tip - top).dot(&axis);
-            height >= hole.clearance - self.slack.tip && (here.tip - top - axis * height).norm() <= 2.0 * self.slack.tip
+            height >= hole.clearance_mm - self.slack.tip
+                && (here.tip - top - axis * height).norm() <= 2.0 * self.slack.tip
         });
         let asked = self.is_at(end, &next.to);
-        let lifts = over && (at(hole.back_to) && !asked || cuts && at(hole.clearance));
+        let lifts = over && (at(hole.return_mm) && !asked || cuts && at(hole.clearance_mm));
         if lifts {
             self.state_at_path(block, &wanted, shown);
             if block.action == Action::Rapid {
@@ -235,14 +236,14 @@ impl<R: Read> Checker<'_, R> {
         let same = match (cycle.kind, hole.drilling) {
             (CycleKind::Drill, Drilling::Drill) | (CycleKind::Ream, Drilling::Ream) => true,
             // A step that is no shorter than the hole.
-            (CycleKind::Drill, Drilling::Peck { first: step, .. } | Drilling::ChipBreak { step, .. }) => {
-                step + unit >= hole.depth
+            (CycleKind::Drill, Drilling::Peck { first_mm: step, .. } | Drilling::ChipBreak { step_mm: step, .. }) => {
+                step + unit >= hole.depth_mm
             }
-            (CycleKind::Peck(step), Drilling::Peck { first, later }) => {
+            (CycleKind::Peck(step), Drilling::Peck { first_mm: first, later_mm: later }) => {
                 (step - later).abs() <= unit && (step - first).abs() <= unit
             }
-            (CycleKind::ChipBreak(wanted), Drilling::ChipBreak { step, .. }) => (step - wanted).abs() <= unit,
-            (CycleKind::Tap(pitch), Drilling::Tap { pitch: stated }) => {
+            (CycleKind::ChipBreak(wanted), Drilling::ChipBreak { step_mm: step, .. }) => (step - wanted).abs() <= unit,
+            (CycleKind::Tap(pitch), Drilling::Tap { pitch_mm: stated }) => {
                 let left = matches!(spindle, Some((_, Rotation::CounterClockwise)));
                 let wanted = stated.or_else(|| per_turn(hole.feed, spindle.map(|(speed, _)| speed)));
                 wanted.is_some_and(|wanted| (pitch.abs() - wanted).abs() <= PITCH * wanted) && (pitch < 0.0) == left
@@ -269,7 +270,7 @@ impl<R: Read> Checker<'_, R> {
         };
         let (from, to) = (self.words.values(&from), self.words.values(&to));
         let stroke = Stroke {
-            length: hole.clearance + hole.depth,
+            length: hole.clearance_mm + hole.depth_mm,
             change: std::array::from_fn(|index| to[index] - from[index]),
             feed: hole.feed,
             speed,
@@ -308,9 +309,9 @@ fn made(hole: &Hole) -> CycleKind {
     match hole.drilling {
         Drilling::Drill => CycleKind::Drill,
         Drilling::Ream => CycleKind::Ream,
-        Drilling::Peck { later, .. } => CycleKind::Peck(later),
-        Drilling::ChipBreak { step, .. } => CycleKind::ChipBreak(step),
-        Drilling::Tap { pitch } => CycleKind::Tap(pitch.unwrap_or(0.0)),
+        Drilling::Peck { later_mm: later, .. } => CycleKind::Peck(later),
+        Drilling::ChipBreak { step_mm: step, .. } => CycleKind::ChipBreak(step),
+        Drilling::Tap { pitch_mm: pitch } => CycleKind::Tap(pitch.unwrap_or(0.0)),
     }
 }
 

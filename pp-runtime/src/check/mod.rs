@@ -99,7 +99,7 @@ pub fn check_for(
     }
     let machine =
         job.config.set_up.machine_for(machine).map_err(|invalid| CheckError::Impossible(invalid.to_string()))?;
-    let options = cl::Options { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
+    let options = cl::ReadingOptions { units: job.units.or(job.config.cl_units), ..job.config.cl.clone() };
     let units = match job.config.output_units {
         Some(units) => units,
         None => set_up::units_of(input, &options).map_err(CheckError::Input)?.unwrap_or(Units::Millimetres),
@@ -107,7 +107,7 @@ pub fn check_for(
     let vocabulary = set_up::vocabulary(&*machine, family, job.config, units);
     let offsets = set_up::offsets(job.config, family);
     let mut reader = Reader::new(program, vocabulary);
-    let mut checker = Checker::new(machine, job.config, family, units, offsets, cl::Reader::new(input, options));
+    let mut checker = Checker::new(machine, job.config, family, units, offsets, cl::ClReader::new(input, options));
     while let Some((block, text)) = reader.next_block().map_err(CheckError::Program)? {
         checker.block(block, text).map_err(CheckError::Input)?;
     }

@@ -68,7 +68,7 @@ impl Round {
         let last = arc.end.tip.coords - centre - normal * heights[1];
         let radius = first.norm();
         let u = if radius > 0.0 { first / radius } else { Vector3::zeros() };
-        Self { centre, normal, u, v: normal.cross(&u), radii: [radius, last.norm()], heights, angle: arc.angle }
+        Self { centre, normal, u, v: normal.cross(&u), radii: [radius, last.norm()], heights, angle: arc.angle_rad }
     }
 
     fn at(&self, share: f64) -> Vector3<f64> {
@@ -308,7 +308,7 @@ mod tests {
             Pose { tip, axis }
         };
         let (start, end) = (at(0.0, 0.0), at(angle, 0.0));
-        let arc = Arc { centre: Point3::origin(), normal: axis, start, end, angle, feed: None };
+        let arc = Arc { centre: Point3::origin(), normal: axis, start, end, angle_rad: angle, feed: None };
         let segment = Segment { from: placed(&start), to: placed(&end), shape: Shape::Arc(Round::of(&arc)) };
         let half = placed(&at(0.5 * angle, 0.0));
         // Half a unit of three decimals across the helix, where its angle says another height.

@@ -10,9 +10,9 @@ use crate::program::Event;
 use crate::program::Units;
 
 /// Unit of the CL data, from what stands in front of its first motion; the data is read from the same place again.
-pub(super) fn units_of(input: &mut dyn ReadSeek, options: &cl::Options) -> io::Result<Option<Units>> {
+pub(super) fn units_of(input: &mut dyn ReadSeek, options: &cl::ReadingOptions) -> io::Result<Option<Units>> {
     let start = input.stream_position()?;
-    let mut reader = cl::Reader::new(&mut *input, options.clone());
+    let mut reader = cl::ClReader::new(&mut *input, options.clone());
     let mut moved = false;
     while !moved && reader.units().is_none() {
         match reader.next_event()? {

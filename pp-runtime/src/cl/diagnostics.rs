@@ -1,7 +1,7 @@
-//! Faults as diagnostics, in a bounded list.
+//! Turns faults of statements into diagnostics, in a bounded list.
 //!
-//! A file with a million equal faults must not fill the memory or the screen, so each kind is shown a few times and
-//! counted from then on.
+//! The first [`LISTED_OF_A_KIND`] faults of a kind are listed, further ones are counted: a file with a million equal
+//! faults must not fill the memory or the screen.
 
 use std::io::Read;
 
@@ -10,7 +10,7 @@ use super::text::{ClFault, Help, Lexer, Statement};
 use crate::diag::{Diagnostic, LISTED_OF_A_KIND, Severity};
 use crate::program::Location;
 
-/// Diagnostics in the order found, and the number of faults of each kind.
+/// Diagnostics in the order found, and the number of faults of each kind and severity.
 #[derive(Debug, Default)]
 pub(crate) struct Faults {
     diagnostics: Vec<Diagnostic>,
@@ -35,14 +35,14 @@ impl Faults {
         self.failed
     }
 
-    /// Takes the fault of a statement.
+    /// Adds the fault of a statement.
     #[cold]
     pub(crate) fn add<R: Read>(&mut self, fault: ClFault, statement: &Statement, lexer: &Lexer<R>) {
         let (location, left_on_line) = lexer.locate(statement, fault.at.start);
         self.add_at(fault, location, left_on_line);
     }
 
-    /// Takes the fault of a statement with `left_on_line` bytes from there on its line.
+    /// Adds a fault at `location`; `left_on_line`: number of bytes of the statement from there on that line.
     pub(crate) fn add_at(&mut self, fault: ClFault, location: Location, left_on_line: usize) {
         let length = fault.at.end.saturating_sub(fault.at.start).min(left_on_line).max(1);
         if !self.is_shown(fault.kind, fault.severity, location) {
@@ -52,8 +52,8 @@ impl Faults {
             Help::Text(text) => text,
             Help::NearestTo(word) => match nearest_word(&word) {
                 Some(known) => format!("did you mean {known}?"),
-                None if word.is_empty() => "check whether this is CL data".into(),
-                None => format!("if it is known to move nothing, delete it or give `--inert {word}`"),
+                None if word.is_empty() => "check whether this file is CL data".into(),
+                None => format!("if it moves no axis and changes no state, delete it or add `--inert {word}`"),
             },
         };
         self.diagnostics.push(Diagnostic {
@@ -66,13 +66,13 @@ impl Faults {
         });
     }
 
-    /// Takes a diagnostic of the file as a whole.
+    /// Adds a diagnostic about the file as a whole.
     pub(crate) fn add_about_file(&mut self, severity: Severity, location: Location, text: String, help: &str) {
         self.failed |= severity == Severity::Error;
         self.diagnostics.push(Diagnostic { severity, location, length: 1, text, help: Some(help.into()), count: 1 });
     }
 
-    /// Adds the number of diagnostics that were not shown, at the end.
+    /// Adds, at the end of the file, the number of faults of each kind that are not listed.
     pub(crate) fn conclude(&mut self) {
         for count in &self.counts {
             if let Some(hidden) = count.found.checked_sub(LISTED_OF_A_KIND).filter(|hidden| *hidden > 0) {

@@ -1,9 +1,9 @@
-//! The CAM systems whose habits are known.
+//! The CAM systems whose CL data conventions are known.
 
-/// The CAM system that wrote a file, by the evidence in it.
+/// The CAM system that wrote a file. Each has a record or comment that identifies it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Dialect {
-    /// No evidence yet.
+    /// Not identified.
     #[default]
     Generic,
     /// Siemens NX: `TOOL PATH/`.
@@ -14,12 +14,12 @@ pub enum Dialect {
     Creo,
     /// SolidWorks CAM: `UNIT/`, `CSYS/`, `TRNTYP/`, `CSI_`.
     SolidWorks,
-    /// ISO 4343; there is no evidence of it, it must be given.
+    /// ISO 4343. No record identifies it, so it must be given (`--dialect iso`).
     Iso,
 }
 
 impl Dialect {
-    /// Names as on the command line.
+    /// Names, as on the command line.
     pub const NAMES: [(&'static str, Dialect); 5] = [
         ("nx", Dialect::Nx),
         ("catia", Dialect::Catia),
@@ -28,11 +28,11 @@ impl Dialect {
         ("iso", Dialect::Iso),
     ];
 
-    /// Name in messages.
+    /// Name for messages.
     #[must_use]
     pub const fn title(self) -> &'static str {
         match self {
-            Dialect::Generic => "no CAM system that is known here",
+            Dialect::Generic => "no known CAM system",
             Dialect::Nx => "NX",
             Dialect::Catia => "CATIA",
             Dialect::Creo => "Creo",

@@ -1,13 +1,13 @@
-//! CL data: APT source and CLS files to machine-independent events.
+//! Reads CL data (APT source, CLS files) into machine-independent events.
 //!
-//! Bytes become statements in `text`, typed [`Record`]s in [`record`], and in `meaning`, with units and modes, the
-//! [`Event`](crate::program::Event)s of [`program`](crate::program). The [`Reader`] drives them, and keeps subprograms and
-//! diagnostics. Memory is constant: one read buffer, one buffer for joined statements, nothing allocated for a record that
-//! is understood.
+//! `text` splits bytes into statements, [`record`] makes typed [`Record`]s of them, and `meaning` applies units and
+//! modes and returns the [`Event`](crate::program::Event)s of [`program`](crate::program). The [`ClReader`] calls these
+//! three in turn and keeps subprograms and diagnostics. Memory is constant: one read buffer, one buffer for joined
+//! statements, no allocation for a record that is understood.
 //!
-//! Reading never stops at a fault; all faults of a file are reported in one run, but no event is returned after the first.
-//! What is not understood is refused, never skipped: it might move the tool. The same bytes give the same events and
-//! diagnostics, whatever the size of the reads, so a file may be read twice.
+//! Reading goes on after an error, so that one run reports all errors of a file; no event is returned after the first.
+//! A record that is not understood is refused, never skipped: it might move the tool. The same bytes give the same
+//! events and diagnostics, whatever the size of the reads, so a file may be read twice.
 
 mod diagnostics;
 mod dialect;
@@ -22,6 +22,6 @@ mod vector;
 mod tests;
 
 pub use self::dialect::Dialect;
-pub use self::meaning::{ArcVote, ClPoint, CycleArg, FeedLabel, Frames, Insert, Options, Sense, StatedFrame};
-pub use self::reader::{ReadSeek, Reader};
+pub use self::meaning::{ArcVote, ClPoint, CycleArg, FeedLabel, Frames, Insert, ReadingOptions, Sense, StatedFrame};
+pub use self::reader::{ClReader, ReadSeek};
 pub use self::record::{Record, list as list_words, not_inert};

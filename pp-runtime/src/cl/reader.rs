@@ -1,10 +1,10 @@
-//! The reader: bytes in, events and diagnostics out.
+//! The reader of CL data: bytes to events and diagnostics.
 
 use std::io::{self, Read, Seek};
 
 use super::diagnostics::Faults;
 use super::dialect::Dialect;
-use super::meaning::{ArcVote, Options, QueuedEvent, RecordInterpreter, StatedFrame, TextUse};
+use super::meaning::{ArcVote, QueuedEvent, ReadingOptions, RecordInterpreter, StatedFrame, TextUse};
 use super::record::{
     CatiaMatrix, Record, SubprogramRecord, comment_dialect, is_goto, is_list, joined_record, parse, plain_goto,
     read_comment, record_dialect,
@@ -19,21 +19,25 @@ pub trait ReadSeek: Read + Seek {}
 
 impl<T: Read + Seek + ?Sized> ReadSeek for T {}
 
-/// Cutters that are all smaller than this, in a file whose millimetres are only claimed, are inches.
+/// If the unit mm is given by the caller only and no cutter of the file reaches this diameter, the file is taken to be
+/// in inch.
 const SMALLEST_LARGEST_CUTTER_MM: f64 = 1.5;
 
 /// Reads CL data and returns its events one by one.
-pub struct Reader<R> {
+///
+/// Input: bytes of a CL file. Output: events in mm and rad in the workpiece frame, and diagnostics with line and
+/// column.
+pub struct ClReader<R> {
     lexer: Lexer<R>,
     interpreter: RecordInterpreter,
     matrix: CatiaMatrix,
     faults: Faults,
     progress: Progress,
     records: u64,
-    /// The statement whose bytes the waiting events point into.
+    /// Statement that holds the text of the queued events.
     statement: Option<Statement>,
     subprograms: Subprograms,
-    /// The statement of a subprogram whose bytes the waiting events point into, instead.
+    /// Statement of a subprogram that holds that text, where the events come from a subprogram.
     kept: Option<KeptStatement>,
 }
 
@@ -44,10 +48,10 @@ enum Progress {
     Done,
 }
 
-impl<R: Read> Reader<R> {
-    /// A reader of `input`; nothing is read yet.
-    pub fn new(input: R, options: Options) -> Self {
-        Reader {
+impl<R: Read> ClReader<R> {
+    /// Returns a reader of `input`; nothing is read yet.
+    pub fn new(input: R, options: ReadingOptions) -> Self {
+        ClReader {
             lexer: Lexer::new(input, options.columns),
             interpreter: RecordInterpreter::new(options),
             matrix: CatiaMatrix::default(),
@@ -60,10 +64,10 @@ impl<R: Read> Reader<R> {
         }
     }
 
-    /// The next event with the place of its statement's first byte, or `None` at the end.
+    /// Returns the next event with the place of the first byte of its statement, or `None` at the end of the file.
     ///
-    /// After the first error the rest of the file is read for diagnostics only and `None` is returned; ask
-    /// [`failed`](Self::failed) then.
+    /// After the first error the rest of the file is read for diagnostics only and `None` is returned; see
+    /// [`failed`](Self::failed).
     pub fn next_event(&mut self) -> io::Result<Option<(Location, Event<'_>)>> {
         let (location, pending) = loop {
             if let Some(event) = self.interpreter.next_event()
@@ -75,7 +79,7 @@ impl<R: Read> Reader<R> {
                 Progress::Unread => self.begin()?,
                 Progress::Reading if self.subprograms.is_running() => self.run_kept(),
                 Progress::Reading => match self.lexer.next()? {
-                    // Nearly every statement: a point, and an event that waits for nothing.
+                    // Nearly every statement: a GOTO whose event needs no queue.
                     Some(statement) if self.is_plain_goto(&statement) => {
                         if let Some(found) = self.read_goto(&statement) {
                             return Ok(Some(found));
@@ -106,48 +110,48 @@ impl<R: Read> Reader<R> {
         Ok(Some((location, event)))
     }
 
-    /// Errors and warnings so far, in the order found. Of one kind the first 20 are kept; at the end one more says how
-    /// many others there were.
+    /// Errors and warnings so far, in the order found. The first 20 of a kind are listed; at the end of the file one
+    /// more gives the number of the others.
     pub fn diagnostics(&self) -> &[Diagnostic] {
         self.faults.diagnostics()
     }
 
-    /// Whether there was an error; nothing may be posted then.
+    /// Whether an error was found; then nothing may be posted.
     pub fn failed(&self) -> bool {
         self.faults.failed()
     }
 
-    /// The unit of the file as found so far, else as given.
+    /// Unit of the file: as stated in it so far, else as given in the options.
     pub fn units(&self) -> Option<Units> {
         self.interpreter.units().known()
     }
 
-    /// Whether the unit is known from the options only.
+    /// Whether the unit is given in the options and not stated in the file.
     pub fn units_are_only_given(&self) -> bool {
         self.interpreter.units().are_only_given()
     }
 
-    /// The CAM system by the evidence so far; the first evidence decides.
+    /// CAM system, as given in the options, else as the first record or comment that identifies one.
     pub fn dialect(&self) -> Dialect {
         self.interpreter.dialect()
     }
 
-    /// The workpiece frame: the first frame stated so far.
+    /// Workpiece frame: the first frame stated in the file.
     pub fn frame(&self) -> Option<&StatedFrame> {
         self.interpreter.coordinates().workpiece().frame()
     }
 
-    /// Evidence of the sense of the arcs read so far.
+    /// Votes on the sense of the arcs read so far.
     pub fn arcs(&self) -> ArcVote {
         self.interpreter.votes().count(self.interpreter.options().circle_sense.is_some())
     }
 
-    /// Different frames stated so far.
+    /// Number of different frames stated so far.
     pub fn different_frames(&self) -> usize {
         self.interpreter.coordinates().workpiece().different()
     }
 
-    /// Changes of the CSYS of SolidWorks CAM so far.
+    /// Number of changes of CSYS (SolidWorks CAM) so far.
     pub fn setup_changes(&self) -> u64 {
         self.interpreter.coordinates().set_up().changes()
     }
@@ -157,27 +161,27 @@ impl<R: Read> Reader<R> {
         self.interpreter.asks_for_inverse_time()
     }
 
-    /// Frames stated so far, equal ones included.
+    /// Number of frames stated so far, repeated ones included.
     pub fn frames_stated(&self) -> u64 {
         self.interpreter.coordinates().workpiece().stated()
     }
 
-    /// Statements so far, comments not counted.
+    /// Number of statements so far, without comments.
     pub fn records(&self) -> u64 {
         self.records
     }
 
-    /// Motions so far.
+    /// Number of motions so far.
     pub fn motions(&self) -> u64 {
         self.interpreter.path().motions()
     }
 
-    /// Lines so far.
+    /// Number of lines so far.
     pub fn lines(&self) -> u64 {
         self.lexer.lines()
     }
 
-    /// Tool axes so far whose length was off by more than rounding and which were normalised.
+    /// Number of tool axes so far that had to be normalised by more than rounding.
     pub fn normalised_axes(&self) -> u64 {
         self.interpreter.axis().normalised()
     }
@@ -189,8 +193,8 @@ impl<R: Read> Reader<R> {
                 return Ok(());
             }
             Beginning::Binary => (
-                "this is no text file: it holds NUL bytes",
-                "write the CL data as text (APT source, CLS); UTF-16 text must be saved as UTF-8",
+                "this is not a text file: it contains NUL bytes",
+                "output the CL data as text (APT source, CLS); save UTF-16 text as UTF-8",
             ),
             Beginning::Empty => ("the file is empty", "check whether the CAM system wrote it completely"),
         };
@@ -207,7 +211,8 @@ impl<R: Read> Reader<R> {
             && is_goto(self.lexer.text(statement))
     }
 
-    /// A GOTO while nothing is open and nothing waits: the same as by `read`, without a queue.
+    /// Reads a GOTO while no arc, curve or cycle is open and no event is queued: the same result as `read`, without a
+    /// queue.
     fn read_goto(&mut self, statement: &Statement) -> Option<(Location, Event<'static>)> {
         self.records += 1;
         let here = self.lexer.locate(statement, 0).0;
@@ -237,11 +242,11 @@ impl<R: Read> Reader<R> {
                 if let Err(fault) = self.matrix.abandon() {
                     self.faults.add(fault, statement, &self.lexer);
                 }
-                self.interpreter.suspect(record_dialect(text));
+                self.interpreter.note_dialect(record_dialect(text));
                 return self.read_record(statement, self.lexer.locate(statement, 0).0);
             }
             StatementKind::Comment => {
-                self.interpreter.suspect(comment_dialect(text));
+                self.interpreter.note_dialect(comment_dialect(text));
                 let mut lines = self.lexer.joined_lines(statement);
                 match lines.find_map(|(offset, line)| joined_record(text, offset, line)) {
                     Some(swallowed) => Err(swallowed),
@@ -251,13 +256,13 @@ impl<R: Read> Reader<R> {
             StatementKind::TooLong => Err(ClFault::new(
                 "statement too long",
                 Span::WHOLE,
-                format!("a statement here is longer than {} bytes", LONGEST_STATEMENT),
-                "check whether this is CL data and whether its line ends were lost",
+                format!("this statement is longer than {} bytes", LONGEST_STATEMENT),
+                "check whether this file is CL data, and whether its line ends were lost",
             )),
             StatementKind::Unfinished => Err(ClFault::new(
                 "unfinished statement",
                 Span { start: 0, end: text.len() },
-                "the file ends inside this statement, behind a `$` that continues it",
+                "the file ends after the `$` that continues this statement",
                 "check whether the CAM system wrote the file completely",
             )),
         };
@@ -270,7 +275,7 @@ impl<R: Read> Reader<R> {
         }
     }
 
-    /// Any statement that is no comment.
+    /// Reads a statement that is not a comment.
     fn read_record(&mut self, statement: &Statement, here: Location) {
         let text = self.lexer.text(statement);
         let mut lines = self.lexer.joined_lines(statement);
@@ -297,7 +302,7 @@ impl<R: Read> Reader<R> {
         }
     }
 
-    /// The next statement of a subprogram that is called.
+    /// Runs the next statement of the subprogram that is being called.
     fn run_kept(&mut self) {
         let Some(kept) = self.subprograms.next() else { return };
         self.kept = Some(kept);
@@ -309,7 +314,7 @@ impl<R: Read> Reader<R> {
         };
         let taken = parse(text, &self.interpreter.options().inert).and_then(|record| match record {
             Record::Subprogram(SubprogramRecord::Call { at, .. }) => {
-                Err(subprogram_fault(at, "a subprogram that calls another one is not understood"))
+                Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"))
             }
             record => self.interpreter.take(&record, kept.location()),
         });
@@ -319,13 +324,13 @@ impl<R: Read> Reader<R> {
         }
     }
 
-    /// Checks of the whole file.
+    /// Makes the checks that need the whole file.
     fn finish(&mut self) {
         self.progress = Progress::Done;
         let unfinished = self.interpreter.finish();
         let unfinished = unfinished.err().or_else(|| {
             let open = self.subprograms.is_open();
-            open.then(|| subprogram_fault(Span::WHOLE, "the file ends inside a subprogram"))
+            open.then(|| subprogram_fault(Span::WHOLE, "the file ends before the ENDSUB of a subprogram"))
         });
         if let (Some(fault), Some(statement)) = (unfinished, &self.statement) {
             self.faults.add(fault, statement, &self.lexer);
@@ -335,9 +340,9 @@ impl<R: Read> Reader<R> {
         let normalised = reading.axis().normalised();
         if normalised > 0 {
             let text = format!(
-                "{normalised} tool axes are off from length 1 by more than 0.00001 and were normalised; this is the first"
+                "{normalised} tool axes differ from length 1 by more than 0.00001 and were normalised; this is the first"
             );
-            let help = "have the CAM system write i, j, k with more digits";
+            let help = "have the CAM system output i, j, k with more digits";
             self.faults.add_about_file(Severity::Warning, reading.axis().first_normalised(), text, help);
         }
         if let Some((largest_mm, first)) = reading.tool().largest_cutter()
@@ -345,19 +350,19 @@ impl<R: Read> Reader<R> {
             && reading.units().known() == Some(Units::Millimetres)
             && largest_mm < SMALLEST_LARGEST_CUTTER_MM
         {
-            let text = format!("no cutter is larger than {largest_mm} mm: is this file in inch?");
-            let help = "give `--units in`; if these are millimetres, say UNITS/MM at the top of the file";
+            let text = format!("the largest cutter has a diameter of {largest_mm} mm: is this file in inch?");
+            let help = "add `--units in`; if the file is in mm, write UNITS/MM at its top";
             self.faults.add_about_file(Severity::Error, first, text, help);
         }
         if reading.path().motions() == 0 && !self.faults.failed() {
-            let text = "the file holds no motion: there is no GOTO in it".into();
-            let help = "check whether the tool path was generated before it was written";
+            let text = "the file contains no motion: no GOTO was found".into();
+            let help = "check whether the tool path was generated in the CAM system before it was output";
             self.faults.add_about_file(Severity::Error, Location { line: 1, column: 1 }, text, help);
         }
         self.faults.conclude();
     }
 
-    /// Compares the sense of the arcs with the lines next to them.
+    /// Reports arcs whose sense contradicts the feed lines before and after them.
     fn count_votes(&mut self) {
         if self.interpreter.options().circle_sense.is_some() {
             return;
@@ -366,13 +371,13 @@ impl<R: Read> Reader<R> {
             let majority = 2 * against > decided;
             let severity = if majority { Severity::Error } else { Severity::Warning };
             let text = format!(
-                "{against} of {decided} arcs whose neighbours decide run the other way than the form of CIRCLE says; \
+                "{against} of {decided} arcs with a tangent line before or after them contradict the sense of their CIRCLE; \
                  this is the first"
             );
             let help = if majority {
-                "give `--circle-sense cw` or `ccw` if the CAM system has another habit"
+                "if the CAM system uses the other sense, add `--circle-sense cw` or `ccw`"
             } else {
-                "a cusp, if the path really turns back here"
+                "correct if the path reverses here in a cusp; else check the arc in the CAM system"
             };
             self.faults.add_about_file(severity, location, text, help);
         }

@@ -1,17 +1,18 @@
-//! DEFSUB, ENDSUB, CALSUB: statements that are kept as they are defined, and interpreted where they are called.
+//! Subprograms (DEFSUB, ENDSUB, CALSUB): statements are stored between DEFSUB and ENDSUB, and interpreted at each
+//! CALSUB.
 //!
-//! A definition does nothing by itself. The text of every statement is kept with its place, up to a bound, so that a
-//! fault in it still names its own line.
+//! A definition alone has no effect. Each statement is stored as text with its place in the file, so that a fault in it
+//! names its own line. The stored text is bounded.
 
 use std::collections::BTreeMap;
 
 use super::text::{ClFault, Span};
 use crate::program::Location;
 
-/// Bytes of text that all subprograms of a file may hold together, and bytes of the list of their statements.
+/// Largest size, in bytes, of the text of all subprograms of a file, and of the list of their statements.
 const MOST_BYTES: usize = 8 << 20;
 
-/// More subprograms than this are no habit of a CAM system; it bounds the memory.
+/// Largest number of subprograms in a file; it bounds the memory. No CAM system writes as many.
 const MOST_SUBPROGRAMS: usize = 100_000;
 
 /// One statement of a subprogram.
@@ -28,7 +29,7 @@ impl KeptStatement {
     }
 }
 
-/// Range in the list of statements.
+/// Range of a subprogram in the list of statements; `after` is one past its last.
 #[derive(Debug, Clone, Copy)]
 struct Subprogram {
     first: usize,
@@ -41,9 +42,9 @@ pub(crate) struct Subprograms {
     text: Vec<u8>,
     statements: Vec<KeptStatement>,
     known: BTreeMap<u32, Subprogram>,
-    /// The one that is being defined.
+    /// Number and first statement of the subprogram between its DEFSUB and ENDSUB.
     open: Option<(u32, usize)>,
-    /// What is still to be done of the one that is called: next statement and the one after its last.
+    /// Next statement, and one past the last, of the subprogram that is being run.
     running: Option<(usize, usize)>,
 }
 
@@ -56,24 +57,24 @@ impl Subprograms {
         self.running.is_some()
     }
 
-    /// DEFSUB; an error if it cannot be defined here.
+    /// DEFSUB; refused inside another subprogram, for a number in use, and beyond [`MOST_SUBPROGRAMS`].
     pub(crate) fn define(&mut self, number: u32) -> Result<(), ClFault> {
         self.try_define(number).map_err(|why| subprogram_fault(Span::WHOLE, why))
     }
 
     fn try_define(&mut self, number: u32) -> Result<(), &'static str> {
         if self.open.is_some() || self.running.is_some() {
-            return Err("a subprogram cannot be defined inside another one");
+            return Err("DEFSUB inside a subprogram is not supported");
         }
-        // Its ENDSUB belongs to it, even if it is refused.
+        // A refused DEFSUB still has its ENDSUB.
         self.open = Some((number, self.statements.len()));
         if self.known.contains_key(&number) {
-            return Err("this subprogram is defined twice");
+            return Err("this subprogram is already defined");
         }
         if self.known.len() >= MOST_SUBPROGRAMS { Err("the file defines too many subprograms") } else { Ok(()) }
     }
 
-    /// Keeps a statement; an error if there is no room for it.
+    /// Stores a statement; refused beyond [`MOST_BYTES`].
     pub(crate) fn keep(&mut self, text: &[u8], location: Location) -> Result<(), ClFault> {
         if self.text.len() + text.len() > MOST_BYTES || self.statements.len() * size_of::<KeptStatement>() > MOST_BYTES
         {
@@ -85,7 +86,7 @@ impl Subprograms {
         Ok(())
     }
 
-    /// ENDSUB; an error if nothing was begun.
+    /// ENDSUB; refused without a DEFSUB.
     pub(crate) fn end(&mut self) -> Result<(), ClFault> {
         let Some((number, first)) = self.open.take() else {
             return Err(subprogram_fault(Span::WHOLE, "ENDSUB without DEFSUB"));
@@ -96,18 +97,18 @@ impl Subprograms {
         Ok(())
     }
 
-    /// CALSUB; an error if it cannot be called here.
+    /// CALSUB; refused inside a subprogram and for a number that is not defined.
     pub(crate) fn call(&mut self, number: u32, at: Span) -> Result<(), ClFault> {
         if self.running.is_some() {
-            return Err(subprogram_fault(at, "a subprogram that calls another one is not understood"));
+            return Err(subprogram_fault(at, "CALSUB inside a subprogram is not supported"));
         }
         let known = self.known.get(&number);
-        let known = known.ok_or_else(|| subprogram_fault(at, "this subprogram is not defined before it is called"))?;
+        let known = known.ok_or_else(|| subprogram_fault(at, "no DEFSUB with this number comes before the call"))?;
         self.running = Some((known.first, known.after));
         Ok(())
     }
 
-    /// The next statement of the subprogram that is called.
+    /// Next statement of the subprogram that is being run; `None` after its last.
     pub(crate) fn next(&mut self) -> Option<KeptStatement> {
         let (at, after) = self.running?;
         if at == after {
@@ -124,5 +125,5 @@ impl Subprograms {
 }
 
 pub(crate) fn subprogram_fault(at: Span, why: &str) -> ClFault {
-    ClFault::new("subprogram", at, why, "DEFSUB/n stands before CALSUB/n, with ENDSUB behind the last record")
+    ClFault::new("subprogram", at, why, "write DEFSUB/n, the records of the subprogram and ENDSUB before CALSUB/n")
 }

@@ -1,15 +1,15 @@
-//! The vector algebra that frames and axes of CL data need, and the largest coordinate of a point.
+//! Vector algebra for frames and axes of CL data, and the limit on coordinates.
 
 use super::text::{ClFault, Span};
 use crate::nalgebra::Point3;
 
-/// A kilometre: no machine goes there, and words of an NC program would overflow.
+/// Largest coordinate, one kilometre: no machine is larger, and words of an NC program would overflow.
 const LARGEST_COORDINATE_MM: f64 = 1e6;
 
-/// The point, if a machine could be there.
+/// Returns the point, or a fault if a coordinate is above [`LARGEST_COORDINATE_MM`] or not a number.
 #[inline]
-pub(crate) fn near(point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
-    // A NaN fails the comparison, too.
+pub(crate) fn within_a_kilometre(point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
+    // NaN fails this comparison, too.
     if point.iter().all(|value| value.abs() <= LARGEST_COORDINATE_MM) {
         return Ok(point);
     }
@@ -36,7 +36,7 @@ pub(crate) fn length(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
 }
 
-/// Largest difference of a component.
+/// Largest absolute difference of a component of `a` and `b`.
 pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max)
 }

@@ -1,8 +1,8 @@
-//! The configuration of a job: the options of every stage, from one file.
+//! Configuration of a job: the options of all stages, from one file.
 //!
-//! Stages declare their options as tables of keys; in here they are read from a file, printed as a sample to edit and
-//! described as a schema, and [`Config`] holds what comes of it for the stages. Millimetres, radians and mm/min in
-//! here; a file states its own unit of length and writes angles in degrees. Nothing here plans or writes a motion.
+//! The stages declare their options as tables of keys. Here they are read from a file into [`Config`], printed as a
+//! commented sample, and described as a JSON schema. Values are in mm, rad and mm/min; a file states its own unit of
+//! length and has angles in degrees. No motion is planned or written here.
 
 mod print;
 mod read;
@@ -35,15 +35,15 @@ pub use print::print;
 pub use schema::schema;
 
 options! {
-    /// Everything a job may set, by the stage that it belongs to.
+    /// All options of a job, by stage.
     pub struct Config {
         /// Unit of CL data that does not state its own. Without it such data is refused.
         cl_units: Option<Units> = None, key("cl_units", OneOf(&UNITS), "\"mm\"");
-        /// Unit of the program. Without it that of the CL data.
+        /// Unit of the NC program. Without it the unit of the CL data is used.
         output_units: Option<Units> = None, key("output_units", OneOf(&UNITS), "\"mm\"");
         /// How the CL data is read; its unit is in `cl_units`.
-        cl: reading::Options = reading::Options::default(), keys();
-        /// Machine, part and shop.
+        cl: reading::ReadingOptions = reading::ReadingOptions::default(), keys();
+        /// Set-up: machine, part and tools.
         set_up: SetUp = SetUp::default(), keys();
         /// How motion is planned.
         motion: motion::Options = motion::Options::default(), keys();
@@ -51,41 +51,41 @@ options! {
         formats: nc::Formats = nc::Formats::DEFAULT, keys();
         /// How the control differs from its table.
         control: ControlOptions = ControlOptions::default(), keys();
-        /// Lengths came from a file that does not state its unit: mm assumed.
+        /// The file has lengths and does not state its unit: mm is assumed.
         file_units_assumed: bool = false;
-        /// What was given rather than assumed: keys as they are in a file, `part_origin`, `retract.position`.
+        /// Keys that are given, not assumed, by their paths in a file: `part_origin`, `retract.position`.
         ///
-        /// The keys of a machine's axes, dimensions and tools are not in here: their maps hold only what was given.
+        /// Keys by axis, dimension or tool are not listed: their maps hold only what is given.
         given: BTreeSet<&'static str> = BTreeSet::new();
     }
 }
 
-/// Units of length by their names.
+/// Units of length, by name.
 const UNITS: [(&str, Units); 2] = [("mm", Units::Millimetres), ("in", Units::Inches)];
 
-/// The configuration of a control before anything else is said.
+/// Configuration of a control before any file is read: its number formats, else the defaults.
 #[must_use]
 pub fn starting_point(control: &dyn Control) -> Config {
     Config { formats: control.spellings().formats.clone(), ..Config::default() }
 }
 
 impl Config {
-    /// Step of the block numbers where they are asked for without one.
+    /// Step of the block numbers where they are requested without a step.
     pub const LINE_NUMBER_STEP: u32 = 10;
 
-    /// Whether `key` (`retract.position`) was given rather than assumed.
+    /// Whether `key` (`retract.position`) is given, not assumed.
     #[must_use]
     pub fn is_given(&self, key: &str) -> bool {
         self.given.contains(key)
     }
 
-    /// What the planner reads.
+    /// The part of the configuration that the planner reads.
     #[must_use]
     pub fn policy(&self) -> Policy<'_> {
         self.demands().policy()
     }
 
-    /// What the control reads.
+    /// The part of the configuration that the control reads.
     #[must_use]
     pub fn demands(&self) -> Demands<'_> {
         Demands { set_up: &self.set_up, motion: &self.motion, options: &self.control, formats: &self.formats }

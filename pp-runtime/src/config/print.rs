@@ -1,4 +1,4 @@
-//! The keys and their defaults as a file to edit.
+//! Prints all keys with their defaults as a commented sample file.
 
 use std::fmt::Write as _;
 
@@ -8,14 +8,14 @@ use crate::kinematics::AnyMachine;
 use super::Config;
 use super::read::scope;
 
-/// Widest line of a comment.
+/// Largest width of a comment line, in characters.
 const WIDTH: usize = 120;
 
-/// A configuration file for the machine `M` with every default, switched off. `config`: the defaults of the
+/// Returns a configuration file for `machine` with every default commented out. `config`: the defaults of the
 /// control, or [`Config::default`].
 ///
 /// A line that begins with `#` and a key is a default; a line that begins with `# e.g.` shows a key without default.
-/// Read back as it stands the file gives [`Config::default`], so what nobody changes stays marked as assumed.
+/// Read back unchanged the file gives [`Config::default`], so that unchanged keys stay marked as assumed.
 #[must_use]
 pub fn print(machine: &dyn AnyMachine, config: &Config) -> String {
     let list = KeyList::of(config, scope(machine));
@@ -24,7 +24,7 @@ pub fn print(machine: &dyn AnyMachine, config: &Config) -> String {
 #
 # A line that begins with `#` and a key shows a default: remove the `#` and change the value.
 # A line that begins with `# e.g.` shows a key that has no default.
-# What is not set here is marked as assumed in the summary and in the header of the program.
+# A key that is not set here is marked as assumed in the summary and in the header of the program.
 # Angles are in degrees, speeds per minute, lengths in the unit of this file.
 
 # Unit of length of this file: "mm" or "in".
@@ -40,7 +40,7 @@ units = "mm"
     text
 }
 
-/// The sections in the order of their first keys.
+/// Sections in the order of their first keys.
 fn sections(rows: &[KeyRow]) -> Vec<&'static str> {
     let mut sections = Vec::new();
     for row in rows {
@@ -56,7 +56,7 @@ fn sections(rows: &[KeyRow]) -> Vec<&'static str> {
     sections
 }
 
-/// The keys above the first section, with an empty line between tables of options.
+/// Prints the keys before the first section, with an empty line between tables of options.
 fn print_above(out: &mut String, rows: &[KeyRow]) -> std::fmt::Result {
     let mut group = 0;
     for row in rows.iter().filter(|row| !row.path.contains('.')) {
@@ -100,7 +100,7 @@ fn print_key(out: &mut String, key: &str, printed: &Printed) -> std::fmt::Result
     }
 }
 
-/// Words in lines that begin with `#`.
+/// Prints text as comment lines.
 fn print_comment(out: &mut String, text: &str) -> std::fmt::Result {
     let mut width = 0;
     for word in text.split(' ').filter(|word| !word.is_empty()) {

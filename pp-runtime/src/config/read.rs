@@ -1,4 +1,4 @@
-//! A configuration file (TOML) to [`Config`]: every fault is reported at once.
+//! Reads a configuration file (TOML) into [`Config`] and reports all its faults.
 
 use toml::de::DeTable;
 
@@ -13,15 +13,15 @@ impl Config {
     /// Reads a configuration file for the machine `M`.
     ///
     /// # Errors
-    /// Every fault of the file, in its order.
+    /// All faults of the file, in the order of the text.
     pub fn read<M: Machine>(text: &str) -> Result<Self, Vec<Diagnostic>> {
         Self::default().read_over(&M::default(), text)
     }
 
-    /// Reads a configuration file for the machine `M` on top of what is in here, the defaults of a control.
+    /// Reads a configuration file for `machine` over the values of `self`, the defaults of a control.
     ///
     /// # Errors
-    /// Every fault of the file, in its order.
+    /// All faults of the file, in the order of the text.
     pub fn read_over(mut self, machine: &dyn AnyMachine, text: &str) -> Result<Self, Vec<Diagnostic>> {
         let mut reader = KeyReader::new(text, scope(machine));
         let (root, errors) = DeTable::parse_recoverable(text);
@@ -35,14 +35,14 @@ impl Config {
         if reader.has_faults() { Err(reader.into_faults()) } else { Ok(self) }
     }
 
-    /// Reads every key; what is wrong stays with the reader.
+    /// Reads every key; the faults stay in the reader.
     pub(crate) fn read_file(&mut self, machine: &dyn AnyMachine, r: &mut KeyReader<'_>, file: &mut KeyTable<'_>) {
-        // The file's unit first: it decides what every length below means.
+        // The unit of the file is read first: all lengths depend on it.
         let units = file.get("units", r);
         if let Some(value) = units {
-            r.give("units");
+            r.mark_given("units");
             if let Some(units) = r.choice(value, &UNITS) {
-                r.count_in(units);
+                r.set_units(units);
             }
         }
         self.read(file, r);
@@ -54,7 +54,7 @@ impl Config {
         self.check(machine, r, file);
     }
 
-    /// What no key says by itself.
+    /// Checks that concern several keys.
     fn check(&self, machine: &dyn AnyMachine, r: &mut KeyReader<'_>, file: &mut KeyTable<'_>) {
         let rapids = &self.motion.rapids;
         if rapids.rapid == Rapid::Feed && rapids.rapid_feed.is_none() && !r.is_given("rapid_feed") {
@@ -65,12 +65,16 @@ impl Config {
             && let Err(invalid) = self.set_up.machine_for(machine)
         {
             let span = file.get("dimensions", r).map_or(0..0, |value| value.span());
-            r.fault(span, format!("{} cannot be built like this: {invalid}", machine.name()), None);
+            r.fault(
+                span,
+                format!("the kinematics of {} are invalid with these dimensions: {invalid}", machine.name()),
+                None,
+            );
         }
     }
 }
 
-/// What keys of the machine `M` depend on.
+/// Context of the keys for a machine.
 pub(crate) fn scope(machine: &dyn AnyMachine) -> KeyScope {
     KeyScope::of(machine, |word| CONTROLS.iter().any(|control| control.work_offset(word).is_some()))
 }

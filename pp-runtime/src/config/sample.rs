@@ -1,4 +1,4 @@
-//! A machine for tests of configuration and command line: all about it that matters there are its constants.
+//! A machine for tests of configuration and command line. Only its constants are realistic.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
@@ -7,7 +7,7 @@ use crate::kinematics::{
     Solutions, Unreachable,
 };
 
-/// `B C | X Y Z`; validates when `d` is not zero.
+/// Machine `C B | X Y Z`; invalid if `d` is zero.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Sample {
     pub(crate) d: f64,

@@ -1,4 +1,4 @@
-//! A JSON schema of the configuration file, for editors: draft 2020-12.
+//! JSON schema (draft 2020-12) of the configuration file, for editors.
 
 use serde_json::{Value as Json, json};
 
@@ -8,7 +8,7 @@ use crate::kinematics::AnyMachine;
 use super::read::scope;
 use super::{Config, UNITS};
 
-/// The JSON schema of a configuration file for the machine `M`; `config`: the defaults of the control.
+/// Returns the JSON schema of a configuration file for `machine`. `config`: the defaults of the control.
 #[must_use]
 pub fn schema(machine: &dyn AnyMachine, config: &Config) -> String {
     let scope = scope(machine);
@@ -17,7 +17,7 @@ pub fn schema(machine: &dyn AnyMachine, config: &Config) -> String {
     schema["properties"]["units"]["description"] = json!("Unit of length of this file: \"mm\" or \"in\".");
     schema.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
     schema.insert("title".to_owned(), json!(format!("Set-up for {}", machine.name())));
-    // Nothing in it can fail to be written.
+    // Writing this value to a string cannot fail.
     let mut text = serde_json::to_string_pretty(&Json::Object(schema)).unwrap_or_default();
     text.push('\n');
     text
@@ -36,8 +36,8 @@ mod tests {
         serde_json::from_str(&schema(&Machine5::default(), &Config::default())).expect("JSON")
     }
 
-    /// The printed file with every line switched on.
-    fn switched_on() -> String {
+    /// The printed file with every key enabled.
+    fn every_key_enabled() -> String {
         let on = |line: &str| {
             let default = line.strip_prefix('#').filter(|rest| !rest.is_empty() && !rest.starts_with(' '));
             line.strip_prefix("# e.g. ").or(default).unwrap_or(line).to_owned() + "\n"
@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn every_key_of_the_reader_is_in_the_schema() {
-        let text = switched_on();
+        let text = every_key_enabled();
         let (root, errors) = DeTable::parse_recoverable(&text);
         assert!(errors.is_empty(), "{errors:?}");
         let mut reader = KeyReader::new(&text, scope(&Machine5::default()));

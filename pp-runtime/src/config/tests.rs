@@ -43,7 +43,7 @@ fn an_empty_file_is_the_default() {
 }
 
 #[test]
-fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
+fn every_default_of_the_printed_file_is_the_default_when_enabled() {
     let text: String = print(&Sample::default(), &Config::default())
         .lines()
         .map(|line| match line.strip_prefix('#') {
@@ -53,7 +53,7 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
         .collect();
     let config = read(&text);
     assert!(config.given.contains("retract.position") && config.given.contains("formats.inverse_time"));
-    // What the machine declares, given once more.
+    // Values that the machine declares, given again.
     assert_eq!(config.set_up.limits.keys().collect::<String>(), "BCXYZ");
     assert_eq!(config.set_up.limits[&'C'], None);
     let machine: Sample = config.set_up.machine().expect("the machine is valid");
@@ -63,7 +63,7 @@ fn every_default_of_the_printed_file_is_the_default_when_switched_on() {
     plain.set_up.limits = BTreeMap::new();
     plain.set_up.speeds = BTreeMap::new();
     plain.given = BTreeSet::new();
-    // Zero as it is assumed, given once more.
+    // The assumed zero, given explicitly.
     assert_eq!(plain.motion.retract.position.take(), Some(Retract::POSITION));
     assert_eq!(plain, Config::default());
     let (travel, declared) = (config.set_up.travel(Sample::AXES), Config::default().set_up.travel(Sample::AXES));
@@ -109,7 +109,7 @@ fn inches_and_degrees_become_millimetres_and_radians() {
     assert!(close(config.set_up.machine_zero[&'X'], -254.0));
     assert!(close(config.motion.park[&'B'], 90_f64.to_radians()));
     assert_eq!(config.motion.guards.spindle_max, Some(12000.0));
-    assert_eq!(config.set_up.tools[&3].length, Some(101.6));
+    assert_eq!(config.set_up.tools[&3].length_mm, Some(101.6));
     assert!(close(config.set_up.speeds[&'X'], 2540.0));
     assert!(close(config.set_up.speeds[&'C'], std::f64::consts::TAU));
     assert_eq!(config.set_up.limits[&'Z'], Some(Limits { lower: -508.0, upper: 0.0 }));
@@ -120,7 +120,7 @@ fn inches_and_degrees_become_millimetres_and_radians() {
 }
 
 #[test]
-fn the_unit_of_the_file_counts_wherever_it_stands_among_the_keys() {
+fn the_unit_of_the_file_holds_for_keys_before_it_too() {
     assert_eq!(read("floor = 1\nunits = 'in'\n").motion.guards.floor, Some(25.4));
 }
 
@@ -132,7 +132,7 @@ fn a_length_without_a_unit_is_assumed_to_be_in_millimetres_and_marked() {
 }
 
 #[test]
-fn given_keys_are_told_from_assumed_ones() {
+fn given_keys_are_distinguished_from_assumed_ones() {
     let config = read("[retract]\nposition = 0\n");
     assert!(config.is_given("retract.position"));
     assert!(!config.is_given("approach.distance"));
@@ -153,21 +153,21 @@ fn an_unknown_key_without_a_near_one_lists_what_is_known() {
     assert_eq!(
         faults("[retract]\nspeed = 3\n"),
         [
-            "2:1: unknown key `retract.speed` | known here are `position`, `distance`, `clearance`, `rewind`, `rewind_dry`"
+            "2:1: unknown key `retract.speed` | known keys are `position`, `distance`, `clearance`, `rewind`, `rewind_dry`"
         ]
     );
 }
 
 #[test]
-fn a_key_below_the_wrong_header_is_told_where_it_belongs() {
+fn a_key_below_the_wrong_header_is_reported_with_its_right_place() {
     assert_eq!(
         faults("[retract]\nposition = 0\nwork_offset = 'G55'\n"),
-        ["3:1: unknown key `retract.work_offset` | `work_offset` belongs above the first [header] of the file"]
+        ["3:1: unknown key `retract.work_offset` | `work_offset` belongs before the first [section] of the file"]
     );
 }
 
 #[test]
-fn what_moves_between_cuts_and_how_fast_is_read() {
+fn keys_of_rapids_feeds_course_and_grid_are_read() {
     let config =
         read("rapid = 'feed'\nrapid_feed = 9000\n[feed]\nkeep_speeds = false\nlargest = 5000\nshortest_block = 0.01\n");
     assert_eq!((config.motion.rapids.rapid, config.motion.rapids.rapid_feed), (super::Rapid::Feed, Some(9000.0)));
@@ -197,7 +197,7 @@ fn what_moves_between_cuts_and_how_fast_is_read() {
 fn the_clearance_geometry_is_a_plane_a_box_or_a_cylinder() {
     use crate::program::Clearance;
     let read = |text: &str| read(&format!("units = 'in'\n[retract]\nclearance = {text}\n")).motion.retract.clearance;
-    assert!(matches!(read("{ plane = 2 }"), Some(Clearance::Plane(plane)) if close(plane.distance, 50.8)));
+    assert!(matches!(read("{ plane = 2 }"), Some(Clearance::Plane(plane)) if close(plane.distance_mm, 50.8)));
     assert!(
         matches!(read("{ box = [[-1, -1, -1], [1, 1, 2]] }"), Some(Clearance::Box { upper, .. }) if close(upper.z, 50.8))
     );
@@ -244,7 +244,7 @@ fn numbers_outside_their_range_are_refused() {
     assert_eq!(faults("floor = 1e300\n").len(), 1);
     assert_eq!(
         faults("units = 'in'\nfloor = 5000\n"),
-        ["2:9: this is a length of 127 m | the unit of this file is `in`"]
+        ["2:9: a length of 127 m is not plausible | the unit of this file is `in`"]
     );
     assert_eq!(faults("[approach]\ndistance = 0\n"), ["2:12: a number above zero is needed here"]);
     assert_eq!(faults("[formats]\ninverse_time = 3\n"), ["2:16: a whole number from 6 to 12 is needed here"]);
@@ -259,7 +259,7 @@ fn a_letter_that_is_not_an_axis_of_the_machine_is_refused() {
     assert_eq!(faults("[speeds]\nx = 1\n"), ["2:1: `x` is not an axis of Sample | its axes are C B X Y Z"]);
     assert_eq!(
         faults("machine_zero = { C = 0 }\n"),
-        ["1:18: C turns; `machine_zero` is for linear axes | linear axes are X Y Z"]
+        ["1:18: C is a rotary axis; `machine_zero` is for linear axes | linear axes are X Y Z"]
     );
 }
 
@@ -275,7 +275,7 @@ fn an_unknown_dimension_names_the_nearest() {
 fn dimensions_for_which_the_formulas_fail_are_refused() {
     assert_eq!(
         faults("[dimensions]\nd = 0\n"),
-        ["1:1: Sample cannot be built like this: `d` is zero: the table has no height"]
+        ["1:1: the kinematics of Sample are invalid with these dimensions: `d` is zero: the table has no height"]
     );
 }
 
@@ -343,7 +343,7 @@ fn text_that_is_not_toml_is_reported_at_its_place() {
     assert!(faults[0].starts_with("2:"), "{faults:?}");
 }
 
-/// Lines as they might stand in a file, right and wrong.
+/// Lines of a file, right and wrong.
 fn any_line() -> impl Strategy<Value = String> {
     let keys = ["units", "part_origin", "floor", "park", "limits", "machine_zero", "tools", "retract", "\"é\"", "x"];
     let values = [
@@ -369,7 +369,7 @@ fn any_line() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    /// A file is read or refused with places inside it; nothing in it stops the program.
+    /// Any file is read, or refused with places inside it; none causes a panic.
     #[test]
     fn any_file_is_read_or_refused(lines in proptest::collection::vec(any_line(), 0..8)) {
         let text = lines.join("\n");
@@ -401,8 +401,8 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
 }
 
 #[test]
-fn how_cl_data_is_read_can_be_set() {
-    use crate::cl::record::CycleKind;
+fn options_of_reading_cl_data_are_read() {
+    use crate::cl::record::ClCycleKind;
     use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
     let config = read(
         "units = \"in\"\ntolerance = 0.001\ncl_point = \"centre\"\n[defaults]\ntool = 3\npeck_gap = 0.02\n[tools.2]\n\
@@ -421,7 +421,7 @@ fn how_cl_data_is_read_can_be_set() {
     assert_eq!((cl.insert, cl.insert_stop, cl.from_move), (Insert::Write, true, true));
     assert_eq!((&cl.auxfun[..], &cl.prefun[..]), (&[10, 11][..], &[64][..]));
     assert_eq!(cl.feed_label, FeedLabel::FileUnits);
-    assert_eq!(cl.cycle_args, [(CycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])]);
+    assert_eq!(cl.cycle_args, [(ClCycleKind::Tap, vec![CycleArg::Depth, CycleArg::Pitch])]);
 }
 
 #[test]
@@ -444,7 +444,7 @@ fn words_that_move_something_cannot_be_set_inert() {
     }
     assert_eq!(
         faults("[frames]\n0 = \"G55\""),
-        ["2:1: `0` is not the number of a frame | frames count from 1 in the order of the CL data: 2 = \"G55\""]
+        ["2:1: `0` is not the number of a frame | frames are numbered from 1 in the order of the CL data: 2 = \"G55\""]
     );
 }
 

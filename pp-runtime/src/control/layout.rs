@@ -38,7 +38,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The layout of a job for the machine `M`.
+    /// The layout of a job for a machine.
     #[must_use]
     pub fn new(machine: &dyn AnyMachine, demands: Demands<'_>, units: Units, name: &[u8]) -> Self {
         let linear = demands.formats.linear(units);

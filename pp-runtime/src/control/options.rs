@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value as Json, json};
 
 use crate::keys::{
-    AxisSet, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue, Truth,
-    Whole, list, nearest, options,
+    AxisSet, Bound, KeyKind, KeyReader, KeyScope, ListOf, Measure, OneLine, OneOf, PerAxis, Printed, TomlValue, Whole,
+    YesNo, list, nearest, options,
 };
 use crate::motion::{self, PathNorm, Policy};
 use crate::nc::Formats;
@@ -47,7 +47,7 @@ options! {
         /// Program name. Without this key it is the name in the CL data.
         program_name: Option<String> = None, key("control.program_name", OneLine, "\"BRACKET\"");
         /// The file begins with the program name, as a Siemens archive needs it: `%_N_NAME_MPF`.
-        file_header: bool = false, key("control.file_header", Truth);
+        file_header: bool = false, key("control.file_header", YesNo);
         /// Safety blocks of a restart point, instead of those of the control.
         safety: Option<Vec<String>> = None,
             key("control.safety", ListOf(TemplateBlock(OF_PROGRAM)),
@@ -56,7 +56,7 @@ options! {
         tool_change: Option<Vec<String>> = None,
             key("control.tool_change", ListOf(TemplateBlock(OF_TOOL)), "[\"T{tool} M6\", \"T{next}\"]");
         /// Preselect the next tool at each tool change.
-        preselect: Option<bool> = None, key("control.preselect", Truth, "true");
+        preselect: Option<bool> = None, key("control.preselect", YesNo, "true");
         /// On and off code of each kind of coolant: flood, mist, through (the spindle), air.
         coolant: [Option<[String; 2]>; 4] = [const { None }; 4], key("control.coolant", CoolantCodes);
         /// Smoothing by the control within `path_tolerance`: "none", "rough", "medium" or "finish".
@@ -69,16 +69,16 @@ options! {
         /// or "g93_s" (1/s).
         path_norm: Option<PathNorm> = None, key("control.path_norm", OneOf(&PATH_NORMS), "\"xyz+deg\"");
         /// Whole numbers end with a decimal point.
-        point: Option<bool> = None, key("control.point", Truth, "true");
+        point: Option<bool> = None, key("control.point", YesNo, "true");
         /// Codes that switch tip control on and off in mode "tcp".
         tip_control: Option<[String; 2]> = None, key("control.tip_control", OnAndOff, "[\"M428\", \"M429\"]");
         /// Name of the swivel data record of CYCLE800.
         swivel_data: Option<String> = None, key("control.swivel_data", OneLine, "\"TABLE\"");
         /// Rapids under tip control are interpolated: all axes arrive together (Fanuc: parameter 1401#1). The check of
         /// travel limits uses this.
-        linear_rapids: Option<bool> = None, key("control.linear_rapids", Truth, "true");
+        linear_rapids: Option<bool> = None, key("control.linear_rapids", YesNo, "true");
         /// Write every word in every block, modal words included.
-        every_word: bool = false, key("control.every_word", Truth);
+        every_word: bool = false, key("control.every_word", YesNo);
         /// Axis names that differ from the axis letters.
         axes: BTreeMap<char, String> = BTreeMap::new(), key("control.axes", AXIS_NAMES);
         /// Blocks around the program.
@@ -94,9 +94,9 @@ options! {
         /// Blocks before the end code.
         end: Vec<String> = Vec::new(), key("program.end", ListOf(TemplateBlock(OF_PROGRAM)));
         /// Write machining times as comments at the end.
-        times: bool = false, key("program.times", Truth);
+        times: bool = false, key("program.times", YesNo);
         /// Write the result of the check as a comment at the end, or that the program was not checked.
-        checked: bool = false, key("program.checked", Truth);
+        checked: bool = false, key("program.checked", YesNo);
         /// Step of the block numbers. Without this key blocks have no numbers.
         line_numbers: Option<u32> = None, key("program.line_numbers", Whole(1..=1000), "10");
     }

@@ -1,4 +1,4 @@
-//! Tables whose keys are axes of the machine.
+//! Kind of key: a table whose keys are axes of the machine.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -11,36 +11,36 @@ use super::list::{Printed, printed_degrees, printed_number};
 use super::reader::{Bound, KeyReader, Quantity, TomlValue};
 use super::{KeyKind, KeyScope};
 
-/// Which axes a table may name.
+/// Axes that a table may name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AxisSet {
     /// Every axis of the machine.
     All,
-    /// Rotary axes that are solved.
+    /// Rotary axes that the inverse kinematics solves for.
     Solved,
 }
 
-/// A value of a table whose keys are axes.
+/// One entry of a table whose keys are axes.
 #[derive(Debug, Clone)]
 pub(crate) struct AxisEntry<'a> {
     /// The axis.
     pub(crate) axis: &'static Axis,
-    /// Place of its letter.
+    /// Place of the letter in the file.
     pub(crate) span: Range<usize>,
-    /// What the table says of it.
+    /// Value of the entry.
     pub(crate) value: TomlValue<'a>,
 }
 
-/// A table with a value for each of some axes.
+/// Kind of key: a table with one value for each axis named.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PerAxis<V> {
-    /// The axes that it may name.
+    /// Axes that the table may name.
     pub(crate) axes: AxisSet,
-    /// It is printed as a section of its own.
+    /// The table is printed as a section, not inline.
     pub(crate) section: bool,
     /// Reads one value.
     pub(crate) read: fn(&mut KeyReader<'_>, &AxisEntry<'_>) -> Option<V>,
-    /// How an axis is printed; `None`: not at all.
+    /// Entry of an axis in the sample; `None` leaves the axis out.
     pub(crate) printed: fn(&KeyScope, &Axis) -> Option<Printed>,
     /// The JSON schema of one value.
     pub(crate) schema: fn() -> Json,
@@ -91,15 +91,15 @@ impl<V> KeyKind for PerAxis<V> {
     }
 }
 
-/// The entries of a table whose keys are axes; others are faults.
+/// Entries of a table whose keys are axes; any other key is a fault.
 fn entries<'a>(r: &mut KeyReader<'_>, set: AxisSet, value: TomlValue<'a>) -> Vec<AxisEntry<'a>> {
     let KeyScope { machine, axes, .. } = r.scope();
     let mut read = Vec::new();
     for (key, span, value) in r.entries(value) {
         match axes.iter().find(|axis| axis.letter.to_string() == key) {
             Some(axis) if set == AxisSet::Solved && !solved(axis) => {
-                let help = format!("these are {}", letters(axes, solved));
-                r.fault(value.span(), format!("{} is no rotary axis that is solved", axis.letter), Some(help));
+                let help = format!("solved rotary axes are {}", letters(axes, solved));
+                r.fault(value.span(), format!("{} is not a solved rotary axis", axis.letter), Some(help));
             }
             Some(axis) => read.push(AxisEntry { axis, span, value }),
             None => {
@@ -111,18 +111,18 @@ fn entries<'a>(r: &mut KeyReader<'_>, set: AxisSet, value: TomlValue<'a>) -> Vec
     read
 }
 
-/// A rotary axis whose angle follows from the tool axis.
+/// Whether an axis is a rotary axis whose angle follows from the tool axis.
 pub(crate) fn solved(axis: &Axis) -> bool {
     axis.kind == AxisKind::Rotary && !axis.held
 }
 
-/// `X Y Z`.
+/// Letters of the wanted axes, separated by blanks: `X Y Z`.
 pub(crate) fn letters(axes: &[Axis], wanted: impl Fn(&Axis) -> bool) -> String {
     let letters: Vec<String> = axes.iter().filter(|axis| wanted(axis)).map(|axis| axis.letter.to_string()).collect();
     letters.join(" ")
 }
 
-/// A position or speed of an axis, mm or rad.
+/// Reads a position or speed of an axis: mm, rad, or these per minute.
 pub(crate) fn along(r: &mut KeyReader<'_>, axis: &Axis, value: TomlValue<'_>, bound: Bound) -> Option<f64> {
     match axis.kind {
         AxisKind::Linear => r.number(value, Quantity::Length, bound),
@@ -130,7 +130,7 @@ pub(crate) fn along(r: &mut KeyReader<'_>, axis: &Axis, value: TomlValue<'_>, bo
     }
 }
 
-/// A position or speed of an axis as TOML.
+/// Position or speed of an axis as TOML.
 pub(crate) fn printed_along(axis: &Axis, value: f64) -> String {
     match axis.kind {
         AxisKind::Linear => printed_number(value),

@@ -1,4 +1,4 @@
-//! Kinds of values that keys of several stages have.
+//! Kinds of keys that several stages use.
 
 use std::ops::RangeInclusive;
 
@@ -8,12 +8,12 @@ use super::list::{printed_degrees, printed_number};
 use super::reader::{Bound, KeyReader, Quantity, TomlValue};
 use super::{KeyKind, KeyScope};
 
-/// A number with a unit: mm, rad or as it is.
+/// Kind of key: a number, read as mm, as rad, or without conversion.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Measure {
     quantity: Quantity,
     bound: Bound,
-    /// What else is wrong with a number.
+    /// Additional rule: returns the fault of a number that breaks it.
     fault: fn(f64) -> Option<String>,
 }
 
@@ -28,12 +28,12 @@ impl Measure {
         Self { quantity: Quantity::Angle, bound, fault: |_| None }
     }
 
-    /// As it is: rev/min, seconds.
+    /// A number without conversion: rev/min, seconds.
     pub(crate) const fn plain(bound: Bound) -> Self {
         Self { quantity: Quantity::Plain, bound, fault: |_| None }
     }
 
-    /// With a rule of its own: what is wrong with a number.
+    /// Adds a rule, which returns the fault of a number that breaks it.
     pub(crate) const fn unless(self, fault: fn(f64) -> Option<String>) -> Self {
         Self { fault, ..self }
     }
@@ -69,7 +69,7 @@ impl KeyKind for Measure {
     }
 }
 
-/// A whole number within a range.
+/// Kind of key: a whole number within a range.
 #[derive(Debug, Clone)]
 pub(crate) struct Whole(pub(crate) RangeInclusive<u32>);
 
@@ -89,11 +89,11 @@ impl KeyKind for Whole {
     }
 }
 
-/// True or false.
+/// Kind of key: true or false.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Truth;
+pub(crate) struct YesNo;
 
-impl KeyKind for Truth {
+impl KeyKind for YesNo {
     type Value = bool;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<bool> {
@@ -109,7 +109,7 @@ impl KeyKind for Truth {
     }
 }
 
-/// Text of one line without control characters.
+/// Kind of key: one line of text without control characters.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OneLine;
 
@@ -129,7 +129,7 @@ impl KeyKind for OneLine {
     }
 }
 
-/// One of a few words, each with what it means.
+/// Kind of key: one of a few words, each with its value.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OneOf<T: 'static>(pub(crate) &'static [(&'static str, T)]);
 
@@ -150,7 +150,7 @@ impl<T: Copy + PartialEq> KeyKind for OneOf<T> {
     }
 }
 
-/// A list of values that are alike.
+/// Kind of key: a list of values of one kind.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ListOf<K>(pub(crate) K);
 
@@ -172,7 +172,7 @@ impl<K: KeyKind> KeyKind for ListOf<K> {
     }
 }
 
-/// Three lengths: X, Y and Z.
+/// Kind of key: a point, three lengths X, Y and Z.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LengthPoint;
 
@@ -186,7 +186,7 @@ impl KeyKind for LengthPoint {
             r.fault(value.span(), text, None);
             return None;
         };
-        // All three are looked at before giving up, so that each fault is reported.
+        // All three are read before any fault ends the reading, so that each fault is reported.
         let [x, y, z] = [x, y, z].map(|number| r.length(number, Bound::Any));
         Some([x?, y?, z?])
     }
@@ -200,7 +200,8 @@ impl KeyKind for LengthPoint {
     }
 }
 
-/// A value that is assumed where none is given, and told from one that is.
+/// Kind of key with a default for an absent value. The option stays `None`, so that an assumed value is distinguished
+/// from a given one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Assumed<K, V>(pub(crate) K, pub(crate) V);
 

@@ -1,4 +1,4 @@
-//! Every key with its description and its default: what the sample and the schema of a configuration file are made of.
+//! List of all keys with descriptions and defaults. The sample file and the JSON schema are made from it.
 
 use std::collections::BTreeMap;
 
@@ -7,29 +7,29 @@ use toml::de::DeValue;
 
 use super::{KeyKind, KeyScope, Keys, Slot};
 
-/// How a key is shown in a sample.
+/// Value of a key as shown in the sample.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Printed {
-    /// Its default, as TOML.
+    /// Default, as TOML.
     Default(String),
-    /// An example, as TOML; there is no default.
+    /// Example, as TOML, of a key that has no default.
     Example(String),
-    /// A section of its own, with an entry for each name.
+    /// A section with these entries.
     Section(Vec<(String, Printed)>),
 }
 
 /// One key.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct KeyRow {
-    /// As in a file: `work_offset`, `retract.position`.
+    /// Path in the file: `work_offset`, `retract.position`.
     pub(crate) path: &'static str,
-    /// The table of options that it is in, counted from 1.
+    /// Number of the table of options that declares the key, from 1.
     pub(crate) group: usize,
-    /// What it is for; empty where the row above says so.
+    /// Description; empty where the row before describes this key, too.
     pub(crate) text: String,
-    /// Its default or an example.
+    /// Default or example.
     pub(crate) printed: Printed,
-    /// The JSON schema of its value.
+    /// JSON schema of the value.
     pub(crate) schema: Json,
 }
 
@@ -43,7 +43,7 @@ pub(crate) struct KeyList {
 }
 
 impl KeyList {
-    /// No key yet.
+    /// An empty list.
     pub(crate) fn new(scope: KeyScope) -> Self {
         Self { scope, group: 0, rows: Vec::new(), headings: BTreeMap::new() }
     }
@@ -53,12 +53,12 @@ impl KeyList {
         &self.rows
     }
 
-    /// What a section is about; empty where nothing is said.
+    /// Description of a section; empty if it has none.
     pub(crate) fn heading(&self, section: &str) -> &str {
         self.headings.get(section).map_or("", String::as_str)
     }
 
-    /// A table of options begins, whose comment heads a section.
+    /// Begins a table of options. `about`: its comment, which becomes the description of `section`.
     pub(crate) fn begin(&mut self, about: &[&str], section: Option<&'static str>) {
         self.group += 1;
         if let Some(section) = section {
@@ -66,12 +66,12 @@ impl KeyList {
         }
     }
 
-    /// A table of options inside another one ends.
+    /// Ends a table of options inside another one.
     pub(crate) fn end(&mut self) {
         self.group += 1;
     }
 
-    /// A key with its comment and the field that holds its default.
+    /// Adds a key. `field` holds its default.
     pub(crate) fn row<K: KeyKind>(
         &mut self,
         path: &'static str,
@@ -93,14 +93,14 @@ impl KeyList {
 }
 
 impl KeyList {
-    /// What the options describe.
+    /// List of the keys that these options describe.
     pub(crate) fn of(options: &impl Keys, scope: KeyScope) -> Self {
         let mut list = Self::new(scope);
         options.describe(&mut list);
         list
     }
 
-    /// The JSON schema of a file with these keys.
+    /// JSON schema of a file with these keys.
     pub(crate) fn schema(&self) -> Map<String, Json> {
         let mut properties = Map::new();
         for row in &self.rows {
@@ -136,14 +136,14 @@ impl KeyList {
     }
 }
 
-/// The schema of a table of these keys alone.
+/// JSON schema of a table that permits these keys only.
 fn object(properties: Map<String, Json>) -> Map<String, Json> {
     let entries =
         [("type", json!("object")), ("properties", Json::Object(properties)), ("additionalProperties", json!(false))];
     entries.map(|(key, value)| (key.to_owned(), value)).into_iter().collect()
 }
 
-/// A value in TOML as JSON.
+/// Converts a value from TOML to JSON.
 fn from_toml(text: &str) -> Json {
     DeValue::parse(text).map_or(Json::Null, |value| plain(value.get_ref()))
 }
@@ -162,13 +162,13 @@ fn plain(value: &DeValue<'_>) -> Json {
     }
 }
 
-/// The lines of a comment up to an empty one, as one.
+/// First paragraph of a comment, as one line.
 fn first_paragraph(comment: &[&str]) -> String {
     let lines: Vec<&str> = comment.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
     lines.join(" ")
 }
 
-/// The examples and defaults of options as an inline table, for an example of all of them together.
+/// Defaults and examples of options as an inline table: an example of all of them together.
 pub(crate) fn example_entries(rows: &[KeyRow]) -> String {
     let shown = rows.iter().filter_map(|row| match &row.printed {
         Printed::Default(text) | Printed::Example(text) => Some(format!("{} = {text}", row.path)),
@@ -177,12 +177,12 @@ pub(crate) fn example_entries(rows: &[KeyRow]) -> String {
     format!("{{ {} }}", shown.collect::<Vec<_>>().join(", "))
 }
 
-/// Radians in degrees without the noise of the last binary digits.
+/// Angle in degrees as TOML, rounded to nine decimals to hide binary rounding.
 pub(crate) fn printed_degrees(radians: f64) -> String {
     printed_number((radians.to_degrees() * 1e9).round() / 1e9)
 }
 
-/// A TOML float.
+/// Number as a TOML float; negative zero becomes zero.
 pub(crate) fn printed_number(value: f64) -> String {
     format!("{:?}", value + 0.0)
 }

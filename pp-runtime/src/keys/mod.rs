@@ -1,10 +1,10 @@
-//! Keys of a configuration file: a stage declares its options once, in a table, and everything else follows.
+//! Keys of a configuration file: each stage declares its options once, in a table.
 //!
-//! [`options!`] makes of a table the struct with its documentation and defaults and its [`Keys`]: how a file is read
-//! into it, and a description of every key, from which `config` prints the commented sample and the schema. What a
-//! value has to be is a [`KeyKind`]; those that one stage alone needs are with that stage.
+//! From the table [`options!`] makes a struct with documentation and defaults, and its [`Keys`]: the function that
+//! reads a file into it, and the description of every key, from which `config` makes the commented sample and the JSON
+//! schema. The type and range of a value are a [`KeyKind`]; a kind that only one stage needs is in that stage.
 //!
-//! This module is below the stages: it knows TOML, diagnostics and the axes of a machine, and no option.
+//! This module is below the stages: it depends on TOML, diagnostics and the axes of a machine, and contains no option.
 
 mod axes;
 mod kinds;
@@ -15,28 +15,28 @@ mod table;
 use serde_json::Value as Json;
 
 pub(crate) use axes::{AxisEntry, AxisSet, PerAxis, along, letters, printed_along, solved};
-pub(crate) use kinds::{Assumed, LengthPoint, ListOf, Measure, OneLine, OneOf, Truth, Whole};
+pub(crate) use kinds::{Assumed, LengthPoint, ListOf, Measure, OneLine, OneOf, Whole, YesNo};
 pub(crate) use list::{KeyList, KeyRow, Printed, example_entries, printed_degrees, printed_number};
 pub(crate) use reader::{Bound, KeyReader, Quantity, TomlValue, list, nearest};
 pub(crate) use table::KeyTable;
 
 use crate::kinematics::{AnyMachine, Axis, Dimension};
 
-/// What keys depend on besides their own value.
+/// Context of the keys: the machine and the controls.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct KeyScope {
     /// Name of the machine.
     pub(crate) machine: &'static str,
-    /// Its axes in chain order.
+    /// Axes of the machine in chain order.
     pub(crate) axes: &'static [Axis],
-    /// Its dimensions.
+    /// Dimensions of the machine.
     pub(crate) dimensions: &'static [Dimension],
-    /// Whether one of the controls has this work offset.
+    /// Whether at least one control has this work offset.
     pub(crate) is_work_offset: fn(&str) -> bool,
 }
 
 impl KeyScope {
-    /// Keys of a machine.
+    /// Context of the keys for a machine.
     pub(crate) fn of(machine: &dyn AnyMachine, is_work_offset: fn(&str) -> bool) -> Self {
         Self { machine: machine.name(), axes: machine.axes(), dimensions: machine.dimensions(), is_work_offset }
     }
@@ -44,50 +44,51 @@ impl KeyScope {
 
 /// Options that a configuration file can set.
 pub(crate) trait Keys {
-    /// Reads every key that the file has.
+    /// Reads every key that is in the file.
     fn read(&mut self, table: &mut KeyTable<'_>, r: &mut KeyReader<'_>);
 
-    /// Describes every key; the values in here are the defaults.
+    /// Adds every key to the list; the values of `self` are the defaults.
     fn describe(&self, list: &mut KeyList);
 }
 
-/// What the value of a key has to be.
+/// Kind of a key: type and range of its value.
 pub(crate) trait KeyKind {
-    /// What is read.
+    /// Type of the value.
     type Value;
 
-    /// Reads a value; what is wrong with it is told.
+    /// Reads a value; reports its faults to `r`.
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value>;
 
-    /// How a default is printed, as TOML.
+    /// Default as TOML.
     fn print(&self, value: &Self::Value) -> String;
 
-    /// The JSON schema of a value.
+    /// JSON schema of the value.
     fn schema(&self, scope: &KeyScope) -> Json;
 
-    /// What an absent value is taken for, where that is a value.
+    /// Value that is assumed if the key is absent, where there is one.
     fn assumed(&self) -> Option<Self::Value> {
         None
     }
 
-    /// How it is printed where the machine decides; `None`: by its default.
+    /// Value in the sample, where it depends on the machine; `None`: the default.
     fn printed(&self, scope: &KeyScope) -> Option<Printed> {
         let _ = scope;
         None
     }
 
-    /// A value counts among the keys that were given. Tables whose entries count by themselves do not.
+    /// Whether the key is listed among the keys that are given. Tables by axis, tool or frame are not: their maps hold
+    /// only what is given.
     fn counts(&self) -> bool {
         true
     }
 }
 
-/// The field of an option: of the type that is read, or an option of it.
+/// Field of an option: of the type of the value, or an `Option` of it.
 pub(crate) trait Slot<V> {
-    /// Takes what was read.
+    /// Sets the value.
     fn put(&mut self, value: V);
 
-    /// What is in it.
+    /// The value, if there is one.
     fn filled(&self) -> Option<&V>;
 }
 
@@ -111,7 +112,7 @@ impl<V> Slot<V> for Option<V> {
     }
 }
 
-/// Reads the value at `path` into a field, if the file has it.
+/// Reads the value at `path` into a field, if the file has that key.
 pub(crate) fn read_into<K: KeyKind>(
     field: &mut impl Slot<K::Value>,
     kind: &K,
@@ -121,35 +122,35 @@ pub(crate) fn read_into<K: KeyKind>(
 ) {
     let Some(value) = table.get(path, r) else { return };
     if table.is_file() && kind.counts() {
-        r.give(path);
+        r.mark_given(path);
     }
     if let Some(read) = kind.read(r, value) {
         field.put(read);
     }
 }
 
-/// Declares options as a table: a struct whose fields are public, its defaults, and its [`Keys`].
+/// Declares options as a table: a struct with public fields, its defaults, and its [`Keys`].
 ///
 /// ```text
 /// options! {
-///     /// How to get to the part.
+///     /// Approach to the part.
 ///     pub struct Approach in "approach" {
-///         /// The approach point is this far from the first point along the tool axis.
+///         /// Distance of the approach point from the first point, along the tool axis.
 ///         distance: f64 = 50.0, key("approach.distance", Measure::length(Bound::Positive));
 ///     }
 /// }
 /// ```
 ///
-/// A row is a field, its type and its default, and then
-/// - `key(path, kind)` or `key(path, kind, example)`: a key of the file. Its comment, up to an empty line, is its
-///   description in the sample and in the schema, and the documentation of the field. The example is shown where there
-///   is no default;
-/// - `also(..)`: the same, described by the row above;
-/// - `keys()`: options of their own;
-/// - nothing: no key of a file.
+/// A row has a field, its type and its default, followed by one of
+/// - `key(path, kind)` or `key(path, kind, example)`: a key of the file. Its comment up to an empty line is its
+///   description in the sample and in the schema, and the documentation of the field. The example is shown if there is no
+///   default;
+/// - `also(..)`: a key that the comment of the row before describes, too;
+/// - `keys()`: the field is a table of options itself;
+/// - nothing: the field is not a key of the file.
 ///
-/// With `in "section"` the comment of the struct heads that section of the sample; with `const NAME` the defaults are
-/// also a constant.
+/// `in "section"`: the comment of the struct is the description of that section. `const NAME`: the defaults are also a
+/// constant.
 macro_rules! options {
     (
         $(#[doc = $about:literal])*

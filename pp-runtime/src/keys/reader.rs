@@ -1,4 +1,4 @@
-//! Values of a configuration file, each fault with its place in the text.
+//! Reads values of a configuration file; reports each fault with its line and column.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -16,10 +16,10 @@ use super::KeyScope;
 /// A value with its place in the text.
 pub(crate) type TomlValue<'a> = &'a Spanned<DeValue<'a>>;
 
-/// Longest length that is taken for one, mm. A typing error, or inches in place of millimetres, shows up here.
+/// Largest plausible length. A larger one is a typing error, or inches are read as millimetres or the reverse.
 const LONGEST_MM: f64 = 1e5;
 
-/// Which numbers make sense.
+/// Range of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Bound {
     /// Every finite number.
@@ -30,52 +30,52 @@ pub(crate) enum Bound {
     Positive,
 }
 
-/// What a number measures.
+/// Quantity that a number measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
-    /// As it stands: rev/min, seconds.
+    /// No conversion: rev/min, seconds.
     Plain,
-    /// The file's unit of length, or that per minute.
+    /// Length in the unit of the file, or speed in that unit per minute.
     Length,
-    /// Degrees, or degrees per minute.
+    /// Angle in degrees, or speed in degrees per minute.
     Angle,
 }
 
-/// A key that nothing asked for.
+/// A key of the file that no option has.
 #[derive(Debug, Clone)]
 pub(crate) struct UnknownKey {
-    /// The table that it is in, empty for the file.
+    /// Name of the table that holds the key; empty for the first level of the file.
     pub(crate) table: String,
-    /// The key.
+    /// Name of the key.
     pub(crate) name: String,
-    /// Its place.
+    /// Place of the key.
     pub(crate) span: Range<usize>,
-    /// What is asked for there.
+    /// Known keys of that table.
     pub(crate) known: Vec<&'static str>,
 }
 
-/// Reads values and collects what is wrong with them.
+/// Reads values and collects their faults.
 pub(crate) struct KeyReader<'t> {
     text: &'t str,
     scope: KeyScope,
-    /// Unit of the file.
+    /// Unit of length of the file.
     units: Units,
-    /// A length was read.
+    /// A length has been read.
     lengths: bool,
     faults: Vec<Diagnostic>,
-    /// Paths of the keys that the file has.
+    /// Paths of the keys in the file.
     given: BTreeSet<&'static str>,
-    /// Keys of the file that nothing asked for.
+    /// Keys of the file that no option has.
     unknown: Vec<UnknownKey>,
     /// Travel of axes that the file states.
     travel: BTreeMap<char, Option<Limits>>,
-    /// Every key that was asked for, with its table.
+    /// Every known key, with its table.
     #[cfg(test)]
     known: Vec<(String, &'static str)>,
 }
 
 impl<'t> KeyReader<'t> {
-    /// A reader of values of this file, in millimetres.
+    /// Returns a reader of a file whose lengths are in millimetres until [`set_units`](Self::set_units).
     pub(crate) fn new(text: &'t str, scope: KeyScope) -> Self {
         Self {
             text,
@@ -96,76 +96,76 @@ impl<'t> KeyReader<'t> {
         self.known.extend(keys.iter().map(|key| (table.to_owned(), *key)));
     }
 
-    /// Every key that was asked for, with its table.
+    /// Every known key, with its table.
     #[cfg(test)]
     pub(crate) fn known(&self) -> &[(String, &'static str)] {
         &self.known
     }
 
-    /// What keys depend on.
+    /// Context of the keys.
     pub(crate) fn scope(&self) -> KeyScope {
         self.scope
     }
 
-    /// Unit of the file.
+    /// Unit of length of the file.
     pub(crate) fn units(&self) -> Units {
         self.units
     }
 
-    /// Every length from here on counts in these.
-    pub(crate) fn count_in(&mut self, units: Units) {
+    /// Sets the unit of all lengths that are read after this call.
+    pub(crate) fn set_units(&mut self, units: Units) {
         self.units = units;
     }
 
-    /// A length was read, in whatever unit.
+    /// Whether a length has been read.
     pub(crate) fn has_lengths(&self) -> bool {
         self.lengths
     }
 
-    /// The file has this key.
-    pub(crate) fn give(&mut self, path: &'static str) {
+    /// Notes that the file has this key.
+    pub(crate) fn mark_given(&mut self, path: &'static str) {
         self.given.insert(path);
     }
 
-    /// The file had this key.
+    /// Whether the file has this key.
     pub(crate) fn is_given(&self, path: &str) -> bool {
         self.given.contains(path)
     }
 
-    /// The keys that the file had.
+    /// Keys in the file.
     pub(crate) fn given(&self) -> &BTreeSet<&'static str> {
         &self.given
     }
 
-    /// The file has a key that nothing asked for.
-    pub(crate) fn leave(&mut self, key: UnknownKey) {
+    /// Notes a key of the file that no option has.
+    pub(crate) fn add_unknown(&mut self, key: UnknownKey) {
         self.unknown.push(key);
     }
 
-    /// Reports the keys that nothing asked for. `above`: those of the file's first level, for the remark that a key is
-    /// below the wrong header.
+    /// Reports the unknown keys. `above`: known keys of the first level of the file, to recognise a key below the wrong
+    /// header.
     pub(crate) fn report_unknown(&mut self, above: &[&str]) {
         for UnknownKey { table, name, span, known } in std::mem::take(&mut self.unknown) {
             let dot = if table.is_empty() { "" } else { "." };
             let path = format!("{table}{dot}{name}");
             if !table.is_empty() && above.contains(&name.as_str()) {
-                let help = format!("`{name}` belongs above the first [header] of the file");
+                let help = format!("`{name}` belongs before the first [section] of the file");
                 self.fault(span, format!("unknown key `{path}`"), Some(help));
             } else if let Some(near) = nearest(&name, known.iter().copied()) {
                 self.fault(span, format!("unknown key `{path}`; did you mean `{near}`?"), None);
             } else {
-                let help = format!("known here are {}", list(known.iter().copied(), '`'));
+                let help = format!("known keys are {}", list(known.iter().copied(), '`'));
                 self.fault(span, format!("unknown key `{path}`"), Some(help));
             }
         }
     }
 
-    /// The file states the travel of an axis; keys that come after it are held against it.
+    /// Notes the travel of an axis as stated in the file; keys that are read later are compared with it.
     pub(crate) fn state_travel(&mut self, axis: char, limits: Option<Limits>) {
         self.travel.insert(axis, limits);
     }
 
-    /// Travel of an axis: as the file states it, else as declared.
+    /// Travel of an axis: as stated in the file, else as the machine declares it.
     pub(crate) fn travel_of(&self, axis: &Axis) -> Option<Limits> {
         self.travel.get(&axis.letter).copied().unwrap_or(axis.limits)
     }
@@ -210,7 +210,7 @@ impl<'t> KeyReader<'t> {
         self.fault(value.span(), format!("{wanted} is needed here, found {found}"), None);
     }
 
-    /// A finite number in mm, rad, or as it stands.
+    /// Reads a finite number and converts it to mm or rad, or leaves it.
     pub(crate) fn number(&mut self, value: TomlValue<'_>, quantity: Quantity, bound: Bound) -> Option<f64> {
         let read = match value.get_ref() {
             DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse::<f64>().ok(),
@@ -243,19 +243,19 @@ impl<'t> KeyReader<'t> {
         })
     }
 
-    /// A length in mm that a machine shop can have.
+    /// Reads a plausible length, mm.
     pub(crate) fn length(&mut self, value: TomlValue<'_>, bound: Bound) -> Option<f64> {
         let length = self.number(value, Quantity::Length, bound)?;
         if length.abs() > LONGEST_MM {
             let metres = length.abs() / 1000.0;
             let help = format!("the unit of this file is `{}`", self.units.name());
-            self.fault(value.span(), format!("this is a length of {metres} m"), Some(help));
+            self.fault(value.span(), format!("a length of {metres} m is not plausible"), Some(help));
             return None;
         }
         Some(length)
     }
 
-    /// A whole number within `range`.
+    /// Reads a whole number within `range`.
     pub(crate) fn whole(&mut self, value: TomlValue<'_>, range: RangeInclusive<u32>) -> Option<u32> {
         let DeValue::Integer(integer) = value.get_ref() else {
             self.wrong_type(value, "a whole number");
@@ -277,7 +277,7 @@ impl<'t> KeyReader<'t> {
         read
     }
 
-    /// Text of one line without control characters.
+    /// Reads one line of text without control characters.
     pub(crate) fn line(&mut self, value: TomlValue<'_>) -> Option<String> {
         let Some(text) = value.get_ref().as_str() else {
             self.wrong_type(value, "text in quotes");
@@ -290,7 +290,7 @@ impl<'t> KeyReader<'t> {
         Some(text.to_owned())
     }
 
-    /// One of a few words.
+    /// Reads one of a few words.
     pub(crate) fn choice<T: Copy>(&mut self, value: TomlValue<'_>, choices: &[(&'static str, T)]) -> Option<T> {
         let Some(text) = value.get_ref().as_str() else {
             self.wrong_type(value, "text in quotes");
@@ -303,12 +303,12 @@ impl<'t> KeyReader<'t> {
                 Some(near) => format!("did you mean \"{near}\"?"),
                 None => format!("write one of {}", list(names, '"')),
             };
-            self.fault(value.span(), format!("\"{text}\" is not known here"), Some(help));
+            self.fault(value.span(), format!("\"{text}\" is not a permitted value"), Some(help));
         }
         found
     }
 
-    /// The elements of a list.
+    /// Reads a list and returns its elements.
     pub(crate) fn list<'a>(&mut self, value: TomlValue<'a>) -> Option<Vec<TomlValue<'a>>> {
         let read = value.get_ref().as_array();
         if read.is_none() {
@@ -317,7 +317,7 @@ impl<'t> KeyReader<'t> {
         read.map(|array| array.iter().collect())
     }
 
-    /// A table of free keys, in the order of the text.
+    /// Reads a table with any keys and returns its entries in the order of the text.
     pub(crate) fn entries<'a>(&mut self, value: TomlValue<'a>) -> Vec<(&'a str, Range<usize>, TomlValue<'a>)> {
         let Some(table) = value.get_ref().as_table() else {
             self.wrong_type(value, "a table");
@@ -329,7 +329,7 @@ impl<'t> KeyReader<'t> {
         entries
     }
 
-    /// The table in a value.
+    /// Reads a table.
     pub(crate) fn table<'a>(&mut self, value: TomlValue<'a>) -> Option<&'a DeTable<'a>> {
         let table = value.get_ref().as_table();
         if table.is_none() {
@@ -339,7 +339,7 @@ impl<'t> KeyReader<'t> {
     }
 }
 
-/// The name that a mistyped one most likely means: at most a third of its letters differ.
+/// Name nearest to a mistyped one; at most a third of its letters may differ.
 pub(crate) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let word = word.to_lowercase();
     names
@@ -349,7 +349,7 @@ pub(crate) fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> O
         .map(|(_, name)| name)
 }
 
-/// `a`, `b`, `c` in quotes of the given kind.
+/// Names in the given quotes, separated by commas.
 pub(crate) fn list<'n>(names: impl Iterator<Item = &'n str>, quote: char) -> String {
     let mut all = String::new();
     for name in names {

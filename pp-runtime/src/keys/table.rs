@@ -1,4 +1,4 @@
-//! A table of fixed keys: whatever is never asked for is unknown.
+//! A table with fixed keys; a key that no option has is unknown.
 
 use std::collections::BTreeMap;
 
@@ -6,9 +6,9 @@ use toml::de::DeTable;
 
 use super::reader::{KeyReader, TomlValue, UnknownKey};
 
-/// The file itself, or a table in it, and the keys that were asked for.
+/// The file or a table in it, with the keys that are known so far.
 pub(crate) struct KeyTable<'a> {
-    /// Empty for the file.
+    /// Name of the table; empty for the file.
     name: String,
     table: Option<&'a DeTable<'a>>,
     known: Vec<&'static str>,
@@ -16,22 +16,22 @@ pub(crate) struct KeyTable<'a> {
 }
 
 impl<'a> KeyTable<'a> {
-    /// The file itself, `name` empty, or a table in it.
+    /// The file (`name` is empty), or a table in it.
     pub(crate) fn new(name: impl Into<String>, table: Option<&'a DeTable<'a>>) -> Self {
         Self { name: name.into(), table, known: Vec::new(), sections: BTreeMap::new() }
     }
 
-    /// The table in `value`; one without keys if there is none.
+    /// The table in `value`; an empty one if `value` is no table.
     pub(crate) fn of(r: &mut KeyReader<'_>, name: impl Into<String>, value: Option<TomlValue<'a>>) -> Self {
         Self::new(name, value.and_then(|value| r.table(value)))
     }
 
-    /// This is the whole file.
+    /// Whether this is the whole file.
     pub(crate) fn is_file(&self) -> bool {
         self.name.is_empty()
     }
 
-    /// The value at a path: a key, or a section and a key of it.
+    /// Value at a path: `key`, or `section.key`.
     pub(crate) fn get(&mut self, path: &'static str, r: &mut KeyReader<'_>) -> Option<TomlValue<'a>> {
         let Some((section, key)) = path.split_once('.') else {
             self.known.push(path);
@@ -44,7 +44,7 @@ impl<'a> KeyTable<'a> {
         self.sections.get_mut(section).and_then(|section| section.get(key, r))
     }
 
-    /// This is all of the table, and all of its sections: any other key is unknown.
+    /// Ends the reading: any key of the table or its sections that was not read is unknown.
     pub(crate) fn close(&self, r: &mut KeyReader<'_>) {
         for section in self.sections.values() {
             section.close(r);
@@ -55,7 +55,7 @@ impl<'a> KeyTable<'a> {
             let (name, span) = (key.get_ref().as_ref(), key.span());
             if !self.known.contains(&name) {
                 let (table, name, known) = (self.name.clone(), name.to_owned(), self.known.clone());
-                r.leave(UnknownKey { table, name, span, known });
+                r.add_unknown(UnknownKey { table, name, span, known });
             }
         }
         if self.is_file() {

@@ -56,6 +56,7 @@ impl<A: Copy + Default> Solutions<A> {
 
 impl<A: Copy> Solutions<A> {
     /// The same solutions with their axis values in another form.
+    #[cfg(feature = "std")]
     #[inline]
     pub(crate) fn map<B: Copy + Default>(&self, convert: impl Fn(&A) -> B) -> Solutions<B> {
         let mut list = [Solution::default(); 2];

@@ -11,7 +11,7 @@ mod words;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-use crate::keys::{Bound, Measure, OneOf, Truth, options};
+use crate::keys::{Bound, Measure, OneOf, YesNo, options};
 use crate::kinematics::Branch;
 use crate::nc::Formats;
 use crate::set_up::SetUp;
@@ -47,7 +47,7 @@ options! {
         /// Wait for the spindle, seconds.
         spindle_dwell: f64 = 0.0, key("spindle_dwell", Measure::plain(Bound::NotNegative).unless(no_dwell));
         /// Retract before STOP and OPSTOP.
-        stop_retract: bool = true, key("stop_retract", Truth);
+        stop_retract: bool = true, key("stop_retract", YesNo);
         /// Where axes go at the end of the program: degrees, and machine coordinates for linear axes. Without it they
         /// stay.
         park: BTreeMap<char, f64> = BTreeMap::new(), key("park", PARK);
@@ -61,7 +61,7 @@ options! {
         /// What is refused or compared.
         guards: GuardOptions = GuardOptions::default(), keys();
         /// LINTOL may be wider than `tolerance`.
-        allow_lintol: bool = false, key("cl.allow_lintol", Truth);
+        allow_lintol: bool = false, key("cl.allow_lintol", YesNo);
         /// What the CL data may leave out.
         defaults: Defaults = Defaults::default(), keys();
         /// How branch and turns of the rotary axes are chosen.
@@ -99,7 +99,7 @@ options! {
         /// `true`: at or above zero.
         prefer: Option<(char, bool)> = None, key("course.prefer", Preference);
         /// Choose motion by motion, without a view ahead.
-        greedy: bool = false, key("course.greedy", Truth);
+        greedy: bool = false, key("course.greedy", YesNo);
         /// Within this angle of the direction that leaves the first rotary free, the tool axis is put there.
         ///
         /// Zero: within what CL data rounds.
@@ -113,7 +113,7 @@ options! {
     pub struct GuardOptions {
         /// Compare the posted length of a tool with the control's tool table at the tool call, where the control can.
         /// Without it where a rotary axis in the head makes the length matter.
-        length_guard: Option<bool> = None, key("length_guard", Truth, "true");
+        length_guard: Option<bool> = None, key("length_guard", YesNo, "true");
         /// By how much the lengths may differ.
         length_tolerance: f64 = 0.01, also("length_tolerance", Measure::length(Bound::Positive).unless(unmeasurable));
         /// Largest spindle speed. Without it speeds are not checked.
@@ -121,7 +121,7 @@ options! {
         /// Lowest Z of the tool tip, in the part as it lies on the table. Without it depths are not checked.
         floor: Option<f64> = None, key("floor", Measure::length(Bound::Any), "0.0");
         /// Refuse CL data in which the tool points into the table throughout.
-        table_check: bool = true, key("table_check", Truth);
+        table_check: bool = true, key("table_check", YesNo);
     }
 }
 

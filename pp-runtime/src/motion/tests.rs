@@ -16,7 +16,8 @@ use crate::motion::{MovingAxes, Navigator, Nowhere, Planner, Sink, Source, Stage
 use crate::motion::{Rapid, Transition, Wrap};
 use crate::program::Units;
 use crate::program::{
-    Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, Plane, Rotation, Spindle, ToolCall, Turning,
+    ClearancePlane, Compensation, Coolant, CutterSide, Dwell, Event, Feed, Location, Move, RotaryDirection, Rotation,
+    Spindle, ToolCall,
 };
 use crate::set_up::GivenTool;
 
@@ -130,7 +131,7 @@ pub(super) fn tool(number: u32) -> Event<'static> {
 }
 
 pub(super) fn spindle() -> Event<'static> {
-    Event::Spindle(Spindle::On { speed: Some(8000.0), rotation: Some(Rotation::Clockwise) })
+    Event::Spindle(Spindle::On { speed_rev_per_min: Some(8000.0), rotation: Some(Rotation::Clockwise) })
 }
 
 pub(super) fn config() -> Config {
@@ -140,7 +141,7 @@ pub(super) fn config() -> Config {
 fn with_lengths(distance: Option<f64>) -> Config {
     let mut config = config();
     for number in 1..=2 {
-        config.set_up.tools.insert(number, GivenTool { length: Some(100.0), ..GivenTool::default() });
+        config.set_up.tools.insert(number, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
     }
     config.motion.retract.distance = distance;
     config

@@ -72,7 +72,7 @@ pub(crate) fn assumptions(
     for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
         let number = tool.call.number;
         let given = config.set_up.tools.get(&number);
-        let speed = given.and_then(|tool| tool.speed).or(config.motion.defaults.speed);
+        let speed = given.and_then(|tool| tool.speed_rev_per_min).or(config.motion.defaults.speed);
         let rotation = given.and_then(|tool| tool.rotation).or(config.motion.defaults.rotation);
         if let (Some(speed), Some(rotation)) = (speed, rotation) {
             let sense = match rotation {
@@ -194,7 +194,7 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
 }
 
 pub(crate) fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
-    config.set_up.tools.get(&tool.call.number).and_then(|given| given.length).or(tool.call.length)
+    config.set_up.tools.get(&tool.call.number).and_then(|given| given.length_mm).or(tool.call.length_mm)
 }
 
 /// One sentence for each reason why limits were not checked.
@@ -271,8 +271,8 @@ impl Header<'_> {
 
     fn around_cuts(&self) -> Option<Stock> {
         let boxes = self.survey.tools.iter().filter_map(|tool| {
-            let given = self.job.config.set_up.tools.get(&tool.call.number).and_then(|given| given.diameter);
-            let radius = given.or(tool.call.diameter).unwrap_or(0.0) / 2.0;
+            let given = self.job.config.set_up.tools.get(&tool.call.number).and_then(|given| given.diameter_mm);
+            let radius = given.or(tool.call.diameter_mm).unwrap_or(0.0) / 2.0;
             let [lower, upper] = tool.cuts?;
             let aside = [radius, radius, 0.0];
             Some((std::array::from_fn(|i| lower[i] - aside[i]), std::array::from_fn(|i| upper[i] + aside[i])))
@@ -382,16 +382,16 @@ impl Header<'_> {
         if let Some(name) = given.and_then(|given| given.name.as_deref()) {
             text += &format!(" {name}");
         }
-        if let Some(diameter) = given.and_then(|given| given.diameter).or(tool.call.diameter) {
+        if let Some(diameter) = given.and_then(|given| given.diameter_mm).or(tool.call.diameter_mm) {
             text += &format!(" D{}", self.length(diameter));
         }
-        if let Some(radius) = tool.call.corner_radius {
+        if let Some(radius) = tool.call.corner_radius_mm {
             text += &format!(" R{}", self.length(radius));
         }
         let length = length(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
         let registers = &self.job.control.spellings().length;
-        let offset = given.and_then(|given| given.offset).or(tool.call.offset);
+        let offset = given.and_then(|given| given.offset).or(tool.call.length_offset);
         let register = match registers.registers.of_tool(number, offset) {
             Some(offset) if !registers.address.is_empty() => format!("{}{offset}", registers.address),
             _ => "the tool table".to_owned(),

@@ -16,7 +16,7 @@ mod tests;
 
 use std::io::{self, Read, Seek, SeekFrom, Write};
 
-use crate::cl::{self, ReadSeek, Reader};
+use crate::cl::{self, ClReader, ReadSeek};
 use crate::config::Config;
 use crate::control::{self, Control, Encoder, Layout};
 use crate::diag::{Diagnostic, Remarks, Severity, grouped};
@@ -302,9 +302,9 @@ impl<'a> ClText<'a> {
         Ok(Self { job, input, start })
     }
 
-    fn options(&self) -> cl::Options {
+    fn options(&self) -> cl::ReadingOptions {
         let config = self.job.config;
-        cl::Options { units: self.job.units.or(config.cl_units), ..config.cl.clone() }
+        cl::ReadingOptions { units: self.job.units.or(config.cl_units), ..config.cl.clone() }
     }
 
     /// The first pass; without a machine there is no course.
@@ -316,10 +316,10 @@ impl<'a> ClText<'a> {
     }
 
     /// A reader at the start.
-    fn reader(&mut self) -> Result<Reader<&mut dyn ReadSeek>, PostError> {
+    fn reader(&mut self) -> Result<ClReader<&mut dyn ReadSeek>, PostError> {
         self.input.seek(SeekFrom::Start(self.start)).map_err(PostError::Input)?;
         let options = self.options();
-        Ok(Reader::new(&mut *self.input, options))
+        Ok(ClReader::new(&mut *self.input, options))
     }
 }
 
@@ -342,7 +342,7 @@ impl Pass<'_> {
     }
 
     /// Which rotary axes stay still for how long: the whole program is planned and nothing written.
-    fn rehearse(&self, reader: Reader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
+    fn rehearse(&self, reader: ClReader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
         let mut planner = self.planner(course, Nowhere);
         // What goes wrong here goes wrong again when the program is written, and is reported then.
         let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
@@ -352,7 +352,7 @@ impl Pass<'_> {
     /// The last pass: header, program, and end code.
     fn write<W: Write>(
         &self,
-        reader: Reader<impl Read>,
+        reader: ClReader<impl Read>,
         recorded: Recorded<'_, '_, W>,
         course: Course,
         moving: MovingAxes,
@@ -388,7 +388,7 @@ impl Pass<'_> {
     /// Plans the CL data from its first event to its last, or to the first error of the reader.
     fn plan<S: Sink>(
         &self,
-        mut reader: Reader<impl Read>,
+        mut reader: ClReader<impl Read>,
         planner: &mut Planner<'_, S>,
         remarks: &mut Remarks,
     ) -> Result<Result<(), Stop>, PostError> {

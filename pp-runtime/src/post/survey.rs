@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 use nalgebra::UnitVector3;
 
-use crate::cl::{ArcVote, Dialect, Options, Reader};
+use crate::cl::{ArcVote, ClReader, Dialect, ReadingOptions};
 use crate::config::{list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Pose};
@@ -58,7 +58,7 @@ pub(crate) struct FileFacts {
 }
 
 impl FileFacts {
-    fn of<R: Read>(reader: &Reader<R>) -> Self {
+    fn of<R: Read>(reader: &ClReader<R>) -> Self {
         Self {
             units: reader.units(),
             units_only_given: reader.units_are_only_given(),
@@ -119,11 +119,11 @@ impl Survey {
     pub(crate) fn take(
         machine: &dyn AnyMachine,
         input: impl Read,
-        options: Options,
+        options: ReadingOptions,
         policy: Policy<'_>,
         navigator: Option<Navigator>,
     ) -> io::Result<Self> {
-        let mut reader = Reader::new(input, options);
+        let mut reader = ClReader::new(input, options);
         let mut source = Source::new(machine, policy);
         let surveyor = Surveyor::new(policy.options.operations.clone(), machine.tool_axis());
         let mut pass = FirstPass { surveyor, navigator };
@@ -280,7 +280,7 @@ impl Surveyor {
             | Event::Home
             | Event::ClearancePlane(_)
             | Event::Tolerance(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::OptionalStop
             | Event::Stop
@@ -454,10 +454,10 @@ impl Survey {
             self.tools.len() - 1
         });
         let known = &mut self.tools[index].call;
-        known.length = known.length.or(call.length);
-        known.offset = known.offset.or(call.offset);
-        known.diameter = known.diameter.or(call.diameter);
-        known.corner_radius = known.corner_radius.or(call.corner_radius);
+        known.length_mm = known.length_mm.or(call.length_mm);
+        known.length_offset = known.length_offset.or(call.length_offset);
+        known.diameter_mm = known.diameter_mm.or(call.diameter_mm);
+        known.corner_radius_mm = known.corner_radius_mm.or(call.corner_radius_mm);
         index
     }
 }

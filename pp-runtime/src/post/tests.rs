@@ -8,7 +8,7 @@ use super::*;
 use crate::control::{Heidenhain, LinuxCnc, Siemens};
 use crate::motion::machines::{Cb, Head, Xyz};
 use crate::motion::{Mode, Operations, Wrap};
-use crate::program::{Clearance, Plane, Rotation};
+use crate::program::{Clearance, ClearancePlane, Rotation};
 use crate::set_up::GivenTool;
 
 const PART: &str = "\
@@ -87,7 +87,7 @@ fn a_heidenhain_program_begins_with_the_blank_of_the_configuration_or_a_box_arou
     // Cuts from X 0 to 25, Y 0 to 8, Z -3 to 0 with a cutter of 10 mm.
     assert_eq!(blank(|_| {}, PART), ["1 BLK FORM 0.1 Z X-5 Y-5 Z-3", "2 BLK FORM 0.2 X+30 Y+13 Z+0"]);
     let wider: fn(&mut Config) = |config| {
-        config.set_up.tools.insert(1, GivenTool { diameter: Some(12.0), ..GivenTool::default() });
+        config.set_up.tools.insert(1, GivenTool { diameter_mm: Some(12.0), ..GivenTool::default() });
     };
     assert_eq!(blank(wider, PART)[0], "1 BLK FORM 0.1 Z X-6 Y-6 Z-3");
     let given: fn(&mut Config) = |config| {
@@ -168,7 +168,7 @@ fn the_header_says_what_the_program_is_valid_for() {
     config.set_up.part_origin = [1.0, 2.0, 50.25];
     config.set_up.tools.insert(
         1,
-        GivenTool { name: Some("END MILL".into()), length: Some(80.0), offset: Some(21), ..GivenTool::default() },
+        GivenTool { name: Some("END MILL".into()), length_mm: Some(80.0), offset: Some(21), ..GivenTool::default() },
     );
     config.given.insert("part_origin");
     let (text, _) = posted::<Cb>(&config, PART);
@@ -378,7 +378,8 @@ fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it(
     let upright = PART.replace("TOOL PATH/SIDE", "GOTO/25,0,9\nTOOL PATH/SIDE");
     let mut config = Config::default();
     config.motion.guards.floor = Some(-3.0);
-    config.motion.retract.clearance = Some(Clearance::Plane(Plane { normal: Vector3::z_axis(), distance: 30.0 }));
+    config.motion.retract.clearance =
+        Some(Clearance::Plane(ClearancePlane { normal: Vector3::z_axis(), distance_mm: 30.0 }));
     let (expected, report) = posted::<Cb>(&config, &upright);
     assert!(!report.failed && report.set_up.is_empty(), "{report:?}");
     config.set_up.part_rotation =

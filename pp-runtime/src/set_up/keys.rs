@@ -1,4 +1,4 @@
-//! Keys of the set-up that are tables by axis, tool or frame, or have a form of their own.
+//! Kinds of keys of the set-up: tables by axis, tool or frame, and values that only the set-up has.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -14,13 +14,13 @@ use crate::kinematics::{AxisKind, Dimension, DimensionKind, Limits};
 
 use super::{GivenTool, LARGEST_TOOL, Stock};
 
-/// Work offsets that every file may name, for the help.
+/// Work offsets that the help lists.
 const WORK_OFFSETS: [&str; 9] = ["G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"];
 
-/// A whole turn more or less is none, rad.
-const LARGEST_OFFSET: f64 = std::f64::consts::TAU * (1.0 + 1e-12);
+/// Largest rotary offset, one revolution.
+const LARGEST_OFFSET_RAD: f64 = std::f64::consts::TAU * (1.0 + 1e-12);
 
-/// A work offset that one of the controls has; which one has it is seen when it is chosen.
+/// Kind of key: a work offset that at least one control has. Whether the control of the job has it is checked later.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OffsetWord;
 
@@ -45,7 +45,7 @@ impl KeyKind for OffsetWord {
     }
 }
 
-/// Work offsets of frames by their numbers.
+/// Kind of key: work offsets by frame number.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FrameOffsets;
 
@@ -53,7 +53,7 @@ impl KeyKind for FrameOffsets {
     type Value = BTreeMap<u32, String>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<u32, String>> {
-        let help = "frames count from 1 in the order of the CL data: 2 = \"G55\"";
+        let help = "frames are numbered from 1 in the order of the CL data: 2 = \"G55\"";
         let mut frames = BTreeMap::new();
         for (key, span, value) in r.entries(value) {
             match number(key, 1..=u32::MAX) {
@@ -81,7 +81,7 @@ impl KeyKind for FrameOffsets {
     }
 }
 
-/// Tools by their numbers.
+/// Kind of key: tools by tool number.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ToolTable;
 
@@ -91,7 +91,7 @@ impl KeyKind for ToolTable {
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<BTreeMap<u32, GivenTool>> {
         let mut tools = BTreeMap::new();
         for (key, span, value) in r.entries(value) {
-            // Leading zeros would let one tool stand in two tables.
+            // With leading zeros two tables could describe one tool.
             let Some(number) = number(key, 1..=LARGEST_TOOL) else {
                 let help = format!("tools are tables with a number from 1 to {LARGEST_TOOL}: [tools.12]");
                 r.fault(span, format!("`{key}` is not the number of a tool"), Some(help));
@@ -124,7 +124,7 @@ impl KeyKind for ToolTable {
     }
 }
 
-/// Corners of the blank: both, or none.
+/// Kind of key: the two corners of the blank.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct BlankCorners;
 
@@ -144,7 +144,7 @@ impl KeyKind for BlankCorners {
             return None;
         };
         if (0..3).any(|index| lower[index] >= upper[index]) {
-            r.fault(value.span(), "this blank is empty: `lower` is its lowest corner", None);
+            r.fault(value.span(), "this blank is empty: each value of `lower` must be below that of `upper`", None);
             return None;
         }
         Some(Stock { lower, upper })
@@ -174,7 +174,7 @@ impl KeyKind for BlankCorners {
     }
 }
 
-/// Dimensions of the machine.
+/// Kind of key: dimensions of the machine, by name.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DimensionTable;
 
@@ -230,13 +230,13 @@ impl KeyKind for DimensionTable {
     }
 }
 
-/// What the words of rotary axes count from.
+/// Rotary offsets: the axis value at which the word of a rotary axis is zero.
 pub(crate) const ROTARY_OFFSET: PerAxis<f64> = PerAxis {
     axes: AxisSet::Solved,
     section: false,
     read: |r, entry| {
         let offset = r.number(entry.value, Quantity::Angle, Bound::Any)?;
-        if offset.abs() > LARGEST_OFFSET {
+        if offset.abs() > LARGEST_OFFSET_RAD {
             r.fault(entry.value.span(), "an offset of at most 360 degrees is needed here", None);
         }
         Some(offset)
@@ -245,14 +245,14 @@ pub(crate) const ROTARY_OFFSET: PerAxis<f64> = PerAxis {
     schema: any_number,
 };
 
-/// Machine coordinates of linear axes at zero.
+/// Machine coordinates of the linear axes at the zero position.
 pub(crate) const MACHINE_ZERO: PerAxis<f64> = PerAxis {
     axes: AxisSet::All,
     section: false,
     read: |r, AxisEntry { axis, span, value }| {
         if axis.kind == AxisKind::Rotary {
             let linear = letters(r.scope().axes, |axis| axis.kind == AxisKind::Linear);
-            let text = format!("{} turns; `machine_zero` is for linear axes", axis.letter);
+            let text = format!("{} is a rotary axis; `machine_zero` is for linear axes", axis.letter);
             r.fault(span.clone(), text, Some(format!("linear axes are {linear}")));
             return None;
         }
@@ -262,7 +262,7 @@ pub(crate) const MACHINE_ZERO: PerAxis<f64> = PerAxis {
     schema: any_number,
 };
 
-/// Travel: `[lowest, highest]`, or `"free"`.
+/// Travel of the axes: `[lowest, highest]`, or `"free"`.
 pub(crate) const LIMITS: PerAxis<Option<Limits>> = PerAxis {
     axes: AxisSet::All,
     section: true,
@@ -284,7 +284,7 @@ pub(crate) const LIMITS: PerAxis<Option<Limits>> = PerAxis {
     },
 };
 
-/// Largest speeds.
+/// Largest speeds of the axes.
 pub(crate) const SPEEDS: PerAxis<f64> = PerAxis {
     axes: AxisSet::All,
     section: true,
@@ -303,12 +303,12 @@ fn any_number() -> Json {
     json!({ "type": "number" })
 }
 
-/// A table whose keys are numbers.
+/// JSON schema of a table whose keys are numbers.
 fn numbered(value: &Json) -> Json {
     json!({ "type": "object", "patternProperties": { "^[1-9][0-9]*$": value }, "additionalProperties": false })
 }
 
-/// A number in a range, written without leading zeros.
+/// Reads a key that is a number within a range, without leading zeros.
 fn number(key: &str, range: RangeInclusive<u32>) -> Option<u32> {
     key.parse().ok().filter(|number: &u32| range.contains(number) && number.to_string() == key)
 }
@@ -320,7 +320,7 @@ fn read_limits(r: &mut KeyReader<'_>, entry: &AxisEntry<'_>) -> Option<Option<Li
     }
     let numbers = r.list(value)?;
     let &[lower, upper] = numbers.as_slice() else {
-        r.fault(value.span(), "a travel is [lowest, highest] or \"free\"", None);
+        r.fault(value.span(), "the travel of an axis is [lowest, highest] or \"free\"", None);
         return None;
     };
     let [lower, upper] = [lower, upper].map(|number| along(r, axis, number, Bound::Any));

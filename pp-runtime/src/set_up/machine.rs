@@ -1,20 +1,21 @@
-//! A set-up applied to a machine: its dimensions, travel and speeds for this job.
+//! Applies a set-up to a machine: dimensions, travel and speeds for this job.
 
 use crate::kinematics::{AnyMachine, Axis, Invalid, Limits, Machine};
 
 use super::SetUp;
 
-/// Travel and speeds of the axes for one job, in chain order: the planner's own copy of what the machine declares.
+/// Travel and speeds of the axes for one job, in chain order. The planner uses these, not the declaration of the
+/// machine.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AxisBounds {
-    /// mm or rad, inclusive; `None` is endless. Linear limits are machine coordinates.
+    /// Travel in mm or rad, inclusive; `None`: endless. Limits of linear axes are machine coordinates.
     pub limits: Vec<Option<Limits>>,
-    /// mm/min or rad/min; `None` is unlimited.
+    /// Largest speed in mm/min or rad/min; `None`: unlimited.
     pub speeds: Vec<Option<f64>>,
 }
 
 impl SetUp {
-    /// The machine with this job's dimensions and part origin; the gauge length is set at each tool.
+    /// Returns the machine with the dimensions and the part origin of this job. The gauge length is set at each tool.
     ///
     /// # Errors
     /// [`Invalid`] if the machine's formulas do not hold for these dimensions.
@@ -44,7 +45,7 @@ impl SetUp {
         machine.validate()
     }
 
-    /// Travel and speeds of the machine's axes: as declared, unless this set-up says otherwise.
+    /// Travel and speeds of the axes: as this set-up states them, else as the machine declares them.
     #[must_use]
     pub fn travel(&self, axes: &[Axis]) -> AxisBounds {
         AxisBounds {

@@ -1,8 +1,8 @@
-//! What is true of machine, part and shop today, and what several stages read: where the part lies, what words count
-//! from, which tools there are, how the machine differs from its declaration.
+//! Set-up of a job: position of the part, zero points, tools, and dimensions of the machine that differ from its
+//! declaration.
 //!
-//! Data only, in mm, rad and mm/min, and the table of its keys. Nothing here plans or writes; whatever a single stage
-//! decides by is an option of that stage.
+//! Data in mm, rad and mm/min that several stages read, and the table of its keys. Nothing is planned or written here.
+//! An option that only one stage reads belongs to that stage.
 
 mod keys;
 mod machine;
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use nalgebra::Rotation3;
 
 use crate::cl::ClPoint;
-use crate::keys::{Bound, LengthPoint, Measure, OneLine, OneOf, Truth, Whole, options};
+use crate::keys::{Bound, LengthPoint, Measure, OneLine, OneOf, Whole, YesNo, options};
 use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
 
@@ -27,19 +27,19 @@ pub use machine::AxisBounds;
 options! {
     /// Machine, part and shop of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.
     pub struct SetUp {
-        /// Part zero from the table's reference point, along the table's directions.
+        /// Position of the part zero from the reference point of the table, along X, Y and Z of the table.
         part_origin: [f64; 3] = [0.0; 3], key("part_origin", LengthPoint);
-        /// How the part lies on the table: the CL data is turned by `[rx, ry, rz]` degrees about X, then Y, then Z of
-        /// the table, or by the rows of a matrix. `floor`, `retract.clearance` and the tips in the header count in the
-        /// part as it lies.
+        /// Orientation of the part on the table: the CL data is rotated by `[rx, ry, rz]` degrees about X, then Y, then Z
+        /// of the table, or by a matrix given in rows. `floor`, `retract.clearance` and the tips in the header refer to
+        /// the part as it lies on the table.
         part_rotation: Rotation3<f64> = Rotation3::identity(), key("part_rotation", PartRotation);
-        /// The written word of a rotary axis is its value minus this; limits hold for the value. The other rotary
-        /// entries of the work offset must be zero.
+        /// Offset of rotary axes: the word in the program is the axis value minus this offset; limits hold for the axis
+        /// value. The other rotary entries of the work offset must be zero.
         rotary_offset: BTreeMap<char, f64> = BTreeMap::new(), key("rotary_offset", ROTARY_OFFSET);
-        /// Linear words count from the "part" zero, or from the reference point of the "table".
+        /// Zero point of the linear words: the "part" zero, or the reference point of the "table".
         program_zero: ProgramZero = ProgramZero::Part, key("program_zero", OneOf(&ProgramZero::NAMES));
-        /// Linear words say where the "tip" is with all rotary axes at zero and the length offset active, or where the
-        /// "gauge" line is, without length offset.
+        /// Point of the tool to which linear words refer: the "tip", with all rotary axes at zero and the length offset
+        /// active, or the "gauge" line, without length offset.
         length_mode: LengthMode = LengthMode::Tip, key("length_mode", OneOf(&LengthMode::NAMES));
         /// Work offset of the control: "G54", and "G59.1" (LinuxCNC), "G54.1 P3" (Fanuc), "G154 P3" (Haas), "G505"
         /// (Siemens) or the row of the datum table, "3" (Heidenhain; G54 to G59 are rows 1 to 6).
@@ -49,12 +49,11 @@ options! {
         machine_zero: BTreeMap<char, f64> = BTreeMap::new(), key("machine_zero", MACHINE_ZERO);
         /// Work offsets of frames other than the first, with frames = "offset".
         frames: BTreeMap<u32, String> = BTreeMap::new(), key("frames", FrameOffsets);
-        /// Corners of the blank as it lies on the table, for the pictures of a Heidenhain control (BLK FORM). Without
-        /// them a box around all cuts.
+        /// Corners of the blank as it lies on the table, for the graphics of a Heidenhain control (BLK FORM). Without them
+        /// a box around all cuts is output.
         stock: Option<Stock> = None, key("stock", BlankCorners);
-        /// Tools by number. `length` is from the gauge line to the tip, `offset` and `radius_offset` the registers of
-        /// length and radius where they are not the tool's number; `speed`, `direction` and `coolant` as in
-        /// `[defaults]`.
+        /// Tools by tool number. `length` is from the gauge line to the tip; `offset` and `radius_offset` are the registers
+        /// of length and radius if they are not the tool number; `speed`, `direction` and `coolant` as in `[defaults]`.
         tools: BTreeMap<u32, GivenTool> = BTreeMap::new(), key("tools", ToolTable);
         /// Dimensions of the machine where they differ from its declaration.
         dimensions: BTreeMap<String, f64> = BTreeMap::new(), key("dimensions", DimensionTable);
@@ -67,36 +66,36 @@ options! {
 }
 
 options! {
-    /// What is known about one tool besides the CL data; everything defaults to unknown.
+    /// Data of one tool, in addition to the CL data. Every key defaults to unknown.
     pub struct GivenTool {
-        /// From gauge line to tip.
-        length: Option<f64> = None, key("length", Measure::length(Bound::NotNegative), "148.32");
+        /// Gauge length: from the gauge line to the tip.
+        length_mm: Option<f64> = None, key("length", Measure::length(Bound::NotNegative), "148.32");
         /// Cutting diameter; only compared with the CL data.
-        diameter: Option<f64> = None, key("diameter", Measure::length(Bound::Positive), "10.0");
-        /// Length offset register (H), where it is not the tool's number or what the CL data says.
+        diameter_mm: Option<f64> = None, key("diameter", Measure::length(Bound::Positive), "10.0");
+        /// Length offset register (H), if it is neither programmed in the CL data nor the tool number.
         offset: Option<u32> = None, key("offset", Whole(1..=LARGEST_TOOL), "12");
-        /// Register of its radius (D), where it is not what CUTCOM says or the tool's number.
+        /// Radius offset register (D), if it is neither programmed in CUTCOM nor the tool number.
         radius_offset: Option<u32> = None, key("radius_offset", Whole(1..=LARGEST_TOOL), "12");
-        /// Name for header and comments.
+        /// Name of the tool for header and comments.
         name: Option<String> = None, key("name", OneLine, "\"ball 10\"");
-        /// Cuts turning counter-clockwise.
-        left_handed: bool = false, key("left_handed", Truth);
-        /// Spindle speed where the CL data gives none, rev/min.
-        speed: Option<f64> = None, key("speed", Measure::plain(Bound::Positive), "8000");
-        /// Sense of rotation where the CL data gives none: CLW (M3) or CCLW (M4).
+        /// Left-hand tool: it cuts with counter-clockwise rotation.
+        left_handed: bool = false, key("left_handed", YesNo);
+        /// Spindle speed, rev/min, if the CL data programs none.
+        speed_rev_per_min: Option<f64> = None, key("speed", Measure::plain(Bound::Positive), "8000");
+        /// Sense of rotation, if the CL data programs none: CLW (M3) or CCLW (M4).
         rotation: Option<Rotation> = None, key("direction", OneOf(&ROTATIONS), "\"CLW\"");
-        /// The kind that COOLNT/ON means for this tool.
+        /// Kind of coolant that COOLNT/ON means for this tool.
         coolant: Option<Coolant> = None, key("coolant", OneOf(&COOLANTS), "\"flood\"");
-        /// The point that the CL data programs, for this tool: "tip", or "centre" of the corner radius.
+        /// Point of this tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: Option<ClPoint> = None, key("cl_point", OneOf(&ClPoint::NAMES), "\"tip\"");
     }
 }
 
-/// Senses of the spindle by their names.
+/// Senses of rotation of the spindle, by name.
 pub(crate) const ROTATIONS: [(&str, Rotation); 2] =
     [("CLW", Rotation::Clockwise), ("CCLW", Rotation::CounterClockwise)];
 
-/// Kinds of coolant by their names.
+/// Kinds of coolant, by name.
 pub(crate) const COOLANTS: [(&str, Coolant); 4] =
     [("flood", Coolant::Flood), ("mist", Coolant::Mist), ("through", Coolant::Through), ("air", Coolant::Air)];
 
@@ -104,22 +103,22 @@ pub(crate) const COOLANTS: [(&str, Coolant); 4] =
 pub(crate) const LARGEST_TOOL: u32 = 99_999;
 
 impl SetUp {
-    /// `[rx, ry, rz]` of `part_rotation`, degrees, to nine decimals.
+    /// `part_rotation` as `[rx, ry, rz]` in degrees, rounded to nine decimals.
     pub(crate) fn part_angles(&self) -> [f64; 3] {
         part_rotation::angles(&self.part_rotation)
     }
 }
 
-/// A box around the blank, for the pictures of a control, mm.
+/// Box around the blank, mm, for the graphics of the control.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stock {
-    /// Its lowest corner.
+    /// Corner with the smallest X, Y and Z.
     pub lower: [f64; 3],
-    /// Its highest corner.
+    /// Corner with the largest X, Y and Z.
     pub upper: [f64; 3],
 }
 
-/// Where linear words count from.
+/// Zero point of the linear words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProgramZero {
     /// The part zero.
@@ -128,12 +127,12 @@ pub enum ProgramZero {
     Table,
 }
 
-/// What linear words say of the tool.
+/// Point of the tool to which linear words refer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthMode {
-    /// Where its tip is at the zero position of the rotary axes; the length offset is active.
+    /// The tool tip, with all rotary axes at zero; the length offset is active.
     Tip,
-    /// Where its gauge line is; no length offset is active.
+    /// The gauge line; no length offset is active.
     Gauge,
 }
 

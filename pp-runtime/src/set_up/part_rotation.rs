@@ -1,17 +1,17 @@
-//! How the part lies on the table: angles, or the rows of a matrix.
+//! Kind of key: orientation of the part on the table, as three angles or as a rotation matrix.
 
 use nalgebra::{Matrix3, Rotation3};
 use serde_json::{Value as Json, json};
 
 use crate::keys::{Bound, KeyKind, KeyReader, KeyScope, Quantity, TomlValue, printed_number};
 
-/// A matrix may miss a rotation by this much: seven digits.
+/// Largest permitted deviation of a matrix from a rotation: rounding to seven digits.
 const ROUNDED: f64 = 1e-6;
 
 const ROTATION: &str =
     "write three angles in degrees, `[rx, ry, rz]`, or the three rows of a matrix, `[[1, 0, 0], [0, 1, 0], [0, 0, 1]]`";
 
-/// How the part lies: three angles, or the rows of a matrix.
+/// Kind of key: three angles, or the rows of a rotation matrix.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PartRotation;
 
@@ -32,7 +32,7 @@ impl KeyKind for PartRotation {
     }
 }
 
-/// `[rx, ry, rz]`, degrees, for `Rz·Ry·Rx`, or the rows of a matrix.
+/// Reads `[rx, ry, rz]` in degrees for `Rz·Ry·Rx`, or the rows of a matrix.
 fn part_rotation(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Rotation3<f64>> {
     let entries = r.list(value)?;
     let [x, y, z] = entries[..] else {
@@ -51,7 +51,7 @@ fn part_rotation(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Rotation
     Some(Rotation3::from_matrix_unchecked(about_z * about_y * about_x))
 }
 
-/// Sine and cosine of an angle in degrees; exact where the table is turned by quarters.
+/// Sine and cosine of an angle in degrees; exact at multiples of 90 degrees.
 fn sine_and_cosine(degrees: f64) -> (f64, f64) {
     let rest = degrees.rem_euclid(360.0);
     match [0.0, 90.0, 180.0, 270.0].iter().position(|quarter| (rest - quarter).abs() < f64::EPSILON) {
@@ -78,10 +78,10 @@ fn matrix(r: &mut KeyReader<'_>, value: TomlValue<'_>, rows: [TomlValue<'_>; 3])
     let off = (matrix * matrix.transpose() - Matrix3::identity()).abs().max();
     let wrong = match matrix.determinant() {
         _ if off.is_nan() || off > ROUNDED => {
-            Some(format!("this matrix is no rotation: its rows miss unit length or right angles by {off:.1e}"))
+            Some(format!("this matrix is no rotation: its rows differ from perpendicular unit vectors by {off:.1e}"))
         }
         determinant if determinant < 0.0 => {
-            Some("this matrix mirrors the part: one of its rows points the other way".to_owned())
+            Some("this matrix mirrors the part: one of its rows has the wrong sign".to_owned())
         }
         _ => None,
     };
@@ -89,13 +89,14 @@ fn matrix(r: &mut KeyReader<'_>, value: TomlValue<'_>, rows: [TomlValue<'_>; 3])
         r.fault(value.span(), wrong, Some(ROTATION.to_owned()));
         return None;
     }
-    // The nearest rotation: half of what is left is taken away twice as fast with every step.
+    // The nearest rotation, by the polar decomposition: M <- (M + M^-T) / 2, which converges quadratically; two steps
+    // are enough from `ROUNDED`.
     let inverse = |matrix: Matrix3<f64>| matrix.try_inverse().unwrap_or(matrix);
     let nearest = (0..2).fold(matrix, |matrix, _| (matrix + inverse(matrix.transpose())) * 0.5);
     Some(Rotation3::from_matrix_unchecked(if off > 0.0 { nearest } else { matrix }))
 }
 
-/// `[rx, ry, rz]`, degrees, to nine decimals.
+/// Angles `[rx, ry, rz]` of a rotation, degrees, rounded to nine decimals.
 pub(crate) fn angles(rotation: &Rotation3<f64>) -> [f64; 3] {
     let (x, y, z) = rotation.euler_angles();
     [x, y, z].map(|angle| (angle.to_degrees() * 1e9).round() / 1e9 + 0.0)

@@ -2,15 +2,15 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use pp_runtime::cl::{ClPoint, Dialect, FeedLabel, Frames, Insert, Options, Reader};
+use pp_runtime::cl::{ClPoint, ClReader, Dialect, FeedLabel, Frames, Insert, ReadingOptions};
 use pp_runtime::program::{Event, Units};
 
 /// The first two bytes choose the options.
-fn options(choice: [u8; 2]) -> Options {
+fn options(choice: [u8; 2]) -> ReadingOptions {
     let bit = |index: usize| choice[index / 8] & (1 << (index % 8)) != 0;
     let dialects =
         [None, Some(Dialect::Nx), Some(Dialect::SolidWorks), Some(Dialect::Creo), Some(Dialect::Catia), Some(Dialect::Iso)];
-    Options {
+    ReadingOptions {
         units: bit(0).then_some(Units::Millimetres),
         dialect: dialects[usize::from(choice[1] >> 5) % dialects.len()],
         columns: bit(1).then_some(72),
@@ -23,13 +23,13 @@ fn options(choice: [u8; 2]) -> Options {
         cl_point: if bit(10) { ClPoint::Centre } else { ClPoint::Tip },
         auxfun: vec![1, 10],
         prefun: vec![4, 64],
-        ..Options::default()
+        ..ReadingOptions::default()
     }
 }
 
 fuzz_target!(|data: &[u8]| {
     let Some((choice, text)) = data.split_first_chunk::<2>() else { return };
-    let mut reader = Reader::new(text, options(*choice));
+    let mut reader = ClReader::new(text, options(*choice));
     while let Some((place, event)) = reader.next_event().expect("memory is readable") {
         assert!(place.line >= 1 && place.column >= 1);
         if let Event::Move(motion) = event {
@@ -37,7 +37,7 @@ fuzz_target!(|data: &[u8]| {
             assert!((motion.pose.axis.norm() - 1.0).abs() < 1e-9);
         }
         if let Event::Arc(arc) = event {
-            assert!(arc.angle.is_finite() && arc.angle > 0.0);
+            assert!(arc.angle_rad.is_finite() && arc.angle_rad > 0.0);
         }
     }
     for found in reader.diagnostics() {

@@ -1,53 +1,54 @@
-//! Circles that are open, and the arc from one point to the next.
+//! Arcs: a CIRCLE with the GOTO that ends it, and a TLON with the AUTOPS and INDIRV before it.
 //!
-//! A CIRCLE waits for the GOTO that ends its arc; AUTOPS and INDIRV wait for the TLON whose arc they begin. CAM systems
-//! disagree on the sign of a CIRCLE's axis, and the count of its numbers tells which habit a file has.
+//! CAM systems disagree on the sign of the axis of a CIRCLE. The count of its numbers decides: 6 and 7 mean
+//! counter-clockwise about the axis, 11 mean clockwise.
 
 use std::f64::consts::TAU;
 
-use super::change::Changes;
 use super::options::Sense;
 use super::permitted::Permitted;
+use super::transform::Transforms;
 use crate::cl::record::{CircleForm, CircleRecord, TangentArc};
 use crate::cl::text::{ClFault, Span};
-use crate::cl::vector::near;
+use crate::cl::vector::within_a_kilometre;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Arc, Feed};
 
-/// Sine of the largest angle between INDIRV and the tangent of its circle.
+/// Sine of the largest permitted angle between INDIRV and the tangent of its circle.
 const TANGENT: f64 = 1e-2;
 
-/// Largest deviation of an end from the radius or the plane of its circle, mm; real files stay below a tenth of it.
+/// Largest permitted distance of the end of an arc from the radius or the plane of its circle. Real files stay below a
+/// tenth of it.
 pub(crate) const ARC_TOLERANCE_MM: f64 = 0.005;
 
-/// Points closer than this are one point, mm.
+/// Distance below which two points are the same.
 const SAME_POINT_MM: f64 = 1e-6;
 
-/// A chord this short may be rounding, mm: an arc over it may be nothing or a whole turn.
+/// Chord length below which the ends of an arc may differ by rounding alone: the arc may be empty or a full circle.
 const SHORTEST_CHORD_MM: f64 = 5e-4;
 
-/// A circle in the workpiece frame that waits for its end.
+/// A circle in the workpiece frame whose end is not read yet.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct WaitingCircle {
     centre: Point3<f64>,
-    /// As in the file: the sense counts about it.
+    /// Axis as in the file; `sense` is about this axis.
     axis: UnitVector3<f64>,
     sense: Sense,
-    radius: Option<f64>,
+    radius_mm: Option<f64>,
     times: u32,
-    /// Angle that the arc must have, rad.
-    angle: Option<f64>,
+    /// Angle that the arc must have (MOVARC).
+    angle_rad: Option<f64>,
     line: u64,
 }
 
 impl WaitingCircle {
-    /// The circle of a CIRCLE or MOVARC in line `line`; `unit`: mm in one unit of the file; `sense`: if it is given,
-    /// whatever the form.
+    /// Circle of a CIRCLE or MOVARC in line `line`. `unit_mm`: mm in one unit of the file; `sense`: overrides the sense
+    /// of the form.
     pub(crate) fn new(
         circle: &CircleRecord,
-        unit: f64,
-        changes: &Changes,
+        unit_mm: f64,
+        transforms: &Transforms,
         sense: Option<Sense>,
         line: u64,
     ) -> Result<WaitingCircle, ClFault> {
@@ -58,21 +59,21 @@ impl WaitingCircle {
                 "circle",
                 circle.at,
                 format!("the axis of this circle has length {length:.6}, not 1"),
-                "i, j, k are a vector of length 1",
+                "i, j, k must be a unit vector",
             ));
         }
         let of_form = match circle.form {
             CircleForm::Six | CircleForm::Seven => Sense::CounterClockwise,
             CircleForm::Eleven => Sense::Clockwise,
         };
-        let centre = changes.point(Point3::from(circle.centre.map(|value| value * unit)));
+        let centre = transforms.point(Point3::from(circle.centre.map(|value| value * unit_mm)));
         Ok(WaitingCircle {
-            centre: near(centre, circle.at)?,
-            axis: changes.direction(UnitVector3::new_normalize(axis)),
+            centre: within_a_kilometre(centre, circle.at)?,
+            axis: transforms.direction(UnitVector3::new_normalize(axis)),
             sense: sense.unwrap_or(of_form),
-            radius: circle.radius.map(|radius| radius * unit),
+            radius_mm: circle.radius.map(|radius| radius * unit_mm),
             times: circle.times,
-            angle: circle.angle.map(f64::to_radians),
+            angle_rad: circle.angle_deg.map(f64::to_radians),
             line,
         })
     }
@@ -81,29 +82,31 @@ impl WaitingCircle {
         &self.axis
     }
 
-    /// Line of its record.
+    /// Line of the CIRCLE or MOVARC.
     pub(crate) fn line(&self) -> u64 {
         self.line
     }
 }
 
-/// Circle and end of a TLON, which begins at `start` in `direction`. Its plane is that of the radius to the start and of
-/// the direction.
+/// Returns the circle and the end point of a TLON. The arc begins at `start` in `direction`; its plane contains the
+/// radius to the start and the direction.
 pub(crate) fn tangent_circle(
     record: &TangentArc,
     start: &Pose,
     direction: Vector3<f64>,
-    (unit, changes): (f64, &Changes),
+    (unit_mm, transforms): (f64, &Transforms),
     line: u64,
 ) -> Result<(WaitingCircle, Point3<f64>), ClFault> {
     let at = record.at;
     let fault = |text: String| tlon_fault(at, text);
-    let point = |p: [f64; 3]| near(changes.point(Point3::from(p.map(|value| value * unit))), at);
-    let (centre, radius) = (point(record.centre)?, record.radius * unit);
+    let point = |p: [f64; 3]| within_a_kilometre(transforms.point(Point3::from(p.map(|value| value * unit_mm))), at);
+    let (centre, radius) = (point(record.centre)?, record.radius * unit_mm);
     let (from, end) = (point(record.line[0])?, point(record.line[1])?);
     let off = ((end - centre).norm() - radius).abs();
     if off > ARC_TOLERANCE_MM {
-        return Err(fault(format!("the end of the line is {off:.4} mm off the circle, so the end is not known")));
+        return Err(fault(format!(
+            "the end of the line is {off:.4} mm off the circle, so the end of the arc is unknown"
+        )));
     }
     if record.second && (end - from).dot(&(centre - from)) > 0.0 && (end - centre).dot(&(end - from)) < 0.0 {
         return Err(fault("the end of the line is the first intersection with the circle, not the second".into()));
@@ -111,27 +114,27 @@ pub(crate) fn tangent_circle(
     let arm = start.tip - centre;
     let across = direction.dot(&arm).abs() / radius.max(f64::MIN_POSITIVE);
     if across > TANGENT {
-        return Err(fault("INDIRV is not tangential to the circle where the arc begins".into()));
+        return Err(fault("INDIRV is not tangent to the circle at the start of the arc".into()));
     }
     let Some(axis) = UnitVector3::try_new(arm.cross(&direction), 1e-9) else {
-        return Err(fault("the plane of this arc is not known".into()));
+        return Err(fault("the start of this arc and INDIRV define no plane".into()));
     };
     let sense = Sense::CounterClockwise;
-    Ok((WaitingCircle { centre, axis, sense, radius: Some(radius), times: 1, angle: None, line }, end))
+    Ok((WaitingCircle { centre, axis, sense, radius_mm: Some(radius), times: 1, angle_rad: None, line }, end))
 }
 
-/// A TLON that is not understood.
+/// Fault of a TLON.
 pub(crate) fn tlon_fault(at: Span, text: String) -> ClFault {
-    ClFault::new("TLON", at, text, "have the CAM system write lines instead of arcs, or check this one")
+    ClFault::new("TLON", at, text, "check this arc in the CAM system, or have it output lines instead of arcs")
 }
 
-/// The arc that is open.
+/// The arc whose end is not read yet.
 #[derive(Debug, Default)]
 pub(crate) struct OpenArc {
     circle: Option<WaitingCircle>,
-    /// INDIRV.
+    /// Direction of INDIRV, in the workpiece frame.
     direction: Option<Vector3<f64>>,
-    /// AUTOPS, INDIRV: a TLON must follow.
+    /// AUTOPS or INDIRV was read: a TLON must follow.
     tangent_begun: bool,
 }
 
@@ -140,15 +143,15 @@ impl OpenArc {
         self.circle.is_some() || self.tangent_begun
     }
 
-    /// Lets a record come while an arc is open; one that may not come ends the arc.
+    /// Checks that a record may come while an arc is open; a record that may not discards the arc.
     pub(crate) fn admit(&mut self, permitted: Permitted) -> Result<(), ClFault> {
         if permitted.begins_motion && std::mem::take(&mut self.tangent_begun) {
             self.direction = None;
             return Err(ClFault::new(
                 "TLON",
                 Span::WHOLE,
-                "this motion stands behind AUTOPS or INDIRV, where TLON is expected",
-                "have the CAM system write lines instead of arcs",
+                "expected TLON after AUTOPS or INDIRV, found another motion",
+                "have the CAM system output lines instead of arcs",
             ));
         }
         match self.circle {
@@ -157,8 +160,8 @@ impl OpenArc {
                 Err(ClFault::new(
                     "circle",
                     Span::WHOLE,
-                    format!("the circle of line {} has no end: this record stands before its GOTO", circle.line),
-                    "behind CIRCLE stands the GOTO that ends the arc",
+                    format!("the circle of line {} has no end: this record comes before its GOTO", circle.line),
+                    "write the GOTO that ends the arc directly after CIRCLE",
                 ))
             }
             _ => Ok(()),
@@ -170,12 +173,12 @@ impl OpenArc {
         self.circle = Some(circle);
     }
 
-    /// The circle that waits for its end.
+    /// The circle whose end is not read yet.
     pub(crate) fn circle(&self) -> Option<WaitingCircle> {
         self.circle
     }
 
-    /// The circle that waited, at its end.
+    /// Takes that circle, at its end.
     pub(crate) fn take_circle(&mut self) -> Option<WaitingCircle> {
         self.circle.take()
     }
@@ -188,21 +191,28 @@ impl OpenArc {
     /// INDIRV, in the workpiece frame.
     pub(crate) fn set_direction(&mut self, direction: Vector3<f64>, at: Span) -> Result<(), ClFault> {
         if direction.norm() < 1e-9 {
-            return Err(ClFault::new("INDIRV", at, "INDIRV points nowhere", "it is the direction of the path"));
+            return Err(ClFault::new(
+                "INDIRV",
+                at,
+                "INDIRV is 0, 0, 0 and has no direction",
+                "INDIRV is the direction of the path at the start of the arc",
+            ));
         }
         self.direction = Some(direction.normalize());
         self.tangent_begun = true;
         Ok(())
     }
 
-    /// TLON: the direction of its INDIRV.
+    /// TLON: takes the direction of its INDIRV.
     pub(crate) fn end_tangent(&mut self, at: Span) -> Result<Vector3<f64>, ClFault> {
         self.tangent_begun = false;
         let direction = self.direction.take();
-        direction.ok_or_else(|| tlon_fault(at, "no INDIRV says in which direction this arc begins".into()))
+        direction.ok_or_else(|| {
+            tlon_fault(at, "no INDIRV comes before this TLON: the direction of the arc is unknown".into())
+        })
     }
 
-    /// What the end of the file leaves open.
+    /// End of the file: refuses a circle without an end.
     pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
         match self.circle.take() {
             Some(circle) => Err(ClFault::new(
@@ -216,7 +226,10 @@ impl OpenArc {
     }
 }
 
-/// The arc of a circle from `start` to `end`.
+/// Arc on a circle from `start` to `end`.
+///
+/// Refused if the tool axis changes, an end lies off the circle, the ends are too near to tell an empty arc from a full
+/// circle, or the angle is not that of MOVARC.
 pub(crate) fn arc_of(
     circle: &WaitingCircle,
     start: &Pose,
@@ -226,7 +239,7 @@ pub(crate) fn arc_of(
 ) -> Result<Arc, ClFault> {
     let fault = |text: String| {
         let text = format!("{text} (circle of line {})", circle.line);
-        ClFault::new("circle", at, text, "check the arc in the CAM system, or have it write lines instead of arcs")
+        ClFault::new("circle", at, text, "check the arc in the CAM system, or have it output lines instead of arcs")
     };
     if (start.axis.into_inner() - end.axis.into_inner()).norm() > 1e-6 {
         return Err(fault("the tool axis changes on an arc".into()));
@@ -246,7 +259,7 @@ pub(crate) fn arc_of(
     if off_plane > ARC_TOLERANCE_MM {
         return Err(fault(format!("the end of an arc is {off_plane:.4} mm off the plane of its circle")));
     }
-    let radius = circle.radius.unwrap_or(first);
+    let radius = circle.radius_mm.unwrap_or(first);
     for (which, found) in [("start", first), ("end", last)] {
         let off = (found - radius).abs();
         if off > ARC_TOLERANCE_MM {
@@ -256,44 +269,44 @@ pub(crate) fn arc_of(
     if first.min(last) <= ARC_TOLERANCE_MM {
         return Err(fault(format!("an arc has no radius: it begins {first:.4} mm from its centre")));
     }
-    // Along the axis: a helix that ends over its start is a whole turn.
-    let rise = (end.tip - start.tip).dot(&n).abs();
-    let part = part_of_turn(u, v, n, rise, circle.angle.is_some()).map_err(fault)?;
-    let Some(stated) = circle.angle else {
+    // Rise along the axis: a helix that ends above its start has made a full revolution.
+    let rise_mm = (end.tip - start.tip).dot(&n).abs();
+    let part = angle_within_revolution(u, v, n, rise_mm, circle.angle_rad.is_some()).map_err(fault)?;
+    let Some(stated) = circle.angle_rad else {
         let angle = part + f64::from(circle.times - 1) * TAU;
-        return Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed });
+        return Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad: angle, feed });
     };
     let turns = ((stated - part) / TAU).round().max(0.0);
     let angle = part + turns * TAU;
     if (angle - stated).abs() * radius > ARC_TOLERANCE_MM {
         return Err(fault(format!(
-            "the end of an arc lies at {:.4} degrees, not at the {:.4} of its record",
+            "the end of an arc is at {:.4} degrees, its record states {:.4} degrees",
             angle.to_degrees(),
             stated.to_degrees()
         )));
     }
-    Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle, feed })
+    Ok(Arc { start: *start, end: *end, centre: circle.centre, normal, angle_rad: angle, feed })
 }
 
-/// Angle about `n` from the arm `u` to the arm `v` with a rise along `n`, rad, 0 to a whole turn.
-fn part_of_turn(
+/// Angle about `n` from the radius vector `u` to the radius vector `v`, with a rise along `n`, rad, 0 to 2π.
+fn angle_within_revolution(
     u: Vector3<f64>,
     v: Vector3<f64>,
     n: Vector3<f64>,
-    rise: f64,
+    rise_mm: f64,
     angle_is_stated: bool,
 ) -> Result<f64, String> {
     let chord = (v - u).norm();
-    if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise > ARC_TOLERANCE_MM) {
+    if chord <= SAME_POINT_MM || (chord < SHORTEST_CHORD_MM && rise_mm > ARC_TOLERANCE_MM) {
         Ok(TAU)
     } else if chord < SHORTEST_CHORD_MM && !angle_is_stated {
-        Err(format!("the ends of an arc are {chord:.5} mm apart: it may be nothing or a whole turn"))
+        Err(format!("the ends of an arc are {chord:.5} mm apart: the arc may be empty or a full circle"))
     } else {
         Ok(n.dot(&u.cross(&v)).atan2(u.dot(&v)).rem_euclid(TAU))
     }
 }
 
-/// Whether the tip passes over a point of the arc; the place along the normal is not compared.
+/// Whether a point lies on the arc, seen along its normal; the coordinate along the normal is not compared.
 pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
     let n = arc.normal.into_inner();
     let flat = |point: Point3<f64>| {
@@ -303,7 +316,7 @@ pub(crate) fn is_on(arc: &Arc, point: Point3<f64>) -> bool {
     let (u, p) = (flat(arc.start.tip), flat(point));
     let radius = u.norm();
     let angle = n.dot(&u.cross(&p)).atan2(u.dot(&p)).rem_euclid(TAU);
-    // Points at the ends may be before the one and after the other by rounding.
+    // By rounding, points at the ends may lie a little before the start or after the end.
     let rounding = ARC_TOLERANCE_MM / radius;
-    (p.norm() - radius).abs() <= ARC_TOLERANCE_MM && (angle <= arc.angle + rounding || angle >= TAU - rounding)
+    (p.norm() - radius).abs() <= ARC_TOLERANCE_MM && (angle <= arc.angle_rad + rounding || angle >= TAU - rounding)
 }

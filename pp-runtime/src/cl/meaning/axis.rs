@@ -1,40 +1,41 @@
 //! The modal tool axis.
 //!
-//! A GOTO without i j k keeps the axis of the one before. Every operation starts with (0, 0, 1); an axis that was tilted
-//! and is then taken for granted, by a CAM system that writes i j k only when they change, is refused instead of guessed.
+//! A GOTO without i, j, k keeps the tool axis in force. Every operation starts with (0, 0, 1). Some CAM systems write
+//! i, j, k only when they change; a first GOTO without them, after an operation that ended with a tilted tool, is
+//! refused: its tool axis would be a guess.
 
 use crate::cl::text::{ClFault, Span};
 use crate::cl::vector;
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::Location;
 
-/// CL data with five decimals is off by this much from length 1 by rounding alone.
+/// Deviation from length 1 that rounding to five decimals explains.
 const ROUNDING: f64 = 1e-5;
 
-/// Up to this much a vector is still meant to be of length 1.
+/// Largest permitted deviation from length 1.
 const TOLERATED: f64 = 1e-3;
 
-/// Sine of the angle to Z above which an axis counts as tilted; a millionth is below the digits of CL data.
+/// Sine of the angle to Z above which a tool axis is tilted. One millionth is below the digits of CL data.
 const TILT: f64 = 1e-6;
 
-/// Why the axis of a GOTO without i j k is in doubt.
+/// Reason why the tool axis of a GOTO without i, j, k is in doubt.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum AxisDoubt {
     None,
-    /// The operation before ended tilted.
+    /// The operation before ended with a tilted tool.
     NewOperation,
-    /// MULTAX/OFF where the CAM system means (0, 0, 1) by it.
+    /// MULTAX/OFF from a CAM system for which it means a return to (0, 0, 1).
     MultaxOff,
 }
 
-/// The axis in force.
+/// The tool axis in force, in the frame of the file.
 #[derive(Debug)]
 pub(crate) struct ModalAxis {
     axis: UnitVector3<f64>,
     doubt: AxisDoubt,
-    /// TLAXIS has stated the axis since the last motion, so an operation that begins now means it.
+    /// TLAXIS has come since the last motion: its axis holds for an operation that begins now.
     stated: bool,
-    /// Axes that were normalised beyond rounding.
+    /// Number of axes that were normalised by more than rounding.
     normalised: u64,
     first_normalised: Location,
 }
@@ -51,11 +52,11 @@ impl Default for ModalAxis {
     }
 }
 
-/// Whether an axis had to be normalised beyond rounding.
+/// Whether an axis was normalised by more than rounding.
 pub(crate) type Normalised = bool;
 
 impl ModalAxis {
-    /// The axis of a point with or without i j k.
+    /// Tool axis of a point with or without i, j, k.
     pub(crate) fn at_point(
         &mut self,
         given: Option<[f64; 3]>,
@@ -71,19 +72,19 @@ impl ModalAxis {
             AxisDoubt::NewOperation => Err(ClFault::new(
                 "tool axis",
                 at,
-                "the tool was tilted in the operation before, and this point does not say its tool axis",
-                "write i, j, k with the first GOTO of every operation",
+                "this point has no tool axis i, j, k, and the operation before ended with a tilted tool",
+                "program i, j, k in the first GOTO of every operation",
             )),
             AxisDoubt::MultaxOff => Err(ClFault::new(
                 "tool axis",
                 at,
-                "the tool was tilted when MULTAX/OFF came, and this point does not say its tool axis",
-                "write i, j, k with this GOTO, or turn the tool back before MULTAX/OFF",
+                "this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF",
+                "program i, j, k in this GOTO, or return the tool axis to 0, 0, 1 before MULTAX/OFF",
             )),
         }
     }
 
-    /// TLAXIS, and the third column of CSYS.
+    /// Sets the tool axis of TLAXIS or of the third column of CSYS.
     pub(crate) fn state(&mut self, given: [f64; 3], at: Span, here: Location) -> Result<(), ClFault> {
         let normalised = self.set(given, at)?;
         self.stated = true;
@@ -91,7 +92,7 @@ impl ModalAxis {
         Ok(())
     }
 
-    /// Counts an axis that had to be normalised.
+    /// Counts an axis that was normalised by more than rounding.
     #[inline]
     pub(crate) fn count(&mut self, normalised: Normalised, here: Location) {
         if normalised {
@@ -102,7 +103,7 @@ impl ModalAxis {
         }
     }
 
-    /// Axes that were normalised beyond rounding.
+    /// Number of axes that were normalised by more than rounding.
     pub(crate) fn normalised(&self) -> u64 {
         self.normalised
     }
@@ -112,7 +113,7 @@ impl ModalAxis {
         self.first_normalised
     }
 
-    /// The axis in force; an error if it is in doubt.
+    /// Returns the tool axis in force; refused if it is in doubt.
     pub(crate) fn known(&mut self, at: Span) -> Result<UnitVector3<f64>, ClFault> {
         self.at_point(None, at).map(|(axis, _)| axis)
     }
@@ -143,11 +144,11 @@ impl ModalAxis {
     fn set(&mut self, given: [f64; 3], at: Span) -> Result<Normalised, ClFault> {
         let length = vector::length(given);
         let excess = (length - 1.0).abs();
-        // A NaN cannot arise from finite numbers here, but an infinity can; neither passes this comparison.
+        // Finite numbers can overflow to infinity here, not to NaN; neither passes this comparison.
         let tolerated = excess <= TOLERATED;
         if !tolerated {
             let text = if given.iter().all(|value| value.abs() < f64::MIN_POSITIVE) {
-                "the tool axis is 0, 0, 0 and points nowhere".to_string()
+                "the tool axis is 0, 0, 0 and has no direction".to_string()
             } else {
                 format!("the tool axis has length {length:.6}, not 1")
             };
@@ -155,7 +156,7 @@ impl ModalAxis {
                 "tool axis",
                 at,
                 text,
-                "i, j, k are a vector of length 1 from the tip to the spindle",
+                "i, j, k must be a unit vector from the tip to the spindle",
             ));
         }
         let [i, j, k] = given;

@@ -1,68 +1,68 @@
-//! From the numbers of a file to the workpiece frame: all changes of coordinates, and the frames they come from.
+//! From the numbers of a file to the workpiece frame: all coordinate transforms, and the frames stated in the file.
 
-use super::change::{Changes, RigidChange};
 use super::frame::{SetUpFrame, StatedFrame, WorkpieceFrames};
 use super::options::Frames;
+use super::transform::{RigidTransform, Transforms};
 use crate::cl::text::{ClFault, Span};
-use crate::cl::vector::{length, near};
+use crate::cl::vector::{length, within_a_kilometre};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
-use crate::program::Plane;
+use crate::program::ClearancePlane;
 
-/// Everything that decides where a point of the file is.
+/// State that determines the position of a point of the file.
 #[derive(Debug, Default)]
 pub(crate) struct Coordinates {
     workpiece: WorkpieceFrames,
     set_up: SetUpFrame,
-    changes: Changes,
+    transforms: Transforms,
 }
 
 impl Coordinates {
-    /// The frames stated.
+    /// Frames stated by MSYS, Creo's CSYS comment or CATIA's matrix.
     pub(crate) fn workpiece(&self) -> &WorkpieceFrames {
         &self.workpiece
     }
 
-    /// The CSYS of SolidWorks CAM.
+    /// Set-up frame: CSYS of SolidWorks CAM.
     pub(crate) fn set_up(&self) -> &SetUpFrame {
         &self.set_up
     }
 
-    /// The changes in force.
-    pub(crate) fn changes(&self) -> &Changes {
-        &self.changes
+    /// Coordinate transforms in force.
+    pub(crate) fn transforms(&self) -> &Transforms {
+        &self.transforms
     }
 
-    /// TRACUT; `unit`: mm in one unit of the file.
-    pub(crate) fn set_tracut(&mut self, rows: Option<[f64; 12]>, unit: f64, at: Span) -> Result<(), ClFault> {
-        let tracut = rows.map(|rows| RigidChange::from_rows(&rows, unit, at)).transpose()?;
-        self.changes.set_tracut(tracut);
+    /// Sets TRACUT; `unit_mm`: mm in one unit of the file.
+    pub(crate) fn set_tracut(&mut self, rows: Option<[f64; 12]>, unit_mm: f64, at: Span) -> Result<(), ClFault> {
+        let tracut = rows.map(|rows| RigidTransform::from_rows(&rows, unit_mm, at)).transpose()?;
+        self.transforms.set_tracut(tracut);
         Ok(())
     }
 
-    /// ORIGIN, mm.
+    /// Sets ORIGIN, mm.
     pub(crate) fn set_origin(&mut self, origin: Option<[f64; 3]>) {
-        self.changes.set_origin(origin);
+        self.transforms.set_origin(origin);
     }
 
-    /// TRANS, mm.
+    /// Sets TRANS, mm.
     pub(crate) fn set_translation(&mut self, by: Option<[f64; 3]>) {
-        self.changes.set_translation(by);
+        self.transforms.set_translation(by);
     }
 
-    /// The unit of the file became known after the frames.
-    pub(crate) fn scale_frames(&mut self, unit: f64) {
-        self.workpiece.scale(unit);
+    /// Converts the frames stated so far to mm, when the unit of the file is stated after them.
+    pub(crate) fn scale_frames(&mut self, unit_mm: f64) {
+        self.workpiece.scale(unit_mm);
     }
 
-    /// Takes a frame; answers whether another one is in force now.
+    /// Sets the frame in force; returns whether it differs from the one before.
     pub(crate) fn take_frame(&mut self, frame: StatedFrame, at: Span, frames: Frames) -> Result<bool, ClFault> {
         self.workpiece.take(frame, at, frames)
     }
 
-    /// Maps the frame in force into the first.
+    /// Sets the transform from the frame in force to the first frame.
     pub(crate) fn map_frame(&mut self) {
         if let Some((main, current)) = self.workpiece.main_and_current() {
-            self.changes.set_frame(main, current);
+            self.transforms.set_frame(main, current);
         }
     }
 
@@ -71,36 +71,42 @@ impl Coordinates {
         self.set_up.set_world();
     }
 
-    /// CSYS: answers whether it differs from the one before.
+    /// Sets CSYS; returns whether it differs from the one before.
     pub(crate) fn take_set_up(&mut self, frame: StatedFrame) -> bool {
         self.set_up.replace(frame)
     }
 
-    /// The tool keeps the direction of the CSYS from here on.
+    /// Requires the tool axis of CSYS for the following points.
     pub(crate) fn hold_axis(&mut self, axis: [f64; 3]) {
         self.set_up.hold_axis(axis);
     }
 
-    /// Another operation has an axis of its own.
+    /// Ends that requirement: a new operation states its own tool axis.
     pub(crate) fn release_axis(&mut self) {
         self.set_up.release_axis();
     }
 
-    /// A point in the workpiece frame, if a machine could be there.
+    /// Point in the workpiece frame; refused if a coordinate is above one kilometre.
     pub(crate) fn point(&self, point: Point3<f64>, at: Span) -> Result<Point3<f64>, ClFault> {
-        near(self.changes.point(point), at)
+        within_a_kilometre(self.transforms.point(point), at)
     }
 
-    /// A plane in the workpiece frame; `unit`: mm in one unit of the file.
-    pub(crate) fn plane(&self, normal: [f64; 3], distance: f64, unit: f64, at: Span) -> Result<Plane, ClFault> {
+    /// Clearance plane in the workpiece frame; `unit_mm`: mm in one unit of the file.
+    pub(crate) fn plane(
+        &self,
+        normal: [f64; 3],
+        distance: f64,
+        unit_mm: f64,
+        at: Span,
+    ) -> Result<ClearancePlane, ClFault> {
         let length = length(normal);
         if length < 1e-9 {
-            return Err(ClFault::new("CLEARP", at, "the normal of this plane is 0, 0, 0", "write CLEARP/XYPLAN,z"));
+            return Err(ClFault::new("CLEARP", at, "the normal of this plane is 0, 0, 0", "program CLEARP/XYPLAN,z"));
         }
         let normal = normal.map(|value| value / length);
-        let distance = distance * unit / length;
+        let distance = distance * unit_mm / length;
         let point = self.point(Point3::from(normal.map(|value| value * distance)), at)?;
-        let normal = self.changes.direction(UnitVector3::new_normalize(Vector3::from(normal)));
-        Ok(Plane { normal, distance: point.coords.dot(&normal) })
+        let normal = self.transforms.direction(UnitVector3::new_normalize(Vector3::from(normal)));
+        Ok(ClearancePlane { normal, distance_mm: point.coords.dot(&normal) })
     }
 }

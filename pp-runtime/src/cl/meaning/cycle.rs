@@ -1,4 +1,4 @@
-//! The CYCLE in force, or suspended: GOTOs are holes while it is active.
+//! The state of CYCLE: each GOTO is a hole while a cycle is active.
 
 use super::arc::ARC_TOLERANCE_MM;
 use super::holes::{HoleDefinition, ReturnLevel};
@@ -8,13 +8,13 @@ use crate::cl::text::{ClFault, Span};
 use crate::kinematics::Pose;
 use crate::nalgebra::Point3;
 
-/// A cycle with its holes.
+/// The cycle that is active, or that CYCLE/ON can resume.
 #[derive(Debug, Default)]
 pub(crate) struct CycleInForce {
     active: bool,
-    /// `None` in an active cycle: its record was refused.
+    /// Definition of the hole; `None` in an active cycle whose record was refused.
     definition: Option<HoleDefinition>,
-    /// CYCLE/INIT (true) or CYCLE/CLEAR came before.
+    /// CYCLE/INIT (true) or CYCLE/CLEAR (false) for the next cycle.
     initial: Option<bool>,
     /// Position of the tool when the cycle began or was resumed.
     before: Option<Point3<f64>>,
@@ -25,12 +25,12 @@ impl CycleInForce {
         self.active
     }
 
-    /// `None` if the record of the cycle was refused.
+    /// Definition of the hole; `None` if its record was refused.
     pub(crate) fn definition(&self) -> Option<HoleDefinition> {
         self.definition
     }
 
-    /// Lets a record come while the cycle is active; one that may not come ends it.
+    /// Checks that a record may come while the cycle is active; a record that may not ends the cycle.
     pub(crate) fn admit(&mut self, permitted: Permitted) -> Result<(), ClFault> {
         if permitted.in_cycle || !self.active {
             return Ok(());
@@ -39,23 +39,23 @@ impl CycleInForce {
         Err(ClFault::new(
             "CYCLE",
             Span::WHOLE,
-            "this record stands under a CYCLE, where only points of holes are expected",
-            "end the cycle before it: CYCLE/OFF",
+            "this record is not permitted between the points of a CYCLE",
+            "end the cycle before this record: CYCLE/OFF",
         ))
     }
 
-    /// A CYCLE is read; its holes are refused with it unless it is defined.
+    /// Begins a cycle without a definition: if its record is refused, its holes are passed over.
     pub(crate) fn begin_definition(&mut self) {
         self.active = true;
         self.definition = None;
     }
 
-    /// CYCLE/INIT or CYCLE/CLEAR, for one cycle.
+    /// Takes CYCLE/INIT (true) or CYCLE/CLEAR (false); it holds for one cycle.
     pub(crate) fn take_initial(&mut self) -> Option<bool> {
         self.initial.take()
     }
 
-    /// Holes follow; the level before them is that of the tool at `before`.
+    /// Activates a cycle. `before`: position of the tool, from which the initial level follows.
     pub(crate) fn begin_holes(
         &mut self,
         definition: HoleDefinition,
@@ -64,19 +64,19 @@ impl CycleInForce {
     ) -> Result<(), ClFault> {
         self.active = true;
         self.before = before;
-        if definition.back == ReturnLevel::Initial && before.is_none() {
+        if definition.return_level == ReturnLevel::Initial && before.is_none() {
             return Err(ClFault::new(
                 "CYCLE",
                 at,
-                "RTRCTO,AUTO goes back to the level before the cycle, and nothing says where the tool stands",
-                "give a GOTO before the cycle",
+                "RTRCTO,AUTO returns to the level before the cycle, and the tool position is unknown",
+                "program a GOTO before the cycle",
             ));
         }
         self.definition = Some(definition);
         Ok(())
     }
 
-    /// CYCLE/OFF, ON, INIT, CLEAR.
+    /// Executes CYCLE/OFF, ON, INIT, CLEAR.
     pub(crate) fn switch(&mut self, state: CycleState, before: Option<Point3<f64>>, at: Span) -> Result<(), ClFault> {
         match state {
             CycleState::Off => self.active = false,
@@ -93,30 +93,30 @@ impl CycleInForce {
         Ok(())
     }
 
-    /// Levels of one tool are not those of another.
+    /// Forgets the cycle at a new operation: levels of one tool do not hold for another.
     pub(crate) fn end_operation(&mut self) {
         (self.definition, self.initial) = (None, None);
     }
 
     /// Level to which the tool returns after a hole, mm above its top.
     pub(crate) fn return_level(&self, cycle: &HoleDefinition, top: &Pose, at: Span) -> Result<f64, ClFault> {
-        match cycle.back {
-            ReturnLevel::Clearance => Ok(cycle.clearance),
+        match cycle.return_level {
+            ReturnLevel::Clearance => Ok(cycle.clearance_mm),
             ReturnLevel::Level(level) => Ok(level),
             ReturnLevel::Initial => {
                 let before = self.before.unwrap_or(top.tip);
                 let level = (before - top.tip).dot(&top.axis);
-                if level < cycle.clearance - ARC_TOLERANCE_MM {
+                if level < cycle.clearance_mm - ARC_TOLERANCE_MM {
                     return Err(ClFault::new(
                         "CYCLE",
                         at,
                         format!(
                             "the level before the cycle lies {level:.4} mm above this hole, below its clearance level"
                         ),
-                        "retract further before the cycle, or give a return level",
+                        "retract further before the cycle, or program a return level",
                     ));
                 }
-                Ok(level.max(cycle.clearance))
+                Ok(level.max(cycle.clearance_mm))
             }
         }
     }

@@ -1,11 +1,11 @@
-//! Events that wait to be asked for, and warnings that wait to be reported.
+//! Queue of events and warnings of the last record.
 
 use std::collections::VecDeque;
 
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Event, Location};
 
-/// Event that a text becomes.
+/// Kind of event that a text becomes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum TextUse {
     Name,
@@ -15,7 +15,7 @@ pub(crate) enum TextUse {
     Insert,
 }
 
-/// An event whose text, if any, is still in the statement; a spline is in the interpreter.
+/// A queued event. Its text, if any, is still in the statement; a spline is in the interpreter.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum QueuedEvent {
     Plain(Event<'static>),
@@ -23,7 +23,7 @@ pub(crate) enum QueuedEvent {
     Spline,
 }
 
-/// What the last record caused, in order.
+/// Events and warnings of the last record, in order.
 #[derive(Debug, Default)]
 pub(crate) struct EventQueue {
     events: VecDeque<(Location, QueuedEvent)>,

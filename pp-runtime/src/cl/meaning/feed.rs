@@ -1,4 +1,4 @@
-//! Feeds in millimetres, if they are plausible.
+//! Converts feeds to mm/min or mm/rev, and refuses those that are not plausible.
 
 use super::options::FeedLabel;
 use super::units::FileUnits;
@@ -6,16 +6,17 @@ use crate::cl::record::{FeedRecord, FeedUnit};
 use crate::cl::text::ClFault;
 use crate::program::{Feed, Units};
 
-/// Feeds below this are feeds in another unit.
+/// Smallest plausible feed; a smaller one is in another unit.
 const SLOWEST_FEED_MM_PER_MIN: f64 = 0.1;
 
-/// Feeds above this are feeds per minute with another label: even a large face mill stays below a fifth of it.
+/// Largest plausible feed per revolution; a larger one is a feed per minute with a wrong label. Even a large face mill
+/// stays below a fifth of it.
 const LARGEST_FEED_MM_PER_REV: f64 = 100.0;
 
-/// Feeds above this have a wrong exponent.
+/// Largest plausible value of a feed in its own unit; a larger one has a wrong exponent.
 const LARGEST_FEED: f64 = 1e6;
 
-/// The feed of a record, with the unit that its label and the file give it.
+/// Feed of a record, converted from the unit of its label or of the file.
 pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLabel) -> Result<Feed, ClFault> {
     let FeedRecord { value, unit, at, unit_at } = *record;
     let of_file = units.millimetres(at)?;
@@ -26,8 +27,8 @@ pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLab
             return Err(ClFault::new(
                 "feed unit",
                 unit_at,
-                "a feed in mm stands in a file in inch; such labels are often wrong",
-                "have the CAM system write IPM or IPR, or say what it is: `[cl] feed_label = \"trust\"` or \"file-units\"",
+                "feed labelled in mm in a file in inch: such labels are often wrong",
+                "have the CAM system output IPM or IPR, or set the meaning: `[cl] feed_label = \"trust\"` or \"file-units\"",
             ));
         }
         FeedLabel::FileUnits if doubtful => of_file,
@@ -45,23 +46,24 @@ pub(crate) fn feed_of(record: &FeedRecord, units: &mut FileUnits, label: FeedLab
     check(feed, record)
 }
 
-/// Refuses a feed that no machine has.
+/// Refuses a feed that is not plausible.
 fn check(feed: Feed, record: &FeedRecord) -> Result<Feed, ClFault> {
     let value = record.value;
     let fault = |text: String, help: &str| Err(ClFault::new("feed", record.at, text, help));
     match feed {
-        _ if value <= 0.0 => {
-            fault(format!("the feed {value} is not above 0"), "set a feed for every cutting move in the CAM system")
-        }
+        _ if value <= 0.0 => fault(
+            format!("the feed must be above 0, found {value}"),
+            "set a feed for every cutting move in the CAM system",
+        ),
         Feed::PerMinute(speed) if speed < SLOWEST_FEED_MM_PER_MIN => {
             fault(format!("a feed of {speed:.4} mm/min is not plausible"), "check the unit of the file and of the feed")
         }
         Feed::PerRevolution(feed) if feed > LARGEST_FEED_MM_PER_REV => fault(
             format!("a feed of {feed} mm per revolution is not plausible"),
-            "check the unit of the feed: IPM, MMPM and PERMIN count per minute",
+            "check the unit of the feed: IPM, MMPM and PERMIN are per minute",
         ),
         Feed::PerMinute(_) | Feed::PerRevolution(_) if !value.is_finite() || value > LARGEST_FEED => {
-            fault(format!("the feed {value:e} is not plausible"), "check the exponent")
+            fault(format!("the feed {value:e} is not plausible"), "check the exponent of this number")
         }
         Feed::PerMinute(_) | Feed::PerRevolution(_) => Ok(feed),
     }

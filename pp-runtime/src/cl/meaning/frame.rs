@@ -1,8 +1,9 @@
-//! Frames of a file: where the output frame is in the model, and whether it stays there.
+//! Frames of a file: position and orientation of the output frame in the model.
 //!
 //! The numbers of CL data are already in that frame, so the first frame *is* the workpiece frame and is only reported.
-//! A later one that differs would put every further point elsewhere: it is mapped, given a work offset of its own, or
-//! refused, never ignored. CSYS of SolidWorks CAM is no such frame: it moves nothing and gives the direction of the tool.
+//! A later frame that differs would move every point after it: it is mapped into the first, given a work offset of its
+//! own, or refused, never ignored. CSYS of SolidWorks CAM is not such a frame: it does not change points and states the
+//! tool axis.
 
 use super::options::Frames;
 use crate::cl::record::FrameRecord;
@@ -11,43 +12,43 @@ use crate::cl::vector::{cross, distance, dot, length};
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::Location;
 
-/// Origins closer than this are the same, mm: CL data has four decimals.
+/// Largest distance of equal origins. CL data has four decimals.
 const SAME_ORIGIN_MM: f64 = 1e-4;
 
-/// Axes closer than this are the same: CL data has seven decimals.
+/// Largest difference of a component of equal axes. CL data has seven decimals.
 const SAME_AXES: f64 = 1e-6;
 
-/// Largest deviation of the axes from a right-handed unit frame.
-const SQUARE: f64 = 1e-3;
+/// Largest permitted deviation of the axes from right-handed perpendicular unit vectors.
+const PERPENDICULAR: f64 = 1e-3;
 
-/// Directions whose components differ by less are the same, within the digits of CL data.
+/// Largest difference of a component of equal tool axes, by the digits of CL data.
 const SAME_DIRECTION: f64 = 1e-5;
 
 /// A frame stated by MSYS, by Creo's CSYS comment or by CATIA's matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StatedFrame {
-    /// Place of its record.
+    /// Place of the record in the file.
     pub location: Location,
     /// Origin in the model, mm.
     pub origin: [f64; 3],
-    /// Directions of its X, Y and Z in the model.
+    /// Unit vectors of its X, Y and Z in the model.
     pub axes: [[f64; 3]; 3],
 }
 
 impl StatedFrame {
-    pub(crate) fn new(record: &FrameRecord, unit: f64, location: Location) -> Result<StatedFrame, ClFault> {
+    pub(crate) fn new(record: &FrameRecord, unit_mm: f64, location: Location) -> Result<StatedFrame, ClFault> {
         let [x, y, z] = record.axes;
-        let unit_length = [x, y, z].iter().all(|axis| (length(*axis) - 1.0).abs() <= SQUARE);
-        let perpendicular = dot(x, y).abs() <= SQUARE && distance(cross(x, y), z) <= SQUARE;
+        let unit_length = [x, y, z].iter().all(|axis| (length(*axis) - 1.0).abs() <= PERPENDICULAR);
+        let perpendicular = dot(x, y).abs() <= PERPENDICULAR && distance(cross(x, y), z) <= PERPENDICULAR;
         if !unit_length || !perpendicular {
             return Err(ClFault::new(
                 "frame",
                 record.at,
-                "the axes of this frame are not at right angles, of length 1 and right-handed",
+                "the axes of this frame are not perpendicular, right-handed unit vectors",
                 "check the machine coordinate system in the CAM system",
             ));
         }
-        Ok(StatedFrame { location, origin: record.origin.map(|value| value * unit), axes: record.axes })
+        Ok(StatedFrame { location, origin: record.origin.map(|value| value * unit_mm), axes: record.axes })
     }
 
     pub(crate) fn is_same(&self, other: &StatedFrame) -> bool {
@@ -56,15 +57,15 @@ impl StatedFrame {
     }
 }
 
-/// More different frames than a file may have.
+/// Largest number of different frames in a file.
 const MOST_FRAMES: usize = 100;
 
 /// The frames of a file; the first is that of the workpiece.
 #[derive(Debug, Default)]
 pub(crate) struct WorkpieceFrames {
-    /// Frames that differ, in the order of their first statement.
+    /// Different frames, in the order in which they are first stated.
     frames: Vec<StatedFrame>,
-    /// Index of the one in force.
+    /// Index of the frame in force.
     current: usize,
     stated: u64,
 }
@@ -78,15 +79,15 @@ impl WorkpieceFrames {
         self.stated
     }
 
-    /// Different frames stated so far.
+    /// Number of different frames stated so far.
     pub(crate) fn different(&self) -> usize {
         self.frames.len()
     }
 
-    /// The unit of the file became known after the frames.
-    pub(crate) fn scale(&mut self, unit: f64) {
+    /// Converts the frames stated so far to mm, when the unit of the file is stated after them.
+    pub(crate) fn scale(&mut self, unit_mm: f64) {
         for frame in &mut self.frames {
-            frame.origin = frame.origin.map(|value| value * unit);
+            frame.origin = frame.origin.map(|value| value * unit_mm);
         }
     }
 
@@ -100,7 +101,7 @@ impl WorkpieceFrames {
         Some((self.frames.first()?, self.frames.get(self.current)?))
     }
 
-    /// Takes a frame; answers whether another one is in force now.
+    /// Sets the frame in force; returns whether it differs from the one before.
     pub(crate) fn take(&mut self, frame: StatedFrame, at: Span, frames: Frames) -> Result<bool, ClFault> {
         self.stated += 1;
         let Some(first) = self.frames.first() else {
@@ -115,8 +116,8 @@ impl WorkpieceFrames {
                     "the frame in line {} differs from the workpiece frame in line {}",
                     frame.location.line, first.location.line
                 ),
-                "`--frames main` maps it into the first, `--frames offset` gives it a work offset of its own; or write \
-                 one file for each frame",
+                "`--frames main` maps it into the first, `--frames offset` gives it a work offset of its own; or \
+                 output one file for each frame",
             ));
         }
         let known = self.frames.iter().position(|known| known.is_same(&frame));
@@ -131,7 +132,7 @@ impl WorkpieceFrames {
                     "second frame",
                     at,
                     format!("the file states more than {MOST_FRAMES} different frames"),
-                    "write one file for each set-up",
+                    "output one file for each set-up",
                 ));
             }
         };
@@ -139,14 +140,14 @@ impl WorkpieceFrames {
     }
 }
 
-/// The set-up of SolidWorks CAM: the CSYS in force, whose third column is the tool axis.
+/// Set-up frame of SolidWorks CAM: the CSYS in force, whose third column is the tool axis.
 #[derive(Debug, Default)]
 pub(crate) struct SetUpFrame {
     /// TRNTYP/WORLD: the points of all set-ups are in one frame.
     in_world: bool,
     /// The CSYS stated last.
     stated: Option<StatedFrame>,
-    /// CSYS that differ from the one before.
+    /// Number of CSYS that differ from the one before.
     changes: u64,
     /// Tool axis of the CSYS in force.
     axis: Option<UnitVector3<f64>>,
@@ -162,7 +163,7 @@ impl SetUpFrame {
         self.changes
     }
 
-    /// CSYS needs TRNTYP/WORLD before it.
+    /// Refuses a CSYS without TRNTYP/WORLD before it.
     pub(crate) fn check_world(&self, at: Span) -> Result<(), ClFault> {
         if self.in_world {
             return Ok(());
@@ -170,29 +171,29 @@ impl SetUpFrame {
         Err(ClFault::new(
             "CSYS",
             at,
-            "CSYS without TRNTYP/WORLD,0,0,0 in front of it: in which frame the points are is not known",
-            "have SolidWorks CAM write its points in one common frame",
+            "CSYS without TRNTYP/WORLD,0,0,0 before it: the frame of the points is unknown",
+            "have SolidWorks CAM output all points in one common frame",
         ))
     }
 
-    /// Takes a CSYS; answers whether it differs from the one before.
+    /// Sets CSYS; returns whether it differs from the one before.
     pub(crate) fn replace(&mut self, frame: StatedFrame) -> bool {
         let differs = self.stated.replace(frame).is_some_and(|before| !before.is_same(&frame));
         self.changes += u64::from(differs);
         differs
     }
 
-    /// The tool keeps the direction of the CSYS from here on.
+    /// Requires the tool axis of CSYS for the following points.
     pub(crate) fn hold_axis(&mut self, axis: [f64; 3]) {
         self.axis = Some(UnitVector3::new_normalize(Vector3::from(axis)));
     }
 
-    /// Another operation has an axis of its own.
+    /// Ends that requirement: a new operation states its own tool axis.
     pub(crate) fn release_axis(&mut self) {
         self.axis = None;
     }
 
-    /// Refuses the tool axis of a point that is not that of the CSYS in force.
+    /// Refuses a point whose tool axis differs from that of the CSYS in force.
     #[inline]
     pub(crate) fn check_axis(&self, given: Option<[f64; 3]>, at: Span) -> Result<(), ClFault> {
         let (Some(axis), Some(given)) = (self.axis, given) else { return Ok(()) };
@@ -202,7 +203,7 @@ impl SetUpFrame {
                 "tool axis",
                 at,
                 "this tool axis contradicts the third column of CSYS",
-                "under one CSYS the tool keeps its direction: check the set-up in the CAM system",
+                "the tool axis is constant within one CSYS: check the set-up in the CAM system",
             ));
         }
         Ok(())

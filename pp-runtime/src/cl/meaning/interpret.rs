@@ -1,7 +1,7 @@
-//! From records to events: each record goes to the owners of the state that it changes.
+//! Interprets records: updates the modal state that a record changes and queues the events that follow.
 //!
-//! A tool's event is held back until the next event, because Creo gives the diameter after it. Records of motion are in
-//! `motion`, those of coordinates, tools and the machine in `state`.
+//! The event of a tool call is held until the next event, because Creo gives the diameter after the call. Records of
+//! motion are in `motion`, records of coordinates, tools and machine state in `state`.
 
 mod motion;
 mod state;
@@ -13,7 +13,7 @@ use super::cycle::CycleInForce;
 use super::event_queue::{EventQueue, QueuedEvent, TextUse};
 use super::modal_tool::ModalTool;
 use super::nurbs_curve::OpenCurve;
-use super::options::{ClPoint, Insert, Options};
+use super::options::{ClPoint, Insert, ReadingOptions};
 use super::path_state::PathState;
 use super::permitted::Permitted;
 use super::units::FileUnits;
@@ -23,10 +23,10 @@ use crate::cl::record::{ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Event, Location, Spline};
 
-/// Everything modal, each part with its owner.
+/// All modal state of the CL data, each part with its owner.
 #[derive(Debug, Default)]
 pub(crate) struct RecordInterpreter {
-    options: Options,
+    options: ReadingOptions,
     found_dialect: Dialect,
     units: FileUnits,
     tool: ModalTool,
@@ -39,20 +39,20 @@ pub(crate) struct RecordInterpreter {
     cycle: CycleInForce,
     /// The CAM system asks for inverse-time feed.
     inverse_time: bool,
-    /// The next GOTO is a straight motion and nothing else: see [`note_state`](Self::note_state).
-    plain: bool,
+    /// The next GOTO is a straight motion only: see [`update_plain_goto`](Self::update_plain_goto).
+    plain_goto: bool,
     events: EventQueue,
 }
 
 impl RecordInterpreter {
-    pub(crate) fn new(options: Options) -> Self {
+    pub(crate) fn new(options: ReadingOptions) -> Self {
         let units = FileUnits::new(options.units);
         let mut new = RecordInterpreter { options, units, ..Self::default() };
-        new.note_state();
+        new.update_plain_goto();
         new
     }
 
-    pub(crate) fn options(&self) -> &Options {
+    pub(crate) fn options(&self) -> &ReadingOptions {
         &self.options
     }
 
@@ -84,35 +84,35 @@ impl RecordInterpreter {
         self.inverse_time
     }
 
-    /// The curve of the spline event that was taken last.
+    /// Curve of the spline event that was returned last.
     pub(crate) fn completed_curve(&self) -> Spline<'_> {
         self.curve.completed()
     }
 
-    /// As given, else as found.
+    /// CAM system, as given in the options, else as identified in the file.
     pub(crate) fn dialect(&self) -> Dialect {
         self.options.dialect.unwrap_or(self.found_dialect)
     }
 
-    /// The first evidence decides.
-    pub(crate) fn suspect(&mut self, dialect: Dialect) {
+    /// Notes the CAM system that a record or comment identifies; the first one decides.
+    pub(crate) fn note_dialect(&mut self, dialect: Dialect) {
         if self.found_dialect == Dialect::Generic {
             self.found_dialect = dialect;
         }
     }
 
-    /// The next event that waits.
+    /// Takes the next queued event.
     #[inline]
     pub(crate) fn next_event(&mut self) -> Option<(Location, QueuedEvent)> {
         self.events.pop()
     }
 
-    /// The warnings that wait.
+    /// Takes the warnings of the last record.
     pub(crate) fn take_warnings(&mut self) -> impl Iterator<Item = ClFault> + '_ {
         self.events.take_warnings()
     }
 
-    /// Takes the record of the statement at `here`.
+    /// Interprets the record of the statement at `here`.
     pub(crate) fn take(&mut self, record: &Record<'_>, here: Location) -> Result<(), ClFault> {
         let permitted = Permitted::of(record);
         if self.curve.is_open() && !permitted.in_curve {
@@ -121,7 +121,7 @@ impl RecordInterpreter {
         self.arc.admit(permitted)?;
         self.cycle.admit(permitted)?;
         let taken = self.interpret(record, here);
-        self.note_state();
+        self.update_plain_goto();
         taken
     }
 
@@ -143,17 +143,17 @@ impl RecordInterpreter {
         }
     }
 
-    /// Reports what is still open at the end of the file, and lets go of a tool that is held back.
+    /// End of the file: queues a tool call that is held, and refuses an arc or curve without an end.
     pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
         let closed = if self.curve.is_open() { self.close_curve() } else { Ok(()) };
-        self.let_go();
-        self.votes.settle(None);
+        self.emit_held_tool();
+        self.votes.conclude_arc(None);
         closed?;
         self.arc.finish()
     }
 
-    fn let_go(&mut self) {
-        if let Some((here, tool)) = self.tool.let_go() {
+    fn emit_held_tool(&mut self) {
+        if let Some((here, tool)) = self.tool.take_held() {
             self.events.push(here, QueuedEvent::Plain(Event::Tool(tool)));
         }
     }
@@ -167,25 +167,25 @@ impl RecordInterpreter {
     }
 
     fn push(&mut self, here: Location, event: QueuedEvent) {
-        self.let_go();
+        self.emit_held_tool();
         self.events.push(here, event);
     }
 
-    /// Whether the next GOTO is a motion and no event waits before it.
+    /// Whether the next GOTO is a straight motion and no event is queued before it.
     #[inline]
     pub(crate) fn is_straight(&self) -> bool {
-        self.plain && !self.tool.is_held() && self.events.is_empty()
+        self.plain_goto && !self.tool.is_held() && self.events.is_empty()
     }
 
-    /// Whether a GOTO has nothing to do with circles, curves, cycles, votes and changes of coordinates.
-    fn note_state(&mut self) {
-        self.plain = !self.arc.is_open()
+    /// Notes whether a GOTO is independent of circles, curves, cycles, votes and coordinate transforms.
+    fn update_plain_goto(&mut self) {
+        self.plain_goto = !self.arc.is_open()
             && !self.curve.is_open()
             && !self.tool.is_described_anew()
             && !self.cycle.is_active()
             && !self.path.is_above_hole()
-            && !self.votes.waits()
-            && self.coordinates.changes().none()
+            && !self.votes.has_undecided()
+            && self.coordinates.transforms().none()
             && self.options.cl_point == ClPoint::Tip
             && self.options.cl_point_of.is_empty();
     }
@@ -213,9 +213,9 @@ impl RecordInterpreter {
         self.axis.begin_operation();
         self.coordinates.release_axis();
         self.cycle.end_operation();
-        // Rapids and lines of another operation are no evidence of the sense of an arc.
+        // Motions of another operation do not vote on the sense of an arc.
         self.path.forget_line();
-        self.votes.settle(None);
+        self.votes.conclude_arc(None);
     }
 
     fn insert(&mut self, text: &Text<'_>, here: Location) -> Result<(), ClFault> {
@@ -231,8 +231,8 @@ impl RecordInterpreter {
             return Err(ClFault::new(
                 "INSERT",
                 text.at,
-                "INSERT/STOP may be a stop that is needed",
-                "`[cl] insert_stop = true` makes it STOP",
+                "INSERT/STOP may be a program stop that is needed",
+                "`[cl] insert_stop = true` treats it as STOP",
             ));
         }
         match self.options.insert {
@@ -245,8 +245,8 @@ impl RecordInterpreter {
                 return Err(ClFault::new(
                     "INSERT",
                     text.at,
-                    "INSERT is refused: it writes NC text that the postprocessor cannot see into",
-                    "`--insert comment` writes it as a comment, `--allow-insert` as it stands",
+                    "INSERT is refused: the effect of its NC text on the machine is unknown",
+                    "`--insert comment` outputs the text as a comment, `--allow-insert` as written",
                 ));
             }
         }
@@ -262,11 +262,8 @@ impl RecordInterpreter {
             return Err(ClFault::new(
                 word,
                 at,
-                format!(
-                    "{word} is refused: it writes {}{number}, which the postprocessor cannot see into",
-                    char::from(letter)
-                ),
-                format!("if the control is to have it, allow it: `[cl] {key} = [{number}]`"),
+                format!("{word} is refused: the effect of {}{number} on the machine is unknown", char::from(letter)),
+                format!("to output the code, allow it: `[cl] {key} = [{number}]`"),
             ));
         }
         self.path.forget_position();

@@ -1,13 +1,12 @@
-//! Meaning of records in their context: units, modes, and the events that follow.
+//! Meaning of records in their context: units, modal state, and the events that follow.
 //!
-//! `interpret` hands each record to the owners of modal state: `units`, `modal_tool`, `axis`,
-//! `coordinates` (with `frame` and `change`), `path_state`, and what is open: `arc`, `nurbs_curve`, `cycle` (with `holes`,
-//! the habits of the CAM systems). `permitted` lists the records that may come while something is open; `votes` checks the
-//! sense of arcs. Events wait in `event_queue`.
+//! `interpret` passes each record to the owners of modal state: `units`, `feed`, `modal_tool`, `axis`, `coordinates`
+//! (with `frame` and `transform`) and `path_state`. `arc`, `nurbs_curve` and `cycle` span several records; `permitted`
+//! lists the records that may come meanwhile. `holes` has the conventions of the CAM systems for CYCLE, `votes` checks
+//! the sense of arcs. Events are queued in `event_queue`.
 
 mod arc;
 mod axis;
-mod change;
 mod coordinates;
 mod cycle;
 mod event_queue;
@@ -20,6 +19,7 @@ mod nurbs_curve;
 mod options;
 mod path_state;
 mod permitted;
+mod transform;
 mod units;
 mod votes;
 
@@ -27,5 +27,5 @@ pub(crate) use self::event_queue::{QueuedEvent, TextUse};
 pub use self::frame::StatedFrame;
 pub use self::holes::CycleArg;
 pub(crate) use self::interpret::RecordInterpreter;
-pub use self::options::{ClPoint, FeedLabel, Frames, Insert, Options, Sense};
+pub use self::options::{ClPoint, FeedLabel, Frames, Insert, ReadingOptions, Sense};
 pub use self::votes::ArcVote;

@@ -1,28 +1,29 @@
-//! The tool in the spindle: its call, and the cutter that was described for it.
+//! The tool in the spindle: its call, and the CUTTER or TLDATA that describes it.
 //!
-//! A cutter described before a call belongs to the tool called next; Creo gives it after the call, so a call is held
-//! back until the next event. A motion with another cutter that no tool record has called is warned of.
+//! A cutter described before a call belongs to the tool called next. Creo describes it after the call, so a call is
+//! held until the next event. A motion with another cutter, for which no tool record has come, causes a warning.
 
 use crate::cl::record::{CutterRecord, ToolCallRecord};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Location, ToolCall};
 
-/// Cutters whose diameters differ by less are the same, mm.
+/// Largest difference of the diameters of equal cutters.
 const SAME_DIAMETER_MM: f64 = 1e-3;
 
-/// Tool and cutter as far as they are known, lengths in mm.
+/// Tool and cutter in force, lengths in mm.
 #[derive(Debug, Default)]
 pub(crate) struct ModalTool {
-    /// Described for the next call.
+    /// Cutter that belongs to the tool called next.
     next_cutter: Option<CutterRecord>,
-    /// Nothing has moved since that cutter was described.
+    /// No motion has come since that cutter was described.
     next_is_new: bool,
-    /// The cutter that moved last without a tool record for it.
+    /// Cutter of the last motion that had no tool record for it.
     uncalled: Option<CutterRecord>,
-    /// A call that may still be described.
+    /// Call that is held, because its cutter may follow.
     held: Option<(Location, ToolCall)>,
+    /// Call that was returned last.
     last: Option<ToolCall>,
-    /// Largest diameter and the place of the first cutter, for the plausibility of the units.
+    /// Largest diameter, mm, and place of the first cutter: evidence of the unit of the file.
     largest: Option<(f64, Location)>,
 }
 
@@ -37,38 +38,38 @@ impl ModalTool {
         self.held.is_some()
     }
 
-    /// Whether a motion has to be compared with the cutter: see [`compare`](Self::compare).
+    /// Whether the next motion must be checked for a cutter without a call: see [`compare`](Self::compare).
     pub(crate) fn is_described_anew(&self) -> bool {
         self.next_is_new
     }
 
-    /// Largest diameter so far, mm, and the place of the first cutter.
+    /// Largest diameter so far, mm, and place of the first cutter.
     pub(crate) fn largest_cutter(&self) -> Option<(f64, Location)> {
         self.largest
     }
 
-    /// The call that was held back: nothing describes it any more.
-    pub(crate) fn let_go(&mut self) -> Option<(Location, ToolCall)> {
+    /// Takes the call that is held; a cutter that follows cannot change it any more.
+    pub(crate) fn take_held(&mut self) -> Option<(Location, ToolCall)> {
         let held = self.held.take()?;
         self.last = Some(held.1);
         Some(held)
     }
 
-    /// LOADTL, LOAD/TOOL, after the call before it was let go; `length` in mm.
-    pub(crate) fn call(&mut self, tool: &ToolCallRecord, length: Option<f64>, here: Location) {
+    /// LOADTL, LOAD/TOOL. The call before must have been taken by [`take_held`](Self::take_held).
+    pub(crate) fn call(&mut self, tool: &ToolCallRecord, length_mm: Option<f64>, here: Location) {
         (self.next_is_new, self.uncalled) = (false, None);
-        let mut call = ToolCall { number: tool.number, length, offset: tool.offset, ..ToolCall::default() };
+        let mut call = ToolCall { number: tool.number, length_mm, length_offset: tool.offset, ..ToolCall::default() };
         if let Some(cutter) = self.next_cutter.take() {
-            call.diameter = Some(cutter.diameter);
-            call.corner_radius = cutter.corner_radius;
+            call.diameter_mm = Some(cutter.diameter);
+            call.corner_radius_mm = cutter.corner_radius;
         } else if let Some(same) = self.last.filter(|last| last.number == tool.number) {
-            // CATIA calls a tool again for each operation and describes it once.
-            (call.diameter, call.corner_radius) = (same.diameter, same.corner_radius);
+            // CATIA calls a tool for each operation and describes it once only.
+            (call.diameter_mm, call.corner_radius_mm) = (same.diameter_mm, same.corner_radius_mm);
         }
         self.held = Some((here, call));
     }
 
-    /// CUTTER before a call.
+    /// CUTTER or TLDATA before a call.
     pub(crate) fn describe_next(&mut self, cutter: CutterRecord, here: Location) {
         self.note_size(cutter, here);
         self.next_cutter = Some(cutter);
@@ -80,12 +81,12 @@ impl ModalTool {
         self.note_size(cutter, here);
         let held = self.held.as_mut().map(|(_, tool)| tool);
         if let Some(tool) = held.or(self.last.as_mut()) {
-            tool.diameter = Some(cutter.diameter);
-            tool.corner_radius = cutter.corner_radius;
+            tool.diameter_mm = Some(cutter.diameter);
+            tool.corner_radius_mm = cutter.corner_radius;
         }
     }
 
-    /// A cutter that found no tool belongs to the operation that ends.
+    /// End of an operation: a cutter without a tool call belongs to it and is dropped.
     pub(crate) fn end_operation(&mut self) {
         self.next_cutter = None;
     }
@@ -101,36 +102,35 @@ impl ModalTool {
     pub(crate) fn set_length_offset(&mut self, register: u32, at: Span) -> Result<(), ClFault> {
         let fault = |text: &str, help: &str| Err(ClFault::new("length offset", at, text, help));
         if register == 0 {
-            return fault("length offset 0 would switch the length offset off", "give a register above 0");
+            return fault("OFSETL 0 would cancel the length offset", "program a register above 0");
         }
         match &mut self.held {
-            Some((_, tool)) if tool.offset.is_none_or(|offset| offset == register) => {
-                tool.offset = Some(register);
+            Some((_, tool)) if tool.length_offset.is_none_or(|offset| offset == register) => {
+                tool.length_offset = Some(register);
                 Ok(())
             }
-            Some(_) => fault("two different length offsets for one tool", "give one register"),
-            None if self.last.is_some_and(|tool| tool.offset.unwrap_or(tool.number) == register) => Ok(()),
+            Some(_) => fault("two different length offset registers for one tool", "program one register"),
+            None if self.last.is_some_and(|tool| tool.length_offset.unwrap_or(tool.number) == register) => Ok(()),
             None => fault(
-                "the length offset changes away from the tool's call",
-                "give it behind LOADTL or LOAD/TOOL: a change in the cut would move the tool",
+                "this change of the length offset does not directly follow the tool call",
+                "program it directly after LOADTL or LOAD/TOOL: a change in the cut would move the tool",
             ),
         }
     }
 
-    /// A motion with a cutter that no tool record has called: another one needs a call.
+    /// Warns of a motion with a cutter that differs from the one before and has no tool record.
     pub(crate) fn compare(&mut self, at: Span) -> Option<ClFault> {
         if !std::mem::take(&mut self.next_is_new) {
             return None;
         }
         let cutter = self.next_cutter?;
-        let called = self.current().and_then(|tool| tool.diameter);
+        let called = self.current().and_then(|tool| tool.diameter_mm);
         let before = self.uncalled.replace(cutter).map(|cutter| cutter.diameter).or(called)?;
         if (before - cutter.diameter).abs() <= SAME_DIAMETER_MM {
             return None;
         }
-        let text =
-            format!("the cutter changes from {before:.3} mm to {:.3} mm, and no tool record calls it", cutter.diameter);
-        let help = "the tool in the spindle goes on: give LOADTL or LOAD/TOOL in front of this motion";
+        let text = format!("the cutter changes from {before:.3} mm to {:.3} mm without a tool call", cutter.diameter);
+        let help = "the tool in the spindle stays in use: program LOADTL or LOAD/TOOL before this motion";
         Some(ClFault::new("cutter without call", at, text, help))
     }
 }

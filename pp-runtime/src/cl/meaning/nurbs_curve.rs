@@ -1,13 +1,13 @@
-//! NURBS of NX: knots and control points of a cubic, collected until the next record ends it.
+//! NURBS of NX: knots and control points of a cubic B-spline, collected until another record ends it.
 //!
-//! Four zero knots are implied before the first, the last one counts four times, and the first control point is the
-//! position of the tool. So the points listed are two more than the knots listed.
+//! NX implies four zero knots before the first listed one, multiplicity 4 of the last one, and the tool position as
+//! first control point. So a curve lists two more control points than knots.
 
 use crate::cl::text::{ClFault, Span};
 use crate::nalgebra::{Point3, UnitVector3, Vector3};
 use crate::program::{Feed, Location, Spline};
 
-/// More control points than this are not one curve of a tool path; it bounds the memory.
+/// Largest number of knots or control points of a curve; it bounds the memory. No curve of a tool path has as many.
 const MOST_POINTS: usize = 100_000;
 
 /// A curve, while it is read and when it is complete.
@@ -33,7 +33,7 @@ impl Default for NurbsCurve {
 }
 
 impl NurbsCurve {
-    /// Begins at a point.
+    /// Clears the curve and begins it at a point.
     fn begin(&mut self, start: Point3<f64>, axis: UnitVector3<f64>, feed: Option<Feed>, at: Location) {
         self.knots.clear();
         self.knots.extend([0.0; 4]);
@@ -42,32 +42,32 @@ impl NurbsCurve {
         (self.axis, self.feed, self.at) = (axis, feed, at);
     }
 
-    /// Whether there is room for more.
+    /// Whether the curve is below [`MOST_POINTS`].
     fn has_room(&self) -> bool {
         self.knots.len() < MOST_POINTS && self.points.len() < MOST_POINTS
     }
 
-    /// Completes the knots; the error is the reason why they are none of a curve.
+    /// Adds the implied end knots; the error is the reason why knots and points define no curve.
     fn complete(&mut self) -> Result<(), String> {
         let (knots, points) = (self.knots.len() - 4, self.points.len() - 1);
         if knots == 0 || points != knots + 2 {
-            return Err(format!("it lists {knots} knots and {points} control points, which must be two more"));
+            return Err(format!("it lists {knots} knots and {points} control points, expected {}", knots + 2));
         }
         if self.knots.windows(2).any(|pair| pair[1] < pair[0]) {
-            return Err("its knots do not rise".into());
+            return Err("its knots decrease".into());
         }
         let last = self.knots[self.knots.len() - 1];
         self.knots.extend([last; 3]);
-        // A cubic breaks at four equal knots; at its ends, where they are implied, at a fifth.
+        // A cubic is discontinuous at an inner knot of multiplicity 4, and degenerate at an end knot of multiplicity 5.
         let inner = &self.knots[1..self.knots.len() - 1];
         if inner.windows(4).any(|four| four[3] <= four[0]) {
-            return Err("it breaks where too many of its knots are equal".into());
+            return Err("it is discontinuous where too many of its knots are equal".into());
         }
         Ok(())
     }
 }
 
-/// The curve that is read, and the one that waits to be asked for.
+/// The curve that is being read, and the one that was completed last.
 #[derive(Debug, Default)]
 pub(crate) struct OpenCurve {
     open: bool,
@@ -86,17 +86,17 @@ impl OpenCurve {
         self.open = true;
     }
 
-    /// KNOT and CNTRL need a curve with room for more.
+    /// Refuses KNOT and CNTRL outside a NURBS, and beyond [`MOST_POINTS`].
     pub(crate) fn check_open(&self, name: &'static str, at: Span) -> Result<(), ClFault> {
         if self.open && self.reading.has_room() {
             return Ok(());
         }
         let text = if self.open {
-            "this curve has more points than a curve of a tool path can have".to_string()
+            format!("this curve has more than {MOST_POINTS} knots or control points")
         } else {
-            format!("{name} stands outside a NURBS")
+            format!("{name} comes outside a NURBS")
         };
-        Err(ClFault::new("NURBS", at, text, "knots and control points stand behind NURBS/"))
+        Err(ClFault::new("NURBS", at, text, "write KNOT and CNTRL after NURBS/"))
     }
 
     /// KNOT.
@@ -109,22 +109,22 @@ impl OpenCurve {
         self.reading.points.push(point);
     }
 
-    /// The record after a curve completes it; answers the place of its NURBS.
+    /// Completes the curve; returns the place of its NURBS record.
     pub(crate) fn close(&mut self) -> Result<Location, ClFault> {
         self.open = false;
         if let Err(why) = self.reading.complete() {
             return Err(ClFault::new(
                 "NURBS",
                 Span::WHOLE,
-                format!("the curve of line {} is not understood: {why}", self.reading.at.line),
-                "have the CAM system write lines instead of curves",
+                format!("the curve of line {} is invalid: {why}", self.reading.at.line),
+                "have the CAM system output lines instead of curves",
             ));
         }
         std::mem::swap(&mut self.reading, &mut self.complete);
         Ok(self.complete.at)
     }
 
-    /// The curve that was completed last.
+    /// Curve that was completed last.
     pub(crate) fn completed(&self) -> Spline<'_> {
         let NurbsCurve { knots, points, axis, feed, .. } = &self.complete;
         Spline { knots, points, axis: *axis, feed: *feed }

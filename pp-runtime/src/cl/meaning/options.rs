@@ -1,4 +1,4 @@
-//! What the caller knows about a file, or wants of it: command line and `[cl]` of the configuration.
+//! Options of reading CL data: from the command line and from `[cl]` of the configuration.
 
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -7,13 +7,13 @@ use serde_json::{Map, Value as Json, json};
 
 use super::holes::CycleArg;
 use crate::cl::dialect::Dialect;
-use crate::cl::record::{CycleKind, not_inert};
+use crate::cl::record::{ClCycleKind, not_inert};
 use crate::keys::{
-    KeyKind, KeyReader, KeyScope, KeyTable, ListOf, OneLine, OneOf, Printed, TomlValue, Truth, Whole, options,
+    KeyKind, KeyReader, KeyScope, KeyTable, ListOf, OneLine, OneOf, Printed, TomlValue, Whole, YesNo, options,
 };
 use crate::program::Units;
 
-/// Sense of a circle about its axis.
+/// Sense in which a circle is traversed about its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sense {
     /// Clockwise.
@@ -22,15 +22,15 @@ pub enum Sense {
     CounterClockwise,
 }
 
-/// What to do with a frame that differs from the first.
+/// Handling of a frame that differs from the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Frames {
-    /// Refuse it, with both lines.
+    /// Refuse it; the message names both lines.
     #[default]
     Refuse,
-    /// Map its points and axes into the first.
+    /// Map its points and tool axes into the first frame.
     Main,
-    /// Leave them as they are: each frame has a work offset of its own.
+    /// Keep points and tool axes; each frame has a work offset of its own.
     Offset,
 }
 
@@ -38,7 +38,7 @@ impl Frames {
     const NAMES: [(&'static str, Self); 3] = [("refuse", Self::Refuse), ("main", Self::Main), ("offset", Self::Offset)];
 }
 
-/// What to do with INSERT.
+/// Handling of INSERT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Insert {
     /// Refuse it.
@@ -61,9 +61,9 @@ pub enum FeedLabel {
     /// Refuse it.
     #[default]
     Refuse,
-    /// It is in millimetres, as labelled.
+    /// The feed is in millimetres, as labelled.
     Trust,
-    /// It is in the unit of the file, whatever its label.
+    /// The feed is in the unit of the file, whatever its label.
     FileUnits,
 }
 
@@ -78,64 +78,65 @@ pub enum ClPoint {
     /// The end of the tool on its axis.
     #[default]
     Tip,
-    /// The centre of the corner radius: above the tip by that radius.
+    /// The centre of the corner radius, which lies above the tip by that radius.
     Centre,
 }
 
 impl ClPoint {
-    /// Both, by their names.
+    /// Names, as in configuration files.
     pub(crate) const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("centre", Self::Centre)];
 }
 
 options! {
-    /// How the CL data is read; `explain --cl` lists its words.
-    pub struct Options in "cl" {
+    /// Reading of CL data. `explain --cl` lists the words that are read.
+    pub struct ReadingOptions in "cl" {
         /// Unit of CL data that does not state its own (`--units`). Without it such data is refused.
         units: Option<Units> = None;
-        /// The point that the CL data programs: "tip", or "centre" of the corner radius.
+        /// Point of the tool that the CL data programs: "tip", or "centre" of the corner radius.
         cl_point: ClPoint = ClPoint::Tip, key("cl_point", OneOf(&ClPoint::NAMES));
-        /// The same for single tools.
+        /// The same by tool number, where it differs.
         cl_point_of: BTreeMap<u32, ClPoint> = BTreeMap::new();
-        /// CAM system where the file does not tell, or tells wrongly: "nx", "catia", "creo", "solidworks" or "iso".
+        /// CAM system of the CL data, if the file does not identify it or identifies it wrongly: "nx", "catia", "creo",
+        /// "solidworks" or "iso".
         dialect: Option<Dialect> = None, key("cl.dialect", OneOf(&Dialect::NAMES), "\"nx\"");
-        /// Columns of a line that count, for cards with numbers behind them. Without it all of them.
+        /// Number of columns of a line that are read, for cards with sequence numbers after them. Without it all columns
+        /// are read.
         columns: Option<u32> = None, key("cl.columns", Whole(COLUMNS), "72");
-        /// Words that are passed over.
+        /// Words of CL data that are passed over, because they move no axis and change no state.
         inert: Vec<String> = Vec::new(), key("cl.inert", ListOf(InertWord));
-        /// A second frame: "refuse", "main" (mapped into the first) or "offset" (a work offset of its own, see
-        /// `[frames]`).
+        /// A frame that differs from the first: "refuse", "main" (mapped into the first) or "offset" (a work offset of its
+        /// own, see `[frames]`).
         frames: Frames = Frames::Refuse, key("cl.frames", OneOf(&Frames::NAMES));
-        /// Sense of every CIRCLE about its axis, whatever its form says: "cw" or "ccw".
+        /// Sense of every CIRCLE about its axis, "cw" or "ccw". Without it the count of its numbers decides.
         circle_sense: Option<Sense> = None, key("cl.circle_sense", OneOf(&SENSES), "\"ccw\"");
-        /// INSERT: "refuse", "comment" or "write" (as NC text that nobody checks).
+        /// INSERT: "refuse", "comment" or "write" (as NC text, which is not checked).
         insert: Insert = Insert::Refuse, key("cl.insert", OneOf(&Insert::NAMES));
-        /// INSERT/STOP is STOP.
-        insert_stop: bool = false, key("cl.insert_stop", Truth);
-        /// Codes that AUXFUN and PREFUN may write.
+        /// Treat INSERT/STOP as STOP.
+        insert_stop: bool = false, key("cl.insert_stop", YesNo);
+        /// M codes that AUXFUN may output, and G codes that PREFUN may output.
         auxfun: Vec<u32> = Vec::new(), key("cl.auxfun", ListOf(Whole(0..=LARGEST_CODE)));
-        /// Codes that PREFUN may write.
+        /// G codes that PREFUN may output.
         prefun: Vec<u32> = Vec::new(), also("cl.prefun", ListOf(Whole(0..=LARGEST_CODE)));
-        /// A feed labelled in mm in a file in inches: "refuse", "trust" or "file-units".
+        /// Feed labelled in mm in a file in inch: "refuse", "trust" (it is in mm) or "file-units" (it is in inch).
         feed_label: FeedLabel = FeedLabel::Refuse, key("cl.feed_label", OneOf(&FeedLabel::NAMES));
-        /// FROM: "reference" (nothing moves) or "move".
-        ///
-        /// `true`: it is written as the first approach.
+        /// FROM: "reference" (start point, no motion) or "move" (a rapid to this point, as first approach).
         from_move: bool = false, key("cl.from", OneOf(&FROMS));
-        /// Numbers of a CYCLE that have no word: depth, clearance, return, step, dwell, pitch, feed.
-        cycle_args: Vec<(CycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
+        /// Meaning of the numbers of a CYCLE that have no word before them, in order: depth, clearance, return, step, dwell,
+        /// pitch, feed.
+        cycle_args: Vec<(ClCycleKind, Vec<CycleArg>)> = Vec::new(), key("cl.cycle", CycleNumbers);
     }
 }
 
 const SENSES: [(&str, Sense); 2] = [("cw", Sense::Clockwise), ("ccw", Sense::CounterClockwise)];
 const FROMS: [(&str, bool); 2] = [("reference", false), ("move", true)];
 
-/// Columns of a line that may count.
+/// Permitted values of `cl.columns`.
 const COLUMNS: RangeInclusive<u32> = 8..=4096;
 
-/// Largest number of a code.
+/// Largest number of an M or G code.
 const LARGEST_CODE: u32 = 9999;
 
-/// A word that moves nothing.
+/// Kind of key: a word of CL data that may be declared inert.
 #[derive(Debug, Clone, Copy)]
 struct InertWord;
 
@@ -160,17 +161,17 @@ impl KeyKind for InertWord {
     }
 }
 
-/// `TAP.args = ["depth", "pitch"]`.
+/// Kind of key: meaning of the numbers without a word, by kind of CYCLE: `TAP.args = ["depth", "pitch"]`.
 #[derive(Debug, Clone, Copy)]
 struct CycleNumbers;
 
 impl KeyKind for CycleNumbers {
-    type Value = Vec<(CycleKind, Vec<CycleArg>)>;
+    type Value = Vec<(ClCycleKind, Vec<CycleArg>)>;
 
     fn read(&self, r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Self::Value> {
         let mut read = Vec::new();
         for (key, span, value) in r.entries(value) {
-            let Some((_, kind)) = CycleKind::WORDS.iter().find(|(word, _)| *word == key) else {
+            let Some((_, kind)) = ClCycleKind::WORDS.iter().find(|(word, _)| *word == key) else {
                 r.fault(span, format!("`{key}` is not a kind of CYCLE"), None);
                 continue;
             };
@@ -191,7 +192,7 @@ impl KeyKind for CycleNumbers {
         let args = ListOf(OneOf(&CycleArg::NAMES)).schema(scope);
         let kind = json!({ "type": "object", "properties": { "args": args }, "additionalProperties": false });
         let kinds: Map<String, Json> =
-            CycleKind::WORDS.iter().map(|(word, _)| ((*word).to_owned(), kind.clone())).collect();
+            ClCycleKind::WORDS.iter().map(|(word, _)| ((*word).to_owned(), kind.clone())).collect();
         json!({ "type": "object", "properties": kinds, "additionalProperties": false })
     }
 

@@ -1,22 +1,23 @@
-//! The path so far: where the tool is, how it came there, and how it moves next.
+//! State of the path: position of the tool, feed, RAPID, clearance plane, and the last feed line.
 
 use crate::cl::text::{ClFault, Span};
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
-use crate::program::{Feed, Plane};
+use crate::program::{ClearancePlane, Feed};
 
 /// Position of the tool and the modes of its motion, in the workpiece frame.
 #[derive(Debug, Default)]
 pub(crate) struct PathState {
     here: Option<Pose>,
-    /// Start of the feed line that led there.
+    /// Start of the feed line that ends at `here`; `None` after any other motion.
     line_from: Option<Point3<f64>>,
-    /// The last motion was a hole: the tool is above the point of its record.
+    /// The last motion was a hole: the tool is above the point of its GOTO.
     above_hole: bool,
-    /// RAPID waits for its motion.
+    /// RAPID has come; the next motion is a rapid.
     rapid: bool,
     feed: Option<Feed>,
-    clearance: Option<Plane>,
+    clearance: Option<ClearancePlane>,
+    /// Number of motions so far.
     motions: u64,
 }
 
@@ -33,7 +34,7 @@ impl PathState {
         self.motions
     }
 
-    pub(crate) fn clearance(&self) -> Option<Plane> {
+    pub(crate) fn clearance(&self) -> Option<ClearancePlane> {
         self.clearance
     }
 
@@ -47,51 +48,51 @@ impl PathState {
     }
 
     /// CLEARP.
-    pub(crate) fn set_clearance(&mut self, plane: Plane) {
+    pub(crate) fn set_clearance(&mut self, plane: ClearancePlane) {
         self.clearance = Some(plane);
     }
 
-    /// RAPID.
+    /// Sets or cancels RAPID for the next motion.
     pub(crate) fn set_rapid(&mut self, rapid: bool) {
         self.rapid = rapid;
     }
 
-    /// Whether RAPID waited; it does so no longer.
+    /// Returns whether RAPID is set, and cancels it.
     pub(crate) fn take_rapid(&mut self) -> bool {
         std::mem::take(&mut self.rapid)
     }
 
-    /// Position of the tool, for what counts from there.
+    /// Position of the tool, for the record `name`, which is relative to it. Refused where it is unknown or ambiguous.
     pub(crate) fn position(&self, name: &'static str, at: Span) -> Result<Pose, ClFault> {
         if self.above_hole {
             return Err(ClFault::new(
                 name,
                 at,
-                format!("{name} stands behind a hole: whether it counts from the hole or from above it is not known"),
-                "give a GOTO in front of it",
+                format!("{name} after a hole is ambiguous: it may start from the hole or from the level above it"),
+                "program a GOTO before it",
             ));
         }
         self.here.ok_or_else(|| {
             ClFault::new(
                 name,
                 at,
-                format!("{name} counts from where the tool stands, and nothing before it says where that is"),
-                "give a GOTO or FROM before it",
+                format!("{name} is relative to the tool position, which is unknown here"),
+                "program a GOTO or FROM before it",
             )
         })
     }
 
-    /// The feed line to a point, if it is one.
+    /// Vector of the motion to a point, if that motion is a feed line.
     pub(crate) fn line_to(&self, tip: Point3<f64>) -> Option<Vector3<f64>> {
         self.here.filter(|_| !self.rapid).map(|before| tip - before.tip)
     }
 
-    /// The feed line that led to `tip`, where the tool is.
+    /// Vector of the feed line that ended at `tip`, the position of the tool.
     pub(crate) fn line_before(&self, tip: Point3<f64>) -> Option<Vector3<f64>> {
         self.line_from.map(|from| tip - from)
     }
 
-    /// A straight motion; answers whether it is rapid.
+    /// Executes a straight motion; returns whether it is a rapid.
     #[inline]
     pub(crate) fn move_to(&mut self, pose: Pose) -> bool {
         self.motions += 1;
@@ -102,60 +103,60 @@ impl PathState {
         rapid
     }
 
-    /// A curve or an arc; where it ends is noted apart.
+    /// Counts a curve or an arc; its end is set by [`set_here`](Self::set_here).
     pub(crate) fn count_motion(&mut self) {
         self.motions += 1;
         self.line_from = None;
     }
 
-    /// The end of a motion, or where a refused one would have ended: what follows counts from there.
+    /// Sets the position: the end of a motion, also of a refused one.
     pub(crate) fn set_here(&mut self, pose: Pose) {
         self.here = Some(pose);
     }
 
-    /// FROM.
+    /// Sets the position of FROM.
     pub(crate) fn start_at(&mut self, pose: Pose) {
         self.here = Some(pose);
         self.above_hole = false;
         self.line_from = None;
     }
 
-    /// A point under a cycle.
+    /// Begins a hole: GOTO while a cycle is active.
     pub(crate) fn begin_hole(&mut self) {
         self.rapid = false;
         self.count_motion();
     }
 
-    /// The tool is above a hole.
+    /// Ends a hole: the tool is above it.
     pub(crate) fn end_hole(&mut self, above: Pose) {
         self.here = Some(above);
         self.above_hole = true;
     }
 
-    /// GOHOME: neither RAPID nor a hole matters to it.
+    /// Begins GOHOME: cancels RAPID; it is absolute, so it may follow a hole.
     pub(crate) fn begin_home(&mut self) {
         self.rapid = false;
         self.leave_hole();
         self.line_from = None;
     }
 
-    /// The direction along the tool is the same from a hole and from above it.
+    /// Permits RETRCT after a hole: along the tool axis it is the same from the hole and from above it.
     pub(crate) fn leave_hole(&mut self) {
         self.above_hole = false;
     }
 
-    /// The next motion has no feed line before it.
+    /// Forgets the feed line before the next motion.
     pub(crate) fn forget_line(&mut self) {
         self.line_from = None;
     }
 
-    /// The position is unknown.
+    /// Forgets the position.
     pub(crate) fn forget_position(&mut self) {
         self.here = None;
         self.line_from = None;
     }
 
-    /// Position and clearance plane belong to another frame.
+    /// Forgets position and clearance plane: they are in another frame.
     pub(crate) fn change_frame(&mut self) {
         (self.here, self.clearance) = (None, None);
     }

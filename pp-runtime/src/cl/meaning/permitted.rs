@@ -1,39 +1,39 @@
-//! Which records may come while an arc, a curve or a cycle is open: one table.
+//! Table of the records that may come while an arc, a curve or a cycle is open.
 
 use crate::cl::record::{
     ArcRecord, CoordinateRecord, CycleRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, Record,
     SubprogramRecord, ToolRecord,
 };
 
-/// Where a record may come.
+/// Places where a record may come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Permitted {
-    /// It moves the tool or begins a path: not between AUTOPS or INDIRV and their TLON.
+    /// The record moves the tool or begins a path, so it may not come between AUTOPS or INDIRV and their TLON.
     pub(crate) begins_motion: bool,
-    /// It may come between CIRCLE and the GOTO that ends its arc.
+    /// The record may come between CIRCLE and the GOTO that ends its arc.
     pub(crate) in_arc: bool,
-    /// It belongs to a NURBS that is open, or does not end it.
+    /// The record is part of an open NURBS, or at least does not end it.
     pub(crate) in_curve: bool,
-    /// It may come among the points of a CYCLE.
+    /// The record may come among the points of a CYCLE.
     pub(crate) in_cycle: bool,
 }
 
 impl Permitted {
-    /// It interrupts nothing but a curve and an arc.
+    /// Ends a curve, may not come in an arc.
     const ORDINARY: Permitted = Permitted { begins_motion: false, in_arc: false, in_curve: false, in_cycle: true };
-    /// It may come before the end of an arc, too.
+    /// Ends a curve only.
     const WITHIN_ARC: Permitted = Permitted { in_arc: true, ..Permitted::ORDINARY };
-    /// It ends everything.
+    /// Ends a curve, may not come in an arc or a cycle.
     const ALONE: Permitted = Permitted { in_cycle: false, ..Permitted::ORDINARY };
-    /// It is part of a curve.
+    /// Part of a curve, may not come in an arc.
     const OF_CURVE: Permitted = Permitted { in_curve: true, ..Permitted::ORDINARY };
-    /// It matters to nothing.
+    /// Without effect on arcs, curves and cycles.
     const ANYWHERE: Permitted = Permitted { in_arc: true, in_curve: true, ..Permitted::ORDINARY };
-    /// It moves to a point, which may end an arc or be that of a hole.
+    /// Motion to a point, which may end an arc or be a hole.
     const POINT: Permitted = Permitted { begins_motion: true, ..Permitted::WITHIN_ARC };
-    /// It moves to a point, which may be that of a hole.
+    /// Motion to a point, which may be a hole; may not come in an arc.
     const POINT_OF_HOLE: Permitted = Permitted { begins_motion: true, ..Permitted::ORDINARY };
-    /// It moves or begins a path, and ends everything.
+    /// Motion or begin of a path; may not come in an arc or a cycle.
     const PATH_ALONE: Permitted = Permitted { begins_motion: true, ..Permitted::ALONE };
 
     pub(crate) fn of(record: &Record<'_>) -> Permitted {
@@ -84,7 +84,7 @@ impl Permitted {
             MachineRecord::Feed(_) | MachineRecord::InverseTime(_) => Self::WITHIN_ARC,
             MachineRecord::Coolant(_) | MachineRecord::Tolerance { .. } => Self::WITHIN_ARC,
             MachineRecord::Rapid | MachineRecord::Spindle(_) | MachineRecord::Compensation { .. } => Self::ORDINARY,
-            MachineRecord::Delay { .. } | MachineRecord::Turning(_) => Self::ORDINARY,
+            MachineRecord::Delay { .. } | MachineRecord::RotaryDirection(_) => Self::ORDINARY,
         }
     }
 

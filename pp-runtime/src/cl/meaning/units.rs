@@ -1,15 +1,15 @@
-//! The unit of a file: found in it, or given by the caller.
+//! Unit of length of a file: stated in it, or given by the caller.
 
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Location, Units};
 
-/// The unit of a file; the first one stated holds to its end.
+/// Unit of length of a file. The first one stated holds for the whole file.
 #[derive(Debug, Default)]
 pub(crate) struct FileUnits {
     given: Option<Units>,
     found: Option<(Units, Location)>,
-    /// That none is known has been reported.
-    missed: bool,
+    /// The missing unit has been reported.
+    missing_reported: bool,
 }
 
 impl FileUnits {
@@ -17,17 +17,18 @@ impl FileUnits {
         FileUnits { given, ..Self::default() }
     }
 
-    /// As found, else as given.
+    /// Unit as stated in the file, else as given.
     pub(crate) fn known(&self) -> Option<Units> {
         self.found.map(|(units, _)| units).or(self.given)
     }
 
-    /// Whether the unit is known from the caller only.
+    /// Whether the unit is given by the caller and not stated in the file.
     pub(crate) fn are_only_given(&self) -> bool {
         self.found.is_none() && self.given.is_some()
     }
 
-    /// Millimetres in one unit of the file, for the number at `at`. A missing unit is reported once.
+    /// Length of one unit of the file in mm, for the number at `at`. A missing unit is reported once; then mm is
+    /// assumed.
     #[inline]
     pub(crate) fn millimetres(&mut self, at: Span) -> Result<f64, ClFault> {
         match self.known() {
@@ -38,31 +39,31 @@ impl FileUnits {
 
     #[cold]
     fn assume_millimetres(&mut self, at: Span) -> Result<f64, ClFault> {
-        if std::mem::replace(&mut self.missed, true) {
+        if std::mem::replace(&mut self.missing_reported, true) {
             return Ok(1.0);
         }
         Err(ClFault::new(
             "units",
             at,
-            "the file does not say its unit: no UNITS/MM, UNITS/INCH or UNIT/.. stands before this number",
-            "give `--units mm` or `--units in`, as the part is modelled",
+            "the unit of the file is unknown: no UNITS/MM, UNITS/INCH or UNIT/.. comes before this number",
+            "add `--units mm` or `--units in`, the unit of the part in the CAM system",
         ))
     }
 
-    /// UNITS.
+    /// UNITS, UNIT: sets the unit; refused if it contradicts the one stated or given before.
     pub(crate) fn take(&mut self, units: Units, here: Location) -> Result<(), ClFault> {
         let fault = |text: String, help: &str| Err(ClFault::new("units", Span::WHOLE, text, help));
         if let Some((before, line)) = self.found {
             if before != units {
-                let text = format!("the unit changes in the middle of the file; line {} says another one", line.line);
-                return fault(text, "write the whole file in one unit");
+                let text = format!("this unit differs from that of line {}", line.line);
+                return fault(text, "have the CAM system output the whole file in one unit");
             }
             return Ok(());
         }
         self.found = Some((units, here));
         if self.given.is_some_and(|given| given != units) {
-            let text = "the file says another unit than `--units`".to_string();
-            return fault(text, "leave `--units` out if the file is right");
+            let text = "the unit of the file contradicts `--units` or `cl_units`".to_string();
+            return fault(text, "leave these out if the file is right");
         }
         Ok(())
     }

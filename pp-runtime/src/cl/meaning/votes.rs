@@ -1,28 +1,28 @@
-//! A vote on the sense in which circles are traversed.
+//! Check of the sense in which circles are traversed, by a vote of the lines next to them.
 //!
-//! The sense that follows from the form of a CIRCLE is checked against the feed lines before and after each arc: a line
-//! that continues tangentially decides. A majority against the form's sense is an error, a single contradiction may be a
-//! genuine cusp.
+//! The sense that follows from the form of a CIRCLE is compared with the feed lines before and after each arc. A line
+//! that is tangent to the arc votes for or against that sense. A majority against it is an error; a minority may be
+//! real cusps, and is a warning.
 
 use crate::nalgebra::{UnitVector3, Vector3};
 use crate::program::{Arc, Location};
 
-/// A line is tangential within this angle; its cosine.
+/// Cosine of the largest angle between a line and the tangent of an arc at which the line votes, 1 degree.
 const TANGENTIAL: f64 = 0.999_847_695_156_391_3;
 
-/// Shorter lines have no reliable direction, mm.
+/// Length of the shortest line that votes; the direction of a shorter one is not reliable.
 const SHORTEST_LINE_MM: f64 = 0.01;
 
-/// Groups of arcs that vote separately; more frames than that share the last group.
+/// Largest number of groups of arcs that vote separately; further ones share the last group.
 const MOST_GROUPS: usize = 64;
 
-/// Direction of an arc at its start and at its end.
+/// Tangents of an arc at its start and at its end, in the sense of traversal.
 fn tangents(arc: &Arc) -> [Vector3<f64>; 2] {
     let n = arc.normal.into_inner();
     [arc.start.tip, arc.end.tip].map(|point| n.cross(&(point - arc.centre)).normalize())
 }
 
-/// Whether a line runs along a tangent (`Some(true)`), against it, or neither.
+/// Vote of a line: along the tangent (`Some(true)`), against it (`Some(false)`), or none.
 fn vote(line: Vector3<f64>, tangent: Vector3<f64>, normal: &UnitVector3<f64>) -> Option<bool> {
     let flat = line - normal.into_inner() * line.dot(normal);
     let length = flat.norm();
@@ -33,7 +33,7 @@ fn vote(line: Vector3<f64>, tangent: Vector3<f64>, normal: &UnitVector3<f64>) ->
     (cosine.abs() >= TANGENTIAL).then_some(cosine > 0.0)
 }
 
-/// Arcs of one frame about one direction.
+/// Arcs of one frame whose axes have the same sign, and their votes.
 #[derive(Debug, Clone, Copy)]
 struct VoteGroup {
     frame: u32,
@@ -43,20 +43,20 @@ struct VoteGroup {
     first_against: Location,
 }
 
-/// Evidence of the sense of the arcs of a file.
+/// Result of the vote on the sense of the arcs of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct ArcVote {
-    /// Arcs read.
+    /// Number of arcs read.
     pub arcs: u64,
-    /// Arcs of which a neighbouring line confirms the sense.
+    /// Number of arcs whose neighbouring lines confirm the sense.
     pub agree: u64,
-    /// Arcs of which a neighbouring line contradicts it.
+    /// Number of arcs whose neighbouring lines contradict it.
     pub against: u64,
-    /// The sense was given, whatever the form.
+    /// The sense is given by an option, whatever the form.
     pub given: bool,
 }
 
-/// An arc whose next line is not known yet.
+/// An arc whose following motion is not read yet.
 #[derive(Debug, Clone, Copy)]
 struct UndecidedArc {
     group: usize,
@@ -66,7 +66,7 @@ struct UndecidedArc {
     location: Location,
 }
 
-/// Collects the votes.
+/// Votes of the lines of a file on the sense of its arcs.
 #[derive(Debug, Default)]
 pub(crate) struct ArcVotes {
     groups: Vec<VoteGroup>,
@@ -75,8 +75,8 @@ pub(crate) struct ArcVotes {
 }
 
 impl ArcVotes {
-    /// An arc; `line`: the feed line that led to it.
-    pub(crate) fn arc(
+    /// Adds an arc; `line`: the feed line before it.
+    pub(crate) fn add_arc(
         &mut self,
         arc: &Arc,
         axis: &UnitVector3<f64>,
@@ -84,7 +84,7 @@ impl ArcVotes {
         frame: u32,
         at: Location,
     ) {
-        self.settle(None);
+        self.conclude_arc(None);
         self.arcs += 1;
         let largest =
             axis.iter().copied().fold(0.0_f64, |most, value| if value.abs() > most.abs() { value } else { most });
@@ -106,12 +106,12 @@ impl ArcVotes {
         });
     }
 
-    pub(crate) fn waits(&self) -> bool {
+    pub(crate) fn has_undecided(&self) -> bool {
         self.undecided.is_some()
     }
 
-    /// What follows the last arc: a feed line, or something else.
-    pub(crate) fn settle(&mut self, line: Option<Vector3<f64>>) {
+    /// Concludes the last arc with the feed line after it, or with `None` for any other record.
+    pub(crate) fn conclude_arc(&mut self, line: Option<Vector3<f64>>) {
         let Some(arc) = self.undecided.take() else { return };
         let after = line.and_then(|line| vote(line, arc.tangent, &arc.normal));
         let group = &mut self.groups[arc.group];
@@ -123,7 +123,7 @@ impl ArcVotes {
                 }
                 group.against += 1;
             }
-            // A line that comes in along the arc and one that goes out against it: a cusp.
+            // The lines before and after contradict each other: a cusp.
             (None, None) | (Some(true), Some(false)) | (Some(false), Some(true)) => {}
         }
     }
@@ -133,7 +133,7 @@ impl ArcVotes {
         ArcVote { arcs: self.arcs, agree: sum(|group| group.agree), against: sum(|group| group.against), given }
     }
 
-    /// Groups with contradictions: where the first is, how many arcs contradict, of how many decided ones.
+    /// For each group with contradictions: place of the first, number of arcs against, number of arcs with a vote.
     pub(crate) fn contradictions(&self) -> impl Iterator<Item = (Location, u64, u64)> + '_ {
         let some = self.groups.iter().filter(|group| group.against > 0);
         some.map(|group| (group.first_against, group.against, group.agree + group.against))

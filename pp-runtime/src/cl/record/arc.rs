@@ -1,11 +1,11 @@
-//! Records of arcs: CIRCLE in its three forms, MOVARC, and CATIA's TLON with AUTOPS and INDIRV.
+//! Records of arcs: CIRCLE in its three forms, MOVARC, and TLON with AUTOPS and INDIRV (CATIA).
 
 use std::fmt::{self, Display, Formatter};
 
 use super::values::{ClNumber, ClNumbers};
 use crate::cl::text::{Args, ClFault, Span, number_at_start, quoted, skip_blanks};
 
-/// Form of a CIRCLE, by the count of its numbers; the sense in which it is traversed follows from it.
+/// Form of a CIRCLE by the count of its numbers. The sense in which the circle is traversed follows from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CircleForm {
     /// 6 numbers: centre and axis; counter-clockwise about the axis (SolidWorks CAM).
@@ -21,36 +21,36 @@ pub enum CircleForm {
 pub struct CircleRecord {
     /// Centre.
     pub centre: [f64; 3],
-    /// Its axis, not normalised.
+    /// Axis, not normalised.
     pub axis: [f64; 3],
     /// Radius, if the form has one.
     pub radius: Option<f64>,
-    /// Form.
+    /// Form of the record.
     pub form: CircleForm,
-    /// TIMES,n: the arc and n - 1 full turns.
+    /// TIMES,n: the arc and n - 1 full revolutions.
     pub times: u32,
-    /// MOVARC: the angle that the arc must have, degrees.
-    pub angle: Option<f64>,
-    /// The numbers, for messages.
+    /// Angle that the arc must have (MOVARC).
+    pub angle_deg: Option<f64>,
+    /// Place of the numbers, for messages.
     pub at: Span,
 }
 
-/// `TLON,GOFWD/ (CIRCLE/ c,r),ON,(LINE/ c,e)`: an arc to `e`, begun in the direction of INDIRV.
+/// `TLON,GOFWD/ (CIRCLE/ c,r),ON,(LINE/ c,e)`: an arc to the point `e` that begins in the direction of INDIRV.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TangentArc {
     /// Centre.
     pub centre: [f64; 3],
     /// Radius.
     pub radius: f64,
-    /// A point of the line, and its end: where the line meets the circle the arc ends.
+    /// Two points of the line. The second is the end of the arc, where the line meets the circle.
     pub line: [[f64; 3]; 2],
     /// `2,INTOF`: the second intersection along the line.
     pub second: bool,
-    /// The arguments, for messages.
+    /// Place of the arguments, for messages.
     pub at: Span,
 }
 
-/// An arc, or what comes before one.
+/// A record that defines an arc or its begin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ArcRecord {
     /// `CIRCLE/..` with 6, 7 or 11 numbers and `TIMES,n`; `MOVARC/x,y,z,i,j,k,r,ANGLE,degrees`.
@@ -61,7 +61,7 @@ pub enum ArcRecord {
     Direction {
         /// Not normalised.
         vector: [f64; 3],
-        /// The numbers, for messages.
+        /// Place of the numbers, for messages.
         at: Span,
     },
     /// `TLON,GOFWD/ ..`.
@@ -74,8 +74,8 @@ pub(crate) fn direction(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     Ok(ArcRecord::Direction { vector, at: args.all() })
 }
 
-/// Turns of one arc: deeper threads have fewer, and it bounds the chords.
-const MOST_TURNS: u32 = 1000;
+/// Largest number of revolutions of an arc; it bounds the number of chords. No thread has as many.
+const MOST_REVOLUTIONS: u32 = 1000;
 
 /// CIRCLE: `x,y,z,i,j,k[,r[,t,f,d,e]][,TIMES,n]`.
 pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
@@ -87,9 +87,9 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         if arg.is("TIMES") {
             let count = args.needed()?;
             times = count.integer()?;
-            if !(1..=MOST_TURNS).contains(&times) {
-                let text = format!("an arc has 1 to {MOST_TURNS} turns, not {times}");
-                return Err(ClFault::new("circle", count.at, text, "TIMES,1 is the arc itself"));
+            if !(1..=MOST_REVOLUTIONS).contains(&times) {
+                let text = format!("TIMES must be 1 to {MOST_REVOLUTIONS}, found {times}");
+                return Err(ClFault::new("circle", count.at, text, "TIMES,n is the arc and n - 1 full revolutions"));
             }
             break;
         }
@@ -108,10 +108,10 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
                 "circle",
                 at,
                 format!(
-                    "{} has 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
+                    "{} needs 6, 7 or 11 numbers, found {found}; the sense of the arc follows from their count",
                     args.name()
                 ),
-                "6 and 7 are counter-clockwise about i, j, k; 11 are clockwise",
+                "6 and 7 numbers: counter-clockwise about i, j, k; 11 numbers: clockwise",
             ));
         }
     };
@@ -122,7 +122,7 @@ pub(crate) fn circle(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         radius: (form != CircleForm::Six).then_some(r),
         form,
         times,
-        angle: None,
+        angle_deg: None,
         at,
     }))
 }
@@ -140,12 +140,12 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     }
     let angle = args.needed()?;
     let degrees = angle.number()?;
-    if !(degrees > 0.0 && degrees <= 360.0 * f64::from(MOST_TURNS)) {
+    if !(degrees > 0.0 && degrees <= 360.0 * f64::from(MOST_REVOLUTIONS)) {
         return Err(ClFault::new(
             "circle",
             angle.at,
-            format!("an arc of {} degrees is not understood", quoted(angle.text)),
-            "an arc turns counter-clockwise about i, j, k by more than 0 and at most a thousand turns",
+            format!("the angle of an arc cannot be {} degrees", quoted(angle.text)),
+            "the angle is counter-clockwise about i, j, k, above 0 degrees and at most 1000 revolutions",
         ));
     }
     let [x, y, z, i, j, k, r] = numbers;
@@ -155,7 +155,7 @@ pub(crate) fn move_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
         radius: Some(r),
         form: CircleForm::Seven,
         times: 1,
-        angle: Some(degrees),
+        angle_deg: Some(degrees),
         at,
     }))
 }
@@ -195,7 +195,7 @@ pub(crate) fn tangent_arc(args: &mut Args<'_>) -> Result<ArcRecord, ClFault> {
     Ok(ArcRecord::TangentArc(TangentArc { centre: [x, y, z], radius, line, second, at }))
 }
 
-/// Walks over the nested record of a TLON.
+/// Position in the nested arguments of a TLON.
 struct TlonScan<'t> {
     text: &'t [u8],
     at: usize,
@@ -238,8 +238,8 @@ impl TlonScan<'_> {
         ClFault::new(
             "TLON",
             Span { start, end: start + 1 },
-            format!("TLON is not understood from here on: {wanted} is expected"),
-            "the form known here is TLON,GOFWD/ (CIRCLE/ x,y,z,r),ON,(LINE/ x,y,z,x,y,z)",
+            format!("TLON: expected {wanted} here"),
+            "accepted: TLON,GOFWD/ (CIRCLE/ x,y,z,r),ON,[2,INTOF,](LINE/ x,y,z,x,y,z)",
         )
     }
 }
@@ -247,7 +247,7 @@ impl TlonScan<'_> {
 impl Display for CircleRecord {
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         let radius = self.radius.unwrap_or_default();
-        if let Some(angle) = self.angle {
+        if let Some(angle) = self.angle_deg {
             let (centre, axis) = (ClNumbers(&self.centre), ClNumbers(&self.axis));
             return write!(out, "MOVARC/{centre},{axis},{},ANGLE,{}", ClNumber(radius), ClNumber(angle));
         }
@@ -255,7 +255,7 @@ impl Display for CircleRecord {
         match self.form {
             CircleForm::Six => {}
             CircleForm::Seven => write!(out, ",{}", ClNumber(radius))?,
-            // Tolerances and tool do not matter to the path.
+            // Tolerances and tool have no effect on the path.
             CircleForm::Eleven => write!(out, ",{},0.06,0.5,0.,0.", ClNumber(radius))?,
         }
         if self.times > 1 { write!(out, ",TIMES,{}", self.times) } else { Ok(()) }

@@ -1,8 +1,8 @@
-//! Comments that matter: frames, Creo's cutter, and evidence of the CAM system.
+//! Comments that are read: frames, the cutter of Creo, and names of the CAM system.
 //!
-//! `$$-> CUTTER / d` and `$$-> CSYS / ..` (Creo) are records in all but name. `$$*CATIA0` is followed by a title line and
-//! three comment lines with a row of the frame's matrix each. Every other comment is only searched for the name of the
-//! CAM system.
+//! `$$-> CUTTER / d` and `$$-> CSYS / ..` (Creo) are records written as comments. `$$*CATIA0` is followed by a title
+//! line and three comment lines, each a row of the frame's matrix. Every other comment is only searched for the name of
+//! the CAM system.
 
 use super::Record;
 use super::coordinates::{CoordinateRecord, FrameRecord};
@@ -11,10 +11,10 @@ use super::words::look_up;
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{Args, ClFault, Span, number_at_start, skip_blanks};
 
-/// Comment lines after `$$*CATIA0` that may come before the matrix.
+/// Number of comment lines that may come between `$$*CATIA0` and the matrix.
 const TITLE_LINES: u8 = 1;
 
-/// The matrix after `$$*CATIA0`, as far as it is read.
+/// The matrix after `$$*CATIA0`, while it is read.
 #[derive(Debug, Default)]
 pub(crate) struct CatiaMatrix {
     open: bool,
@@ -28,14 +28,14 @@ impl CatiaMatrix {
         self.open
     }
 
-    /// The statement is no row: a matrix that was begun is lost, and with it a frame.
+    /// Ends the matrix at a statement that is not a row; refused if rows have been read, since a frame would be lost.
     pub(crate) fn abandon(&mut self) -> Result<(), ClFault> {
         let begun = self.open && self.rows > 0;
         self.open = false;
         if begun { Err(incomplete()) } else { Ok(()) }
     }
 
-    /// Takes the text of one comment line; answers the matrix with its last row.
+    /// Takes the text of one comment line; returns the matrix when its last row is read.
     fn take(&mut self, text: &[u8]) -> Result<Option<[f64; 12]>, ClFault> {
         if !self.open {
             return Ok(None);
@@ -64,8 +64,8 @@ fn incomplete() -> ClFault {
     ClFault::new(
         "frame",
         Span::WHOLE,
-        "a row of the matrix behind $$*CATIA0 is expected here: four numbers with blanks between them",
-        "the matrix says where the points lie: write its three rows, or delete them all",
+        "expected a row of the matrix of $$*CATIA0: four numbers separated by blanks",
+        "the matrix is the frame of the points: write all three rows, or delete all of them",
     )
 }
 
@@ -93,7 +93,7 @@ pub(crate) fn read_comment(text: &[u8], matrix: &mut CatiaMatrix) -> Result<Reco
     }
 }
 
-/// The CAM system that a comment gives away.
+/// CAM system that a comment identifies.
 pub(crate) fn comment_dialect(text: &[u8]) -> Dialect {
     let holds = |name: &[u8]| text.windows(name.len()).any(|bytes| bytes == name);
     if text.starts_with(b"$$->") || holds(b"Pro/CLfile") {

@@ -1,4 +1,4 @@
-//! Records of units, tool axis, frames and changes of coordinates.
+//! Records of units, tool axis, frames and coordinate transforms.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -7,31 +7,31 @@ use crate::cl::text::{Args, ClFault, Span, quoted};
 use crate::cl::vector::{cross, distance};
 use crate::program::Units;
 
-/// Place of the output frame in the model: directions of its axes and its origin, in the units of the file.
+/// Output frame in the model: unit vectors of its axes, and its origin in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameRecord {
-    /// Directions of X, Y and Z of the frame.
+    /// Unit vectors of X, Y and Z of the frame.
     pub axes: [[f64; 3]; 3],
-    /// Its origin.
+    /// Origin of the frame.
     pub origin: [f64; 3],
-    /// The numbers, for messages.
+    /// Place of the numbers, for messages.
     pub at: Span,
 }
 
 impl FrameRecord {
-    /// Origin and the directions of X and Y, as MSYS gives them.
+    /// Frame from its origin and its X and Y, as in MSYS.
     fn from_two_axes(n: &[f64; 9], at: Span) -> FrameRecord {
         let (x, y) = ([n[3], n[4], n[5]], [n[6], n[7], n[8]]);
         FrameRecord { axes: [x, y, cross(x, y)], origin: [n[0], n[1], n[2]], at }
     }
 
-    /// Rows of a 3×4 matrix: the first three columns are the axes, the fourth is the origin.
+    /// Frame from the rows of a 3×4 matrix: the first three columns are its axes, the fourth is its origin.
     pub(crate) fn from_rows(n: &[f64; 12], at: Span) -> FrameRecord {
         let column = |i: usize| [n[i], n[4 + i], n[8 + i]];
         FrameRecord { axes: [column(0), column(1), column(2)], origin: column(3), at }
     }
 
-    /// Rows of its 3×4 matrix.
+    /// Rows of the 3×4 matrix of the frame.
     fn rows(&self) -> [f64; 12] {
         let [x, y, z] = self.axes;
         let o = self.origin;
@@ -39,7 +39,7 @@ impl FrameRecord {
     }
 }
 
-/// The meaning of the coordinates that follow.
+/// A record on which the meaning of the following coordinates depends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CoordinateRecord {
     /// `UNITS/MM`, `UNITS/INCH`, `UNITS/INCHES`, `UNIT/..`.
@@ -50,7 +50,7 @@ pub enum CoordinateRecord {
     ToolAxis {
         /// Not normalised.
         axis: [f64; 3],
-        /// The numbers, for messages.
+        /// Place of the numbers, for messages.
         at: Span,
     },
     /// `MSYS/x,y,z,i1,j1,k1,i2,j2,k2`, `$$-> CSYS / ..`, `$$*CATIA0` and three rows.
@@ -63,16 +63,16 @@ pub enum CoordinateRecord {
     Origin(Option<[f64; 3]>),
     /// `TRANS/x,y,z`, `TRANS/NOMORE`, `TRANS/0`: added to every point.
     Translation {
-        /// As written; `None` ends it.
+        /// Translation in units of the file; `None` ends it.
         by: Option<[f64; 3]>,
-        /// The arguments, for messages.
+        /// Place of the arguments, for messages.
         at: Span,
     },
     /// `TRACUT/` with the 12 numbers of a 3×4 matrix by rows, `TRACUT/NOMORE`, `TRACUT/0`.
     Transformation {
-        /// As written; `None` ends it.
+        /// Matrix, its translation in units of the file; `None` ends it.
         matrix: Option<[f64; 12]>,
-        /// The arguments, for messages.
+        /// Place of the arguments, for messages.
         at: Span,
     },
     /// `CLEARP/XYPLAN,d`, `CLEARP/a,b,c,d`.
@@ -81,7 +81,7 @@ pub enum CoordinateRecord {
         normal: [f64; 3],
         /// `normal · p = distance`.
         distance: f64,
-        /// The arguments, for messages.
+        /// Place of the arguments, for messages.
         at: Span,
     },
 }
@@ -94,11 +94,11 @@ pub(crate) fn units(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     } else if arg.is("INCH") || arg.is("INCHES") || arg.is("IN") {
         Ok(CoordinateRecord::Units(Units::Inches))
     } else {
-        Err(ClFault::new("unit", arg.at, format!("{} is not a unit known here", quoted(arg.text)), "write MM or INCH"))
+        Err(ClFault::new("unit", arg.at, format!("{} is not a known unit", quoted(arg.text)), "write MM or INCH"))
     }
 }
 
-/// MULTAX; alone it means ON.
+/// MULTAX. Without arguments it means ON.
 pub(crate) fn multi_axis(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
     let on = match args.clone().next()? {
         None => true,
@@ -133,8 +133,8 @@ pub(crate) fn world(args: &mut Args<'_>) -> Result<CoordinateRecord, ClFault> {
         return Err(ClFault::new(
             args.name(),
             args.all(),
-            "TRNTYP with numbers other than 0 moves the coordinates in a way that is not known",
-            "have the CAM system write its points in one common frame: TRNTYP/WORLD,0,0,0",
+            "TRNTYP with numbers other than 0 is refused: its effect on the coordinates is not known",
+            "have the CAM system output all points in one common frame: TRNTYP/WORLD,0,0,0",
         ));
     }
     Ok(CoordinateRecord::World)
@@ -173,7 +173,7 @@ pub(crate) fn clearance_plane(args: &mut Args<'_>) -> Result<CoordinateRecord, C
     Ok(CoordinateRecord::ClearancePlane { normal: [a, b, c], distance, at })
 }
 
-/// `N` numbers, or `NOMORE` or a single `0` for none.
+/// Reads `N` numbers, or `NOMORE` or a single `0`, which means `None`.
 fn unless_cancelled<const N: usize>(args: &mut Args<'_>) -> Result<Option<[f64; N]>, ClFault> {
     let mut ahead = args.clone();
     if let Some(first) = ahead.next()? {
@@ -186,7 +186,7 @@ fn unless_cancelled<const N: usize>(args: &mut Args<'_>) -> Result<Option<[f64; 
     args.exactly().map(Some)
 }
 
-/// As MSYS where Z follows from X and Y, else as the comment of Creo.
+/// Writes a frame as MSYS where its Z is X × Y, else as the comment of Creo.
 fn write_frame(frame: &FrameRecord, out: &mut Formatter<'_>) -> fmt::Result {
     let [x, y, z] = frame.axes;
     if distance(cross(x, y), z) > 0.0 {

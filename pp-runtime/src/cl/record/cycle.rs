@@ -1,4 +1,4 @@
-//! `CYCLE/..`: its words as written, in any order; their meaning depends on the CAM system.
+//! `CYCLE/..`: its words as written, in any order. Their meaning depends on the CAM system and is in `meaning/holes`.
 
 use std::fmt::{self, Display, Formatter};
 
@@ -6,12 +6,12 @@ use super::feed::FeedUnit;
 use super::values::{ClNumber, word_of};
 use crate::cl::text::{Arg, Args, ClFault, Span, quoted};
 
-/// Kind of hole that a CYCLE makes.
+/// Kind of CYCLE: the word after `CYCLE/`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CycleKind {
+pub enum ClCycleKind {
     /// DRILL.
     Drill,
-    /// FACE: with a wait at the bottom.
+    /// FACE: with a dwell at the bottom.
     Face,
     /// CSINK.
     Csink,
@@ -33,85 +33,85 @@ pub enum CycleKind {
     Cbore,
 }
 
-impl CycleKind {
-    /// Words and kinds; the first word of a kind is the one written.
-    pub const WORDS: [(&'static str, CycleKind); 12] = [
-        ("DRILL", CycleKind::Drill),
-        ("FACE", CycleKind::Face),
-        ("CSINK", CycleKind::Csink),
-        ("THRU", CycleKind::Thru),
-        ("DEEP", CycleKind::Deep),
-        ("DEEP2", CycleKind::Deep),
-        ("BRKCHP", CycleKind::Brkchp),
-        ("BORE", CycleKind::Bore),
-        ("BACK", CycleKind::Back),
-        ("REAM", CycleKind::Ream),
-        ("TAP", CycleKind::Tap),
-        ("CBORE", CycleKind::Cbore),
+impl ClCycleKind {
+    /// Words and kinds; of several words of a kind the first is written.
+    pub const WORDS: [(&'static str, ClCycleKind); 12] = [
+        ("DRILL", ClCycleKind::Drill),
+        ("FACE", ClCycleKind::Face),
+        ("CSINK", ClCycleKind::Csink),
+        ("THRU", ClCycleKind::Thru),
+        ("DEEP", ClCycleKind::Deep),
+        ("DEEP2", ClCycleKind::Deep),
+        ("BRKCHP", ClCycleKind::Brkchp),
+        ("BORE", ClCycleKind::Bore),
+        ("BACK", ClCycleKind::Back),
+        ("REAM", ClCycleKind::Ream),
+        ("TAP", ClCycleKind::Tap),
+        ("CBORE", ClCycleKind::Cbore),
     ];
 
-    /// The word that is written for it.
+    /// The word that is written for this kind.
     #[must_use]
     pub fn word(self) -> &'static str {
         word_of(&Self::WORDS, &self)
     }
 }
 
-/// Level to which the tool returns after a hole.
+/// Return level as written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Return {
-    /// RTRCTO,AUTO: the level before the cycle.
+    /// RTRCTO,AUTO: the level of the tool before the cycle.
     Auto,
     /// `RTRCTO,v[,MANUAL]` or `RETURN,v`.
     Level(f64),
 }
 
-/// Most numbers without a word before them that a CYCLE may have.
+/// Largest number of numbers without a word in a CYCLE.
 pub const MOST_POSITIONAL: usize = 6;
 
-/// The words of a CYCLE as written; what they mean depends on the CAM system.
+/// The words of a CYCLE as written, lengths in units of the file; their meaning depends on the CAM system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CycleCall {
-    /// Kind.
-    pub kind: CycleKind,
-    /// FEDTO: bottom, signed along the tool axis (NX) or positive into the part (SolidWorks CAM).
+    /// Kind of the cycle.
+    pub kind: ClCycleKind,
+    /// FEDTO: level of the bottom along the tool axis (NX), or depth, positive into the part (SolidWorks CAM).
     pub fedto: Option<f64>,
-    /// DEPTH: positive into the part.
+    /// DEPTH: depth, positive into the part.
     pub depth: Option<f64>,
-    /// A feed with its unit.
+    /// Feed with its unit.
     pub feed: Option<(f64, FeedUnit)>,
-    /// RAPTO.
+    /// RAPTO: clearance level.
     pub rapto: Option<f64>,
-    /// CLEAR.
+    /// CLEAR: clearance level.
     pub clear: Option<f64>,
-    /// RTRCTO or RETURN.
+    /// RTRCTO or RETURN: return level.
     pub back_to: Option<Return>,
     /// STEP, INCR or SUBPECK: depth of each step.
     pub step: Option<f64>,
     /// 1STPECK: depth of the first step.
     pub first_step: Option<f64>,
-    /// DWELL,n.
-    pub dwell: Option<f64>,
-    /// DWELL,REV,n or REV,n: the wait in revolutions of the spindle.
-    pub dwell_turns: Option<f64>,
-    /// BACK,g of BRKCHP: how far back.
+    /// DWELL,n: dwell in seconds.
+    pub dwell_s: Option<f64>,
+    /// DWELL,REV,n or REV,n: dwell in revolutions of the spindle.
+    pub dwell_rev: Option<f64>,
+    /// BACK,g of BRKCHP: retract after each step.
     pub back: Option<f64>,
-    /// ORIENT,a.
-    pub orient: Option<f64>,
-    /// Numbers without a word, in their order.
+    /// ORIENT,a: angle at which the spindle stops.
+    pub orient_deg: Option<f64>,
+    /// Numbers without a word, in order.
     pub positional: [f64; MOST_POSITIONAL],
-    /// How many of them there are.
+    /// Count of the numbers without a word.
     pub positionals: usize,
-    /// The arguments, for messages.
+    /// Place of the arguments, for messages.
     pub at: Span,
-    /// The depth, for messages.
+    /// Place of the depth, for messages.
     pub depth_at: Span,
 }
 
 impl CycleCall {
-    /// A cycle of this kind without any level.
+    /// A cycle of this kind without any other word.
     #[must_use]
-    pub const fn new(kind: CycleKind, at: Span) -> Self {
+    pub const fn new(kind: ClCycleKind, at: Span) -> Self {
         CycleCall {
             kind,
             fedto: None,
@@ -122,10 +122,10 @@ impl CycleCall {
             back_to: None,
             step: None,
             first_step: None,
-            dwell: None,
-            dwell_turns: None,
+            dwell_s: None,
+            dwell_rev: None,
             back: None,
-            orient: None,
+            orient_deg: None,
             positional: [0.0; MOST_POSITIONAL],
             positionals: 0,
             at,
@@ -134,16 +134,16 @@ impl CycleCall {
     }
 }
 
-/// What `CYCLE/..` without a kind switches.
+/// State that `CYCLE/..` without a kind sets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CycleState {
-    /// OFF: the GOTOs are motions again.
+    /// OFF: GOTOs are motions again.
     Off,
     /// ON: the last cycle is in force again.
     On,
-    /// INIT: the next cycle goes back to its initial level (SolidWorks CAM).
+    /// INIT: the next cycle returns to the level of its RTRCTO (SolidWorks CAM).
     Initial,
-    /// CLEAR: the next cycle goes back to its clearance level (SolidWorks CAM).
+    /// CLEAR: the next cycle returns to its clearance level (SolidWorks CAM).
     Clear,
 }
 
@@ -152,7 +152,7 @@ impl CycleState {
         [("OFF", CycleState::Off), ("ON", CycleState::On), ("INIT", CycleState::Initial), ("CLEAR", CycleState::Clear)];
 }
 
-/// A cycle begins, ends, or is resumed.
+/// A record that begins, ends or resumes a cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "nothing is allocated for a record")]
 pub enum CycleRecord {
@@ -160,9 +160,9 @@ pub enum CycleRecord {
     Define(CycleCall),
     /// `CYCLE/OFF`, `CYCLE/ON`, `CYCLE/INIT`, `CYCLE/CLEAR`.
     Switch {
-        /// Which.
+        /// New state.
         state: CycleState,
-        /// The word, for messages.
+        /// Place of the word, for messages.
         at: Span,
     },
 }
@@ -174,13 +174,13 @@ pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
     if let Some(state) = first.among(&CycleState::WORDS) {
         return Ok(CycleRecord::Switch { state, at: first.at });
     }
-    let kind = first.among(&CycleKind::WORDS).ok_or_else(|| args.not_understood(first))?;
+    let kind = first.among(&ClCycleKind::WORDS).ok_or_else(|| args.not_understood(first))?;
     let mut cycle = CycleCall::new(kind, at);
     let mut only_kind = true;
     while let Some(arg) = args.next()? {
-        match arg.among(&CycleKind::WORDS) {
-            // NX writes DRILL,DEEP.
-            Some(kind) if only_kind && cycle.kind == CycleKind::Drill => cycle.kind = kind,
+        match arg.among(&ClCycleKind::WORDS) {
+            // NX writes DRILL,DEEP for deep drilling.
+            Some(kind) if only_kind && cycle.kind == ClCycleKind::Drill => cycle.kind = kind,
             _ => cycle.take(arg, args)?,
         }
         only_kind = false;
@@ -188,10 +188,10 @@ pub(crate) fn cycle(args: &mut Args<'_>) -> Result<CycleRecord, ClFault> {
     Ok(CycleRecord::Define(cycle))
 }
 
-/// The place of a number in the words of a cycle.
+/// Field of a cycle that holds the number after a word.
 type NumberOf = fn(&mut CycleCall) -> &mut Option<f64>;
 
-/// Words that one number follows.
+/// Words that are followed by one number.
 const NUMBER_AFTER: [(&str, NumberOf); 9] = [
     ("1STPECK", |cycle| &mut cycle.first_step),
     ("RAPTO", |cycle| &mut cycle.rapto),
@@ -199,13 +199,13 @@ const NUMBER_AFTER: [(&str, NumberOf); 9] = [
     ("STEP", |cycle| &mut cycle.step),
     ("INCR", |cycle| &mut cycle.step),
     ("SUBPECK", |cycle| &mut cycle.step),
-    ("REV", |cycle| &mut cycle.dwell_turns),
+    ("REV", |cycle| &mut cycle.dwell_rev),
     ("BACK", |cycle| &mut cycle.back),
-    ("ORIENT", |cycle| &mut cycle.orient),
+    ("ORIENT", |cycle| &mut cycle.orient_deg),
 ];
 
 impl CycleCall {
-    /// One word with what follows it, or a number without a word.
+    /// Reads one word with its arguments, or a number without a word.
     fn take(&mut self, arg: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
         if let Some(place) = arg.among(&NUMBER_AFTER) {
             return put(place(self), arg, args);
@@ -224,8 +224,8 @@ impl CycleCall {
             return self.take_return(arg, args);
         }
         if arg.is("DWELL") {
-            let turns = follows(args, "REV")?;
-            return put(if turns { &mut self.dwell_turns } else { &mut self.dwell }, arg, args);
+            let in_revolutions = follows(args, "REV")?;
+            return put(if in_revolutions { &mut self.dwell_rev } else { &mut self.dwell_s }, arg, args);
         }
         Err(args.not_understood(arg))
     }
@@ -261,7 +261,7 @@ impl CycleCall {
     }
 }
 
-/// Whether this word comes next; takes it if so.
+/// Takes the next argument if it is this word; returns whether it is.
 fn follows(args: &mut Args<'_>, word: &str) -> Result<bool, ClFault> {
     let mut ahead = args.clone();
     let found = ahead.next()?.is_some_and(|next| next.is(word));
@@ -271,19 +271,19 @@ fn follows(args: &mut Args<'_>, word: &str) -> Result<bool, ClFault> {
     Ok(found)
 }
 
-/// The number after a word.
+/// Reads the number after a word into its field.
 fn put(place: &mut Option<f64>, word: Arg<'_>, args: &mut Args<'_>) -> Result<(), ClFault> {
     let value = args.needed()?.number()?;
     once(place.replace(value).is_none(), word)
 }
 
-/// Every level is written once.
+/// Refuses a word that is written a second time.
 fn once(first: bool, word: Arg<'_>) -> Result<(), ClFault> {
     if first {
         return Ok(());
     }
-    let text = format!("{} is said twice", quoted(word.text));
-    Err(ClFault::new("CYCLE", word.at, text, "write every level of a cycle once"))
+    let text = format!("{} is programmed twice in this cycle", quoted(word.text));
+    Err(ClFault::new("CYCLE", word.at, text, "program each word of a CYCLE once"))
 }
 
 impl Display for CycleCall {
@@ -299,10 +299,10 @@ impl Display for CycleCall {
             ("1STPECK", self.first_step),
             ("RAPTO", self.rapto),
             ("CLEAR", self.clear),
-            ("DWELL", self.dwell),
-            ("REV", self.dwell_turns),
+            ("DWELL", self.dwell_s),
+            ("REV", self.dwell_rev),
             ("BACK", self.back),
-            ("ORIENT", self.orient),
+            ("ORIENT", self.orient_deg),
         ] {
             if let Some(value) = value {
                 write!(out, ",{word},{}", ClNumber(value))?;

@@ -23,7 +23,7 @@ pub enum FeedUnit {
 }
 
 impl FeedUnit {
-    /// Words and units.
+    /// Words of CL data and their units.
     pub const WORDS: [(&'static str, FeedUnit); 6] = [
         ("MMPM", FeedUnit::MillimetresPerMinute),
         ("MMPR", FeedUnit::MillimetresPerRevolution),
@@ -33,7 +33,7 @@ impl FeedUnit {
         ("PERREV", FeedUnit::PerRevolution),
     ];
 
-    /// The word that is written for it.
+    /// The word that is written for this unit.
     #[must_use]
     pub fn word(self) -> &'static str {
         word_of(&Self::WORDS, &self)
@@ -43,18 +43,18 @@ impl FeedUnit {
 /// A feed as written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FeedRecord {
-    /// In `unit`.
+    /// Value in `unit`.
     pub value: f64,
-    /// Unit.
+    /// Unit of the value.
     pub unit: FeedUnit,
-    /// The number, for messages.
+    /// Place of the number, for messages.
     pub at: Span,
-    /// The unit's word; the number again if there is none.
+    /// Place of the word of the unit, for messages; of the number if there is no word.
     pub unit_at: Span,
 }
 
 impl FeedRecord {
-    /// `n[,unit]` or `unit,n`, of which the first argument is taken.
+    /// Reads `n[,unit]` or `unit,n`, of which the argument `first` is taken already.
     pub(crate) fn parse(first: Arg<'_>, args: &mut Args<'_>) -> Result<FeedRecord, ClFault> {
         let second = args.next()?;
         let (number, word) = if first.looks_numeric() {

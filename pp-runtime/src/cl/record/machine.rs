@@ -7,9 +7,9 @@ use super::feed::FeedRecord;
 use super::spindle::write_spindle;
 use super::values::{AxisPlane, ClNumber, word_of, write_on_off};
 use crate::cl::text::{Args, ClFault, Span};
-use crate::program::{Coolant, CutterSide, Dwell, Rotation, Spindle, Turning};
+use crate::program::{Coolant, CutterSide, Dwell, RotaryDirection, Rotation, Spindle};
 
-/// A state of the machine.
+/// A record that sets a state of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MachineRecord {
     /// `RAPID`, `FEDRAT/RAPID`.
@@ -24,29 +24,29 @@ pub enum MachineRecord {
     Coolant(Coolant),
     /// `CUTCOM/LEFT|RIGHT[,n][,XYPLAN]`, `CUTCOM/ON`, `CUTCOM/OFF`.
     Compensation {
-        /// Side.
+        /// Side of the path.
         side: CutterSide,
-        /// Offset register.
+        /// Offset register (D).
         register: Option<u32>,
-        /// Plane.
+        /// Plane of the compensation.
         plane: Option<AxisPlane>,
     },
     /// `DELAY/s`, `DELAY/n,REV`.
     Delay {
-        /// Duration.
+        /// Duration of the dwell.
         dwell: Dwell,
-        /// The number, for messages.
+        /// Place of the number, for messages.
         at: Span,
     },
     /// `LINTOL/t`, `LINTOL/OFF`.
     Tolerance {
-        /// In units of the file; `None`: OFF.
+        /// Tolerance in units of the file; `None`: OFF.
         value: Option<f64>,
-        /// The argument, for messages.
+        /// Place of the argument, for messages.
         at: Span,
     },
     /// `ROTABL/SHORT`, `ROTABL/NEXT,CLW|CCLW`.
-    Turning(Turning),
+    RotaryDirection(RotaryDirection),
 }
 
 /// FEDRAT.
@@ -108,7 +108,7 @@ pub(crate) fn delay(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
     let arg = args.needed()?;
     let value = arg.number()?;
     if value < 0.0 {
-        return Err(ClFault::new("DELAY", arg.at, "a wait is not negative", "write DELAY/seconds"));
+        return Err(ClFault::new("DELAY", arg.at, "DELAY must not be negative", "write DELAY/seconds"));
     }
     let dwell = match args.next()? {
         None => Dwell::Seconds(value),
@@ -131,18 +131,20 @@ const ROTATIONS: [(&str, Rotation); 2] = [("CLW", Rotation::Clockwise), ("CCLW",
 pub(crate) fn rotary_direction(args: &mut Args<'_>) -> Result<MachineRecord, ClFault> {
     let arg = args.needed()?;
     if arg.is("SHORT") {
-        return Ok(MachineRecord::Turning(Turning::Shortest));
+        return Ok(MachineRecord::RotaryDirection(RotaryDirection::Shortest));
     }
     if arg.is("NEXT") {
-        return args.one_of(&ROTATIONS).map(|rotation| MachineRecord::Turning(Turning::Next(rotation)));
+        return args
+            .one_of(&ROTATIONS)
+            .map(|rotation| MachineRecord::RotaryDirection(RotaryDirection::Towards(rotation)));
     }
-    // An empty place is the nearer fault.
+    // An empty place between commas is reported first.
     while args.next()?.is_some() {}
     Err(ClFault::new(
         args.name(),
         args.all(),
-        "ROTABL moves the table itself, which the postprocessor does from the tool axis",
-        "have the CAM system give the tool axis with i, j, k; ROTABL/SHORT and ROTABL/NEXT,CLW are read",
+        "this form of ROTABL is refused: the postprocessor computes rotary axes from the tool axis",
+        "have the CAM system output the tool axis as i, j, k; accepted are ROTABL/SHORT and ROTABL/NEXT,CLW|CCLW",
     ))
 }
 
@@ -172,8 +174,10 @@ impl Display for MachineRecord {
             Self::Delay { dwell: Dwell::Revolutions(value), .. } => write!(out, "DELAY/{},REV", ClNumber(*value)),
             Self::Tolerance { value: Some(value), .. } => write!(out, "LINTOL/{}", ClNumber(*value)),
             Self::Tolerance { value: None, .. } => out.write_str("LINTOL/OFF"),
-            Self::Turning(Turning::Shortest) => out.write_str("ROTABL/SHORT"),
-            Self::Turning(Turning::Next(rotation)) => write!(out, "ROTABL/NEXT,{}", word_of(&ROTATIONS, rotation)),
+            Self::RotaryDirection(RotaryDirection::Shortest) => out.write_str("ROTABL/SHORT"),
+            Self::RotaryDirection(RotaryDirection::Towards(rotation)) => {
+                write!(out, "ROTABL/NEXT,{}", word_of(&ROTATIONS, rotation))
+            }
         }
     }
 }

@@ -1,12 +1,13 @@
-//! One CL record, typed, with numbers as the file has them; text to records and records to text.
+//! Typed CL records with numbers as written in the file: text to records, and records to text.
 //!
-//! A file for each topic holds its records, the functions that read their arguments, and their text. `words` is the table
-//! of all major words: each row that is read holds its function. `parse` looks the word up and calls it; `comment` reads
-//! the comments that are records in all but name. Units, modes and the meaning of a record in its context come later.
+//! A file for each topic holds its record types, the functions that read their arguments, and their text. `words` is
+//! the table of all major words with these functions. `parse` looks a word up and calls its function; `comment` reads
+//! records that are written as comments. Units, modal state and the meaning of a record in its context are in
+//! `meaning`.
 //!
-//! A record prints as a statement that is read back as the same record. Numbers are written with as many digits as they
-//! need and no more, in decimals. Nothing is cut into several lines, and text goes out as UTF-8, so a text in another
-//! encoding is not the same afterwards.
+//! A record prints as a statement that is read back as the same record. Numbers are written as decimals with the fewest
+//! digits that give the same number. Statements are not split into several lines. Text is written as UTF-8, so text in
+//! another encoding changes.
 
 mod arc;
 mod comment;
@@ -26,7 +27,7 @@ mod words;
 
 pub use self::arc::{ArcRecord, CircleForm, CircleRecord, TangentArc};
 pub use self::coordinates::{CoordinateRecord, FrameRecord};
-pub use self::cycle::{CycleCall, CycleKind, CycleRecord, CycleState, MOST_POSITIONAL, Return};
+pub use self::cycle::{ClCycleKind, CycleCall, CycleRecord, CycleState, MOST_POSITIONAL, Return};
 pub use self::feed::{FeedRecord, FeedUnit};
 pub use self::machine::MachineRecord;
 pub use self::motion::MotionRecord;
@@ -49,7 +50,7 @@ use std::fmt::{self, Display, Formatter};
 pub enum Record<'a> {
     /// Names, operations, messages, stops and literal NC text.
     Program(ProgramRecord<'a>),
-    /// Units, tool axis, frames and changes of coordinates.
+    /// Units, tool axis, frames and coordinate transforms.
     Coordinates(CoordinateRecord),
     /// Tool calls and descriptions.
     Tool(ToolRecord),
@@ -65,12 +66,12 @@ pub enum Record<'a> {
     Cycle(CycleRecord),
     /// Subprograms.
     Subprogram(SubprogramRecord),
-    /// Nothing that matters.
+    /// Record without effect.
     Inert,
 }
 
 impl Record<'_> {
-    /// Whether it takes any arguments, so that a line joined to it would vanish in them.
+    /// Whether the record accepts any text as arguments. A line that a `$` joins to it would be lost in that text.
     pub(crate) fn takes_anything(&self) -> bool {
         match self {
             Self::Program(record) => record.takes_anything(),
@@ -82,7 +83,7 @@ impl Record<'_> {
 }
 
 impl Display for Record<'_> {
-    /// The statement, without a line end; an inert record is a comment.
+    /// Writes the statement without a line end; an inert record becomes a comment.
     fn fmt(&self, out: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Self::Program(record) => record.fmt(out),

@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use super::values::{ClNumber, Numbers, Point};
 use crate::cl::text::{Args, ClFault, Span};
 
-/// A motion to a point, or a point that the tool starts from.
+/// A motion, or the start point of the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MotionRecord<'a> {
     /// `FROM/x,y,z[,i,j,k]`.
@@ -18,9 +18,9 @@ pub enum MotionRecord<'a> {
     Delta(Point),
     /// `GODLTA/d`: along the tool axis.
     DeltaAlongAxis {
-        /// Away from the part, if positive.
+        /// Distance in units of the file, positive away from the part.
         distance: f64,
-        /// The number, for messages.
+        /// Place of the number, for messages.
         at: Span,
     },
     /// `GOHOME`, `GOHOME/x,y,z[,i,j,k]`.
@@ -29,7 +29,7 @@ pub enum MotionRecord<'a> {
     Retract,
 }
 
-/// GOTO: one point, or a list of them with slashes between.
+/// GOTO: one point, or a list of points separated by slashes.
 pub(crate) fn goto<'a>(args: &mut Args<'a>) -> Result<MotionRecord<'a>, ClFault> {
     let (all, text) = (args.all(), args.text());
     let points = &text[all.start.min(text.len())..];

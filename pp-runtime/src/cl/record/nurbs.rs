@@ -1,14 +1,14 @@
-//! Records of NX's curves: NURBS, KNOT, CNTRL.
+//! Records of curves (NX): NURBS, KNOT, CNTRL.
 
 use std::fmt::{self, Display, Formatter};
 
 use super::values::{Numbers, Point};
 use crate::cl::text::{Args, ClFault};
 
-/// A curve, which is cut from the place of the tool.
+/// A record of a curve that begins at the position of the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NurbsRecord<'a> {
-    /// `NURBS/`: knots and control points follow.
+    /// `NURBS/`: begin of a curve; knots and control points follow.
     Begin,
     /// `KNOT/k,k..`.
     Knots(Numbers<'a>),
@@ -16,7 +16,7 @@ pub enum NurbsRecord<'a> {
     ControlPoint(Point),
 }
 
-/// KNOT: at least one number, no limit to their count.
+/// KNOT: one number or more.
 pub(crate) fn knots<'a>(args: &mut Args<'a>) -> Result<NurbsRecord<'a>, ClFault> {
     match args.numbers(&mut [])? {
         0 => Err(args.wrong_count("at least one number", 0)),

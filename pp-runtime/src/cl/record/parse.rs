@@ -1,20 +1,20 @@
-//! A statement to a typed record.
+//! Parses a statement into a typed record.
 //!
-//! `MAJOR[/argument,argument..]`: the word is looked up in `words`, and its row reads the arguments completely; an
-//! argument that is not understood is never passed over.
+//! A statement is `MAJOR[/argument,argument..]`. The major word is looked up in `words`, and the function of its row
+//! reads all arguments. An argument that is not understood is refused, never passed over.
 
 use super::Record;
 use super::values::Point;
-use super::words::{Fate, GOTO, look_up};
+use super::words::{GOTO, Handling, look_up};
 use crate::cl::dialect::Dialect;
 use crate::cl::text::{Args, ClFault, Help, Span, quoted, skip_blanks};
 use crate::diag::Severity;
 
-/// Bytes of an unknown word that its message names.
+/// Largest number of bytes of an unknown word that its message shows.
 const LONGEST_NAME: usize = 32;
 
-/// Reads one statement that is no comment. `text` is not empty; the words of `inert` are passed over, unless they are
-/// read or would move what follows.
+/// Parses one statement that is not a comment. `text` is not empty. `inert`: words that the user has declared inert;
+/// words that are read, and words that affect the motion after them, are not passed over.
 pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, ClFault> {
     let word_at = major_word(text);
     let word = &text[word_at.start..word_at.end];
@@ -23,56 +23,58 @@ pub(crate) fn parse<'a>(text: &'a [u8], inert: &[String]) -> Result<Record<'a>, 
         return if declared() { Ok(Record::Inert) } else { Err(unknown(text, word_at)) };
     };
     let name = row.word.name;
-    match row.fate {
-        Fate::Read(read) => {
+    match row.handling {
+        Handling::Read(read) => {
             let mut args = Args::after_slash(&row.word, text, word_at.end)?;
             let record = read(&mut args)?;
             args.finish()?;
             Ok(record)
         }
-        Fate::ReadText(read) => read(&mut Args::new(&row.word, text, word_at.end)),
-        Fate::Inert => Ok(Record::Inert),
-        Fate::Refused(_) if declared() => Ok(Record::Inert),
-        Fate::Refused(reason) => Err(ClFault::new(
+        Handling::ReadText(read) => read(&mut Args::new(&row.word, text, word_at.end)),
+        Handling::Inert => Ok(Record::Inert),
+        Handling::Refused(_) if declared() => Ok(Record::Inert),
+        Handling::Refused(reason) => Err(ClFault::new(
             name,
             word_at,
             format!("{name} is refused: {reason}"),
-            format!("have the CAM system leave it out, or give `--inert {name}` if it is known not to matter"),
+            format!(
+                "suppress {name} in the CAM system; if it moves no axis and changes no state, add `--inert {name}`"
+            ),
         )),
-        Fate::Hazard(reason) => Err(ClFault::new(
+        Handling::Hazard(reason) => Err(ClFault::new(
             name,
             word_at,
             format!("{name} is refused: {reason}"),
-            "have the CAM system write plain motion without it",
+            format!("have the CAM system output plain motions without {name}"),
         )),
-        Fate::Turning => Err(ClFault::turning(word_at)),
+        Handling::Lathe => Err(ClFault::lathe_record(word_at)),
     }
 }
 
-/// The fault of a line that the `$` of the line before joins to the record `text`, if it is a record itself.
+/// Fault of a line that is a record itself and that the `$` of the line before joins to the record `text`.
 pub(crate) fn joined_record(text: &[u8], offset: usize, line: &[u8]) -> Option<ClFault> {
     let start = skip_blanks(line, 0);
     let end = start + major_word(&line[start..]).end;
-    let row = look_up(&line[start..end]).filter(|row| row.fate.is_read())?;
-    // Text that happens to begin with such a word goes on with another one.
+    let row = look_up(&line[start..end]).filter(|row| row.handling.is_read())?;
+    // If another word follows, the line is text that happens to begin with a major word.
     if line.get(skip_blanks(line, end)).is_some_and(|next| *next != b'/') {
         return None;
     }
     let word = major_word(text);
-    // A comment has no word, only its `$$->`.
+    // A comment has no major word; its `$$->` is shown.
     let shown = if word.end == 0 { text.len().min(4) } else { word.end };
     let first = String::from_utf8_lossy(&text[..shown]);
     Some(ClFault::new(
         "joined record",
         Span { start: offset + start, end: offset + end },
-        format!("{} begins a line that the `$` before it makes part of {first}", row.word.name),
-        "delete that `$`: at the end of a line it joins the next one",
+        format!("{} would be lost: the `$` at the end of the line before joins it to {first}", row.word.name),
+        "delete that `$`: at the end of a line it continues the statement on the next line",
     ))
 }
 
-/// The CAM system that a record gives away.
+/// CAM system that a record identifies.
 pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
-    // Nearly every record is a GOTO and gives nothing away.
+    // Nearly every record is a GOTO, which identifies no CAM system.
     if !matches!(text[0], b'T' | b'U' | b'C' | b't' | b'u' | b'c') {
         return Dialect::Generic;
     }
@@ -84,7 +86,7 @@ pub(crate) fn record_dialect(text: &[u8]) -> Dialect {
     }
 }
 
-/// Whether the record is a GOTO; [`plain_goto`] reads it then.
+/// Whether the record is a GOTO, which [`plain_goto`] can read.
 #[inline]
 pub(crate) fn is_goto(text: &[u8]) -> bool {
     let name = GOTO.name.as_bytes();
@@ -97,12 +99,12 @@ pub(crate) fn plain_goto(text: &[u8]) -> Result<Point, ClFault> {
     Point::parse(&mut Args::after_slash(&GOTO, text, GOTO.name.len())?)
 }
 
-/// Whether a GOTO was refused because it is a list of points.
+/// Whether `plain_goto` refused a GOTO because it is a list of points.
 pub(crate) fn is_list(fault: &ClFault) -> bool {
     fault.kind == "second slash"
 }
 
-/// The first word; it may hold `-` and `_`. TOOL PATH is one word with a blank inside.
+/// Place of the major word; it may contain `-` and `_`. TOOL PATH is one word with a blank inside.
 fn major_word(text: &[u8]) -> Span {
     let length = |text: &[u8]| {
         text.iter().take_while(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_')).count()
@@ -111,7 +113,7 @@ fn major_word(text: &[u8]) -> Span {
     if text[..end].eq_ignore_ascii_case(b"TOOL") {
         let next = skip_blanks(text, end);
         let path = next + length(&text[next..]);
-        // One blank only: the table spells the word so.
+        // The table spells the word with exactly one blank.
         if next == end + 1 && text[next..path].eq_ignore_ascii_case(b"PATH") {
             return Span { start: 0, end: path };
         }
@@ -128,7 +130,7 @@ fn unknown(text: &[u8], mut at: Span) -> ClFault {
     ClFault {
         kind: "unknown word",
         at,
-        text: format!("{} is not a word of CL data known here", quoted(word)),
+        text: format!("{} is not a known word of CL data", quoted(word)),
         help: Help::NearestTo(String::from_utf8_lossy(&text[named]).into_owned()),
         severity: Severity::Error,
     }

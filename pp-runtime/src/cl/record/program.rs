@@ -1,12 +1,12 @@
-//! Records of the program as a whole: names, operations, messages, stops, literal NC text, and modes that need no
-//! reading beyond their check.
+//! Records of the program as a whole: names, operations, messages, stops, literal NC text, and records that are only
+//! checked.
 
 use std::fmt::{self, Display, Formatter};
 
 use super::values::Text;
 use crate::cl::text::{Args, ClFault, Span};
 
-/// A part of the program that is no motion and no state.
+/// A record that is neither a motion nor a state of the machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ProgramRecord<'a> {
     /// `PARTNO text`, `PARTNO/text`, `PARTNO/'text'`.
@@ -25,9 +25,9 @@ pub enum ProgramRecord<'a> {
     Code {
         /// `M` or `G`.
         letter: u8,
-        /// Its number.
+        /// Number after the letter.
         number: u32,
-        /// The number, for messages.
+        /// Place of the number, for messages.
         at: Span,
     },
     /// `OPSTOP`.
@@ -43,7 +43,7 @@ pub enum ProgramRecord<'a> {
 }
 
 impl ProgramRecord<'_> {
-    /// Whether it takes the rest of its statement as it is.
+    /// Whether the record takes the rest of its statement as text.
     pub(crate) fn takes_anything(&self) -> bool {
         match self {
             Self::PartName(_) | Self::MachineName(_) | Self::ToolPath(_) | Self::Message(_) | Self::Insert(_) => true,
@@ -53,14 +53,15 @@ impl ProgramRecord<'_> {
     }
 }
 
-/// MACHIN: the name up to the first comma; the other arguments are the postprocessor's own.
+/// MACHIN: the name up to the first comma. The other arguments are meant for one particular postprocessor and are
+/// passed over.
 pub(crate) fn machine_name<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, ClFault> {
     let arg = args.needed()?;
     args.skip_rest();
     Ok(ProgramRecord::MachineName(Text { bytes: arg.text, at: arg.at }))
 }
 
-/// TOOL PATH, `/name,TOOL,toolname`: names may hold commas, so the last `,TOOL,` ends the name.
+/// TOOL PATH, `/name,TOOL,toolname`. A name may contain commas, so the last `,TOOL,` ends it.
 pub(crate) fn tool_path<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, ClFault> {
     const TOOL: &[u8] = b",TOOL,";
     let mut name = Text::rest(args);
@@ -71,7 +72,7 @@ pub(crate) fn tool_path<'a>(args: &mut Args<'a>) -> Result<ProgramRecord<'a>, Cl
     Ok(ProgramRecord::ToolPath(name))
 }
 
-/// AUXFUN and PREFUN, for the letter `M` and `G`.
+/// AUXFUN (letter `M`) and PREFUN (letter `G`).
 pub(crate) fn code<'a>(letter: u8, args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFault> {
     let arg = args.needed()?;
     let number = arg.integer()?;
@@ -92,11 +93,11 @@ pub(crate) fn rewind<'a>(args: &mut Args<'_>) -> Result<ProgramRecord<'a>, ClFau
     Ok(ProgramRecord::Rewind)
 }
 
-/// MODE: milling only.
+/// MODE: only milling is accepted.
 pub(crate) fn mode(args: &mut Args<'_>) -> Result<(), ClFault> {
     let arg = args.needed()?;
     if arg.is("TURN") {
-        return Err(ClFault::turning(arg.at));
+        return Err(ClFault::lathe_record(arg.at));
     }
     if arg.is("MILL") || arg.is("ABSOL") { Ok(()) } else { Err(args.not_understood(arg)) }
 }

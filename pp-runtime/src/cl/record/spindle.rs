@@ -1,4 +1,4 @@
-//! `SPINDL/..`: RPM, a number, CLW or CCLW, ON and OFF in any order.
+//! `SPINDL/..`: RPM, a speed, CLW or CCLW, ON and OFF in any order.
 
 use std::fmt::{self, Formatter};
 
@@ -6,16 +6,16 @@ use super::values::ClNumber;
 use crate::cl::text::{Arg, Args, ClFault, quoted};
 use crate::program::{Rotation, Spindle};
 
-/// Words of constant surface speed: a lathe's.
+/// Words of constant surface speed, which belongs to turning.
 const SURFACE_SPEED: [&str; 3] = ["SFM", "SMM", "MAXRPM"];
 
-/// Speeds below this are S0 where S has no decimals, rev/min.
-const SLOWEST: f64 = 0.5;
+/// Smallest speed that does not round to S0 in a word without decimals.
+const SLOWEST_REV_PER_MIN: f64 = 0.5;
 
-/// Speeds above this have a wrong exponent, rev/min.
-const FASTEST: f64 = 1e6;
+/// Largest plausible speed; a larger one has a wrong exponent.
+const FASTEST_REV_PER_MIN: f64 = 1e6;
 
-/// The words of a SPINDL, as far as they are read.
+/// The words of a SPINDL that are read so far.
 #[derive(Default)]
 struct SpindleWords {
     speed: Option<f64>,
@@ -26,7 +26,7 @@ struct SpindleWords {
 }
 
 impl SpindleWords {
-    /// Takes one word; whether there was one of its kind before.
+    /// Takes one word; returns whether a word of its kind was read before.
     fn take(&mut self, arg: Arg<'_>, args: &Args<'_>) -> Result<bool, ClFault> {
         Ok(if arg.looks_numeric() {
             self.speed.replace(speed(arg)?).is_some()
@@ -41,13 +41,13 @@ impl SpindleWords {
         } else if arg.is("OFF") {
             std::mem::replace(&mut self.off, true)
         } else if SURFACE_SPEED.iter().any(|word| arg.is(word)) {
-            return Err(ClFault::turning(arg.at));
+            return Err(ClFault::lathe_record(arg.at));
         } else {
             return Err(args.not_understood(arg));
         })
     }
 
-    /// OFF has no company.
+    /// Whether OFF comes together with another word.
     fn contradicts_itself(&self) -> bool {
         self.off && (self.on || self.rpm || self.speed.is_some() || self.rotation.is_some())
     }
@@ -62,44 +62,49 @@ pub(crate) fn spindle(args: &mut Args<'_>) -> Result<Spindle, ClFault> {
             return Err(ClFault::new(
                 "spindle",
                 arg.at,
-                format!("{} contradicts what stands before it", quoted(arg.text)),
-                "write one speed and one sense of rotation, or OFF alone",
+                format!("{} contradicts an earlier word of this SPINDL", quoted(arg.text)),
+                "program one speed and one sense of rotation, or OFF alone",
             ));
         }
         next = args.next()?;
     }
     if words.rpm && words.speed.is_none() {
-        return Err(ClFault::new("spindle speed", args.all(), "RPM without a speed", "write SPINDL/RPM,3600,CLW"));
+        return Err(ClFault::new(
+            "spindle speed",
+            args.all(),
+            "SPINDL with RPM has no speed",
+            "write SPINDL/RPM,3600,CLW",
+        ));
     }
     let SpindleWords { speed, rotation, off, .. } = words;
-    Ok(if off { Spindle::Off } else { Spindle::On { speed, rotation } })
+    Ok(if off { Spindle::Off } else { Spindle::On { speed_rev_per_min: speed, rotation } })
 }
 
-/// A speed that a spindle can have, rev/min.
+/// Reads a plausible spindle speed, rev/min.
 fn speed(arg: Arg<'_>) -> Result<f64, ClFault> {
     let value = arg.number()?;
     let fault = |text: String, help: &str| Err(ClFault::new("spindle speed", arg.at, text, help));
     if value <= 0.0 {
         return fault(
-            format!("the spindle speed {} is not above 0", quoted(arg.text)),
+            format!("the spindle speed must be above 0, found {}", quoted(arg.text)),
             "SPINDL/OFF stops the spindle; the sense of rotation is CLW or CCLW",
         );
     }
-    if value < SLOWEST {
+    if value < SLOWEST_REV_PER_MIN {
         return fault(
             format!("a spindle speed of {value} rev/min rounds to 0"),
             "check the speed of this tool in the CAM system",
         );
     }
-    if value > FASTEST {
+    if value > FASTEST_REV_PER_MIN {
         let text = format!("a spindle speed of {} rev/min is not plausible", quoted(arg.text));
-        return fault(text, "check the exponent");
+        return fault(text, "check the exponent of this number");
     }
     Ok(value)
 }
 
 pub(crate) fn write_spindle(spindle: Spindle, out: &mut Formatter<'_>) -> fmt::Result {
-    let Spindle::On { speed, rotation } = spindle else { return out.write_str("SPINDL/OFF") };
+    let Spindle::On { speed_rev_per_min: speed, rotation } = spindle else { return out.write_str("SPINDL/OFF") };
     out.write_str("SPINDL/ON")?;
     if let Some(speed) = speed {
         write!(out, ",RPM,{}", ClNumber(speed))?;

@@ -4,18 +4,18 @@ use std::fmt::{self, Display, Formatter};
 
 use crate::cl::text::{Args, ClFault, Span};
 
-/// A subprogram is defined or called.
+/// A record that defines or calls a subprogram.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SubprogramRecord {
-    /// `DEFSUB/n`: what follows up to ENDSUB is done where it is called.
+    /// `DEFSUB/n`: the statements up to ENDSUB are executed at each call.
     Define(u32),
     /// `ENDSUB`.
     End,
     /// `CALSUB/n`.
     Call {
-        /// Its number.
+        /// Number of the subprogram.
         number: u32,
-        /// The number, for messages.
+        /// Place of the number, for messages.
         at: Span,
     },
 }

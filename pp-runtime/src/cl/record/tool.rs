@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use super::values::ClNumber;
 use crate::cl::text::{Args, ClFault, Span, quoted};
 
-/// Size of a cutter, in the units of the file.
+/// Size of a cutter, in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CutterRecord {
     /// Diameter.
@@ -14,18 +14,18 @@ pub struct CutterRecord {
     pub corner_radius: Option<f64>,
 }
 
-/// A tool call, lengths in the units of the file.
+/// A tool call, lengths in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ToolCallRecord {
-    /// Number of the tool.
+    /// Tool number.
     pub number: u32,
     /// LENGTH: gauge length.
     pub length: Option<f64>,
-    /// ADJUST or OSETNO: length offset register.
+    /// ADJUST or OSETNO: length offset register (H).
     pub offset: Option<u32>,
 }
 
-/// A tool is called, selected or described.
+/// A record that calls, preselects or describes a tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ToolRecord {
     /// `LOADTL/n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]`, `LOAD/TOOL,n[,..]`.
@@ -40,7 +40,7 @@ pub enum ToolRecord {
     LengthOffset {
         /// Register.
         register: u32,
-        /// The number, for messages.
+        /// Place of the number, for messages.
         at: Span,
     },
 }
@@ -53,20 +53,20 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
         return Err(ClFault::new(
             "tool 0",
             first.at,
-            "0 is not the number of a tool",
-            "give every tool its number in the CAM system; two tools with the number 0 would be taken for one",
+            "tool number 0 is not permitted",
+            "number every tool in the CAM system: two tools with number 0 would be the same tool",
         ));
     }
     let mut tool = ToolCallRecord { number, length: None, offset: None };
     while let Some(arg) = args.next()? {
         if arg.looks_numeric() {
-            // Some systems repeat the number of the tool; any other number could be a length or an offset.
+            // Some CAM systems repeat the tool number; any other number could be a length or an offset.
             if arg.integer().ok() != Some(number) {
                 return Err(ClFault::new(
-                    "number behind the tool",
+                    "number after the tool",
                     arg.at,
-                    format!("{} behind tool {number}: its meaning is not stated", quoted(arg.text)),
-                    format!("write {} with LENGTH, OSETNO or ADJUST in front of the number", args.name()),
+                    format!("{} after tool {number} has no word before it: its meaning is unknown", quoted(arg.text)),
+                    format!("write LENGTH, OSETNO or ADJUST before this number of {}", args.name()),
                 ));
             }
         } else if arg.is("LENGTH") {
@@ -76,8 +76,8 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
                 return Err(ClFault::new(
                     "gauge length",
                     value.at,
-                    format!("the gauge length {} is not above 0", quoted(value.text)),
-                    "give the real length, or leave LENGTH out and state it in the configuration",
+                    format!("the gauge length (LENGTH) must be above 0, found {}", quoted(value.text)),
+                    "program the real length, or leave LENGTH out and set `length` in `[tools.N]` of the configuration",
                 ));
             }
             tool.length = Some(length);
@@ -89,11 +89,11 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
                     "length offset",
                     value.at,
                     if offset == 0 {
-                        format!("{} 0 would switch the length offset off", quoted(arg.text))
+                        format!("{} 0 would cancel the length offset", quoted(arg.text))
                     } else {
-                        "two different length offsets for one tool".to_string()
+                        "two different length offset registers for one tool".to_string()
                     },
-                    "give one register above 0, or none to use the one with the tool's number",
+                    "program one register above 0; without one the tool number is used",
                 ));
             }
             tool.offset = Some(offset);
@@ -104,7 +104,7 @@ pub(crate) fn call(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     Ok(ToolRecord::Call(tool))
 }
 
-/// `d[,r[,e,f,a,b,h]]`, the cutter of APT.
+/// CUTTER of APT: `d[,r[,e,f,a,b,h]]`.
 pub(crate) fn cutter(args: &mut Args<'_>) -> Result<CutterRecord, ClFault> {
     let mut numbers = [0.0; 7];
     match args.numbers(&mut numbers)? {
@@ -113,12 +113,12 @@ pub(crate) fn cutter(args: &mut Args<'_>) -> Result<CutterRecord, ClFault> {
     }
 }
 
-/// `TLDATA/MILL,d,r,..` or `TLDATA/DRILL[,word],d,..`.
+/// TLDATA: `MILL,d,r,..` or `DRILL[,word],d,..`.
 pub(crate) fn data(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     let kind = args.needed()?;
     let is_mill = kind.is("MILL");
     if ["TURN", "GROOVE", "THREAD"].iter().any(|word| kind.is(word)) {
-        return Err(ClFault::turning(kind.at));
+        return Err(ClFault::lathe_record(kind.at));
     }
     if !is_mill && !kind.is("DRILL") {
         return Err(args.not_understood(kind));
@@ -140,7 +140,7 @@ fn cutter_of(diameter: f64, corner_radius: Option<f64>, at: Span) -> Result<Cutt
         return Err(ClFault::new(
             "size of the cutter",
             at,
-            "diameter and corner radius of a cutter are not negative",
+            "diameter and corner radius of a cutter must not be negative",
             "check the tool's description in the CAM system",
         ));
     }
@@ -164,7 +164,7 @@ pub(crate) fn select(args: &mut Args<'_>) -> Result<ToolRecord, ClFault> {
     preselect(args)
 }
 
-/// SET/OFSETL; SET/MODE,ABSOL changes nothing.
+/// SET/OFSETL; SET/MODE,ABSOL has no effect.
 pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
     let arg = args.needed()?;
     if arg.is("OFSETL") {
@@ -178,11 +178,11 @@ pub(crate) fn set(args: &mut Args<'_>) -> Result<Option<ToolRecord>, ClFault> {
     Err(args.not_understood(arg))
 }
 
-/// TOOLNO describes a tool and changes nothing, unless the tool is a turning tool.
+/// TOOLNO: describes a tool and has no effect; refused for a turning tool.
 pub(crate) fn description(args: &mut Args<'_>) -> Result<(), ClFault> {
     while let Some(arg) = args.next()? {
         if arg.is("TURN") {
-            return Err(ClFault::turning(arg.at));
+            return Err(ClFault::lathe_record(arg.at));
         }
     }
     Ok(())

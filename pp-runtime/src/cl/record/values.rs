@@ -1,22 +1,22 @@
-//! Values that many records share: points, lists of numbers, texts; and numbers as text.
+//! Values that several records share (points, lists of numbers, texts, planes), and numbers as text.
 
 use std::fmt::{self, Display, Formatter, Write as _};
 
 use crate::cl::text::{Args, ClFault, Span, skip_blanks, trimmed, whole_number};
 
-/// A point, perhaps with a tool axis, in the units of the file.
+/// A point with or without a tool axis, in units of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// `x, y, z`.
+    /// Coordinates `x, y, z`.
     pub tip: [f64; 3],
-    /// `i, j, k`, not normalised.
+    /// Tool axis `i, j, k`, not normalised.
     pub axis: Option<[f64; 3]>,
-    /// The numbers, for messages.
+    /// Place of the numbers, for messages.
     pub at: Span,
 }
 
 impl Point {
-    /// `x,y,z[,i,j,k]` and nothing else.
+    /// Reads `x,y,z[,i,j,k]`.
     #[inline]
     pub(crate) fn parse(args: &mut Args<'_>) -> Result<Point, ClFault> {
         let mut numbers = [0.0; 6];
@@ -31,17 +31,17 @@ impl Point {
     }
 }
 
-/// Text of a record without blanks, slash and quotes around it, as the file encodes it.
+/// Text of a record without the blanks, slash and quotes around it, in the encoding of the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Text<'a> {
-    /// The bytes.
+    /// Bytes of the text.
     pub bytes: &'a [u8],
-    /// Their place in the statement.
+    /// Place in the statement.
     pub at: Span,
 }
 
 impl<'a> Text<'a> {
-    /// The text after a text word, without blanks, one slash and a pair of quotes around it.
+    /// Takes the rest of the statement as text, without blanks, one slash and a pair of quotes around it.
     pub(crate) fn rest(args: &mut Args<'a>) -> Text<'a> {
         let text = args.text();
         let mut start = args.position();
@@ -57,12 +57,12 @@ impl<'a> Text<'a> {
     }
 }
 
-/// Numbers of a record that may hold any count of them, checked when the record was read.
+/// Numbers of a record that may hold any count of numbers. They were checked when the record was read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Numbers<'a> {
-    /// The arguments as the file has them.
+    /// The arguments as written.
     pub bytes: &'a [u8],
-    /// Their place in the statement.
+    /// Place in the statement.
     pub at: Span,
 }
 
@@ -73,13 +73,13 @@ impl<'a> Numbers<'a> {
         Numbers { bytes: &args.text()[at.start..at.end], at }
     }
 
-    /// The numbers, in their order; commas and slashes separate them.
+    /// The numbers in order; commas and slashes separate them.
     pub fn values(&self) -> impl Iterator<Item = f64> + 'a {
         let pieces = self.bytes.split(|byte| matches!(byte, b',' | b'/'));
         pieces.filter_map(|piece| whole_number(trimmed(piece)))
     }
 
-    /// The numbers as points.
+    /// The numbers as points without tool axis.
     pub fn points(&self) -> impl Iterator<Item = Point> + 'a {
         let (mut values, at) = (self.values(), self.at);
         std::iter::from_fn(move || {
@@ -89,7 +89,7 @@ impl<'a> Numbers<'a> {
     }
 }
 
-/// A number as CL data has it: decimal, and with a point.
+/// A number in the format of CL data: decimal, with a point.
 pub(crate) struct ClNumber(pub(crate) f64);
 
 impl Display for ClNumber {
@@ -100,7 +100,7 @@ impl Display for ClNumber {
     }
 }
 
-/// Numbers with commas between them.
+/// Numbers separated by commas, in the format of CL data.
 pub(crate) struct ClNumbers<'a>(pub(crate) &'a [f64]);
 
 impl Display for ClNumbers<'_> {
@@ -134,12 +134,12 @@ impl Display for Numbers<'_> {
     }
 }
 
-/// `WORD/ON`, `WORD/OFF`.
+/// Writes `WORD/ON` or `WORD/OFF`.
 pub(crate) fn write_on_off(word: &str, on: bool, out: &mut Formatter<'_>) -> fmt::Result {
     write!(out, "{word}/{}", if on { "ON" } else { "OFF" })
 }
 
-/// The word of a table for a value.
+/// First word of a table that has this value.
 pub(crate) fn word_of<T: PartialEq>(table: &[(&'static str, T)], value: &T) -> &'static str {
     table.iter().find(|(_, known)| known == value).map_or("", |(word, _)| word)
 }
@@ -156,11 +156,11 @@ pub enum AxisPlane {
 }
 
 impl AxisPlane {
-    /// Words and planes.
+    /// Words of CL data and their planes.
     pub const WORDS: [(&'static str, AxisPlane); 3] =
         [("XYPLAN", AxisPlane::Xy), ("YZPLAN", AxisPlane::Yz), ("ZXPLAN", AxisPlane::Zx)];
 
-    /// Direction of its normal.
+    /// Unit normal of the plane.
     #[must_use]
     pub const fn normal(self) -> [f64; 3] {
         match self {

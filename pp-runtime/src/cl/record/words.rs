@@ -1,8 +1,8 @@
-//! The major words of CL data and what becomes of each: one table.
+//! Table of the major words of CL data and their handling.
 //!
-//! A word is read by the function of its row, or inert (it moves nothing and changes no state, so it is passed over), or
-//! refused with a reason. No word is ever skipped because it is unknown: it might move the tool. `explain --cl` prints
-//! this table.
+//! A word is read by the function of its row; or it is inert (it moves no axis and changes no state) and passed over;
+//! or it is refused with a reason. An unknown word is refused, too: it might move the tool. `explain --cl` prints this
+//! table.
 
 use std::cmp::Ordering;
 use std::io::{self, Write};
@@ -13,59 +13,59 @@ use super::{ArcRecord, MachineRecord, MotionRecord, NurbsRecord, ProgramRecord, 
 use super::{arc, coordinates, cycle, machine, motion, nurbs, program, spindle, subprogram, tool};
 use crate::cl::text::{Args, ClFault, MajorWord};
 
-/// Reads the arguments of a word.
+/// Function that reads the arguments of a word.
 type ReadArgs = for<'a> fn(&mut Args<'a>) -> Result<Record<'a>, ClFault>;
 
-/// What becomes of a record.
+/// Handling of a major word.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Fate {
-    /// Its arguments, which follow a slash, are read; one that is not taken is a fault.
+pub(crate) enum Handling {
+    /// The arguments after the slash are read; an argument that is not taken is a fault.
     Read(ReadArgs),
-    /// The rest of its statement is read as it is.
+    /// The rest of the statement is read as text.
     ReadText(ReadArgs),
-    /// It matters neither to the motion nor to the state of the machine.
+    /// Passed over: no effect on motion or state of the machine.
     Inert,
-    /// It is refused for this reason; the user may know better and declare it inert.
+    /// Refused for this reason; the user may declare it inert.
     Refused(&'static str),
-    /// It is refused for this reason and cannot be declared inert: what follows would be somewhere else.
+    /// Refused for this reason and never inert: without it the motion after it would be wrong.
     Hazard(&'static str),
-    /// It belongs to a lathe.
-    Turning,
+    /// Refused: it belongs to turning.
+    Lathe,
 }
 
-impl Fate {
+impl Handling {
     pub(crate) fn is_read(self) -> bool {
         match self {
             Read(_) | ReadText(_) => true,
-            Inert | Refused(_) | Hazard(_) | Turning => false,
+            Inert | Refused(_) | Hazard(_) | Lathe => false,
         }
     }
 }
 
-/// A word and what becomes of it.
+/// A major word and its handling.
 #[derive(Debug)]
 pub(crate) struct Row {
     pub(crate) word: MajorWord,
-    pub(crate) fate: Fate,
+    pub(crate) handling: Handling,
 }
 
-const fn row(name: &'static str, fate: Fate, forms: &'static str) -> Row {
-    Row { word: MajorWord { name, forms }, fate }
+const fn row(name: &'static str, handling: Handling, forms: &'static str) -> Row {
+    Row { word: MajorWord { name, forms }, handling }
 }
 
-use Fate::{Hazard, Inert, Read, ReadText, Refused, Turning};
+use Handling::{Hazard, Inert, Lathe, Read, ReadText, Refused};
 
-const MOVES_COORDINATES: &str = "it changes the coordinates of everything behind it";
-const REDEFINES: &str = "it changes what other records mean";
+const MOVES_COORDINATES: &str = "it changes the coordinates of all points after it";
+const REDEFINES: &str = "it changes the meaning of other records";
 const MACHINE_AXES: &str = "it commands machine axes, which the postprocessor computes itself";
 const OWN_MEANING: &str = "its meaning depends on the postprocessor that it was written for";
 const TOLERANCE: &str = "it sets a tolerance of another postprocessor";
 
-/// Nearly every record; read without a look at the table where nothing else is open.
+/// GOTO: nearly every record. While no arc, curve or cycle is open it is read without a search in the table.
 pub(crate) const GOTO: MajorWord = MajorWord { name: "GOTO", forms: "/x,y,z[,i,j,k]; /x,y,z / x,y,z .." };
 
-/// Sorted by name; capitals only. The third column names the forms that are read.
-#[rustfmt::skip] // A row is a line.
+/// The table, sorted by name, in capitals. The third column lists the forms that are read.
+#[rustfmt::skip] // One row in one line.
 static TABLE: &[Row] = &[
     row("ALIGN", Hazard(MACHINE_AXES), ""),
     row("ARCSLP", Refused(OWN_MEANING), ""),
@@ -81,8 +81,8 @@ static TABLE: &[Row] = &[
     row("CNTRL", Read(|args| nurbs::control_point(args).map(Nurbs)), "/x,y,z of a NURBS"),
     row("COOLNT", Read(|args| machine::coolant(args).map(Machine)), "/ON|OFF|FLOOD|MIST|THRU|AIR"),
     row("COPY", Hazard(MOVES_COORDINATES), ""),
-    row("COUPLE", Turning, ""),
-    row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, behind TRNTYP/WORLD,0,0,0"),
+    row("COUPLE", Lathe, ""),
+    row("CSYS", Read(|args| coordinates::setup(args).map(Coordinates)), "/12 numbers, after TRNTYP/WORLD,0,0,0"),
     row("CUTCOM", Read(|args| machine::compensation(args).map(Machine)), "/LEFT|RIGHT[,n][,XYPLAN]; /ON; /OFF"),
     row("CUTTER", Read(|args| tool::cutter(args).map(|cutter| Tool(ToolRecord::Cutter(cutter)))), "/d[,r[,e,f,a,b,h]]"),
     row("CYCLE", Read(|args| cycle::cycle(args).map(Cycle)), "/DRILL|FACE|CSINK|THRU|DEEP|BRKCHP|BORE|REAM|TAP|..; /OFF; /ON"),
@@ -90,7 +90,7 @@ static TABLE: &[Row] = &[
     row("DELAY", Read(|args| machine::delay(args).map(Machine)), "/seconds; /n,REV"),
     row("DISPLAY", Inert, ""),
     row("DISPLY", Inert, ""),
-    row("END", Read(|_| Ok(Program(ProgramRecord::End))), "what follows is still read"),
+    row("END", Read(|_| Ok(Program(ProgramRecord::End))), "records after it are still read"),
     row("END-OF-PATH", Read(|_| Ok(Program(ProgramRecord::EndOfPath))), ""),
     row("ENDSUB", Read(|_| Ok(Subprogram(SubprogramRecord::End))), ""),
     row("FEDRAT", Read(|args| machine::feed(args).map(Machine)), "/v[,unit]; /unit,v; /RAPID; /INVERS,AUTO; MMPM MMPR IPM IPR PERMIN PERREV"),
@@ -98,7 +98,7 @@ static TABLE: &[Row] = &[
     row("FROM", Read(|args| Point::parse(args).map(|point| Motion(MotionRecord::From(point)))), "/x,y,z[,i,j,k]"),
     row("GODLTA", Read(|args| motion::increment(args).map(Motion)), "/dx,dy,dz[,i,j,k]; /d along the tool axis"),
     row("GOHOME", Read(|args| motion::home(args).map(Motion)), "[/x,y,z[,i,j,k]]"),
-    Row { word: GOTO, fate: Read(|args| motion::goto(args).map(Motion)) },
+    Row { word: GOTO, handling: Read(|args| motion::goto(args).map(Motion)) },
     row("HEAD", Hazard(MACHINE_AXES), ""),
     row("INDEX", Hazard(MOVES_COORDINATES), ""),
     row("INDIRV", Read(|args| arc::direction(args).map(Arc)), "/i,j,k before TLON"),
@@ -108,7 +108,7 @@ static TABLE: &[Row] = &[
     row("KNOT", Read(|args| nurbs::knots(args).map(Nurbs)), "/k,k.. of a NURBS"),
     row("LEADER", Inert, ""),
     row("LETTER", Inert, ""),
-    row("LIMIT", Refused("it sets limits of axes, which the configuration states"), ""),
+    row("LIMIT", Refused("it sets limits of axes, which belong in the configuration"), ""),
     row("LINTOL", Read(|args| machine::tolerance(args).map(Machine)), "/t; /OFF"),
     row("LOAD", Read(|args| tool::load(args).map(Tool)), "/TOOL,n[,LENGTH,l][,OSETNO,o][,ADJUST,h]"),
     row("LOADTL", Read(|args| tool::call(args).map(Tool)), "/n[,n..][,LENGTH,l][,OSETNO,o][,ADJUST,h]"),
@@ -120,7 +120,7 @@ static TABLE: &[Row] = &[
     row("MOVARC", Read(|args| arc::move_arc(args).map(Arc)), "/x,y,z,i,j,k,r,ANGLE,degrees and the GOTO that ends it"),
     row("MSYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/x,y,z,i1,j1,k1,i2,j2,k2"),
     row("MULTAX", Read(|args| coordinates::multi_axis(args).map(Coordinates)), "[/ON|OFF]"),
-    row("NURBS", Read(|_| Ok(Nurbs(NurbsRecord::Begin))), "/ with KNOT and CNTRL behind it"),
+    row("NURBS", Read(|_| Ok(Nurbs(NurbsRecord::Begin))), "/ and KNOT and CNTRL after it"),
     row("OPSKIP", Read(|args| args.keyword("OFF").map(|()| Record::Inert)), "/OFF"),
     row("OPSTOP", Read(|_| Ok(Program(ProgramRecord::OptionalStop))), ""),
     row("ORIGIN", Read(|args| coordinates::origin(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
@@ -128,7 +128,7 @@ static TABLE: &[Row] = &[
     row("PAINT", Inert, ""),
     row("PARTNO", ReadText(|args| Ok(Program(ProgramRecord::PartName(Text::rest(args))))), "text"),
     row("PATTERN", Hazard(MOVES_COORDINATES), ""),
-    row("PITCH", Turning, ""),
+    row("PITCH", Lathe, ""),
     row("PIVOTZ", Hazard(MACHINE_AXES), ""),
     row("POSITN", Hazard(MACHINE_AXES), ""),
     row("PPFUN", Hazard(REDEFINES), ""),
@@ -151,33 +151,33 @@ static TABLE: &[Row] = &[
     row("SETUP", Inert, ""),
     row("SPINDL", Read(|args| spindle::spindle(args).map(|spindle| Machine(MachineRecord::Spindle(spindle)))), "/RPM, n, CLW|CCLW, ON|OFF in any order"),
     row("STOP", Read(|_| Ok(Program(ProgramRecord::Stop))), ""),
-    row("SWITCH", Turning, ""),
+    row("SWITCH", Lathe, ""),
     row("SYN", Hazard(REDEFINES), ""),
     row("SYS", Read(|args| coordinates::machine_system(args).map(Coordinates)), "/ as MSYS"),
-    row("THREAD", Turning, ""),
+    row("THREAD", Lathe, ""),
     row("TLAXIS", Read(|args| coordinates::tool_axis(args).map(Coordinates)), "/i,j,k"),
     row("TLDATA", Read(|args| tool::data(args).map(Tool)), "/MILL,d,r,..; /DRILL[,word],d,.."),
     row("TLON", ReadText(|args| arc::tangent_arc(args).map(Arc)), ",GOFWD/ (CIRCLE/ c,r),ON,[2,INTOF,](LINE/ c,e)"),
     row("TMARK", Inert, ""),
     row("TOOL PATH", ReadText(|args| program::tool_path(args).map(Program)), "/name,TOOL,name"),
-    row("TOOLNO", Read(|args| tool::description(args).map(|()| Record::Inert)), "/n,.. describes a tool and changes nothing"),
+    row("TOOLNO", Read(|args| tool::description(args).map(|()| Record::Inert)), "/n,.. describes a tool and has no effect"),
     row("TPRINT", Inert, ""),
     row("TRACUT", Read(|args| coordinates::transformation(args).map(Coordinates)), "/12 numbers of a rigid motion; /NOMORE; /0"),
     row("TRANS", Read(|args| coordinates::translation(args).map(Coordinates)), "/x,y,z; /NOMORE; /0"),
     row("TRNTYP", Read(|args| coordinates::world(args).map(Coordinates)), "/WORLD,0,0,0"),
-    row("TURRET", Turning, ""),
+    row("TURRET", Lathe, ""),
     row("UNIT", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH"),
     row("UNITS", Read(|args| coordinates::units(args).map(Coordinates)), "/MM|INCH|INCHES"),
     row("UNLOAD", Refused("it leaves the spindle without a tool"), ""),
 ];
 
-/// Prefix of the tool descriptions of SolidWorks CAM (`CSI_SET_FLUTE_LENGTH/70.`).
+/// Prefix of the words with which SolidWorks CAM describes a tool (`CSI_SET_FLUTE_LENGTH/70.`).
 const TOOL_DESCRIPTION: &[u8] = b"CSI_";
 
-/// What becomes of a tool description.
+/// Row of all words with that prefix.
 static TOOL_DESCRIBED: Row = row("CSI_", Inert, "");
 
-/// Looks a major word up, whatever its case.
+/// Finds the row of a major word, in capitals or small letters.
 pub(crate) fn look_up(word: &[u8]) -> Option<&'static Row> {
     match TABLE.binary_search_by(|row| compare(row.word.name.as_bytes(), word)) {
         Ok(index) => Some(&TABLE[index]),
@@ -188,50 +188,47 @@ pub(crate) fn look_up(word: &[u8]) -> Option<&'static Row> {
     }
 }
 
-/// Why a word cannot be declared inert; `None` if it can.
+/// Reason why a word cannot be declared inert; `None` if it can.
 #[must_use]
 pub fn not_inert(word: &str) -> Option<String> {
     if word.is_empty() || !word.bytes().all(|byte| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b' ')) {
         return Some(format!("`{word}` is not a word of CL data"));
     }
-    match look_up(word.as_bytes())?.fate {
+    match look_up(word.as_bytes())?.handling {
         Read(_) | ReadText(_) => Some(format!("{word} is read, so it cannot be inert")),
         Hazard(reason) => Some(format!("{word} cannot be inert: {reason}")),
-        Turning => Some(format!("{word} cannot be inert: it belongs to a lathe")),
+        Lathe => Some(format!("{word} cannot be inert: it belongs to turning")),
         Inert | Refused(_) => None,
     }
 }
 
-/// Writes what becomes of each word.
+/// Writes the table of words, by handling.
 ///
 /// # Errors
 /// Those of the output.
 pub fn list(out: &mut dyn Write) -> io::Result<()> {
-    writeln!(
-        out,
-        "Words of CL data. A word that is not listed is refused, unless `--inert WORD` says that it is inert."
-    )?;
-    list_section(out, "Read", |Row { word: MajorWord { name, forms }, fate }| {
+    writeln!(out, "Words of CL data. A word that is not listed is refused, unless `--inert WORD` declares it inert.")?;
+    list_section(out, "Read", |Row { word: MajorWord { name, forms }, handling }| {
         let glue = if forms.starts_with(['/', ',', '[']) || forms.is_empty() { "" } else { " " };
-        fate.is_read().then(|| format!("{name}{glue}{forms}"))
+        handling.is_read().then(|| format!("{name}{glue}{forms}"))
     })?;
-    list_section(out, "Inert: nothing that moves an axis or changes a state", |row| match row.fate {
+    list_section(out, "Inert: no motion and no change of state", |row| match row.handling {
         Inert => Some(row.word.name.to_string()),
-        Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Turning => None,
+        Read(_) | ReadText(_) | Refused(_) | Hazard(_) | Lathe => None,
     })?;
     writeln!(out, "    CSI_..")?;
-    list_section(out, "Refused, unless `--inert WORD` says that it is inert", |row| match row.fate {
+    list_section(out, "Refused, unless `--inert WORD` declares it inert", |row| match row.handling {
         Refused(reason) => Some(format!("{:<11} {reason}", row.word.name)),
-        Read(_) | ReadText(_) | Inert | Hazard(_) | Turning => None,
+        Read(_) | ReadText(_) | Inert | Hazard(_) | Lathe => None,
     })?;
-    list_section(out, "Refused always", |row| match row.fate {
+    list_section(out, "Always refused", |row| match row.handling {
         Hazard(reason) => Some(format!("{:<11} {reason}", row.word.name)),
-        Turning => Some(format!("{:<11} it belongs to a lathe", row.word.name)),
+        Lathe => Some(format!("{:<11} it belongs to turning", row.word.name)),
         Read(_) | ReadText(_) | Inert | Refused(_) => None,
     })
 }
 
-/// A heading and a line for each row that belongs under it.
+/// Writes a heading and a line for each row of which `line` makes one.
 fn list_section(out: &mut dyn Write, heading: &str, line: impl Fn(&Row) -> Option<String>) -> io::Result<()> {
     writeln!(out, "\n{heading}")?;
     TABLE.iter().filter_map(line).try_for_each(|line| writeln!(out, "    {line}"))
@@ -241,16 +238,16 @@ fn compare(name: &[u8], word: &[u8]) -> Ordering {
     name.iter().copied().cmp(word.iter().map(u8::to_ascii_uppercase))
 }
 
-/// The known word that `word` is probably meant to be.
+/// Known word nearest to a misspelt one, if it is near enough.
 pub(crate) fn nearest_word(word: &str) -> Option<&'static str> {
-    /// Two slips of the finger; more would be guessing.
-    const SLIPS: usize = 2;
+    /// Largest number of typing errors; with more the suggestion would be a guess.
+    const MOST_TYPING_ERRORS: usize = 2;
     if word.len() > 16 {
         return None;
     }
     let word = word.to_ascii_uppercase();
-    let allowed = SLIPS.min(word.len() / 3);
-    // Words of another length cannot be near, and the search is the costliest thing done for a fault.
+    let allowed = MOST_TYPING_ERRORS.min(word.len() / 3);
+    // Words of another length are left out first: the search is the most expensive part of a fault.
     let similar = TABLE.iter().map(|row| row.word.name).filter(|name| name.len().abs_diff(word.len()) <= allowed);
     let (distance, name) =
         similar.map(|name| (strsim::damerau_levenshtein(&word, name), name)).min_by_key(|(distance, _)| *distance)?;
@@ -276,11 +273,11 @@ mod tests {
         ] {
             let row = look_up(word.as_bytes()).unwrap();
             assert_eq!(row.word.name, name);
-            let Read(read) = row.fate else { panic!("{word} is read") };
+            let Read(read) = row.handling else { panic!("{word} is read") };
             assert_eq!(read(&mut Args::new(&row.word, b"1,2,3", 0)).unwrap(), record);
         }
         let described = look_up(b"csi_set_flute_length").unwrap();
-        assert!(described.word.name == "CSI_" && matches!(described.fate, Inert));
+        assert!(described.word.name == "CSI_" && matches!(described.handling, Inert));
         assert!(look_up(b"CSI").is_none());
         assert!(look_up(b"").is_none());
     }
@@ -310,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slip_of_the_finger_finds_the_word_and_gibberish_finds_none() {
+    fn a_typing_error_finds_the_word_and_gibberish_finds_none() {
         assert_eq!(nearest_word("GOTTO"), Some("GOTO"));
         assert_eq!(nearest_word("fedart"), Some("FEDRAT"));
         assert_eq!(nearest_word("SPINDLE"), Some("SPINDL"));

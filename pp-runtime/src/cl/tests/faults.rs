@@ -1,4 +1,4 @@
-//! Statements that are refused, and where the message points.
+//! Statements that are refused, and the place that the message names.
 
 use super::*;
 
@@ -16,7 +16,7 @@ fn what_is_no_number_is_shown() {
         let expected = format!("1:10+{} `{shown}` is not a number", text.len());
         refused(&format!("GOTO/1,2,{text}\n"), &expected);
     }
-    refused("GOTO/1,2,1E999\n", "1:10+5 `1E999` is too large to be a number here");
+    refused("GOTO/1,2,1E999\n", "1:10+5 `1E999` is beyond the range of numbers");
     refused("GOTO/1,2,1E7\n", "1:6+7 a coordinate is more than a kilometre from the origin");
 }
 
@@ -49,11 +49,11 @@ fn a_missing_comma_is_no_longer_a_number() {
 
 #[test]
 fn an_empty_place_is_refused_where_it_is() {
-    refused("GOTO/1,,3\n", "1:8+1 an argument is missing: nothing stands between the commas here");
-    refused("GOTO/1,2,\n", "1:9+1 an argument is missing: nothing stands between the commas here");
-    refused("GOTO/,2,3\n", "1:6+1 an argument is missing: nothing stands between the commas here");
-    refused("TOOLNO/1,,TURN\nGOTO/0,0,0\n", "1:10+1 an argument is missing: nothing stands between the commas here");
-    refused("SPINDL/RPM,,CLW\nGOTO/0,0,0\n", "1:12+1 an argument is missing: nothing stands between the commas here");
+    refused("GOTO/1,,3\n", "1:8+1 an argument is missing at this comma");
+    refused("GOTO/1,2,\n", "1:9+1 an argument is missing at this comma");
+    refused("GOTO/,2,3\n", "1:6+1 an argument is missing at this comma");
+    refused("TOOLNO/1,,TURN\nGOTO/0,0,0\n", "1:10+1 an argument is missing at this comma");
+    refused("SPINDL/RPM,,CLW\nGOTO/0,0,0\n", "1:12+1 an argument is missing at this comma");
 }
 
 #[test]
@@ -64,18 +64,18 @@ fn a_bare_slash_is_an_error_only_where_something_is_needed() {
 
 #[test]
 fn forms_that_are_not_read_are_refused_not_skipped() {
-    refused("GOTO/0,0,0\nCUTCOM/OFF,LENGTH,1\n", "2:12+6 CUTCOM with `LENGTH` is not understood yet");
-    refused("GOTO/0,0,0\nRAPID/X\n", "2:7+1 RAPID with `X` is not understood yet");
-    refused("GOTO/0,0,0\nSPINDL/STOP\n", "2:8+4 SPINDL with `STOP` is not understood yet");
-    refused("GOTO/0,0,0\nSET/MODE,INCR\n", "2:10+4 SET with `INCR` is not understood yet");
-    refused("GOTO/0,0,0\nMODE/INCR\n", "2:6+4 MODE with `INCR` is not understood yet");
-    refused("GOTO/0,0,0\nCOOLNT/FLOOD,HIGH\n", "2:14+4 COOLNT with `HIGH` is not understood yet");
+    refused("GOTO/0,0,0\nCUTCOM/OFF,LENGTH,1\n", "2:12+6 CUTCOM with `LENGTH` is not supported");
+    refused("GOTO/0,0,0\nRAPID/X\n", "2:7+1 RAPID with `X` is not supported");
+    refused("GOTO/0,0,0\nSPINDL/STOP\n", "2:8+4 SPINDL with `STOP` is not supported");
+    refused("GOTO/0,0,0\nSET/MODE,INCR\n", "2:10+4 SET with `INCR` is not supported");
+    refused("GOTO/0,0,0\nMODE/INCR\n", "2:6+4 MODE with `INCR` is not supported");
+    refused("GOTO/0,0,0\nCOOLNT/FLOOD,HIGH\n", "2:14+4 COOLNT with `HIGH` is not supported");
     refused(
         "GOTO/0,0,0\nTRNTYP/WORLD,0,0,1\n",
-        "2:8+11 TRNTYP with numbers other than 0 moves the coordinates in a way that is not known",
+        "2:8+11 TRNTYP with numbers other than 0 is refused: its effect on the coordinates is not known",
     );
-    refused("GOTO/0,0,0\nFEDRAT/INVERS,5\n", "2:15+1 FEDRAT with `5` is not understood yet");
-    refused("GOTO/0,0,0\nOPSKIP/ON\n", "2:8+2 OPSKIP with `ON` is not understood yet");
+    refused("GOTO/0,0,0\nFEDRAT/INVERS,5\n", "2:15+1 FEDRAT with `5` is not supported");
+    refused("GOTO/0,0,0\nOPSKIP/ON\n", "2:8+2 OPSKIP with `ON` is not supported");
 }
 
 #[test]
@@ -84,9 +84,9 @@ fn dangerous_words_are_refused_with_their_reason() {
     assert_eq!(
         found,
         [
-            "2:8+6 INSERT is refused: it writes NC text that the postprocessor cannot see into",
-            "3:1+4 COPY is refused: it changes the coordinates of everything behind it",
-            "4:1+3 SYN is refused: it changes what other records mean",
+            "2:8+6 INSERT is refused: the effect of its NC text on the machine is unknown",
+            "3:1+4 COPY is refused: it changes the coordinates of all points after it",
+            "4:1+3 SYN is refused: it changes the meaning of other records",
         ]
     );
 }
@@ -94,25 +94,25 @@ fn dangerous_words_are_refused_with_their_reason() {
 #[test]
 fn an_unknown_word_names_the_nearest_known_one() {
     let diagnostics = read_from(&b"GOTO/0,0,0\nGOTTO/1,2,3\nsfsdfsdf\n"[..], MM).diagnostics;
-    assert_eq!(diagnostics[0].text, "`GOTTO` is not a word of CL data known here");
+    assert_eq!(diagnostics[0].text, "`GOTTO` is not a known word of CL data");
     assert_eq!(diagnostics[0].help.as_deref(), Some("did you mean GOTO?"));
-    assert_eq!(diagnostics[1].text, "`sfsdfsdf` is not a word of CL data known here");
+    assert_eq!(diagnostics[1].text, "`sfsdfsdf` is not a known word of CL data");
     assert!(!diagnostics[1].help.as_deref().unwrap().contains("mean"));
     assert_eq!(diagnostics.len(), 2);
 }
 
 #[test]
-fn a_slash_must_stand_behind_the_word() {
-    refused("GOTO 1,2,3\n", "1:6+5 `1,2,3` stands behind GOTO where a slash is expected");
+fn a_slash_must_follow_the_word() {
+    refused("GOTO 1,2,3\n", "1:6+5 expected a slash after GOTO, found `1,2,3`");
     refused("GOTO/1,2,3/4,5\n", "1:12+3 GOTO needs 3 numbers between slashes, found 2");
-    refused("FROM/1,2,3/4,5,6\n", "1:10+3 a second slash stands behind this word");
+    refused("FROM/1,2,3/4,5,6\n", "1:10+3 this argument contains a second slash");
 }
 
 #[test]
 fn tool_axes_are_checked_by_their_length() {
-    refused("GOTO/1,2,3,0,0,0\n", "1:6+11 the tool axis is 0, 0, 0 and points nowhere");
+    refused("GOTO/1,2,3,0,0,0\n", "1:6+11 the tool axis is 0, 0, 0 and has no direction");
     refused("GOTO/1,2,3,0,0,1.002\n", "1:6+15 the tool axis has length 1.002000, not 1");
-    refused("TLAXIS/0,0,0\nGOTO/0,0,0\n", "1:8+5 the tool axis is 0, 0, 0 and points nowhere");
+    refused("TLAXIS/0,0,0\nGOTO/0,0,0\n", "1:8+5 the tool axis is 0, 0, 0 and has no direction");
     assert_eq!(events("GOTO/1,2,3,0,0,1.00000999\n"), ["1:1 feed 1 2 3 axis 0 0 1 None"]);
     assert_eq!(errors("GOTO/1,2,3,0,0,1.00101\n").len(), 1);
 }
@@ -134,38 +134,38 @@ fn turning_files_are_refused_as_such() {
     for text in ["SWITCH/3", "TURRET/1", "TOOLNO/1,TURN,1", "SPINDL/500,SFM,CLW", "TLDATA/TURN,1", "SPINDL/MAXRPM,9"] {
         let found = errors(&format!("{text}\nGOTO/0,0,0\n"));
         assert_eq!(found.len(), 1, "{text}");
-        assert!(found[0].ends_with("this is a turning file: records of a lathe are not understood"), "{found:?}");
+        assert!(found[0].ends_with("this record belongs to turning: only milling is supported"), "{found:?}");
     }
 }
 
 #[test]
 fn tool_records_state_what_their_numbers_mean() {
-    refused("LOADTL/5,6\nGOTO/0,0,0\n", "1:10+1 `6` behind tool 5: its meaning is not stated");
+    refused("LOADTL/5,6\nGOTO/0,0,0\n", "1:10+1 `6` after tool 5 has no word before it: its meaning is unknown");
     refused("LOADTL/1.5\nGOTO/0,0,0\n", "1:8+3 `1.5` must be a whole number, 0 or more");
     refused("LOADTL/-1\nGOTO/0,0,0\n", "1:8+2 `-1` must be a whole number, 0 or more");
-    refused("LOADTL/1,LENGTH,0\nGOTO/0,0,0\n", "1:17+1 the gauge length `0` is not above 0");
-    refused("LOADTL/1,ADJUST,0\nGOTO/0,0,0\n", "1:17+1 `ADJUST` 0 would switch the length offset off");
-    refused("LOADTL/1,ADJUST,2,OSETNO,3\nGOTO/0,0,0\n", "1:26+1 two different length offsets for one tool");
-    refused("LOAD/HOLDER,1\nGOTO/0,0,0\n", "1:6+6 LOAD with `HOLDER` is not understood yet");
+    refused("LOADTL/1,LENGTH,0\nGOTO/0,0,0\n", "1:17+1 the gauge length (LENGTH) must be above 0, found `0`");
+    refused("LOADTL/1,ADJUST,0\nGOTO/0,0,0\n", "1:17+1 `ADJUST` 0 would cancel the length offset");
+    refused("LOADTL/1,ADJUST,2,OSETNO,3\nGOTO/0,0,0\n", "1:26+1 two different length offset registers for one tool");
+    refused("LOAD/HOLDER,1\nGOTO/0,0,0\n", "1:6+6 LOAD with `HOLDER` is not supported");
     refused("LOAD/TOOL\nGOTO/0,0,0\n", "1:6+4 an argument of LOAD is missing");
 }
 
 #[test]
 fn implausible_feeds_are_refused() {
     refused("FEDRAT/0.0394,MMPM\nGOTO/0,0,0\n", "1:8+6 a feed of 0.0394 mm/min is not plausible");
-    refused("FEDRAT/0,MMPM\nGOTO/0,0,0\n", "1:8+1 the feed 0 is not above 0");
+    refused("FEDRAT/0,MMPM\nGOTO/0,0,0\n", "1:8+1 the feed must be above 0, found 0");
     refused("FEDRAT/MMPM\nGOTO/0,0,0\n", "1:8+4 FEDRAT needs a number, found 0");
-    refused("FEDRAT/100,FPM\nGOTO/0,0,0\n", "1:12+3 FEDRAT with `FPM` is not understood yet");
+    refused("FEDRAT/100,FPM\nGOTO/0,0,0\n", "1:12+3 FEDRAT with `FPM` is not supported");
     assert_eq!(events("FEDRAT/0.05,MMPR\nGOTO/0,0,0\n").len(), 1);
 }
 
 #[test]
 fn a_spindle_has_one_speed_and_one_sense() {
-    refused("SPINDL/500,600\nGOTO/0,0,0\n", "1:12+3 `600` contradicts what stands before it");
-    refused("SPINDL/CLW,CCLW\nGOTO/0,0,0\n", "1:12+4 `CCLW` contradicts what stands before it");
-    refused("SPINDL/OFF,500\nGOTO/0,0,0\n", "1:12+3 `500` contradicts what stands before it");
-    refused("SPINDL/0,CLW\nGOTO/0,0,0\n", "1:8+1 the spindle speed `0` is not above 0");
-    refused("SPINDL/RPM,CLW\nGOTO/0,0,0\n", "1:8+7 RPM without a speed");
+    refused("SPINDL/500,600\nGOTO/0,0,0\n", "1:12+3 `600` contradicts an earlier word of this SPINDL");
+    refused("SPINDL/CLW,CCLW\nGOTO/0,0,0\n", "1:12+4 `CCLW` contradicts an earlier word of this SPINDL");
+    refused("SPINDL/OFF,500\nGOTO/0,0,0\n", "1:12+3 `500` contradicts an earlier word of this SPINDL");
+    refused("SPINDL/0,CLW\nGOTO/0,0,0\n", "1:8+1 the spindle speed must be above 0, found `0`");
+    refused("SPINDL/RPM,CLW\nGOTO/0,0,0\n", "1:8+7 SPINDL with RPM has no speed");
 }
 
 #[test]
@@ -191,33 +191,33 @@ fn after_twenty_of_a_kind_the_rest_is_counted() {
 fn units_are_needed_at_the_first_number_and_missed_once() {
     let found = errors_with("TOOL PATH/A,TOOL,B\nGOTO/1,2,3\nGOTO/4,5,6\n", UNSTATED);
     assert_eq!(found.len(), 1);
-    assert!(found[0].starts_with("2:6+5 the file does not say its unit"), "{found:?}");
+    assert!(found[0].starts_with("2:6+5 the unit of the file is unknown"), "{found:?}");
     let help = read_from(&b"GOTO/1,2,3\n"[..], UNSTATED).diagnostics[0].help.clone().unwrap();
     assert!(help.contains("--units mm") && help.contains("--units in"), "{help}");
 }
 
 #[test]
 fn units_that_contradict_are_refused() {
-    refused("UNITS/INCH\nGOTO/1,2,3\n", "1:1+10 the file says another unit than `--units`");
+    refused("UNITS/INCH\nGOTO/1,2,3\n", "1:1+10 the unit of the file contradicts `--units` or `cl_units`");
     refused_with(
         "UNITS/MM\nGOTO/1,2,3\nUNITS/INCHES\nGOTO/1,2,3\n",
         UNSTATED,
-        "3:1+12 the unit changes in the middle of the file; line 1 says another one",
+        "3:1+12 this unit differs from that of line 1",
     );
-    refused_with("UNITS/CM\nGOTO/1,2,3\n", MM, "1:7+2 `CM` is not a unit known here");
+    refused_with("UNITS/CM\nGOTO/1,2,3\n", MM, "1:7+2 `CM` is not a known unit");
     assert_eq!(events("UNITS/MM\nGOTO/1,2,3\nUNIT/MM\n").len(), 1);
 }
 
 #[test]
 fn a_feed_in_millimetres_in_an_inch_file_is_refused() {
     let text = "UNITS/INCH\nFEDRAT/10,MMPM\nGOTO/1,2,3\n";
-    refused_with(text, UNSTATED, "2:11+4 a feed in mm stands in a file in inch; such labels are often wrong");
+    refused_with(text, UNSTATED, "2:11+4 feed labelled in mm in a file in inch: such labels are often wrong");
 }
 
 #[test]
 fn only_tiny_cutters_in_claimed_millimetres_are_inches() {
     let text = "CUTTER/.25\nLOADTL/1\nGOTO/1,2,3\nCUTTER/.3937\nLOADTL/2\nGOTO/1,2,3\n";
-    refused(text, "1:1+1 no cutter is larger than 0.3937 mm: is this file in inch?");
+    refused(text, "1:1+1 the largest cutter has a diameter of 0.3937 mm: is this file in inch?");
     events_with(&format!("UNITS/MM\n{text}"), UNSTATED);
     events(&text.replace(".3937", "1.5"));
     events_with(text, Some(Units::Inches));
@@ -232,19 +232,19 @@ fn a_second_frame_is_refused_with_both_lines() {
     let turned = format!("{frame}GOTO/0,0,0\nMSYS/1,2,3,0,1,0,-1,0,0\n");
     refused(&turned, "3:6+18 the frame in line 3 differs from the workpiece frame in line 1");
     let skew = "MSYS/0,0,0,1,0,0,1,0,0\nGOTO/0,0,0\n";
-    refused(skew, "1:6+17 the axes of this frame are not at right angles, of length 1 and right-handed");
+    refused(skew, "1:6+17 the axes of this frame are not perpendicular, right-handed unit vectors");
 }
 
 #[test]
 fn tool_0_is_no_tool() {
-    let text = "0 is not the number of a tool";
+    let text = "tool number 0 is not permitted";
     refused("LOADTL/0\nGOTO/0,0,0\n", &format!("1:8+1 {text}"));
     refused("LOAD/TOOL,0,ADJUST,1\nGOTO/0,0,0\n", &format!("1:11+1 {text}"));
 }
 
 #[test]
 fn a_record_that_a_dollar_makes_part_of_a_text_is_refused() {
-    let text = "begins a line that the `$` before it makes part of";
+    let text = "would be lost: the `$` at the end of the line before joins it to";
     refused("PPRINT PRICE IN US$\n GOTO / 0,0,50\nGOTO/9,9,50\n", &format!("2:2+4 GOTO {text} PPRINT"));
     refused("PARTNO A$ \nRAPID\nGOTO/9,9,50\n", &format!("2:1+5 RAPID {text} PARTNO"));
     refused("MACHIN/A,1,$\nB$\nSPINDL/OFF\nGOTO/9,9,50\n", &format!("3:1+6 SPINDL {text} MACHIN"));

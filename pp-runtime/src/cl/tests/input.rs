@@ -10,7 +10,7 @@ const GOTO: &str = "GOTO/-12.5,.839020,1.E-3,0.6000000,0.0000000,-0.8";
 const MIXED: &str = "$$ NAME\nPARTNO/'A B'\nUNITS/MM\nTOOL PATH/P1,TOOL,T1\nLOADTL/3\n$$-> CUTTER / 4.5\nRAPID\n\
                      GOTO/1,2,3\nFEDRAT/100,MMPM\nGOTO/1,2,-3,0,.6,.8\n\nPPRINT hello\nOPSTOP\nEND\nGOTO/0,0,0\nFINI\n";
 
-/// Files of four CAM systems that use everything which can be left open.
+/// Files of four CAM systems, with every record that can stay open.
 const WHOLE: [&str; 5] = [
     include_str!("../../../../tests/fuzz/seeds/post/nx.cls"),
     include_str!("../../../../tests/fuzz/seeds/post/catia.aptsource"),
@@ -19,7 +19,7 @@ const WHOLE: [&str; 5] = [
     include_str!("../../../../tests/fuzz/seeds/post/others.cls"),
 ];
 
-/// Gives `size` bytes at a time.
+/// Input that returns `size` bytes at a time.
 struct InPieces<'a> {
     bytes: &'a [u8],
     size: usize,
@@ -106,10 +106,10 @@ fn a_comment_that_ends_in_a_dollar_swallows_no_goto() {
 }
 
 #[test]
-fn a_creo_comment_goes_on_over_the_line_end() {
+fn a_creo_comment_is_continued_by_a_dollar() {
     let csys = "$$-> CSYS / 1,0,0,0, $\n 0,1,0,0, $\n 0,0,1,0\nGOTO/1,2,3\n";
     assert_eq!(events(csys).len(), 1);
-    let mut reader = Reader::new(csys.as_bytes(), MM.into());
+    let mut reader = ClReader::new(csys.as_bytes(), MM.into());
     while reader.next_event().unwrap().is_some() {}
     assert_eq!(reader.frame().unwrap().axes, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 }
@@ -118,18 +118,18 @@ fn a_creo_comment_goes_on_over_the_line_end() {
 fn a_dollar_inside_a_statement_joins_nothing() {
     refused(
         "GOTO/1,2,3 $ five\n,0,0,1\nGOTO/1,2,3\n".replace("\n,0,0,1", "").as_str(),
-        "1:10+8 `$` stands inside a statement: `3 $ five`",
+        "1:10+8 `$` inside a statement: `3 $ five`",
     );
 }
 
 #[test]
-fn a_comment_behind_a_record_ends_it() {
+fn a_comment_after_a_record_ends_it() {
     assert_eq!(events("GOTO/1,2,3 $$ 4,5\nGOTO/1,$ $$ cut\n2,3\n").len(), 2);
 }
 
 #[test]
-fn a_file_that_ends_behind_a_dollar_is_refused() {
-    refused("GOTO/0,0,0\nGOTO/1,2,3$\n", "2:1+10 the file ends inside this statement, behind a `$` that continues it");
+fn a_file_that_ends_after_a_dollar_is_refused() {
+    refused("GOTO/0,0,0\nGOTO/1,2,3$\n", "2:1+10 the file ends after the `$` that continues this statement");
 }
 
 #[test]
@@ -145,8 +145,8 @@ fn a_byte_order_mark_and_foreign_encodings_are_no_fault() {
 fn empty_binary_and_motionless_files_have_one_clear_error() {
     refused("", "1:1+1 the file is empty");
     refused("\u{FEFF}", "1:1+1 the file is empty");
-    refused("GOTO/1,2,3\n\0\0GOTO\n", "1:1+1 this is no text file: it holds NUL bytes");
-    refused("\n$$ nothing\nFINI\n", "1:1+1 the file holds no motion: there is no GOTO in it");
+    refused("GOTO/1,2,3\n\0\0GOTO\n", "1:1+1 this is not a text file: it contains NUL bytes");
+    refused("\n$$ nothing\nFINI\n", "1:1+1 the file contains no motion: no GOTO was found");
 }
 
 #[test]
@@ -158,10 +158,7 @@ fn a_line_of_ten_megabytes_ends_soon_and_in_one_error() {
     let outcome = read_from(&text[..], MM);
     assert!(start.elapsed() < Duration::from_secs(20));
     let texts: Vec<_> = outcome.diagnostics.iter().map(|d| (d.location.line, d.text.as_str())).collect();
-    assert_eq!(
-        texts,
-        [(2, "a statement here is longer than 1048576 bytes"), (3, "GOTO needs 3 or 6 numbers, found 2")]
-    );
+    assert_eq!(texts, [(2, "this statement is longer than 1048576 bytes"), (3, "GOTO needs 3 or 6 numbers, found 2")]);
 }
 
 #[test]
@@ -169,11 +166,11 @@ fn ten_megabytes_of_continued_lines_end_soon_and_in_one_error() {
     let text = format!("GOTO/{}3\nGOTO/4,5\n", "1,$\n".repeat(2_500_000));
     let found = errors(&text);
     assert_eq!(found.len(), 2);
-    assert_eq!(found[0], "1:1+1 a statement here is longer than 1048576 bytes");
+    assert_eq!(found[0], "1:1+1 this statement is longer than 1048576 bytes");
     assert_eq!(found[1], "2500002:6+3 GOTO needs 3 or 6 numbers, found 2");
 }
 
-/// A generator of noise (xorshift): fast, and the same in every run.
+/// Random numbers (xorshift): fast, and the same in every run.
 fn noise(state: &mut u64) -> u64 {
     *state ^= *state << 13;
     *state ^= *state >> 7;
@@ -262,7 +259,7 @@ fn a_hundred_thousand_random_inputs_cause_no_panic() {
                 text.push(choice.to_le_bytes()[3]);
             }
         }
-        let mut reader = Reader::new(&text[..], MM.into());
+        let mut reader = ClReader::new(&text[..], MM.into());
         while let Some((place, _)) = reader.next_event().unwrap() {
             assert!(place.line >= 1 && place.column >= 1, "round {round}: {text:?}");
         }
@@ -287,8 +284,8 @@ proptest! {
         prop_assert_eq!(events(&text), events(GOTO));
     }
 
-    /// Lines left out, doubled, moved, and bytes changed: nothing panics, every place is a place, and a file that is
-    /// refused has said why.
+    /// Lines deleted, doubled, swapped, and bytes changed: no panic, every place has line and column, and a file that
+    /// is refused has an error.
     #[test]
     fn a_file_with_damage_is_read_or_refused_with_a_reason(
         damage in prop::collection::vec((0_u8..4, any::<prop::sample::Index>(), any::<prop::sample::Index>(), any::<u8>()), 0..6),
@@ -310,8 +307,8 @@ proptest! {
             }
         }
         let text = lines.join(&b'\n');
-        let options = Options { insert: crate::cl::Insert::Write, frames: crate::cl::Frames::Main, ..Options::from(MM) };
-        let mut reader = Reader::new(&text[..], options);
+        let options = ReadingOptions { insert: crate::cl::Insert::Write, frames: crate::cl::Frames::Main, ..ReadingOptions::from(MM) };
+        let mut reader = ClReader::new(&text[..], options);
         let mut motions = 0;
         while let Some((place, event)) = reader.next_event().unwrap() {
             prop_assert!(place.line >= 1 && place.column >= 1);

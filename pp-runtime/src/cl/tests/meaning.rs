@@ -21,8 +21,8 @@ fn rapid_holds_for_the_next_motion_only_and_feed_does_not_cancel_it() {
 fn inches_become_millimetres() {
     let text = "UNITS/INCHES\nCUTTER/.5,.125\nLOADTL/1,LENGTH,4\nFEDRAT/10\nGOTO/1,-2,0\nFEDRAT/.01,IPR\nGOTO/1,0,0\n";
     let found = events_with(text, UNSTATED);
-    assert!(found[0].contains("length: Some(101.6)"), "{found:?}");
-    assert!(found[0].contains("diameter: Some(12.7), corner_radius: Some(3.175)"), "{found:?}");
+    assert!(found[0].contains("length_mm: Some(101.6)"), "{found:?}");
+    assert!(found[0].contains("diameter_mm: Some(12.7), corner_radius_mm: Some(3.175)"), "{found:?}");
     assert_eq!(found[1], "5:1 feed 25.4 -50.8 0 axis 0 0 1 Some(PerMinute(254.0))");
     assert!(found[2].ends_with("Some(PerRevolution(0.254))"), "{found:?}");
 }
@@ -48,10 +48,10 @@ fn feeds_are_read_in_both_orders_and_all_units() {
 #[test]
 fn the_spindle_is_read_in_any_order() {
     for (text, spindle) in [
-        ("RPM,3600,CLW", "On { speed: Some(3600.0), rotation: Some(Clockwise) }"),
-        ("70.0,RPM, CCLW", "On { speed: Some(70.0), rotation: Some(CounterClockwise) }"),
-        ("400,CLW", "On { speed: Some(400.0), rotation: Some(Clockwise) }"),
-        ("ON", "On { speed: None, rotation: None }"),
+        ("RPM,3600,CLW", "On { speed_rev_per_min: Some(3600.0), rotation: Some(Clockwise) }"),
+        ("70.0,RPM, CCLW", "On { speed_rev_per_min: Some(70.0), rotation: Some(CounterClockwise) }"),
+        ("400,CLW", "On { speed_rev_per_min: Some(400.0), rotation: Some(Clockwise) }"),
+        ("ON", "On { speed_rev_per_min: None, rotation: None }"),
         ("off", "Off"),
     ] {
         let found = events(&format!("SPINDL/{text}\nGOTO/0,0,0\n"));
@@ -79,7 +79,7 @@ fn coolant_stops_and_texts_become_events() {
 }
 
 #[test]
-fn an_operation_is_called_as_the_file_calls_it() {
+fn an_operation_has_the_name_of_its_tool_path() {
     let found = events("TOOL PATH/A,B_1.2,TOOL,T 16\nGOTO/0,0,0\n");
     assert_eq!(found[0], "1:1 operation A,B_1.2");
 }
@@ -87,51 +87,54 @@ fn an_operation_is_called_as_the_file_calls_it() {
 #[test]
 fn a_cutter_belongs_to_the_next_tool_but_in_creo_to_the_last() {
     let found = events("TLDATA/MILL,16,2,75,0,0\nLOAD/TOOL,1,ADJUST,11 \nGOTO/0,0,0\n");
-    assert!(found[0].starts_with("2:1 Tool(ToolCall { number: 1, length: None, offset: Some(11)"), "{found:?}");
-    assert!(found[0].contains("diameter: Some(16.0), corner_radius: Some(2.0)"), "{found:?}");
+    assert!(
+        found[0].starts_with("2:1 Tool(ToolCall { number: 1, length_mm: None, length_offset: Some(11)"),
+        "{found:?}"
+    );
+    assert!(found[0].contains("diameter_mm: Some(16.0), corner_radius_mm: Some(2.0)"), "{found:?}");
 
     let found = events("LOADTL/3,ADJUST,3\nGOTO/0,0,0\n");
-    assert!(found[0].contains("offset: Some(3)"), "the register may be the one it has anyway: {found:?}");
+    assert!(found[0].contains("length_offset: Some(3)"), "the register may be the one it has anyway: {found:?}");
 
     let found = events("$$-> MFGNO / A\nLOADTL / 1\n$$-> CUTTER / 3.0\nLOADTL / 2\nGOTO / 0,0,0\n");
-    assert!(found[0].starts_with("2:1 Tool") && found[0].contains("diameter: Some(3.0)"), "{found:?}");
-    assert!(found[1].starts_with("4:1 Tool") && found[1].contains("diameter: None"), "{found:?}");
+    assert!(found[0].starts_with("2:1 Tool") && found[0].contains("diameter_mm: Some(3.0)"), "{found:?}");
+    assert!(found[1].starts_with("4:1 Tool") && found[1].contains("diameter_mm: None"), "{found:?}");
 }
 
 #[test]
 fn a_drill_has_a_diameter_and_no_corner_radius() {
     let found = events("TLDATA/DRILL,MILL,63,0,239,178,35\nLOAD/TOOL,1\nGOTO/0,0,0\n");
-    assert!(found[0].contains("diameter: Some(63.0), corner_radius: None"), "{found:?}");
+    assert!(found[0].contains("diameter_mm: Some(63.0), corner_radius_mm: None"), "{found:?}");
 }
 
 #[test]
 fn a_cutter_without_a_tool_does_not_reach_the_next_operation() {
     let text = "TOOL PATH/A,TOOL,A\nTLDATA/MILL,50,1,50,0,0\nGOTO/0,0,0\nTOOL PATH/B,TOOL,B\nLOAD/TOOL,2\nGOTO/0,0,0\n";
     let found = events(text);
-    assert!(found[3].contains("number: 2") && found[3].contains("diameter: None"), "{found:?}");
+    assert!(found[3].contains("number: 2") && found[3].contains("diameter_mm: None"), "{found:?}");
 }
 
 #[test]
-fn a_cutter_that_changes_without_a_tool_record_is_remarked_on() {
-    let told = |text: &str| {
+fn a_cutter_that_changes_without_a_tool_record_causes_a_warning() {
+    let warnings = |text: &str| {
         let found = read_from(text.as_bytes(), MM).diagnostics;
         assert!(found.iter().all(|found| found.severity == Severity::Warning), "{found:?}");
         found.iter().map(|found| format!("{} {}", found.location.line, found.text)).collect::<Vec<_>>()
     };
-    let change = "the cutter changes from 16.000 mm to 8.000 mm, and no tool record calls it";
+    let change = "the cutter changes from 16.000 mm to 8.000 mm without a tool call";
     let operation = |d: u32, call: &str| format!("TOOL PATH/A,TOOL,D{d}\nTLDATA/MILL,{d},0,75,0,0\n{call}GOTO/0,0,0\n");
-    assert_eq!(told(&(operation(16, "") + &operation(8, ""))), [format!("6 {change}")]);
-    assert_eq!(told(&(operation(16, "LOAD/TOOL,1\n") + &operation(8, ""))), [format!("7 {change}")]);
-    assert_eq!(told(&(operation(16, "") + &operation(8, "LOAD/TOOL,1\n"))), [""; 0]);
-    assert_eq!(told(&(operation(16, "") + &operation(16, ""))), [""; 0]);
-    assert_eq!(told("CUTTER/16\nLOADTL/1\nGOTO/0,0,0\nCUTTER/8\nGOTO/0,0,9\nLOADTL/2\nGOTO/0,0,9\n").len(), 1);
+    assert_eq!(warnings(&(operation(16, "") + &operation(8, ""))), [format!("6 {change}")]);
+    assert_eq!(warnings(&(operation(16, "LOAD/TOOL,1\n") + &operation(8, ""))), [format!("7 {change}")]);
+    assert_eq!(warnings(&(operation(16, "") + &operation(8, "LOAD/TOOL,1\n"))), [""; 0]);
+    assert_eq!(warnings(&(operation(16, "") + &operation(16, ""))), [""; 0]);
+    assert_eq!(warnings("CUTTER/16\nLOADTL/1\nGOTO/0,0,0\nCUTTER/8\nGOTO/0,0,9\nLOADTL/2\nGOTO/0,0,9\n").len(), 1);
 }
 
 #[test]
 fn the_same_tool_called_again_keeps_its_cutter() {
     let found = events("CUTTER/16,0\nLOADTL/1\nLOADTL/1,1,1\nLOADTL/2\nGOTO/0,0,0\n");
-    assert!(found[1].contains("diameter: Some(16.0)"), "{found:?}");
-    assert!(found[2].contains("diameter: None"), "{found:?}");
+    assert!(found[1].contains("diameter_mm: Some(16.0)"), "{found:?}");
+    assert!(found[2].contains("diameter_mm: None"), "{found:?}");
 }
 
 #[test]
@@ -149,7 +152,7 @@ fn the_tool_axis_is_modal() {
 
 #[test]
 fn a_tilt_is_not_carried_into_the_next_operation() {
-    let expected = "3:6+5 the tool was tilted in the operation before, and this point does not say its tool axis";
+    let expected = "3:6+5 this point has no tool axis i, j, k, and the operation before ended with a tilted tool";
     refused("GOTO/0,0,0,0,.6,.8\nTOOL PATH/B,TOOL,B\nGOTO/1,0,0\n", expected);
     refused("GOTO/0,0,0,0,.6,.8\nLOADTL/2\nGOTO/1,0,0\n", expected);
     refused("GOTO/0,0,0,0,0,-1\nLOADTL/2\nGOTO/1,0,0\n", expected);
@@ -158,14 +161,14 @@ fn a_tilt_is_not_carried_into_the_next_operation() {
 }
 
 #[test]
-fn an_axis_stated_by_tlaxis_survives_the_tool_change_behind_it() {
+fn an_axis_stated_by_tlaxis_holds_after_the_tool_change_that_follows() {
     let found = events("GOTO/0,0,0\nTLAXIS/0,.6,.8\nLOADTL/2\nGOTO/1,0,0\n");
     assert_eq!(found[2], "4:1 feed 1 0 0 axis 0 0.6 0.8 None");
 }
 
 #[test]
 fn an_axis_stated_by_tlaxis_and_used_is_not_carried_further() {
-    let expected = "4:6+5 the tool was tilted in the operation before, and this point does not say its tool axis";
+    let expected = "4:6+5 this point has no tool axis i, j, k, and the operation before ended with a tilted tool";
     refused("TLAXIS/0,.6,.8\nGOTO/1,0,0\nLOADTL/2\nGOTO/1,0,0\n", expected);
 }
 
@@ -173,7 +176,7 @@ fn an_axis_stated_by_tlaxis_and_used_is_not_carried_further() {
 fn multax_off_keeps_the_axis_but_in_creo_a_tilt_is_in_doubt() {
     let text = "MULTAX/ON\nGOTO/0,0,0,0,.6,.8\nMULTAX/OFF\nGOTO/1,0,0\n";
     assert_eq!(events(text)[1], "4:1 feed 1 0 0 axis 0 0.6 0.8 None");
-    let expected = "5:6+5 the tool was tilted when MULTAX/OFF came, and this point does not say its tool axis";
+    let expected = "5:6+5 this point has no tool axis i, j, k, and the tool was tilted at MULTAX/OFF";
     refused(&format!("$$-> MFGNO / A\n{text}"), expected);
 }
 
@@ -189,7 +192,7 @@ fn inert_records_cause_nothing() {
 fn the_catia_matrix_is_a_frame() {
     let matrix = "$$*CATIA0\n$$ Program.1\n$$  1.0 0.0 0.0 10.0\n$$  0.0 -1.0 0.0 0.0\n$$  0.0 0.0 -1.0 5.0\n";
     let text = format!("{matrix}GOTO/0,0,0\n{matrix}GOTO/0,0,0\n");
-    let mut reader = Reader::new(text.as_bytes(), MM.into());
+    let mut reader = ClReader::new(text.as_bytes(), MM.into());
     while reader.next_event().unwrap().is_some() {}
     assert!(!reader.failed());
     assert_eq!(reader.frames_stated(), 2);
@@ -205,9 +208,9 @@ fn the_catia_matrix_is_a_frame() {
 
 #[test]
 fn a_matrix_of_catia_is_read_whole_or_refused() {
-    let row = "a row of the matrix behind $$*CATIA0 is expected here: four numbers with blanks between them";
+    let row = "expected a row of the matrix of $$*CATIA0: four numbers separated by blanks";
     let matrix = |rows: &str| errors(&format!("$$*CATIA0\n$$ Program.1\n{rows}GOTO/0,0,0\nGOTO/1,0,0\n"));
-    // A number as wide as its field leaves no blank.
+    // A number that fills its field leaves no blank.
     assert_eq!(matrix("$$ 1 0 0-10000.0\n$$ 0 1 0 0\n$$ 0 0 1 0\n"), [format!("3:1+16 {row}")]);
     assert_eq!(matrix("$$ 1 0 0 0\n$$ 0 1 0\n$$ 0 0 1 0\n"), [format!("4:1+8 {row}")]);
     assert_eq!(matrix("$$ 1 0 0 0\n$$ 0 1 0 0\n"), [format!("5:1+10 {row}")]);
@@ -216,7 +219,7 @@ fn a_matrix_of_catia_is_read_whole_or_refused() {
 }
 
 #[test]
-fn the_evidence_tells_the_dialect() {
+fn records_and_comments_identify_the_cam_system() {
     for (text, dialect) in [
         ("GOTO/1,2,3\n", Dialect::Generic),
         ("TOOL PATH/A,TOOL,B\n", Dialect::Nx),
@@ -228,7 +231,7 @@ fn the_evidence_tells_the_dialect() {
         ("CSI_X/1\n", Dialect::SolidWorks),
         ("UNITS/MM\n", Dialect::Generic),
     ] {
-        let mut reader = Reader::new(text.as_bytes(), MM.into());
+        let mut reader = ClReader::new(text.as_bytes(), MM.into());
         while reader.next_event().unwrap().is_some() {}
         assert_eq!(reader.dialect(), dialect, "{text}");
     }

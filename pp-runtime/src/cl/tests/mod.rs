@@ -1,4 +1,4 @@
-//! Tests of the reader from bytes to events. Each name is the sentence that fails.
+//! Tests of the CL reader, from bytes to events. The name of a test is the statement that it checks.
 
 mod faults;
 mod input;
@@ -6,7 +6,7 @@ mod meaning;
 mod path;
 mod round_trip;
 
-use super::{Options, Reader};
+use super::{ClReader, ReadingOptions};
 use crate::diag::{Diagnostic, Severity};
 use crate::program::{Event, Location, Units};
 use std::io::Read;
@@ -14,27 +14,27 @@ use std::io::Read;
 const MM: Option<Units> = Some(Units::Millimetres);
 const UNSTATED: Option<Units> = None;
 
-impl From<Option<Units>> for Options {
+impl From<Option<Units>> for ReadingOptions {
     fn from(units: Option<Units>) -> Self {
-        Options { units, ..Options::default() }
+        ReadingOptions { units, ..ReadingOptions::default() }
     }
 }
 
-/// Events as text with their places, and the diagnostics.
+/// Events as text with their places, and diagnostics.
 struct Outcome {
     events: Vec<String>,
     diagnostics: Vec<Diagnostic>,
 }
 
-fn read_from(input: impl Read, options: impl Into<Options>) -> Outcome {
-    let mut reader = Reader::new(input, options.into());
+fn read_from(input: impl Read, options: impl Into<ReadingOptions>) -> Outcome {
+    let mut reader = ClReader::new(input, options.into());
     let mut events = Vec::new();
     while let Some((Location { line, column }, event)) = reader.next_event().unwrap() {
         let event = match event {
             Event::Move(motion) => {
                 let (tip, axis) = (motion.pose.tip, motion.pose.axis);
-                let way = if motion.rapid { "rapid" } else { "feed" };
-                format!("{way} {} {} {} axis {} {} {} {:?}", tip.x, tip.y, tip.z, axis.x, axis.y, axis.z, motion.feed)
+                let kind = if motion.rapid { "rapid" } else { "feed" };
+                format!("{kind} {} {} {} axis {} {} {} {:?}", tip.x, tip.y, tip.z, axis.x, axis.y, axis.z, motion.feed)
             }
             Event::From(pose) => format!("from {} {} {} axis {}", pose.tip.x, pose.tip.y, pose.tip.z, pose.axis.z),
             Event::Name(text) => format!("name {}", String::from_utf8_lossy(text)),
@@ -47,7 +47,7 @@ fn read_from(input: impl Read, options: impl Into<Options>) -> Outcome {
                 arc.normal.x,
                 arc.normal.y,
                 arc.normal.z,
-                arc.angle.to_degrees()
+                arc.angle_rad.to_degrees()
             ),
             Event::Spline(spline) => format!("spline {:?} {}", spline.knots, spline.points.len()),
             Event::Hole(hole) => format!(
@@ -55,9 +55,9 @@ fn read_from(input: impl Read, options: impl Into<Options>) -> Outcome {
                 hole.top.tip.x,
                 hole.top.tip.y,
                 hole.top.tip.z,
-                hole.depth,
-                hole.clearance,
-                hole.back_to,
+                hole.depth_mm,
+                hole.clearance_mm,
+                hole.return_mm,
                 hole.drilling,
                 hole.feed,
                 hole.dwell
@@ -79,7 +79,7 @@ fn events(text: &str) -> Vec<String> {
 }
 
 #[track_caller]
-fn events_with(text: &str, options: impl Into<Options>) -> Vec<String> {
+fn events_with(text: &str, options: impl Into<ReadingOptions>) -> Vec<String> {
     let outcome = read_from(text.as_bytes(), options);
     assert_eq!(outcome.diagnostics, [], "in {text:?}");
     outcome.events
@@ -90,7 +90,7 @@ fn errors(text: &str) -> Vec<String> {
     errors_with(text, MM)
 }
 
-fn errors_with(text: &str, options: impl Into<Options>) -> Vec<String> {
+fn errors_with(text: &str, options: impl Into<ReadingOptions>) -> Vec<String> {
     let diagnostics = read_from(text.as_bytes(), options).diagnostics;
     let errors = diagnostics.iter().filter(|diagnostic| diagnostic.severity == Severity::Error);
     errors
@@ -100,14 +100,14 @@ fn errors_with(text: &str, options: impl Into<Options>) -> Vec<String> {
         .collect()
 }
 
-/// A file has this one error, and the error has a help line.
+/// Asserts that a file has exactly this error, with a help line.
 #[track_caller]
 fn refused(text: &str, expected: &str) {
     refused_with(text, MM, expected);
 }
 
 #[track_caller]
-fn refused_with(text: &str, options: impl Into<Options>, expected: &str) {
+fn refused_with(text: &str, options: impl Into<ReadingOptions>, expected: &str) {
     let options = options.into();
     assert_eq!(errors_with(text, options.clone()), [expected], "in {text:?}");
     let diagnostics = read_from(text.as_bytes(), options).diagnostics;

@@ -1,8 +1,8 @@
-//! Records to text and back: every kind of record comes back as it was.
+//! Round trip: every kind of record is written as text and read back unchanged.
 
 use crate::cl::record::*;
 use crate::cl::record::{CatiaMatrix, parse, read_comment};
-use crate::program::{Coolant, CutterSide, Dwell, Rotation, Spindle, Turning, Units};
+use crate::program::{Coolant, CutterSide, Dwell, RotaryDirection, Rotation, Spindle, Units};
 use proptest::prelude::*;
 
 fn number() -> impl Strategy<Value = f64> {
@@ -48,7 +48,7 @@ fn feed_unit() -> impl Strategy<Value = FeedUnit> {
     ])
 }
 
-/// Text that does not begin or end in what the reader takes off.
+/// Texts without characters at either end that the reader removes.
 const TEXTS: [&str; 6] = ["A", "PART 12", "(LOOK, HERE)", "a/b,c.d", "50 % OFF", "T16 D8_R2"];
 
 fn text() -> impl Strategy<Value = Text<'static>> {
@@ -66,13 +66,13 @@ fn circle() -> impl Strategy<Value = CircleRecord> {
             let form = if angle.is_some() { CircleForm::Seven } else { form };
             let radius = (form != CircleForm::Six).then_some(radius);
             let times = if angle.is_some() { 1 } else { times };
-            CircleRecord { centre, axis, radius, form, times, angle, at: Span::default() }
+            CircleRecord { centre, axis, radius, form, times, angle_deg: angle, at: Span::default() }
         },
     )
 }
 
 fn cycle() -> impl Strategy<Value = CycleCall> {
-    let kind = prop::sample::select(CycleKind::WORDS.map(|(_, kind)| kind).to_vec());
+    let kind = prop::sample::select(ClCycleKind::WORDS.map(|(_, kind)| kind).to_vec());
     let some = || prop::option::of(number());
     let back_to =
         prop_oneof![Just(None), Just(Some(Return::Auto)), number().prop_map(|level| Some(Return::Level(level)))];
@@ -84,7 +84,7 @@ fn cycle() -> impl Strategy<Value = CycleCall> {
             let (dwell, dwell_turns, back, orient) = waits;
             let mut cycle =
                 CycleCall { back_to, feed, rapto, clear, step, first_step, ..CycleCall::new(kind, Span::default()) };
-            (cycle.dwell, cycle.dwell_turns, cycle.back, cycle.orient) = (dwell, dwell_turns, back, orient);
+            (cycle.dwell_s, cycle.dwell_rev, cycle.back, cycle.orient_deg) = (dwell, dwell_turns, back, orient);
             *(if is_fedto { &mut cycle.fedto } else { &mut cycle.depth }) = depth;
             cycle.positionals = positional.len();
             cycle.positional[..positional.len()].copy_from_slice(&positional);
@@ -96,7 +96,8 @@ fn spindle() -> impl Strategy<Value = Spindle> {
     let rotation = prop::sample::select(vec![None, Some(Rotation::Clockwise), Some(Rotation::CounterClockwise)]);
     prop_oneof![
         Just(Spindle::Off),
-        (prop::option::of(0.5..1e5_f64), rotation).prop_map(|(speed, rotation)| Spindle::On { speed, rotation }),
+        (prop::option::of(0.5..1e5_f64), rotation)
+            .prop_map(|(speed, rotation)| Spindle::On { speed_rev_per_min: speed, rotation }),
     ]
 }
 
@@ -180,9 +181,9 @@ fn states() -> BoxedStrategy<Record<'static>> {
         Record::Program(ProgramRecord::Rewind),
         Record::Subprogram(SubprogramRecord::End),
         Record::Inert,
-        Record::Machine(MachineRecord::Turning(Turning::Shortest)),
-        Record::Machine(MachineRecord::Turning(Turning::Next(Rotation::Clockwise))),
-        Record::Machine(MachineRecord::Turning(Turning::Next(Rotation::CounterClockwise))),
+        Record::Machine(MachineRecord::RotaryDirection(RotaryDirection::Shortest)),
+        Record::Machine(MachineRecord::RotaryDirection(RotaryDirection::Towards(Rotation::Clockwise))),
+        Record::Machine(MachineRecord::RotaryDirection(RotaryDirection::Towards(Rotation::CounterClockwise))),
         Record::Machine(MachineRecord::Compensation { side: CutterSide::Off, register: None, plane: None }),
     ];
     prop_oneof![
@@ -234,14 +235,14 @@ fn read(text: &str) -> Record<'_> {
     }
 }
 
-/// What a record says, without where it stands: the text of its derived form with every place taken out.
+/// Debug text of a record without places: its content.
 fn content(record: &Record<'_>) -> String {
     let mut text = format!("{record:?}");
     while let Some(start) = text.find("Span {") {
         let end = start + text[start..].find('}').map_or(0, |end| end + 1);
         text.replace_range(start..end, "_");
     }
-    // A zero has no sign.
+    // The sign of zero is ignored.
     ["-0.0,", "-0.0]", "-0.0)", "-0.0 "].iter().fold(text, |text, zero| text.replace(zero, &zero[1..]))
 }
 

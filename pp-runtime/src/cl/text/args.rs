@@ -1,7 +1,7 @@
 //! The arguments of a record: words and numbers between commas.
 //!
-//! [`Args`] walks over them from left to right and knows the major word they belong to, for its messages. An empty place
-//! between commas is an error, and so is an argument that is not taken: see [`Args::finish`].
+//! [`Args`] returns them from left to right, and names their major word in messages. An empty place between commas is
+//! an error, and so is an argument that the record does not take: see [`Args::finish`].
 
 use super::fault::{ClFault, Span, quoted};
 use super::lexer::is_blank;
@@ -19,31 +19,31 @@ impl Arg<'_> {
         self.text.eq_ignore_ascii_case(word.as_bytes())
     }
 
-    /// The entry of a table of words that it is.
+    /// Returns the value of this word in a table of words.
     pub(crate) fn among<T: Copy>(self, table: &[(&str, T)]) -> Option<T> {
         table.iter().find(|(word, _)| self.is(word)).map(|(_, found)| *found)
     }
 
-    /// Whether it begins like a number; then it must be one.
+    /// Whether the argument begins like a number; then it must be one.
     pub(crate) fn looks_numeric(self) -> bool {
         matches!(self.text[0], b'0'..=b'9' | b'+' | b'-' | b'.')
     }
 
-    /// The finite number it is.
+    /// Returns the argument as a finite number.
     pub(crate) fn number(self) -> Result<f64, ClFault> {
         match whole_number(self.text) {
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => Err(ClFault::new(
                 "number too large",
                 self.at,
-                format!("{} is too large to be a number here", quoted(self.text)),
-                "check the exponent",
+                format!("{} is beyond the range of numbers", quoted(self.text)),
+                "check the exponent of this number",
             )),
             None => Err(self.not_a_number()),
         }
     }
 
-    /// The tool or register number it is.
+    /// Returns the argument as a whole number, 0 or more: the number of a tool or register.
     pub(crate) fn integer(self) -> Result<u32, ClFault> {
         let value = self.number()?;
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // In range, and checked to be whole.
@@ -54,7 +54,7 @@ impl Arg<'_> {
                 "whole number",
                 self.at,
                 format!("{} must be a whole number, 0 or more", quoted(self.text)),
-                "write it as in LOADTL/12",
+                "write a tool or register number without decimals: LOADTL/12",
             ))
         }
     }
@@ -65,23 +65,23 @@ impl Arg<'_> {
             return ClFault::new(
                 "second slash",
                 self.at,
-                "a second slash stands behind this word",
-                "arguments are separated by commas; only a GOTO may hold a list of points",
+                "this argument contains a second slash",
+                "separate arguments by commas; only GOTO takes a list of points with slashes between them",
             );
         }
         if self.text.contains(&b'$') {
             return ClFault::new(
                 "stray $",
                 self.at,
-                format!("`$` stands inside a statement: {}", quoted(self.text)),
-                "`$` continues a statement only at the end of a line; `$$` begins a comment",
+                format!("`$` inside a statement: {}", quoted(self.text)),
+                "at the end of a line `$` continues the statement, `$$` begins a comment",
             );
         }
         let glued = number_at_start(self.text).is_some_and(|(_, used)| used > 0);
         let help = if glued {
             "a number ends at a comma: is a comma missing?"
         } else {
-            "numbers look like 12, -0.5, .5 or 1.5E-3"
+            "write numbers as 12, -0.5, .5 or 1.5E-3"
         };
         ClFault::new("number expected", self.at, format!("{} is not a number", quoted(self.text)), help)
     }
@@ -91,38 +91,38 @@ impl Arg<'_> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct MajorWord {
     pub(crate) name: &'static str,
-    /// What follows the word, as `explain --cl` prints it.
+    /// Forms of the arguments, as `explain --cl` prints them after the word.
     pub(crate) forms: &'static str,
 }
 
 impl MajorWord {
-    /// The forms that are read, as the help of a message.
+    /// Help for a message: the forms that are read.
     fn help(&self) -> Option<String> {
         let Self { name, forms } = self;
-        forms.starts_with(['/', '[']).then(|| format!("what is read is {name}{forms}"))
+        forms.starts_with(['/', '[']).then(|| format!("accepted: {name}{forms}"))
     }
 }
 
-/// Walks over the arguments of a record, from left to right.
+/// The arguments of a record, taken from left to right.
 #[derive(Debug, Clone)]
 pub(crate) struct Args<'a> {
     word: &'static MajorWord,
     text: &'a [u8],
     at: usize,
-    /// Another argument must follow.
+    /// A comma was read, or arguments begin: another argument must follow.
     more: bool,
     first: usize,
 }
 
 impl<'a> Args<'a> {
-    /// Everything from byte `at` of the statement on. Nothing but blanks there means no arguments.
+    /// Arguments from byte `at` of the statement on; none if only blanks follow.
     pub(crate) fn new(word: &'static MajorWord, text: &'a [u8], at: usize) -> Self {
         let at = skip_blanks(text, at.min(text.len()));
         Args { word, text, at, more: at < text.len(), first: at }
     }
 
-    /// The arguments after the slash that follows the word, which ends at byte `word_end`; no slash and nothing else is
-    /// no arguments.
+    /// Arguments after the slash that follows the major word, which ends at byte `word_end`; none if the statement ends
+    /// with the word.
     #[inline]
     pub(crate) fn after_slash(word: &'static MajorWord, text: &'a [u8], word_end: usize) -> Result<Self, ClFault> {
         let slash = skip_blanks(text, word_end);
@@ -138,27 +138,27 @@ impl<'a> Args<'a> {
         self.word.name
     }
 
-    /// The whole statement up to the last argument.
+    /// Bytes of the statement up to the last argument.
     pub(crate) fn text(&self) -> &'a [u8] {
         self.text
     }
 
-    /// Byte of the statement at which the next argument begins.
+    /// Index of the byte of the statement at which the next argument begins.
     pub(crate) fn position(&self) -> usize {
         self.at
     }
 
-    /// The bytes of the statement from `start` to `end` as arguments of their own; places in messages stay right.
+    /// Arguments in the bytes `start` to `end` of the statement; messages still name places in the whole statement.
     pub(crate) fn part(&self, start: usize, end: usize) -> Args<'a> {
         Args::new(self.word, &self.text[..end], start)
     }
 
-    /// Takes all that is left as it is.
+    /// Passes over the arguments that are left; the caller reads their bytes itself.
     pub(crate) fn skip_rest(&mut self) {
         self.more = false;
     }
 
-    /// Refuses an argument that was not taken.
+    /// Refuses an argument that the record has not taken.
     pub(crate) fn finish(&mut self) -> Result<(), ClFault> {
         match self.next()? {
             None => Ok(()),
@@ -166,7 +166,7 @@ impl<'a> Args<'a> {
         }
     }
 
-    /// The next argument, which the record cannot do without.
+    /// Takes the next argument; refuses the record if there is none.
     pub(crate) fn needed(&mut self) -> Result<Arg<'a>, ClFault> {
         let name = self.name();
         self.next()?.ok_or_else(|| {
@@ -179,19 +179,19 @@ impl<'a> Args<'a> {
         })
     }
 
-    /// The next argument must be this word; no other is understood.
+    /// Takes the next argument, which must be this word.
     pub(crate) fn keyword(&mut self, word: &str) -> Result<(), ClFault> {
         let arg = self.needed()?;
         if arg.is(word) { Ok(()) } else { Err(self.not_understood(arg)) }
     }
 
-    /// The next argument must be a word of `table`.
+    /// Takes the next argument, which must be a word of `table`, and returns its value.
     pub(crate) fn one_of<T: Copy>(&mut self, table: &[(&str, T)]) -> Result<T, ClFault> {
         let arg = self.needed()?;
         arg.among(table).ok_or_else(|| self.not_understood(arg))
     }
 
-    /// Exactly `N` numbers and nothing else.
+    /// Takes the remaining arguments, which must be exactly `N` numbers.
     pub(crate) fn exactly<const N: usize>(&mut self) -> Result<[f64; N], ClFault> {
         let mut numbers = [0.0; N];
         match self.numbers(&mut numbers)? {
@@ -200,36 +200,34 @@ impl<'a> Args<'a> {
         }
     }
 
-    /// The record needs another count of arguments.
+    /// Fault: the record has a wrong number of arguments.
     #[cold]
     pub(crate) fn wrong_count(&self, needs: &str, found: usize) -> ClFault {
         ClFault::new(
             "wrong number of arguments",
             self.all(),
             format!("{} needs {needs}, found {found}", self.name()),
-            "a line that was cut off ends in `$`; write every number, or delete those too many",
+            "check the count of numbers; a record that continues on the next line ends in `$`",
         )
     }
 
-    /// An argument that the record may legally have, but that means nothing here.
+    /// Fault: an argument that this reader does not understand.
     pub(crate) fn not_understood(&self, arg: Arg<'_>) -> ClFault {
         ClFault::new(
             self.name(),
             arg.at,
-            format!("{} with {} is not understood yet", self.name(), quoted(arg.text)),
-            self.word
-                .help()
-                .unwrap_or_else(|| "check the spelling; `explain --cl` lists the forms that are read".into()),
+            format!("{} with {} is not supported", self.name(), quoted(arg.text)),
+            self.word.help().unwrap_or_else(|| "check the spelling; `explain --cl` lists the accepted forms".into()),
         )
     }
 
-    /// All arguments, for messages; the whole statement if there are none.
+    /// Place of all arguments, for messages; the whole statement if there are none.
     pub(crate) fn all(&self) -> Span {
         let start = if self.first < self.text.len() { self.first } else { 0 };
         Span { start, end: self.text.len() }
     }
 
-    /// The next argument; an empty place is an error.
+    /// Takes the next argument, if there is one; an empty place between commas is a fault.
     pub(crate) fn next(&mut self) -> Result<Option<Arg<'a>>, ClFault> {
         if !self.more {
             return Ok(None);
@@ -245,12 +243,13 @@ impl<'a> Args<'a> {
         Ok(Some(Arg { text: &self.text[start..trimmed], at: Span { start, end: trimmed } }))
     }
 
-    /// All remaining arguments as numbers. Those beyond the size of `into` are checked and counted only.
+    /// Takes all remaining arguments as numbers and returns their count. Numbers beyond the size of `into` are only
+    /// checked and counted.
     pub(crate) fn numbers(&mut self, into: &mut [f64]) -> Result<usize, ClFault> {
         let mut count = 0;
         while self.more {
             let start = skip_blanks(self.text, self.at);
-            // The common case in one pass; everything unusual is read again for its message.
+            // A plain number is read in one pass; anything else is read again for its message.
             let value = match number_at_start(&self.text[start..]) {
                 Some((value, used)) if value.is_finite() => {
                     let end = skip_blanks(self.text, start + used);
@@ -274,7 +273,7 @@ impl<'a> Args<'a> {
         Ok(count)
     }
 
-    /// Refuses the next argument, which is no number.
+    /// Refuses the next argument unless it is a number.
     #[cold]
     fn only_number(&mut self) -> Result<(), ClFault> {
         if let Some(arg) = self.next()? {
@@ -287,9 +286,9 @@ impl<'a> Args<'a> {
     fn empty_place(&self, at: usize) -> ClFault {
         let start = at.min(self.text.len() - 1);
         ClFault::new(
-            "empty place",
+            "empty argument",
             Span { start, end: start + 1 },
-            "an argument is missing: nothing stands between the commas here",
+            "an argument is missing at this comma",
             "write the missing argument, or delete the comma",
         )
     }
@@ -301,19 +300,19 @@ fn slash_expected(word: &MajorWord, text: &[u8], at: usize) -> ClFault {
     ClFault::new(
         "slash expected",
         Span { start: at, end: text.len() },
-        format!("{} stands behind {name} where a slash is expected", quoted(&text[at..])),
+        format!("expected a slash after {name}, found {}", quoted(&text[at..])),
         format!("write {name}/.."),
     )
 }
 
-/// A piece without the blanks around it.
+/// Returns `piece` without the blanks around it.
 pub(crate) fn trimmed(piece: &[u8]) -> &[u8] {
     let start = skip_blanks(piece, 0);
     let after = piece[start..].iter().rev().take_while(|byte| is_blank(**byte)).count();
     &piece[start..piece.len() - after]
 }
 
-/// Index of the first byte from `at` on that is no blank.
+/// Index of the first byte from `at` on that is not a blank.
 pub(crate) fn skip_blanks(text: &[u8], mut at: usize) -> usize {
     while at < text.len() && is_blank(text[at]) {
         at += 1;

@@ -1,10 +1,10 @@
 //! Faults of single statements.
 //!
-//! A fault points at bytes of its statement; the reader turns that into line and column.
+//! A fault names bytes of its statement; the reader converts them to line and column of the file.
 
 use crate::diag::Severity;
 
-/// Bytes of a statement, counted from its first.
+/// Range of bytes of a statement, counted from its first byte.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Span {
     /// First byte.
@@ -22,11 +22,11 @@ impl Span {
 #[derive(Debug)]
 pub(crate) enum Help {
     Text(String),
-    /// Name the known word nearest to this one. Looked for only if the fault is shown.
+    /// Suggests the known word nearest to this one. The search is made only if the fault is listed.
     NearestTo(String),
 }
 
-/// Why a statement is not understood.
+/// A fault of a statement: what is wrong, where, and the remedy.
 #[derive(Debug)]
 pub(crate) struct ClFault {
     /// Faults of one kind are counted together.
@@ -42,23 +42,23 @@ impl ClFault {
         ClFault { kind, at, text: text.into(), help: Help::Text(help.into()), severity: Severity::Error }
     }
 
-    /// The same as a warning.
+    /// The same fault as a warning.
     pub(crate) fn warning(self) -> Self {
         ClFault { severity: Severity::Warning, ..self }
     }
 
-    /// A record of a lathe.
-    pub(crate) fn turning(at: Span) -> Self {
+    /// Fault: the record belongs to turning.
+    pub(crate) fn lathe_record(at: Span) -> Self {
         ClFault::new(
-            "turning",
+            "turning record",
             at,
-            "this is a turning file: records of a lathe are not understood",
-            "post it for a lathe; only milling is understood here",
+            "this record belongs to turning: only milling is supported",
+            "use a postprocessor for turning, or output milling operations only",
         )
     }
 }
 
-/// Bytes of a file as they can be shown in a message: short, and valid whatever the file's encoding.
+/// Quotes bytes of a file for a message: at most 40 bytes, valid text whatever the encoding of the file.
 pub(crate) fn quoted(text: &[u8]) -> String {
     const SHOWN: usize = 40;
     let (text, dots) = if text.len() > SHOWN { (&text[..SHOWN], "...") } else { (text, "") };
@@ -72,7 +72,7 @@ mod tests {
     use super::quoted;
 
     #[test]
-    fn foreign_bytes_and_long_text_can_stand_in_a_message() {
+    fn foreign_bytes_and_long_text_are_quoted_safely_and_shortened() {
         assert_eq!(quoted(b"GOTO"), "`GOTO`");
         assert_eq!(quoted(b"\xCF\x00x"), "`\u{FFFD}\u{FFFD}x`");
         assert_eq!(quoted(&[b'a'; 41]), format!("`{}...`", "a".repeat(40)));

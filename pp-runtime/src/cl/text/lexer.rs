@@ -1,29 +1,29 @@
-//! Bytes to logical statements, in constant memory.
+//! Splits bytes into logical statements, in constant memory.
 //!
 //! A statement is one physical line, or several joined by a trailing `$`. Lines end in LF, CRLF or a lone CR; the last
-//! line may have no end. `$$` begins a comment. Pieces are joined raw, with nothing added or trimmed, because CAM
-//! systems cut inside numbers. A `$` joins only when nothing but blanks follows it. A comment continues on the next
-//! line only if it begins with `$$->`, and the continuation is comment too; any other comment that happens to end in
-//! `$` would swallow the GOTO below it. `$$` inside a pair of quotes begins no comment, nor does any `$$` after INSERT,
-//! which owns its whole line. On cards of 72 columns the columns after them are not read.
+//! line may have no end. `$$` begins a comment. Lines are joined as they are, with nothing added or trimmed, because
+//! CAM systems split lines inside numbers. A `$` joins only when nothing but blanks follows it. A comment continues on
+//! the next line only if it begins with `$$->`, and the continuation is comment too; otherwise a comment that happens
+//! to end in `$` would make the GOTO after it a comment. `$$` inside a pair of quotes begins no comment, nor does any
+//! `$$` after INSERT, whose text is the rest of its line. On cards of 72 columns the columns after them are not read.
 //!
 //! A statement on one line is a slice of the read buffer; a joined one is copied to a second buffer, with a list of the
-//! lines that its pieces come from. Both buffers are reused. The meaning of a statement is not known here.
+//! lines that its pieces come from. Both buffers are reused. Nothing is interpreted here.
 
 use crate::program::Location;
 use memchr::{memchr, memchr2};
 use std::io::{self, Read};
 
-/// Bytes asked of the input at once.
+/// Number of bytes requested from the input at once.
 const CHUNK: usize = 256 * 1024;
 
-/// Longest statement that is read, and longest line: far above real ones, and it bounds the memory.
+/// Longest statement and longest line that is read, in bytes; it bounds the memory. Real ones are far shorter.
 pub(crate) const LONGEST_STATEMENT: usize = 1 << 20;
 
-/// Bytes searched for a NUL, which tells a binary file from text.
+/// Number of bytes at the start of the file that are searched for a NUL, the mark of a binary file.
 const BINARY_SEARCH: usize = 1024;
 
-/// Kind of a statement, as far as its bytes tell.
+/// Kind of a statement, known from its bytes alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum StatementKind {
     /// A record.
@@ -32,11 +32,11 @@ pub(crate) enum StatementKind {
     Comment,
     /// Longer than [`LONGEST_STATEMENT`]; skipped.
     TooLong,
-    /// Its last line ends in `$`, and so does the file.
+    /// The file ends after the `$` that continues the statement.
     Unfinished,
 }
 
-/// One statement without the blanks around it; its bytes lie in the lexer until the next one is asked for.
+/// One statement without the blanks around it; its bytes stay in the lexer until the next one is read.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Statement {
     pub(crate) kind: StatementKind,
@@ -48,7 +48,7 @@ pub(crate) struct Statement {
     line_start: usize,
 }
 
-/// Origin of the bytes of a joined statement from `offset` on.
+/// Place in the file of the bytes of a joined statement from `offset` on.
 #[derive(Debug, Clone, Copy)]
 struct JoinedPiece {
     offset: usize,
@@ -71,13 +71,13 @@ pub(crate) struct Lexer<R> {
     end: usize,
     at_end: bool,
     begun: bool,
-    /// The last line ended in CR: a LF now belongs to it.
+    /// The last line ended in CR; a LF that follows belongs to it.
     after_cr: bool,
-    /// Number of the line taken last.
+    /// Number of the line read last.
     line: u64,
     joined: Vec<u8>,
     pieces: Vec<JoinedPiece>,
-    /// Bytes of a line that count.
+    /// Number of bytes of a line that are read; the rest is ignored.
     columns: usize,
 }
 
@@ -98,7 +98,7 @@ impl<R: Read> Lexer<R> {
         }
     }
 
-    /// Looks at the first bytes: skips a UTF-8 byte order mark, answers whether they are text at all.
+    /// Reads the first bytes, skips a UTF-8 byte order mark, and returns whether they are text.
     pub(crate) fn begin(&mut self) -> io::Result<Beginning> {
         while !self.at_end && self.end < BINARY_SEARCH {
             self.fill()?;
@@ -114,7 +114,7 @@ impl<R: Read> Lexer<R> {
         })
     }
 
-    /// The next statement that is not blank.
+    /// Reads the next statement that is not blank.
     pub(crate) fn next(&mut self) -> io::Result<Option<Statement>> {
         if !self.begun {
             self.begin()?;
@@ -135,13 +135,13 @@ impl<R: Read> Lexer<R> {
         }
     }
 
-    /// The bytes of the statement returned last.
+    /// Bytes of the statement returned last.
     pub(crate) fn text(&self, statement: &Statement) -> &[u8] {
         let bytes = if statement.joined { &self.joined } else { &self.buffer };
         &bytes[statement.start..statement.end]
     }
 
-    /// Place in the file of byte `offset` of the statement, and the count of its bytes from there on that line.
+    /// Place in the file of byte `offset` of the statement, and number of its bytes from there on that line.
     pub(crate) fn locate(&self, statement: &Statement, offset: usize) -> (Location, usize) {
         let at = statement.start + offset;
         if !statement.joined {
@@ -155,23 +155,23 @@ impl<R: Read> Lexer<R> {
         (Location { line, column: column(first as usize - 1 + at - piece.offset) }, end.saturating_sub(at))
     }
 
-    /// The lines of a joined statement after its first, and the byte of the statement at which each begins.
+    /// Lines of a joined statement after its first, each with the index of the statement's byte at which it begins.
     pub(crate) fn joined_lines(&self, statement: &Statement) -> impl Iterator<Item = (usize, &[u8])> {
         let pieces = if statement.joined { self.pieces.get(1..).unwrap_or_default() } else { &[] };
         let ends = pieces.iter().skip(1).map(|piece| piece.offset).chain([statement.end]);
         pieces.iter().zip(ends).filter_map(move |(piece, end)| {
-            // The statement is without the blanks around it, the pieces are not.
+            // The blanks around the statement are removed from it, not from its pieces.
             let (from, to) = (piece.offset.max(statement.start), end.min(statement.end));
             (from < to).then(|| (from - statement.start, &self.joined[from..to]))
         })
     }
 
-    /// Lines taken so far.
+    /// Number of lines read so far.
     pub(crate) fn lines(&self) -> u64 {
         self.line
     }
 
-    /// A line that holds a `$`: a comment, code before a comment, or the first line of several.
+    /// Returns the statement of a line that holds a `$`: a comment, a record before a comment, or a continued record.
     fn with_dollar(&mut self, line: PhysicalLine) -> io::Result<Statement> {
         let text = &self.buffer[line.start..line.end];
         let whole = is_insert(text);
@@ -193,7 +193,7 @@ impl<R: Read> Lexer<R> {
         Ok(self.on_one_line(PhysicalLine { end, ..line }, StatementKind::Code))
     }
 
-    /// Joins the lines from `line` on as long as they end in `$`.
+    /// Joins the lines from `line` on up to the first that does not end in `$`.
     #[cold]
     fn join(&mut self, line: PhysicalLine, mut kind: StatementKind) -> io::Result<Statement> {
         let is_comment = kind == StatementKind::Comment;
@@ -247,9 +247,9 @@ impl<R: Read> Lexer<R> {
         Statement { start: statement.start + before, end: statement.end - after, ..statement }
     }
 
-    /// The next physical line without its end.
+    /// Reads the next physical line, without its line end.
     fn take_line(&mut self) -> io::Result<Option<PhysicalLine>> {
-        // There is no line end before `searched`, so a long line is searched once, whatever the size of the reads.
+        // No line end lies before `searched`: a long line is searched once only, whatever the size of the reads.
         let mut searched = self.start;
         let mut too_long = false;
         loop {
@@ -289,7 +289,7 @@ impl<R: Read> Lexer<R> {
         }
     }
 
-    /// Moves what is unread to the front and reads some more after it.
+    /// Moves the unread bytes to the front of the buffer and reads more after them.
     fn fill(&mut self) -> io::Result<()> {
         self.buffer.copy_within(self.start..self.end, 0);
         self.end -= self.start;
@@ -309,7 +309,7 @@ impl<R: Read> Lexer<R> {
     }
 }
 
-/// What the first bytes of a file are.
+/// Content of a file by its first bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Beginning {
     Text,
@@ -317,12 +317,12 @@ pub(crate) enum Beginning {
     Empty,
 }
 
-/// Blanks and tabs; also the Ctrl-Z with which DOS programs end a file.
+/// Whether a byte is a blank or a tab, or the Ctrl-Z with which DOS programs end a file.
 pub(crate) fn is_blank(byte: u8) -> bool {
     matches!(byte, b' ' | b'\t' | 0x1A)
 }
 
-/// Index of the first `$$` that is not between two quotes.
+/// Index of the first `$$` outside quotes.
 fn comment_start(text: &[u8]) -> Option<usize> {
     let mut from = 0;
     while let Some(found) = memchr2(b'$', b'\'', &text[from..]) {
@@ -337,7 +337,7 @@ fn comment_start(text: &[u8]) -> Option<usize> {
     None
 }
 
-/// Whether a line is an INSERT, which owns everything up to its end.
+/// Whether a line is an INSERT; its text is the rest of the line, `$$` included.
 fn is_insert(text: &[u8]) -> bool {
     const INSERT: &[u8] = b"INSERT";
     let text = text.trim_ascii_start();
@@ -352,7 +352,7 @@ fn continued(text: &[u8]) -> Option<usize> {
     (text[last] == b'$').then_some(last)
 }
 
-/// Columns count from 1.
+/// Column, counted from 1, of the byte at `index`.
 fn column(index: usize) -> u32 {
     u32::try_from(index + 1).unwrap_or(u32::MAX)
 }

@@ -1,7 +1,7 @@
 //! Text of CL data: bytes to statements, and the arguments of a statement to words and numbers.
 //!
-//! `lexer` cuts the input into statements, `args` walks over the arguments of one, `number` reads decimals, `fault` names
-//! the bytes that are not understood. No word of CL data is known here.
+//! `lexer` splits the input into statements, `args` splits the arguments of a statement, `number` reads decimal
+//! numbers, `fault` holds what is wrong with a statement and where. No word of CL data is known here.
 
 mod args;
 mod fault;

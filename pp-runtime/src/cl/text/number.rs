@@ -1,10 +1,10 @@
-//! Decimal numbers of CL data, exactly rounded.
+//! Reads decimal numbers of CL data, correctly rounded.
 //!
-//! Understands `1`, `1.`, `.5`, `-0.0`, `+2`, `1.E-3` and the Fortran exponents `1D2`, `1.0D+02`. Nothing else is a
+//! Reads `1`, `1.`, `.5`, `-0.0`, `+2`, `1.E-3` and the Fortran exponents `1D2`, `1.0D+02`. Nothing else is a
 //! number: no blanks inside, no `inf`, no `NaN`, no hexadecimal.
 //!
 //! Nearly every number of a real file has fewer than 16 digits, and then mantissa and power of ten are both exact in
-//! binary64, so one multiplication or division rounds correctly (Clinger). The rest goes through the standard library.
+//! binary64, so one multiplication or division rounds correctly (Clinger). The standard library reads the others.
 
 /// Powers of ten that binary64 holds exactly.
 const POWERS_OF_TEN: [f64; 23] = [
@@ -12,15 +12,15 @@ const POWERS_OF_TEN: [f64; 23] = [
     1e21, 1e22,
 ];
 
-/// Up to here every integer is exact in binary64.
+/// Largest mantissa up to which every integer is exact in binary64.
 const LARGEST_EXACT_MANTISSA: u64 = 1 << 53;
 
-/// Digits that always fit a `u64`.
+/// Number of decimal digits that always fit a `u64`.
 const DIGITS_OF_U64: usize = 19;
 
-/// The number at the start of `text` and how many bytes it takes; `None` if no number starts there.
+/// Returns the number at the start of `text` and the count of its bytes; `None` if no number starts there.
 ///
-/// A number too large for binary64 comes back as an infinity, which the caller must refuse.
+/// A number too large for binary64 is returned as an infinity, which the caller must refuse.
 pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
     let mut at = 0;
     let negative = text.first() == Some(&b'-');
@@ -28,7 +28,7 @@ pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
         at = 1;
     }
     let whole = at;
-    // Wraps beyond 19 digits; such a number is not computed from it.
+    // Wraps beyond 19 digits; a number with more is not computed from it.
     let mut mantissa = 0_u64;
     at += digits_of(&text[at..], &mut mantissa);
     let mut digits = at - whole;
@@ -60,7 +60,7 @@ pub(crate) fn number_at_start(text: &[u8]) -> Option<(f64, usize)> {
     Some((if negative { -magnitude } else { magnitude }, at))
 }
 
-/// Appends the digits at the start of `text` to `mantissa`; answers how many there are.
+/// Appends the digits at the start of `text` to `mantissa`; returns their count.
 fn digits_of(text: &[u8], mantissa: &mut u64) -> usize {
     let mut count = 0;
     for digit in text.iter().map(|byte| byte.wrapping_sub(b'0')).take_while(|digit| *digit < 10) {
@@ -70,12 +70,13 @@ fn digits_of(text: &[u8], mantissa: &mut u64) -> usize {
     count
 }
 
-/// The number that `text` is from its first byte to its last.
+/// Returns the number in `text`; `None` if a byte does not belong to it.
 pub(crate) fn whole_number(text: &[u8]) -> Option<f64> {
     number_at_start(text).filter(|&(_, used)| used == text.len()).map(|(value, _)| value)
 }
 
-/// An exponent with its sign; huge ones saturate, which gives zero or infinity as it should.
+/// Returns an exponent with its sign and the count of its bytes. Huge exponents saturate, so that the number becomes
+/// zero or infinity.
 fn integer(text: &[u8]) -> Option<(i64, usize)> {
     let signed = usize::from(matches!(text.first(), Some(b'-' | b'+')));
     let digits = text[signed..].iter().take_while(|byte| byte.is_ascii_digit()).count();
@@ -89,12 +90,12 @@ fn integer(text: &[u8]) -> Option<(i64, usize)> {
     Some((if text[0] == b'-' { -magnitude } else { magnitude }, signed + digits))
 }
 
-/// `text` is an unsigned number whose exponent letter, if any, is at `letter`.
+/// Lets the standard library read `text`, an unsigned number with its exponent letter, if any, at `letter`.
 #[cold]
 fn rounded_by_library(text: &[u8], letter: usize) -> Option<f64> {
     let text = std::str::from_utf8(text).ok()?;
     if matches!(text.as_bytes().get(letter), Some(b'D' | b'd')) {
-        // The library knows no Fortran; this copy is made for long D numbers only.
+        // The library does not read Fortran's D; only long numbers with a D are copied.
         return format!("{}e{}", &text[..letter], &text[letter + 1..]).parse().ok();
     }
     text.parse().ok()
@@ -144,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn reading_stops_behind_the_number() {
+    fn reading_stops_after_the_number() {
         assert_eq!(prefix(b"12.5,3"), Some((12.5, 4)));
         assert_eq!(prefix(b"900CCLW"), Some((900.0, 3)));
     }

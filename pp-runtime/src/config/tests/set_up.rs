@@ -1,4 +1,4 @@
-//! Machine, part and shop as a file states them.
+//! Keys of the set-up.
 
 use nalgebra::{Matrix3, Rotation3};
 
@@ -102,6 +102,6 @@ fn an_offset_belongs_to_a_rotary_axis_that_is_solved() {
     let read = |text: &str| Config::read::<Sample>(&format!("[rotary_offset]\n{text}\n"));
     let config = read("C = 12.5").expect("right");
     assert!((config.set_up.rotary_offset[&'C'].to_degrees() - 12.5).abs() < 1e-12);
-    assert_eq!(read("X = 1").expect_err("linear")[0].text, "X is no rotary axis that is solved");
+    assert_eq!(read("X = 1").expect_err("linear")[0].text, "X is not a solved rotary axis");
     assert!(read("C = 361").is_err() && read("C = 360").is_ok());
 }

@@ -175,7 +175,7 @@ impl Navigator {
         match event {
             Event::From(pose) => self.count_from(pose),
             Event::Home => self.go_home(),
-            Event::Turning(turning) => self.towards = self.finder.placer().towards(*turning),
+            Event::RotaryDirection(turning) => self.towards = self.finder.placer().towards(*turning),
             Event::Name(_)
             | Event::MachineName(_)
             | Event::Operation(_)

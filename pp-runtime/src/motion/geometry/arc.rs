@@ -59,7 +59,7 @@ impl<'a> Round<'a> {
         if part >= 1.0 {
             return self.arc.end.tip;
         }
-        let (sine, cosine) = (self.arc.angle * part).sin_cos();
+        let (sine, cosine) = (self.arc.angle_rad * part).sin_cos();
         let radius = self.radii[0] + (self.radii[1] - self.radii[0]) * part;
         let height = self.level + self.rise * part;
         self.arc.centre + (self.u * cosine + self.v * sine) * radius + self.arc.normal.into_inner() * height
@@ -67,12 +67,12 @@ impl<'a> Round<'a> {
 
     /// Length of the whole way, mm.
     pub(crate) fn length(&self) -> f64 {
-        (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle).hypot(self.rise)
+        (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle_rad).hypot(self.rise)
     }
 
     /// What it rises on 1 mm of its way in the plane.
     pub(crate) fn slope(&self) -> f64 {
-        self.rise / (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle)
+        self.rise / (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle_rad)
     }
 
     /// Parts of the way, the ends left out, at which the tip may be furthest in a direction or against it.
@@ -81,7 +81,7 @@ impl<'a> Round<'a> {
     /// places a turn apart only the first and the last can be the furthest.
     pub(crate) fn extremes(&self, direction: Vector3<f64>) -> impl Iterator<Item = f64> {
         let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
-        let angle = self.arc.angle;
+        let angle = self.arc.angle_rad;
         let slope = self.arc.normal.dot(&direction) * self.rise / angle;
         let share = slope / (self.radius() * a.hypot(b));
         let phase = b.atan2(a);
@@ -101,7 +101,7 @@ impl<'a> Round<'a> {
     pub(crate) fn chords(&self, tolerance: f64) -> Result<u32, Fault> {
         // A chord over the angle t is off by r (1 - cos t/2), which is at most r t²/8.
         let step = (8.0 * tolerance / self.radius()).sqrt().min(FRAC_PI_2);
-        let chords = (self.arc.angle / step).ceil().max(1.0);
+        let chords = (self.arc.angle_rad / step).ceil().max(1.0);
         if chords.is_nan() || chords > MOST_CHORDS {
             return Err(Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL"));
         }
@@ -132,7 +132,7 @@ mod tests {
     fn arc(start: [f64; 3], end: [f64; 3], angle: f64) -> Arc {
         let up = |tip: [f64; 3]| Pose { tip: Point3::from(tip), axis: Vector3::z_axis() };
         let (start, end) = (up(start), up(end));
-        Arc { start, end, centre: Point3::origin(), normal: Vector3::z_axis(), angle, feed: None }
+        Arc { start, end, centre: Point3::origin(), normal: Vector3::z_axis(), angle_rad: angle, feed: None }
     }
 
     /// Distance of a point from the line between two others.

@@ -12,13 +12,13 @@ pub(crate) fn way_out(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVecto
     match *clearance {
         Clearance::Plane(plane) => {
             let along = axis.dot(&plane.normal);
-            (along > ALONG).then(|| ((plane.distance - tip.coords.dot(&plane.normal)) / along).max(0.0))
+            (along > ALONG).then(|| ((plane.distance_mm - tip.coords.dot(&plane.normal)) / along).max(0.0))
         }
         Clearance::Box { lower, upper } => {
             let spans = [0, 1, 2].map(|i| span(tip[i], axis[i], lower[i], upper[i]));
             Some(last_inside(&spans))
         }
-        Clearance::Cylinder { centre: [x, y], radius, lower, upper } => {
+        Clearance::Cylinder { centre: [x, y], radius_mm: radius, lower_z_mm: lower, upper_z_mm: upper } => {
             let from = Vector3::new(tip.x - x, tip.y - y, 0.0);
             let across = Vector3::new(axis.x, axis.y, 0.0);
             let round = crossing(across.norm_squared(), from.dot(&across), from.norm_squared() - radius * radius);
@@ -60,7 +60,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::program::Plane;
+    use crate::program::ClearancePlane;
 
     fn out(clearance: &Clearance, tip: [f64; 3], axis: [f64; 3]) -> Option<f64> {
         way_out(clearance, &Point3::from(tip), &UnitVector3::new_normalize(Vector3::from(axis)))
@@ -68,7 +68,8 @@ mod tests {
 
     const BOX: Clearance =
         Clearance::Box { lower: Point3::new(-10.0, -20.0, -30.0), upper: Point3::new(10.0, 20.0, 5.0) };
-    const CYLINDER: Clearance = Clearance::Cylinder { centre: [0.0; 2], radius: 10.0, lower: -30.0, upper: 5.0 };
+    const CYLINDER: Clearance =
+        Clearance::Cylinder { centre: [0.0; 2], radius_mm: 10.0, lower_z_mm: -30.0, upper_z_mm: 5.0 };
 
     #[test]
     fn a_tool_leaves_a_box_and_a_cylinder_where_its_axis_does() {
@@ -84,7 +85,7 @@ mod tests {
 
     #[test]
     fn a_plane_is_left_only_towards_it() {
-        let plane = Clearance::Plane(Plane { normal: Vector3::z_axis(), distance: 50.0 });
+        let plane = Clearance::Plane(ClearancePlane { normal: Vector3::z_axis(), distance_mm: 50.0 });
         assert_eq!(out(&plane, [0.0, 0.0, 20.0], [0.0, 0.0, 1.0]), Some(30.0));
         assert_eq!(out(&plane, [0.0, 0.0, 20.0], [1.0, 0.0, 0.0]), None);
         assert_eq!(out(&plane, [0.0, 0.0, 20.0], [0.0, 0.0, -1.0]), None);
@@ -94,7 +95,7 @@ mod tests {
     fn inside(clearance: &Clearance, point: &Point3<f64>) -> bool {
         match *clearance {
             Clearance::Box { lower, upper } => (0..3).all(|i| (lower[i]..=upper[i]).contains(&point[i])),
-            Clearance::Cylinder { radius, lower, upper, .. } => {
+            Clearance::Cylinder { radius_mm: radius, lower_z_mm: lower, upper_z_mm: upper, .. } => {
                 point.x.hypot(point.y) <= radius && (lower..=upper).contains(&point.z)
             }
             Clearance::Plane(_) => false,

@@ -1,6 +1,6 @@
 //! Motion in cuts: arcs, cycles, cutter compensation, feeds, and what the CL data may leave out.
 
-use crate::keys::{Bound, Measure, OneOf, Truth, Whole, options};
+use crate::keys::{Bound, Measure, OneOf, Whole, YesNo, options};
 use crate::program::{Coolant, Rotation};
 use crate::set_up::{COOLANTS, LARGEST_TOOL, ROTATIONS};
 
@@ -65,7 +65,7 @@ options! {
         /// "native", or "expanded" into single motions throughout; a thread is never expanded.
         output: CycleOutput = CycleOutput::Native, key("cycles.output", OneOf(&CycleOutput::NAMES));
         /// Threads with the spindle under control of its angle, where that has a code of its own (M29 of Fanuc).
-        rigid: bool = true, key("cycles.rigid", Truth);
+        rigid: bool = true, key("cycles.rigid", YesNo);
     }
 }
 
@@ -117,7 +117,7 @@ options! {
     /// How fast blocks may run.
     pub struct FeedLimits in "feed" {
         /// Blocks in which an axis would be faster than its speed run longer.
-        keep_speeds: bool = true, key("feed.keep_speeds", Truth);
+        keep_speeds: bool = true, key("feed.keep_speeds", YesNo);
         /// Largest F of the control. Without it none.
         largest: Option<f64> = None, key("feed.largest", Measure::length(Bound::Positive), "20000.0");
         /// Shortest time of a block, seconds.

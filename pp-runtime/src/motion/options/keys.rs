@@ -8,7 +8,7 @@ use crate::keys::{
     TomlValue, along, solved,
 };
 use crate::kinematics::{Axis, AxisKind, Limits};
-use crate::program::{Clearance, Plane, Units};
+use crate::program::{Clearance, ClearancePlane, Units};
 
 use super::{ClampCodes, CourseOptions, Wrap};
 
@@ -234,7 +234,7 @@ fn geometry(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearance> {
     match *kind {
         "plane" => {
             let distance = r.length(value, Bound::Any)?;
-            Some(Clearance::Plane(Plane { normal: Vector3::z_axis(), distance }))
+            Some(Clearance::Plane(ClearancePlane { normal: Vector3::z_axis(), distance_mm: distance }))
         }
         "box" => read_box(r, value),
         "cylinder" => read_cylinder(r, value),
@@ -279,7 +279,7 @@ fn read_cylinder(r: &mut KeyReader<'_>, value: TomlValue<'_>) -> Option<Clearanc
     }
     match (radius, lower, upper) {
         (Some(radius), Some(lower), Some(upper)) if lower < upper => {
-            Some(Clearance::Cylinder { centre, radius, lower, upper })
+            Some(Clearance::Cylinder { centre, radius_mm: radius, lower_z_mm: lower, upper_z_mm: upper })
         }
         _ => {
             r.fault(value.span(), "radius, lower and a higher upper end are needed here", Some(FORMS.to_owned()));

@@ -1,6 +1,6 @@
 //! Motion between cuts: rapids, transitions, the ways to the part and away from it.
 
-use crate::keys::{Assumed, Bound, Measure, OneOf, Truth, options};
+use crate::keys::{Assumed, Bound, Measure, OneOf, YesNo, options};
 use crate::program::Clearance;
 
 use super::keys::Geometry;
@@ -38,7 +38,7 @@ options! {
         /// tip stays in place, and the tool swings about it in the part).
         rewind: Rewind = Rewind::Leave, key("retract.rewind", OneOf(&Rewind::NAMES));
         /// Coolant off while the rotary axes are rewound out of the part.
-        rewind_dry: bool = false, key("retract.rewind_dry", Truth);
+        rewind_dry: bool = false, key("retract.rewind_dry", YesNo);
     }
 }
 

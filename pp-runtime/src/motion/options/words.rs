@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::keys::{OneOf, Truth, options};
+use crate::keys::{OneOf, YesNo, options};
 
 use super::keys::{CLAMP, GRID, WRAP};
 
@@ -96,7 +96,7 @@ options! {
         tool_posture: ToolPosture = ToolPosture::Axes, key("tool_posture", OneOf(&ToolPosture::NAMES));
         /// In mode "tcp" the control knows held axes and linear axes between rotary ones; in modes "tcp" and "plane"
         /// its frame stays where `rotary_offset` has entries in the work offset.
-        tcp_confirmed: bool = false, key("tcp_confirmed", Truth);
+        tcp_confirmed: bool = false, key("tcp_confirmed", YesNo);
     }
 }
 

@@ -185,7 +185,7 @@ mod tests {
             let mut config = config();
             config.motion.retract.distance = Some(10.0);
             config.motion.guards.length_guard = Some(false);
-            config.set_up.tools.insert(1, GivenTool { length: Some(length), ..GivenTool::default() });
+            config.set_up.tools.insert(1, GivenTool { length_mm: Some(length), ..GivenTool::default() });
             let events = [tool(1), spindle(), rapid([1.0, 2.0, -60.0], axis), feed([1.0, 2.0, -80.0], axis)];
             let tip = run::<M>(&config, &events);
             config.set_up.length_mode = LengthMode::Gauge;

@@ -3,7 +3,7 @@
 use nalgebra::UnitVector3;
 
 use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution};
-use crate::program::{Rotation, Turning};
+use crate::program::{RotaryDirection, Rotation};
 
 use super::linearise::Tolerance;
 use super::refusal;
@@ -19,8 +19,8 @@ const SWING: f64 = 1_f64.to_radians();
 impl Placer {
     /// What ROTABL/NEXT asks of the table's rotary, the one nearest the workpiece where there are two. Seen against its
     /// axis a table turns clockwise while its word grows, unless the word runs backwards.
-    pub(crate) fn towards(&self, turning: Turning) -> Option<Towards> {
-        let Turning::Next(rotation) = turning else { return None };
+    pub(crate) fn towards(&self, turning: RotaryDirection) -> Option<Towards> {
+        let RotaryDirection::Towards(rotation) = turning else { return None };
         let table = |rotary: &Rotary| self.chain[rotary.index].side == Side::Workpiece;
         let axis = self.rotary.axes.iter().position(table)?;
         let forwards = self.machine.joint(self.rotary.axes[axis].index).sign > 0.0;

@@ -162,7 +162,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             Ok(framed) => framed,
             Err(why) => return Ok(Err(why)),
         };
-        for cuts in Cuts::of(self.arc.angle).into_iter().flatten() {
+        for cuts in Cuts::of(self.arc.angle_rad).into_iter().flatten() {
             if self.can_be_said(&framed, cuts)? {
                 self.check_travel()?;
                 return self.write_pieces(&framed, cuts).map(Ok);
@@ -178,7 +178,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         if setup.output == ArcOutput::Lines {
             return Err(NoArc::Configured);
         }
-        if round.radius() * (1.0 - (0.5 * arc.angle).cos()) < 0.5 * placer.unit_mm() && arc.angle < 1.0 {
+        if round.radius() * (1.0 - (0.5 * arc.angle_rad).cos()) < 0.5 * placer.unit_mm() && arc.angle_rad < 1.0 {
             return Err(NoArc::Straight);
         }
         if self.planner.mover.turns(end) {
@@ -203,7 +203,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             centre: [centre[first], centre[second]],
             radii: round.radii,
             clockwise: normal[square] < 0.0,
-            sweep: arc.angle,
+            sweep: arc.angle_rad,
         };
         Ok(Framed { plane, chain, nominal, lean })
     }

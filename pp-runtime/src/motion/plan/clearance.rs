@@ -1,7 +1,7 @@
 //! The geometry around the part that the tool has to leave: that of the configuration, or of CLEARP.
 
 use crate::kinematics::Pose;
-use crate::program::{Clearance, Plane};
+use crate::program::{Clearance, ClearancePlane};
 
 use crate::motion::geometry::way_out;
 
@@ -18,7 +18,7 @@ impl ClearanceGeometry {
     }
 
     /// CLEARP.
-    pub(crate) fn set_plane(&mut self, plane: Plane) {
+    pub(crate) fn set_plane(&mut self, plane: ClearancePlane) {
         self.in_force = Some(Clearance::Plane(plane));
     }
 

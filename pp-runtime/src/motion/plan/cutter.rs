@@ -102,7 +102,7 @@ impl CutterCompensation {
             | Event::Hole(_)
             | Event::ClearancePlane(_)
             | Event::Tolerance(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::Message(_) => return Ok(()),
         };
@@ -144,7 +144,7 @@ fn beside(what: &str) -> Fault {
 
 /// CUTCOM.
 pub(crate) fn request<S: Sink>(planner: &mut Planner<'_, S>, asked: &Compensation) -> Planned {
-    let Compensation { side, register, xy } = *asked;
+    let Compensation { side, register, in_xy_plane: xy } = *asked;
     if side == CutterSide::Off {
         if !planner.cutter.end() {
             let fault = Fault::new("CUTCOM/OFF, and no straight feed motion in the plane came before it")
@@ -272,7 +272,7 @@ fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &Place, motion: &Move) ->
 fn check_length<S: Sink>(planner: &Planner<'_, S>, length: f64) -> Result<(), Fault> {
     let policy = planner.policy;
     let given = planner.tooling.current().and_then(|tool| policy.set_up.tools.get(&tool.number));
-    let diameter = given.and_then(|tool| tool.diameter);
+    let diameter = given.and_then(|tool| tool.diameter_mm);
     let radius = diameter.filter(|_| policy.options.compensation == Some(CutterPath::Contour)).map(|d| 0.5 * d);
     match radius.filter(|radius| length < *radius) {
         Some(radius) => Err(Fault::new(format_args!(

@@ -43,21 +43,22 @@ pub(crate) fn hole_extent(hole: &Hole) -> [[[f64; 3]; 2]; 2] {
         let (a, b) = (hole.level(low).tip, hole.level(high).tip);
         [a.inf(&b).into(), a.sup(&b).into()]
     };
-    [between(hole.clearance, hole.back_to), between(-hole.depth, 0.0)]
+    [between(hole.clearance_mm, hole.return_mm), between(-hole.depth_mm, 0.0)]
 }
 
 /// The depths at which the steps of a hole end, in their order.
 fn steps(hole: &Hole) -> Result<impl Iterator<Item = f64>, Fault> {
     let (first, later) = match hole.drilling {
-        Drilling::Peck { first, later } => (first, later),
-        Drilling::ChipBreak { step, .. } => (step, step),
-        Drilling::Drill | Drilling::Ream | Drilling::Tap { .. } => (hole.depth, hole.depth),
+        Drilling::Peck { first_mm: first, later_mm: later } => (first, later),
+        Drilling::ChipBreak { step_mm: step, .. } => (step, step),
+        Drilling::Drill | Drilling::Ream | Drilling::Tap { .. } => (hole.depth_mm, hole.depth_mm),
     };
-    if (hole.depth - first) / later > f64::from(MOST_STEPS - 1) {
-        let text = format!("a hole {} mm deep in steps of {later} mm takes more than {MOST_STEPS} steps", hole.depth);
+    if (hole.depth_mm - first) / later > f64::from(MOST_STEPS - 1) {
+        let text =
+            format!("a hole {} mm deep in steps of {later} mm takes more than {MOST_STEPS} steps", hole.depth_mm);
         return Err(Fault::new(text).help("check the step of the cycle and its unit"));
     }
-    let depth = hole.depth;
+    let depth = hole.depth_mm;
     // A last step of nothing but rounding is part of the one before.
     let reached = move |done: f64| if done > depth - SAME_LEVEL { depth } else { done };
     Ok(std::iter::successors(Some(reached(first)), move |done| (*done < depth).then(|| reached(done + later))))
@@ -78,8 +79,8 @@ struct HoleRun<'p, 'a, S> {
 
 impl<S: Sink> HoleRun<'_, '_, S> {
     fn run(&mut self, index: MotionIndex) -> Planned {
-        let over = self.hole.way_over();
-        let bottom = Move { pose: self.hole.level(-self.hole.depth), rapid: false, feed: self.hole.feed };
+        let over = self.hole.rapid_to_clearance();
+        let bottom = Move { pose: self.hole.level(-self.hole.depth_mm), rapid: false, feed: self.hole.feed };
         let ahead = Ahead { motion: &over, next: Next::Motion(bottom.pose) };
         if index.begins == Begins::Nothing {
             self.reach(ahead, index)?;
@@ -116,7 +117,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         if self.planner.mover.turns(&place) {
             return self.planner.go(ahead, planned);
         }
-        let lift = self.hole.clearance - self.height();
+        let lift = self.hole.clearance_mm - self.height();
         if lift > SAME_LEVEL {
             let tip = self.planner.mover.position().pose().tip + self.hole.top.axis.into_inner() * lift;
             return self.go(&Move { pose: Pose { tip, ..over.pose }, ..*over });
@@ -147,23 +148,23 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     /// The hole, level by level.
     fn run_by_motions(&mut self) -> Planned {
         let hole = self.hole;
-        self.rapid_to(self.height().max(hole.clearance))?;
-        self.rapid_to(hole.clearance)?;
+        self.rapid_to(self.height().max(hole.clearance_mm))?;
+        self.rapid_to(hole.clearance_mm)?;
         let mut before: Option<f64> = None;
         for done in steps(hole)? {
             if let Some(before) = before {
                 if matches!(hole.drilling, Drilling::Peck { .. }) {
-                    self.rapid_to(hole.clearance)?;
+                    self.rapid_to(hole.clearance_mm)?;
                 }
                 let back = match hole.drilling {
-                    Drilling::ChipBreak { back: Some(back), .. } => back,
-                    Drilling::ChipBreak { back: None, .. }
+                    Drilling::ChipBreak { retract_mm: Some(back), .. } => back,
+                    Drilling::ChipBreak { retract_mm: None, .. }
                     | Drilling::Peck { .. }
                     | Drilling::Drill
                     | Drilling::Ream
                     | Drilling::Tap { .. } => self.planner.policy.options.defaults.peck_gap,
                 };
-                self.rapid_to((back - before).min(hole.clearance))?;
+                self.rapid_to((back - before).min(hole.clearance_mm))?;
             }
             self.feed_to(-done)?;
             before = Some(done);
@@ -172,9 +173,9 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             records::delay(self.planner, dwell)?;
         }
         if hole.drilling == Drilling::Ream {
-            self.feed_to(hole.clearance)?;
+            self.feed_to(hole.clearance_mm)?;
         }
-        self.rapid_to(hole.back_to)
+        self.rapid_to(hole.return_mm)
     }
 
     /// The cycle of the hole and where it ends, or why there is none.
@@ -195,7 +196,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             return Ok(Err("the program has no square coordinates here"));
         };
         let along = map * hole.top.axis.into_inner();
-        let reach = hole.depth + hole.back_to.max(hole.clearance);
+        let reach = hole.depth_mm + hole.return_mm.max(hole.clearance_mm);
         if along.z < 0.0 || along.x.hypot(along.y) * reach > 0.5 * placer.unit_mm() {
             return Ok(Err("the tool axis is not Z of the program"));
         }
@@ -204,7 +205,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Err(why) => return Ok(Err(why)),
         };
         let mut at_level = |height: f64| self.planner.mover.shifted(hole.level(height).tip, &here);
-        let places = [at_level(hole.clearance)?, at_level(-hole.depth)?, at_level(hole.back_to)?];
+        let places = [at_level(hole.clearance_mm)?, at_level(-hole.depth_mm)?, at_level(hole.return_mm)?];
         let surface = at_level(0.0)?;
         let placer = self.planner.mover.placer();
         let surface = placer.written(&surface);
@@ -246,7 +247,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     /// What the control's cycle would be, or why it has none that means the same.
     fn kind(&self) -> Result<Result<CannedKind, NoCycle>, Fault> {
         let (hole, can) = (self.hole, self.planner.abilities.cycles);
-        let higher = hole.back_to - hole.clearance > SAME_LEVEL;
+        let higher = hole.return_mm - hole.clearance_mm > SAME_LEVEL;
         let units = |mm: f64| (mm / self.planner.mover.placer().unit_mm()).round() as i64;
         let no_dwell = hole.dwell.is_none();
         let steps_wait = no_dwell || can.steps_dwell;
@@ -254,12 +255,12 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         Ok(match hole.drilling {
             Drilling::Drill if can.drill => Ok(CannedKind::Drill),
             Drilling::Ream if can.ream && (can.ream_higher || !higher) => Ok(CannedKind::Ream),
-            Drilling::Peck { first, later }
+            Drilling::Peck { first_mm: first, later_mm: later }
                 if can.peck && steps_wait && units(first) == units(later) && units(later) > 0 =>
             {
                 Ok(CannedKind::Peck { step: units(later), gap: units(usual_gap) })
             }
-            Drilling::ChipBreak { step, back }
+            Drilling::ChipBreak { step_mm: step, retract_mm: back }
                 if can.chip_break && steps_wait && units(step) > 0 && (can.states_gap || back.is_none()) =>
             {
                 Ok(CannedKind::ChipBreak { step: units(step), gap: units(back.unwrap_or(usual_gap)) })
@@ -268,7 +269,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
             Drilling::Tap { .. } if !no_dwell && !can.tap_dwell => {
                 Err("that of this control does not wait at the bottom")
             }
-            Drilling::Tap { pitch } => Ok(self.thread(pitch)?),
+            Drilling::Tap { pitch_mm: pitch } => Ok(self.thread(pitch)?),
             Drilling::Drill | Drilling::Ream | Drilling::Peck { .. } | Drilling::ChipBreak { .. } => {
                 Err("no cycle of this control does the same")
             }
@@ -313,7 +314,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
                 Feeds::per_minute(feed, self.planner.spindle.speed())?
             }
         };
-        let length = hole.clearance + hole.depth;
+        let length = hole.clearance_mm + hole.depth_mm;
         let least = self.planner.mover.placer().least_minutes_of_tip(length, over);
         let stroke = Stroke { length, turn: 0.0, square: true, linear: length, degrees: 0.0, least };
         let pace = feeds.pace(per_minute, stroke)?;
@@ -338,15 +339,15 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         let hole = self.hole;
         let can = self.planner.abilities.cycles;
         let here = self.planner.mover.placer().written(self.planner.mover.here());
-        let height = self.height().max(hole.clearance);
-        self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance));
+        let height = self.height().max(hole.clearance_mm);
+        self.planner.mover.watch_plunge(&hole.level(height), &hole.level(hole.clearance_mm));
         if cycle.back != cycle.clearance && here[cycle.z] != cycle.back && !can.own_return {
             // Such a cycle goes back to where it began.
             self.rapid_to(height)?;
-            self.rapid_to(hole.back_to)?;
+            self.rapid_to(hole.return_mm)?;
         }
         let mover = &mut self.planner.mover;
-        let minutes = (hole.clearance + hole.depth) / mover.feeds().mm_per_minute(cycle.feed);
+        let minutes = (hole.clearance_mm + hole.depth_mm) / mover.feeds().mm_per_minute(cycle.feed);
         let both_ways = matches!(cycle.kind, CannedKind::Ream | CannedKind::Tap { .. });
         let output = mover.output_mut();
         output.cancel_inverse_time()?;
@@ -358,7 +359,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         if let CannedKind::Tap { .. } = cycle.kind {
             self.planner.spindle.after_thread(can.tap_stops);
         }
-        let bottom = hole.level(-hole.depth);
+        let bottom = hole.level(-hole.depth_mm);
         let position = mover.position_mut();
         position.cut(&bottom);
         position.forget_lead_out();

@@ -125,7 +125,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     fn plan_all(&mut self, tool: u32, tip: Point3<f64>, sweeps: &[Sweep]) -> Planned {
         let planner = &mut *self.planner;
         records::record(planner, &Event::Tool(ToolCall { number: tool, ..ToolCall::default() }), true)?;
-        let on = Spindle::On { speed: Some(SPEED), rotation: Some(Rotation::Clockwise) };
+        let on = Spindle::On { speed_rev_per_min: Some(SPEED), rotation: Some(Rotation::Clockwise) };
         records::record(planner, &Event::Spindle(on), true)?;
         let Some(words) = sweeps.first().and_then(|sweep| sweep.stops.first()).copied() else {
             return Err(Fault::new("this machine has no rotary axis: there is nothing to prove").into());

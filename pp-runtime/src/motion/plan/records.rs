@@ -3,7 +3,7 @@
 use std::ops::RangeInclusive;
 
 use crate::motion::options::Transition;
-use crate::program::{Dwell, Event, ToolCall, Turning};
+use crate::program::{Dwell, Event, RotaryDirection, ToolCall};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::plan::Planner;
@@ -79,7 +79,7 @@ impl<S: Sink> Records<'_, '_, S> {
                 Ok(())
             }
             Event::Compensation(asked) => crate::motion::plan::cutter::request(self.planner, &asked),
-            Event::Turning(turning) => self.turn_towards(turning),
+            Event::RotaryDirection(turning) => self.turn_towards(turning),
             Event::Insert(text) => self.raw(text),
             Event::Code { letter, number } => self.raw(format!("{}{number}", char::from(letter)).as_bytes()),
             Event::Tolerance(tolerance) => {
@@ -184,10 +184,10 @@ impl<S: Sink> Records<'_, '_, S> {
     }
 
     /// ROTABL.
-    fn turn_towards(&mut self, turning: Turning) -> Planned {
+    fn turn_towards(&mut self, turning: RotaryDirection) -> Planned {
         let towards = self.planner.mover.placer().towards(turning);
         self.planner.course.set_towards(towards);
-        if towards.is_none() && turning != Turning::Shortest {
+        if towards.is_none() && turning != RotaryDirection::Shortest {
             let fault = Fault::new("ROTABL/NEXT turns the table, and no rotary axis stands in the table here");
             return Err(fault.help("leave it out").into());
         }

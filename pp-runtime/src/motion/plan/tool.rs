@@ -47,12 +47,12 @@ impl LoadedTool {
     ) -> Result<Self, Fault> {
         let number = call.number;
         let given = policy.set_up.tools.get(&number);
-        if let (Some(before), Some(now)) = (before.length, call.length)
+        if let (Some(before), Some(now)) = (before.length_mm, call.length_mm)
             && (before - now).abs() > SAME
         {
             return Err(Fault::new(format_args!("T{number} is called with two lengths, {before} mm and {now} mm")));
         }
-        let length = match (given.and_then(|tool| tool.length), call.length.or(before.length)) {
+        let length = match (given.and_then(|tool| tool.length_mm), call.length_mm.or(before.length_mm)) {
             (Some(ours), Some(theirs)) if (ours - theirs).abs() > SAME => {
                 let fault = Fault::new(format_args!(
                     "T{number} is {ours} mm long in the configuration and {theirs} mm in the CL data"
@@ -72,14 +72,14 @@ impl LoadedTool {
             return Err(Fault::new(format_args!("the gauge length of T{number} is unknown, and {why}"))
                 .help(format_args!("give `[tools.{number}] length` in the configuration, or LENGTH in LOADTL")));
         }
-        if let (Some(ours), Some(theirs)) = (given.and_then(|tool| tool.diameter), call.diameter)
+        if let (Some(ours), Some(theirs)) = (given.and_then(|tool| tool.diameter_mm), call.diameter_mm)
             && (ours - theirs).abs() > SAME
         {
             warn(Fault::new(format_args!(
                 "T{number} has a diameter of {ours} mm in the configuration and {theirs} mm in the CL data"
             )));
         }
-        let offset = given.and_then(|tool| tool.offset).or(call.offset).or(before.offset);
+        let offset = given.and_then(|tool| tool.offset).or(call.length_offset).or(before.length_offset);
         let offset = registers.of_tool(number, offset).ok_or_else(|| {
             Fault::new(format_args!(
                 "T{number} is to have the length of a register of its own, and this control takes that of the tool's row"
@@ -94,7 +94,7 @@ impl SpindleRequest {
     /// Takes one SPINDL; what it leaves out stays as it was.
     pub(crate) fn take(&mut self, spindle: Spindle) {
         self.off = spindle == Spindle::Off;
-        if let Spindle::On { speed, rotation } = spindle {
+        if let Spindle::On { speed_rev_per_min: speed, rotation } = spindle {
             self.speed = speed.or(self.speed);
             self.rotation = rotation.or(self.rotation);
         }
@@ -110,7 +110,7 @@ impl SpindleRequest {
         if self.off {
             return Ok(None);
         }
-        let speed = self.speed.or(given.and_then(|tool| tool.speed)).or(speed);
+        let speed = self.speed.or(given.and_then(|tool| tool.speed_rev_per_min)).or(speed);
         let rotation = self.rotation.or(given.and_then(|tool| tool.rotation)).or(rotation);
         let (Some(speed), Some(rotation)) = (speed, rotation) else { return Ok(None) };
         if let Some(largest) = policy.options.guards.spindle_max

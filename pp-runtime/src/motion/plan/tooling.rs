@@ -44,8 +44,8 @@ impl Tooling {
     /// A tool record.
     pub(crate) fn call(&mut self, call: &ToolCall) {
         let before = self.calls.get(&call.number).copied().unwrap_or_default();
-        let (length, offset) = (call.length.or(before.length), call.offset.or(before.offset));
-        self.calls.insert(call.number, ToolCall { length, offset, ..*call });
+        let (length, offset) = (call.length_mm.or(before.length_mm), call.length_offset.or(before.length_offset));
+        self.calls.insert(call.number, ToolCall { length_mm: length, length_offset: offset, ..*call });
     }
 
     /// The next operation begins with this tool.

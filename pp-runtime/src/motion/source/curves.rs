@@ -163,7 +163,14 @@ mod tests {
 
     fn arc(start: [f64; 3], end: [f64; 3], angle: f64) -> Event<'static> {
         let (start, end) = (up(start), up(end));
-        Event::Arc(Arc { start, end, centre: Point3::origin(), normal: Vector3::z_axis(), angle, feed: None })
+        Event::Arc(Arc {
+            start,
+            end,
+            centre: Point3::origin(),
+            normal: Vector3::z_axis(),
+            angle_rad: angle,
+            feed: None,
+        })
     }
 
     /// Distance of a point from the line between two others.

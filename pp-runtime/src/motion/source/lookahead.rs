@@ -94,7 +94,7 @@ impl Lookahead {
         index: MotionIndex,
         to: &mut S,
     ) -> Result<(), S::Stop> {
-        self.release(Next::Motion(hole.level(hole.clearance)), to)?;
+        self.release(Next::Motion(hole.level(hole.clearance_mm)), to)?;
         to.take(&Item { at, action: Action::Hole { hole, index } })
     }
 
@@ -174,7 +174,7 @@ impl Lookahead {
             Event::From(pose) => WaitingRecord::Plain(Event::From(pose)),
             Event::ClearancePlane(plane) => WaitingRecord::Plain(Event::ClearancePlane(plane)),
             Event::Tolerance(tolerance) => WaitingRecord::Plain(Event::Tolerance(tolerance)),
-            Event::Turning(turning) => WaitingRecord::Plain(Event::Turning(turning)),
+            Event::RotaryDirection(turning) => WaitingRecord::Plain(Event::RotaryDirection(turning)),
             Event::Delay(dwell) => WaitingRecord::Plain(Event::Delay(dwell)),
             Event::Operation(_)
             | Event::SafeSequence

@@ -118,7 +118,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// The source of a program for the machine `M`.
+    /// The source of a program for a machine.
     #[must_use]
     pub fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
         Self {
@@ -225,7 +225,7 @@ impl Expansion<'_> {
             | Event::Compensation(_)
             | Event::From(_)
             | Event::ClearancePlane(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::Message(_) => self.record(event, to),
         }

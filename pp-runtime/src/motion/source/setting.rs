@@ -9,7 +9,7 @@
 use nalgebra::{Point3, Rotation3, UnitVector3};
 
 use crate::kinematics::Pose;
-use crate::program::{Arc, Event, Hole, Move, Plane, Spline};
+use crate::program::{Arc, ClearancePlane, Event, Hole, Move, Spline};
 
 use crate::motion::options::Policy;
 
@@ -63,7 +63,7 @@ impl Setting {
             }
             Event::Hole(hole) => Event::Hole(Hole { top: self.pose(&hole.top), ..hole }),
             Event::ClearancePlane(plane) => {
-                Event::ClearancePlane(Plane { normal: self.direction(&plane.normal), ..plane })
+                Event::ClearancePlane(ClearancePlane { normal: self.direction(&plane.normal), ..plane })
             }
             // No point and no direction is in these.
             Event::Name(_)
@@ -78,7 +78,7 @@ impl Setting {
             | Event::Compensation(_)
             | Event::Home
             | Event::Tolerance(_)
-            | Event::Turning(_)
+            | Event::RotaryDirection(_)
             | Event::Delay(_)
             | Event::OptionalStop
             | Event::Stop
@@ -129,17 +129,25 @@ mod tests {
         assert_eq!(setting().event(&Event::From(here)), Some(Event::From(there)));
         let arc = |pose: Pose, centre: [f64; 3], normal| {
             let (centre, angle) = (Point3::from(centre), 1.0);
-            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle, feed: None })
+            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle_rad: angle, feed: None })
         };
         let turned = arc(there, [6., 4., 5.], Vector3::y_axis());
         assert_eq!(setting().event(&arc(here, [4., 5., 6.], Vector3::x_axis())), Some(turned));
         let hole = |top| {
             let drilling = Drilling::Drill;
             let (depth, clearance, back_to) = (5.0, 1.0, 2.0);
-            Event::Hole(Hole { top, depth, clearance, back_to, drilling, feed: None, dwell: None })
+            Event::Hole(Hole {
+                top,
+                depth_mm: depth,
+                clearance_mm: clearance,
+                return_mm: back_to,
+                drilling,
+                feed: None,
+                dwell: None,
+            })
         };
         assert_eq!(setting().event(&hole(here)), Some(hole(there)));
-        let plane = |normal| Event::ClearancePlane(Plane { normal, distance: 7.0 });
+        let plane = |normal| Event::ClearancePlane(ClearancePlane { normal, distance_mm: 7.0 });
         assert_eq!(setting().event(&plane(Vector3::z_axis())), Some(plane(Vector3::x_axis())));
         let (before, after) = ([here.tip], [there.tip]);
         let curve = |points, axis| Event::Spline(Spline { knots: &[0.0], points, axis, feed: None });
@@ -171,10 +179,10 @@ mod tests {
         assert_eq!(setting.event(&curve(&before, here.axis)), Some(curve(&after, here.axis)));
         let arc = |pose: Pose, centre| {
             let normal = Vector3::z_axis();
-            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle: 1.0, feed: None })
+            Event::Arc(Arc { start: pose, end: pose, centre, normal, angle_rad: 1.0, feed: None })
         };
         assert_eq!(setting.event(&arc(here, Point3::origin())), Some(arc(there, Point3::new(30., 0., 40.))));
-        let plane = Plane { normal: Vector3::z_axis(), distance: 7.0 };
+        let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 7.0 };
         assert!(lifted(Event::ClearancePlane(plane)), "the geometry stays");
     }
 }

@@ -28,7 +28,7 @@ fn feed(x: f64, axis: [f64; 3]) -> Event<'static> {
 fn hole(x: f64, axis: [f64; 3]) -> Event<'static> {
     let (drilling, feed) = (Drilling::Drill, Some(Feed::PerMinute(100.0)));
     let top = pose(x, axis);
-    Event::Hole(Hole { top, depth: 5.0, clearance: 2.0, back_to: 2.0, drilling, feed, dwell: None })
+    Event::Hole(Hole { top, depth_mm: 5.0, clearance_mm: 2.0, return_mm: 2.0, drilling, feed, dwell: None })
 }
 
 fn tool(number: u32) -> Event<'static> {

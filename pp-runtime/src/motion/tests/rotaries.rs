@@ -183,7 +183,7 @@ fn an_axis_is_turned_back_a_whole_turn_out_of_the_part() {
 fn a_rewind_never_begins_by_going_down_to_the_clearance() {
     let mut config = config();
     config.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -3.2, upper: 3.2 }));
-    let plane = Plane { normal: Vector3::z_axis(), distance: 30.0 };
+    let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 30.0 };
     let mut events = vec![tool(1), spindle(), Event::ClearancePlane(plane)];
     events.extend([170.0, 183.0, 186.0].map(|angle| feed([10.0, 0.0, 60.0], cb(angle, 30.0))));
     let run = run::<Cb>(&config, &events);
@@ -456,28 +456,29 @@ fn a_spiral_of_forty_turns_is_written_within_a_turn() {
 
 #[test]
 fn the_table_turns_the_way_that_rotabl_asks_for() {
-    let after = |turning: Turning, last: Event<'static>| {
+    let after = |turning: RotaryDirection, last: Event<'static>| {
         let before = [tool(1), spindle(), feed([0.0; 3], cb(10.0, 30.0))];
-        [&before[..], &[Event::Turning(turning), last, Event::Turning(Turning::Shortest)]].concat()
+        [&before[..], &[Event::RotaryDirection(turning), last, Event::RotaryDirection(RotaryDirection::Shortest)]]
+            .concat()
     };
     let rotaries = |config: &Config, turning| {
         let run = run::<Cb>(config, &after(turning, rapid([0.0; 3], cb(40.0, 30.0))));
         assert_eq!(run.diagnostics, []);
         run.lines.into_iter().rfind(|line| line.starts_with("G0 C") || line.starts_with("C")).expect("a turn")
     };
-    assert_eq!(rotaries(&config(), Turning::Shortest), "G0 C40");
-    assert_eq!(rotaries(&config(), Turning::Next(Rotation::Clockwise)), "G0 C40");
-    assert_eq!(rotaries(&config(), Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
+    assert_eq!(rotaries(&config(), RotaryDirection::Shortest), "G0 C40");
+    assert_eq!(rotaries(&config(), RotaryDirection::Towards(Rotation::Clockwise)), "G0 C40");
+    assert_eq!(rotaries(&config(), RotaryDirection::Towards(Rotation::CounterClockwise)), "G0 C-320");
     // Where the axis is limited, the sense leads to a state inside, or nowhere.
     let mut limited = config();
     limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -6.0, upper: 1.0 }));
-    assert_eq!(rotaries(&limited, Turning::Next(Rotation::CounterClockwise)), "G0 C-320");
+    assert_eq!(rotaries(&limited, RotaryDirection::Towards(Rotation::CounterClockwise)), "G0 C-320");
     limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: -1.0, upper: 1.0 }));
-    let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], cb(40.0, 30.0)));
+    let events = after(RotaryDirection::Towards(Rotation::CounterClockwise), rapid([0.0; 3], cb(40.0, 30.0)));
     assert!(run::<Cb>(&limited, &events).error().text.contains("leads out of the limits"));
-    let events = after(Turning::Next(Rotation::CounterClockwise), feed([0.0; 3], cb(40.0, 30.0)));
+    let events = after(RotaryDirection::Towards(Rotation::CounterClockwise), feed([0.0; 3], cb(40.0, 30.0)));
     assert!(run::<Cb>(&config(), &events).error().text.contains("in front of a cut"));
-    let events = after(Turning::Next(Rotation::CounterClockwise), rapid([0.0; 3], UP));
+    let events = after(RotaryDirection::Towards(Rotation::CounterClockwise), rapid([0.0; 3], UP));
     assert!(
         run::<Head>(&with_lengths(Some(50.0)), &events).error().text.contains("no rotary axis stands in the table")
     );

@@ -476,7 +476,7 @@ fn a_rapid_is_written_as_the_configuration_wants_it() {
 
 #[test]
 fn a_tool_leaves_to_the_clearance_plane() {
-    let plane = Plane { normal: Vector3::z_axis(), distance: 80.0 };
+    let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 80.0 };
     let events =
         [Event::ClearancePlane(plane), tool(1), spindle(), feed([0.0; 3], UP), tool(2), feed([1.0, 0.0, 0.0], UP)];
     let lines = run::<Cb>(&config(), &events).lines;

@@ -13,8 +13,8 @@ fn a_head_does_not_post_without_the_length_of_the_tool() {
 #[test]
 fn a_head_refuses_two_lengths_and_a_table_only_warns() {
     let mut config = config();
-    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
-    let call = |length| Event::Tool(ToolCall { number: 1, length: Some(length), ..ToolCall::default() });
+    config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
+    let call = |length| Event::Tool(ToolCall { number: 1, length_mm: Some(length), ..ToolCall::default() });
     let events = |length| [call(length), spindle(), feed([0.0; 3], UP), feed([0.0, 0.0, 60.0], UP)];
     assert!(run::<Head>(&config, &events(100.02)).error().text.contains("100 mm long"));
     assert_eq!(run::<Head>(&config, &events(100.009)).diagnostics, []);
@@ -58,7 +58,7 @@ fn speed_and_direction_come_from_the_configuration_where_the_cl_data_gives_none(
     let mut config = config();
     config.motion.defaults.speed = Some(1000.0);
     config.motion.defaults.rotation = Some(Rotation::Clockwise);
-    config.set_up.tools.insert(1, GivenTool { speed: Some(2000.0), ..GivenTool::default() });
+    config.set_up.tools.insert(1, GivenTool { speed_rev_per_min: Some(2000.0), ..GivenTool::default() });
     let text = run::<Xyz>(&config, &[tool(1), feed([0.0; 3], UP), tool(2), feed([0.0; 3], UP)]).text();
     assert!(text.contains("S2000 M3") && text.contains("S1000 M3"), "{text}");
 }
@@ -68,7 +68,7 @@ fn spindle_speeds_that_make_no_sense_are_refused() {
     let mut config = config();
     config.motion.guards.spindle_max = Some(8000.0);
     let text = |config: &Config, speed, rotation| {
-        let on = Event::Spindle(Spindle::On { speed: Some(speed), rotation: Some(rotation) });
+        let on = Event::Spindle(Spindle::On { speed_rev_per_min: Some(speed), rotation: Some(rotation) });
         run::<Xyz>(config, &[tool(1), on, feed([0.0; 3], UP)]).diagnostics.first().map(|found| found.text.clone())
     };
     assert_eq!(text(&config, 8000.0, Rotation::Clockwise), None);
@@ -135,7 +135,7 @@ fn a_rapid_below_everything_that_was_cut_is_remarked_on() {
 
 #[test]
 fn a_tool_that_is_called_again_keeps_the_length_that_was_given_once() {
-    let call = |length| Event::Tool(ToolCall { number: 1, length, ..ToolCall::default() });
+    let call = |length| Event::Tool(ToolCall { number: 1, length_mm: length, ..ToolCall::default() });
     let events = |again| {
         let out = |x| feed([x, 0.0, 60.0], UP);
         [call(Some(120.0)), spindle(), feed([0.0; 3], UP), out(0.0), call(again), feed([0.0; 3], UP), out(0.0)]
@@ -157,7 +157,7 @@ fn a_direct_operation_has_its_speed_before_the_course_cuts_for_it() {
         feed([10.0, 0.0, 0.0], cb(160.0, 30.0)),
         feed([10.0, 0.0, 0.0], cb(170.0, 30.0)),
         Event::Operation(b"NEXT"),
-        Event::Spindle(Spindle::On { speed: Some(3000.0), rotation: Some(Rotation::Clockwise) }),
+        Event::Spindle(Spindle::On { speed_rev_per_min: Some(3000.0), rotation: Some(Rotation::Clockwise) }),
         Event::Coolant(Coolant::Flood),
         // The table reaches its limit on the way.
         feed([10.0, 0.0, 0.0], cb(190.0, 30.0)),
@@ -191,7 +191,7 @@ fn the_program_is_the_same_each_time() {
 
 #[test]
 fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
-    let call = |offset| Event::Tool(ToolCall { number: 1, offset, ..ToolCall::default() });
+    let call = |offset| Event::Tool(ToolCall { number: 1, length_offset: offset, ..ToolCall::default() });
     let cut = feed([0.0, 0.0, 0.0], UP);
     let events = [call(Some(5)), spindle(), cut, call(None), cut, call(Some(1)), cut, call(None), cut];
     let lines = lines::<Xyz>(&config(), &events);
@@ -201,7 +201,7 @@ fn a_tool_that_is_called_again_without_its_offset_register_keeps_it() {
 
 #[test]
 fn the_speed_of_one_tool_is_never_that_of_another() {
-    let on = Event::Spindle(Spindle::On { speed: None, rotation: None });
+    let on = Event::Spindle(Spindle::On { speed_rev_per_min: None, rotation: None });
     let cut = feed([0.0, 0.0, 0.0], UP);
     // Turned off and on again in the start in which the tool changes, and given to a tool that never moves.
     let again = [tool(1), spindle(), cut, Event::Stop, Event::Spindle(Spindle::Off), tool(2), on, cut];
@@ -258,7 +258,7 @@ fn nc_text_that_is_not_ascii_is_refused() {
 fn cutter_compensation_is_refused_until_it_is_said_what_d_holds() {
     let before = [tool(1), spindle(), feed([0.0; 3], UP)];
     let with = |event: Event<'static>| run::<Cb>(&config(), &[&before[..], &[event]].concat());
-    let asked = |side| with(Event::Compensation(Compensation { side, register: None, xy: true }));
+    let asked = |side| with(Event::Compensation(Compensation { side, register: None, in_xy_plane: true }));
     let refused = asked(CutterSide::Left);
     assert!(refused.error().text.contains("CUTCOM"));
     assert!(refused.error().help.as_ref().is_some_and(|help| help.contains("[compensation] path")));
@@ -290,7 +290,7 @@ fn a_frame_of_its_own_has_a_work_offset_of_its_own_where_no_table_turns() {
     let safety: Vec<&String> = lines.iter().filter(|line| line.contains("G17")).collect();
     assert!(safety[0].contains("G54") && safety[1].contains("G55"), "{safety:?}");
     // The clearance plane stays behind: in the other frame it would be another plane.
-    let plane = Plane { normal: Vector3::z_axis(), distance: 80.0 };
+    let plane = ClearancePlane { normal: Vector3::z_axis(), distance_mm: 80.0 };
     let mut above = vec![Event::ClearancePlane(plane)];
     above.extend(events);
     above.extend([tool(2), feed([1.0, 0.0, 0.0], UP)]);
@@ -320,7 +320,7 @@ fn the_posted_length_is_guarded_where_it_matters() {
     config.motion.guards.length_guard = Some(false);
     assert_eq!(guards(&run::<Head>(&config, &events)), 0);
     config.motion.guards.length_guard = None;
-    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), offset: Some(21), ..GivenTool::default() });
+    config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), offset: Some(21), ..GivenTool::default() });
     assert_eq!(guards(&run::<Head>(&config, &events)), 0, "the table of the tool says nothing about H21");
 }
 
@@ -331,7 +331,7 @@ fn in_a_dry_run_spindle_and_coolant_stay_off() {
         spindle(),
         Event::Coolant(Coolant::Flood),
         feed([0.0, 0.0, -5.0], UP),
-        Event::Spindle(Spindle::On { speed: Some(900.0), rotation: None }),
+        Event::Spindle(Spindle::On { speed_rev_per_min: Some(900.0), rotation: None }),
         feed([9.0, 0.0, -5.0], UP),
     ];
     let mut config = config();

@@ -13,7 +13,7 @@ fn linear_limits_are_machine_coordinates_that_count_the_gauge_length() {
     let mut config = config();
     config.set_up.machine_zero.insert('Z', -200.0);
     config.motion.approach.distance = 10.0;
-    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
+    config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
     let events = |z| [tool(1), spindle(), feed([0.0, 0.0, z], UP)];
     // -200 + z + 100 >= -300, and the approach point stays below Z0.
     assert_eq!(run::<Xyz>(&config, &events(-200.0)).diagnostics, []);
@@ -49,7 +49,7 @@ fn words_of_a_tilted_program_put_the_tip_within_half_a_unit_for_the_written_angl
         let run = run::<M>(config, &events);
         assert_eq!(run.diagnostics, []);
         let mut machine = config.set_up.machine::<M>().expect("valid");
-        machine.set_up(config.set_up.part_origin.into(), config.set_up.tools[&1].length.unwrap_or(0.0));
+        machine.set_up(config.set_up.part_origin.into(), config.set_up.tools[&1].length_mm.unwrap_or(0.0));
         let mut axes = M::HELD;
         let mut checked = 0;
         for line in run.lines.iter().filter(|line| !line.starts_with(['(', 'N', 'o']) && !line.contains("G53")) {
@@ -81,7 +81,7 @@ fn words_of_a_tilted_program_put_the_tip_within_half_a_unit_for_the_written_angl
     }
     let mut config = with_lengths(Some(10.0));
     config.set_up.part_origin = [3.0, -2.0, 50.0];
-    config.set_up.tools.insert(1, GivenTool { length: Some(123.456), ..GivenTool::default() });
+    config.set_up.tools.insert(1, GivenTool { length_mm: Some(123.456), ..GivenTool::default() });
     check::<Cb>(&config, |t| cb(300.0 * t, 10.0 + 50.0 * t));
     check::<Head>(&config, |t| [0.5 * t, 0.3 * (5.0 * t).sin(), 1.0]);
     check::<Ay>(&config, |t| [0.0, 0.5 * (6.0 * t).sin(), 1.0]);

@@ -1,4 +1,4 @@
-//! Records of motion: points, arcs, curves and holes.
+//! Interprets records of motion: points, arcs, curves and holes.
 
 use super::RecordInterpreter;
 use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon_fault};
@@ -10,7 +10,7 @@ use crate::cl::record::{
     ArcRecord, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point, TangentArc,
 };
 use crate::cl::text::{ClFault, Span};
-use crate::cl::vector::near;
+use crate::cl::vector::within_a_kilometre;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::{Arc, Event, Hole, Location, Move};
@@ -28,25 +28,25 @@ impl RecordInterpreter {
         }
     }
 
-    /// The pose of a point, in the workpiece frame.
+    /// Pose of a point, in the workpiece frame.
     fn pose(&mut self, point: &Point, here: Location) -> Result<Pose, ClFault> {
-        let unit = self.units.millimetres(point.at)?;
-        let tip = near(Point3::from(point.tip.map(|value| value * unit)), point.at)?;
+        let unit_mm = self.units.millimetres(point.at)?;
+        let tip = within_a_kilometre(Point3::from(point.tip.map(|value| value * unit_mm)), point.at)?;
         let (axis, normalised) = self.axis.at_point(point.axis, point.at)?;
         self.coordinates.set_up().check_axis(point.axis, point.at)?;
-        let pose = if self.plain {
+        let pose = if self.plain_goto {
             Pose { tip, axis }
         } else {
             let tip = self.coordinates.point(tip, point.at)?;
-            Pose { tip, axis: self.coordinates.changes().direction(axis) }
+            Pose { tip, axis: self.coordinates.transforms().direction(axis) }
         };
         self.axis.count(normalised, here);
         Ok(pose)
     }
 
-    /// The tip of a pose that may be programmed at the centre of the corner radius.
+    /// Pose of the tool tip, where the CL data may program the centre of the corner radius.
     fn tip(&self, pose: Pose, at: Span) -> Result<Pose, ClFault> {
-        if self.plain {
+        if self.plain_goto {
             return Ok(pose);
         }
         let tool = self.tool.current();
@@ -55,12 +55,12 @@ impl RecordInterpreter {
         if given.unwrap_or(self.options.cl_point) == ClPoint::Tip {
             return Ok(pose);
         }
-        let Some(radius) = tool.and_then(|tool| tool.corner_radius) else {
+        let Some(radius) = tool.and_then(|tool| tool.corner_radius_mm) else {
             return Err(ClFault::new(
                 "cl_point",
                 at,
                 "the CL data programs the centre of the corner radius, and the radius of this tool is unknown",
-                "give it with CUTTER or TLDATA in front of the tool call",
+                "program CUTTER or TLDATA before the tool call",
             ));
         };
         Ok(Pose { tip: pose.tip - pose.axis.into_inner() * radius, axis: pose.axis })
@@ -70,7 +70,7 @@ impl RecordInterpreter {
     fn start_at(&mut self, point: &Point, here: Location) -> Result<(), ClFault> {
         let pose = self.pose(point, here)?;
         self.path.start_at(pose);
-        self.votes.settle(None);
+        self.votes.conclude_arc(None);
         if !self.options.from_move {
             let pose = self.tip(pose, point.at)?;
             self.emit(here, Event::From(pose));
@@ -84,7 +84,7 @@ impl RecordInterpreter {
 
     /// GOTO.
     fn go_to(&mut self, point: &Point, here: Location) -> Result<(), ClFault> {
-        if self.plain {
+        if self.plain_goto {
             let motion = self.straight(point, here)?;
             self.emit(here, Event::Move(motion));
             return Ok(());
@@ -93,7 +93,7 @@ impl RecordInterpreter {
         self.move_to(pose, point.at, here)
     }
 
-    /// GOTO while nothing is open.
+    /// GOTO while no arc, curve or cycle is open and no transform is in force.
     #[inline]
     pub(crate) fn straight(&mut self, point: &Point, here: Location) -> Result<Move, ClFault> {
         let pose = self.pose(point, here)?;
@@ -101,32 +101,32 @@ impl RecordInterpreter {
         Ok(Move { pose, rapid, feed: self.path.feed() })
     }
 
-    /// A motion to a pose in the workpiece frame, whatever is open.
+    /// Motion to a pose in the workpiece frame: the end of an arc, a hole, or a straight motion.
     #[cold]
     fn move_to(&mut self, pose: Pose, at: Span, here: Location) -> Result<(), ClFault> {
-        near(pose.tip, at)?;
+        within_a_kilometre(pose.tip, at)?;
         if let Some(warning) = self.tool.compare(at) {
             self.events.warn(warning);
         }
         if let Some(circle) = self.arc.take_circle() {
             let done = self.end_circle(&circle, pose, at, here);
-            // What follows an arc that is refused counts from its end all the same.
+            // After a refused arc the position is its end, too.
             self.path.set_here(pose);
-            self.note_state();
+            self.update_plain_goto();
             return done;
         }
         if self.cycle.is_active() {
             return self.hole(pose, at, here);
         }
-        self.votes.settle(self.path.line_to(pose.tip));
+        self.votes.conclude_arc(self.path.line_to(pose.tip));
         let rapid = self.path.move_to(pose);
         let pose = self.tip(pose, at)?;
         self.emit(here, Event::Move(Move { pose, rapid, feed: self.path.feed() }));
-        self.note_state();
+        self.update_plain_goto();
         Ok(())
     }
 
-    /// A list of points; after a CIRCLE its last one is the end of the arc.
+    /// GOTO with a list of points; after a CIRCLE the last one is the end of the arc.
     fn go_along(&mut self, points: &Numbers<'_>, here: Location) -> Result<(), ClFault> {
         let Some(circle) = self.arc.circle() else {
             return points.points().try_for_each(|point| self.go_to(&point, here));
@@ -136,7 +136,7 @@ impl RecordInterpreter {
         self.go_to(&end, here).and(passed)
     }
 
-    /// The points of a list after a CIRCLE are on its arc, the last one at its end.
+    /// Checks that the points of a list after a CIRCLE lie on its arc.
     fn pass(
         &mut self,
         circle: &WaitingCircle,
@@ -153,8 +153,8 @@ impl RecordInterpreter {
                 return Err(ClFault::new(
                     "circle",
                     points.at,
-                    format!("a point of this list is not on the arc that it ends (circle of line {})", circle.line()),
-                    "check the arc in the CAM system; `--circle-sense` says which way round it goes",
+                    format!("a point of this list is not on its arc (circle of line {})", circle.line()),
+                    "check the arc in the CAM system; `--circle-sense` sets its sense",
                 ));
             }
         }
@@ -163,26 +163,26 @@ impl RecordInterpreter {
 
     /// GODLTA with three numbers.
     fn go_by(&mut self, point: &Point, here: Location) -> Result<(), ClFault> {
-        let unit = self.units.millimetres(point.at)?;
+        let unit_mm = self.units.millimetres(point.at)?;
         let from = self.path.position("GODLTA", point.at)?;
         let pose = self.pose(&Point { tip: [0.0; 3], ..*point }, here)?;
-        let step = self.coordinates.changes().vector(Vector3::from(point.tip.map(|value| value * unit)));
+        let step = self.coordinates.transforms().vector(Vector3::from(point.tip.map(|value| value * unit_mm)));
         self.move_to(Pose { tip: from.tip + step, axis: pose.axis }, point.at, here)
     }
 
     /// GODLTA with one number.
     fn go_along_axis(&mut self, distance: f64, at: Span, here: Location) -> Result<(), ClFault> {
-        let unit = self.units.millimetres(at)?;
+        let unit_mm = self.units.millimetres(at)?;
         let from = self.path.position("GODLTA", at)?;
         let known = self.axis.known(at)?;
-        let axis = self.coordinates.changes().direction(known);
-        self.move_to(Pose { tip: from.tip + axis.into_inner() * (distance * unit), axis }, at, here)
+        let axis = self.coordinates.transforms().direction(known);
+        self.move_to(Pose { tip: from.tip + axis.into_inner() * (distance * unit_mm), axis }, at, here)
     }
 
     /// GOHOME.
     fn go_home(&mut self, point: Option<&Point>, here: Location) -> Result<(), ClFault> {
         self.path.begin_home();
-        self.votes.settle(None);
+        self.votes.conclude_arc(None);
         let Some(point) = point else {
             self.path.forget_position();
             self.emit(here, Event::Home);
@@ -201,15 +201,15 @@ impl RecordInterpreter {
     fn retract(&mut self, here: Location) -> Result<(), ClFault> {
         let fault = |text, help| Err(ClFault::new("RETRCT", Span::WHOLE, text, help));
         let Some(plane) = self.path.clearance() else {
-            return fault("RETRCT goes to the clearance plane, and there is none", "give CLEARP before it");
+            return fault("RETRCT needs a clearance plane, and no CLEARP comes before it", "program CLEARP before it");
         };
         self.path.leave_hole();
         let from = self.path.position("RETRCT", Span::WHOLE)?;
         let along = from.axis.dot(&plane.normal);
         if along < 1e-3 {
-            return fault("the tool axis does not lead to the clearance plane", "check CLEARP");
+            return fault("RETRCT along the tool axis does not reach the clearance plane", "check CLEARP");
         }
-        let distance = (plane.distance - from.tip.coords.dot(&plane.normal)) / along;
+        let distance = (plane.distance_mm - from.tip.coords.dot(&plane.normal)) / along;
         let is_above = distance <= 0.0;
         self.path.set_rapid(!is_above);
         if is_above {
@@ -223,7 +223,7 @@ impl RecordInterpreter {
             ArcRecord::Circle(circle) => self.open_circle(circle, here)?,
             ArcRecord::AutomaticPlane => self.arc.begin_tangent(),
             ArcRecord::Direction { vector, at } => {
-                let direction = self.coordinates.changes().vector(Vector3::from(*vector));
+                let direction = self.coordinates.transforms().vector(Vector3::from(*vector));
                 self.arc.set_direction(direction, *at)?;
             }
             ArcRecord::TangentArc(arc) => self.tangent_arc(arc, here)?,
@@ -233,32 +233,37 @@ impl RecordInterpreter {
 
     /// CIRCLE, MOVARC.
     fn open_circle(&mut self, circle: &CircleRecord, here: Location) -> Result<(), ClFault> {
-        let unit = self.units.millimetres(circle.at)?;
+        let unit_mm = self.units.millimetres(circle.at)?;
         if self.path.take_rapid() {
             return Err(ClFault::new(
                 "circle",
                 Span::WHOLE,
-                "RAPID stands before a circle: no control runs an arc at rapid",
-                "give the arc a feed",
+                "RAPID before a circle: no control runs an arc at rapid",
+                "program a feed for the arc",
             ));
         }
         self.path.position("CIRCLE", circle.at)?;
-        let changes = self.coordinates.changes();
-        let waiting = WaitingCircle::new(circle, unit, changes, self.options.circle_sense, here.line)?;
+        let transforms = self.coordinates.transforms();
+        let waiting = WaitingCircle::new(circle, unit_mm, transforms, self.options.circle_sense, here.line)?;
         self.arc.open_circle(waiting);
         Ok(())
     }
 
-    /// The GOTO after a circle.
+    /// Queues the arc that a GOTO after CIRCLE or MOVARC ends.
     fn end_circle(&mut self, circle: &WaitingCircle, end: Pose, at: Span, here: Location) -> Result<(), ClFault> {
         if self.path.take_rapid() {
-            return Err(ClFault::new("circle", at, "RAPID stands before the end of an arc", "give the arc a feed"));
+            return Err(ClFault::new(
+                "circle",
+                at,
+                "RAPID before the end of an arc: no control runs an arc at rapid",
+                "program a feed for the arc",
+            ));
         }
         let start = self.path.position("CIRCLE", at)?;
         let arc = arc_of(circle, &start, &end, self.path.feed(), at)?;
         let line = self.path.line_before(start.tip);
         let frame = self.coordinates.workpiece().number();
-        self.votes.arc(&arc, circle.axis(), line, frame, here);
+        self.votes.add_arc(&arc, circle.axis(), line, frame, here);
         self.write_arc(arc, at, here)
     }
 
@@ -276,16 +281,16 @@ impl RecordInterpreter {
     /// TLON of CATIA.
     fn tangent_arc(&mut self, record: &TangentArc, here: Location) -> Result<(), ClFault> {
         let at = record.at;
-        let unit = self.units.millimetres(at)?;
+        let unit_mm = self.units.millimetres(at)?;
         let start = self.path.position("TLON", at)?;
         if self.path.take_rapid() {
-            return Err(tlon_fault(at, "RAPID stands before an arc".into()));
+            return Err(tlon_fault(at, "RAPID before an arc: no control runs an arc at rapid".into()));
         }
         let direction = self.arc.end_tangent(at)?;
-        let scale = (unit, self.coordinates.changes());
+        let scale = (unit_mm, self.coordinates.transforms());
         let (circle, end) = tangent_circle(record, &start, direction, scale, here.line)?;
         let arc = arc_of(&circle, &start, &Pose { tip: end, axis: start.axis }, self.path.feed(), at)?;
-        self.votes.settle(None);
+        self.votes.conclude_arc(None);
         self.write_arc(arc, at, here)
     }
 
@@ -303,7 +308,12 @@ impl RecordInterpreter {
 
     fn open_curve(&mut self, here: Location) -> Result<(), ClFault> {
         if self.path.take_rapid() {
-            return Err(ClFault::new("NURBS", Span::WHOLE, "RAPID stands before a curve", "give the curve a feed"));
+            return Err(ClFault::new(
+                "NURBS",
+                Span::WHOLE,
+                "RAPID before a curve: it needs a feed",
+                "program a feed for the curve",
+            ));
         }
         let start = self.path.position("NURBS", Span::WHOLE)?;
         let tip = self.tip(start, Span::WHOLE)?.tip;
@@ -314,9 +324,9 @@ impl RecordInterpreter {
     fn take_control_point(&mut self, point: &Point) -> Result<(), ClFault> {
         self.curve.check_open("CNTRL", point.at)?;
         let start = self.path.position("CNTRL", point.at)?;
-        let unit = self.units.millimetres(point.at)?;
-        let tip = near(Point3::from(point.tip.map(|value| value * unit)), point.at)?;
-        // The axis is held.
+        let unit_mm = self.units.millimetres(point.at)?;
+        let tip = within_a_kilometre(Point3::from(point.tip.map(|value| value * unit_mm)), point.at)?;
+        // The tool axis is constant along a curve.
         let pose = Pose { tip: self.coordinates.point(tip, point.at)?, axis: start.axis };
         let shifted = self.tip(pose, point.at)?;
         self.curve.add_point(shifted.tip);
@@ -324,12 +334,12 @@ impl RecordInterpreter {
         Ok(())
     }
 
-    /// The record after a curve completes it.
+    /// Completes a curve; the record after it ends it.
     pub(crate) fn close_curve(&mut self) -> Result<(), ClFault> {
         let closed = self.curve.close();
         self.path.forget_line();
-        self.votes.settle(None);
-        self.note_state();
+        self.votes.conclude_arc(None);
+        self.update_plain_goto();
         let at = closed?;
         self.path.count_motion();
         self.push(at, QueuedEvent::Spline);
@@ -348,7 +358,7 @@ impl RecordInterpreter {
 
     fn define_cycle(&mut self, cycle: &CycleCall) -> Result<(), ClFault> {
         self.cycle.begin_definition();
-        self.votes.settle(None);
+        self.votes.conclude_arc(None);
         let known = self.options.cycle_args.iter().find(|(kind, _)| *kind == cycle.kind);
         let args = known.map(|(_, args)| args.as_slice());
         let named = holes::with_names(cycle, args)?;
@@ -359,32 +369,40 @@ impl RecordInterpreter {
             }
             None => None,
         };
-        let unit = self.units.millimetres(cycle.at)?;
+        let unit_mm = self.units.millimetres(cycle.at)?;
         let initial = self.cycle.take_initial();
-        let context = CycleContext { dialect: self.dialect(), unit, initial, args, feed };
+        let context = CycleContext { dialect: self.dialect(), unit_mm, initial, args, feed };
         let definition = holes::define(cycle, &context)?;
         let before = self.path.here().map(|pose| pose.tip);
         self.cycle.begin_holes(definition, before, cycle.at)
     }
 
-    /// A point under a cycle.
+    /// GOTO while a cycle is active.
     fn hole(&mut self, top: Pose, at: Span, here: Location) -> Result<(), ClFault> {
         self.path.begin_hole();
-        // The record was refused: so are its holes, silently.
+        // The record of the cycle was refused with a message, so its holes need none.
         let Some(cycle) = self.cycle.definition() else {
             self.path.set_here(top);
             return Ok(());
         };
         let back_to = self.cycle.return_level(&cycle, &top, at)?;
-        near(top.tip - top.axis.into_inner() * cycle.depth, at)?;
-        let above = near(top.tip + top.axis.into_inner() * back_to, at)?;
+        within_a_kilometre(top.tip - top.axis.into_inner() * cycle.depth_mm, at)?;
+        let above = within_a_kilometre(top.tip + top.axis.into_inner() * back_to, at)?;
         self.path.end_hole(Pose { tip: above, ..top });
         let top = self.tip(top, at)?;
-        let (depth, clearance) = (cycle.depth, cycle.clearance);
+        let (depth, clearance) = (cycle.depth_mm, cycle.clearance_mm);
         let feed = cycle.feed.or(self.path.feed());
         self.emit(
             here,
-            Event::Hole(Hole { top, depth, clearance, back_to, drilling: cycle.drilling, feed, dwell: cycle.dwell }),
+            Event::Hole(Hole {
+                top,
+                depth_mm: depth,
+                clearance_mm: clearance,
+                return_mm: back_to,
+                drilling: cycle.drilling,
+                feed,
+                dwell: cycle.dwell,
+            }),
         );
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! Records of coordinates, tools and the machine.
+//! Interprets records of coordinates, tools and machine state.
 
 use super::RecordInterpreter;
 use crate::cl::dialect::Dialect;
@@ -11,8 +11,8 @@ use crate::cl::record::{
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Compensation, Dwell, Event, Location, Units};
 
-/// Longer waits are no intention, seconds.
-const LONG_DELAY: f64 = 10.0;
+/// Longest dwell that is not warned of, seconds.
+const LONG_DELAY_S: f64 = 10.0;
 
 impl RecordInterpreter {
     pub(crate) fn take_coordinates(&mut self, record: &CoordinateRecord, here: Location) -> Result<(), ClFault> {
@@ -33,12 +33,12 @@ impl RecordInterpreter {
             }
             CoordinateRecord::Translation { by, at } => self.take_translation(by, at)?,
             CoordinateRecord::Transformation { matrix, at } => {
-                let unit = self.units.millimetres(at)?;
-                self.coordinates.set_tracut(matrix, unit, at)?;
+                let unit_mm = self.units.millimetres(at)?;
+                self.coordinates.set_tracut(matrix, unit_mm, at)?;
             }
             CoordinateRecord::ClearancePlane { normal, distance, at } => {
-                let unit = self.units.millimetres(at)?;
-                let plane = self.coordinates.plane(normal, distance, unit, at)?;
+                let unit_mm = self.units.millimetres(at)?;
+                let plane = self.coordinates.plane(normal, distance, unit_mm, at)?;
                 self.path.set_clearance(plane);
                 self.emit(here, Event::ClearancePlane(plane));
             }
@@ -55,8 +55,8 @@ impl RecordInterpreter {
 
     fn in_millimetres(&mut self, lengths: Option<[f64; 3]>) -> Result<Option<[f64; 3]>, ClFault> {
         let Some(lengths) = lengths else { return Ok(None) };
-        let unit = self.units.millimetres(Span::WHOLE)?;
-        Ok(Some(lengths.map(|value| value * unit)))
+        let unit_mm = self.units.millimetres(Span::WHOLE)?;
+        Ok(Some(lengths.map(|value| value * unit_mm)))
     }
 
     fn take_translation(&mut self, by: Option<[f64; 3]>, at: Span) -> Result<(), ClFault> {
@@ -64,8 +64,8 @@ impl RecordInterpreter {
             return Err(ClFault::new(
                 "TRANS",
                 at,
-                "TRANS of Creo belongs to output in the frame of each sequence, which is not known",
-                "have Creo write its CL data in the machine coordinate system, without TRANS",
+                "TRANS of Creo is refused: it belongs to output in the frame of each sequence, which the file does not state",
+                "have Creo output its CL data in the machine coordinate system, without TRANS",
             ));
         }
         let by = self.in_millimetres(by)?;
@@ -86,7 +86,7 @@ impl RecordInterpreter {
                 self.coordinates.map_frame();
                 self.emit(here, Event::SafeSequence);
             }
-            // A frame that differs is refused before it gets here.
+            // `Refuse` was handled in `take_frame`: a frame that differs is an error there.
             Frames::Offset | Frames::Refuse => {
                 self.path.change_frame();
                 let number = self.coordinates.workpiece().number();
@@ -101,7 +101,7 @@ impl RecordInterpreter {
         self.coordinates.set_up().check_world(record.at)?;
         let frame = self.stated_frame(record, here)?;
         if self.coordinates.take_set_up(frame) {
-            // The tool may turn: out of the part first.
+            // The tool axis may change: retract from the part first.
             self.begin_operation();
             self.emit(here, Event::SafeSequence);
         }
@@ -137,9 +137,9 @@ impl RecordInterpreter {
     }
 
     fn cutter_in_millimetres(&mut self, cutter: &CutterRecord) -> Result<CutterRecord, ClFault> {
-        let unit = self.units.millimetres(Span::WHOLE)?;
-        let corner_radius = cutter.corner_radius.map(|radius| radius * unit);
-        Ok(CutterRecord { diameter: cutter.diameter * unit, corner_radius })
+        let unit_mm = self.units.millimetres(Span::WHOLE)?;
+        let corner_radius = cutter.corner_radius.map(|radius| radius * unit_mm);
+        Ok(CutterRecord { diameter: cutter.diameter * unit_mm, corner_radius })
     }
 
     fn call_tool(&mut self, tool: &ToolCallRecord, here: Location) -> Result<(), ClFault> {
@@ -147,7 +147,7 @@ impl RecordInterpreter {
             Some(length) => Some(length * self.units.millimetres(Span::WHOLE)?),
             None => None,
         };
-        self.let_go();
+        self.emit_held_tool();
         self.begin_operation();
         self.tool.call(tool, length, here);
         Ok(())
@@ -165,35 +165,40 @@ impl RecordInterpreter {
             MachineRecord::Coolant(coolant) => self.emit(here, Event::Coolant(coolant)),
             MachineRecord::Compensation { side, register, plane } => {
                 let xy = plane.is_none_or(|plane| plane == AxisPlane::Xy);
-                self.emit(here, Event::Compensation(Compensation { side, register, xy }));
+                self.emit(here, Event::Compensation(Compensation { side, register, in_xy_plane: xy }));
             }
             MachineRecord::Delay { dwell, at } => self.delay(dwell, at, here),
             MachineRecord::Tolerance { value, at } => self.take_tolerance(value, at, here)?,
-            MachineRecord::Turning(turning) => self.emit(here, Event::Turning(turning)),
+            MachineRecord::RotaryDirection(turning) => self.emit(here, Event::RotaryDirection(turning)),
         }
         Ok(())
     }
 
     fn delay(&mut self, dwell: Dwell, at: Span, here: Location) {
         if let Dwell::Seconds(seconds) = dwell
-            && seconds > LONG_DELAY
+            && seconds > LONG_DELAY_S
         {
             self.events.warn(ClFault::new(
-                "long wait",
+                "long dwell",
                 at,
-                format!("a wait of {seconds} seconds"),
-                "DELAY counts seconds: check whether turns or milliseconds were meant",
+                format!("a dwell of {seconds} seconds is unusually long"),
+                "DELAY is in seconds: check whether revolutions or milliseconds are meant",
             ));
         }
         self.emit(here, Event::Delay(dwell));
     }
 
     fn take_tolerance(&mut self, value: Option<f64>, at: Span, here: Location) -> Result<(), ClFault> {
-        let unit = self.units.millimetres(at)?;
+        let unit_mm = self.units.millimetres(at)?;
         if value.is_some_and(|value| value <= 0.0) {
-            return Err(ClFault::new("LINTOL", at, "a tolerance is above 0", "LINTOL/OFF takes it back"));
+            return Err(ClFault::new(
+                "LINTOL",
+                at,
+                "LINTOL must be above 0",
+                "LINTOL/OFF restores the configured tolerance",
+            ));
         }
-        self.emit(here, Event::Tolerance(value.map(|value| value * unit)));
+        self.emit(here, Event::Tolerance(value.map(|value| value * unit_mm)));
         Ok(())
     }
 }

@@ -162,7 +162,14 @@ impl Wanted {
     fn event(&self) -> Event<'static> {
         let pose = |part: f64| Pose { tip: self.tip(part), axis: self.axis };
         let Self { centre, normal, angle, .. } = *self;
-        Event::Arc(Arc { start: pose(0.0), end: pose(1.0), centre, normal, angle, feed: Some(Feed::PerMinute(500.0)) })
+        Event::Arc(Arc {
+            start: pose(0.0),
+            end: pose(1.0),
+            centre,
+            normal,
+            angle_rad: angle,
+            feed: Some(Feed::PerMinute(500.0)),
+        })
     }
 
     fn events(&self) -> Vec<Event<'static>> {
@@ -175,7 +182,7 @@ impl Wanted {
 
 fn set_up(change: impl Fn(&mut Config)) -> Config {
     let mut config = config();
-    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
+    config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
     config.motion.retract.distance = Some(20.0);
     change(&mut config);
     config

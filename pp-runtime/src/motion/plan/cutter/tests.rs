@@ -13,14 +13,17 @@ const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn set_up(path: Option<CutterPath>) -> Config {
     let mut config = config();
-    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), diameter: Some(10.0), ..GivenTool::default() });
+    config
+        .set_up
+        .tools
+        .insert(1, GivenTool { length_mm: Some(100.0), diameter_mm: Some(10.0), ..GivenTool::default() });
     config.motion.retract.distance = Some(20.0);
     config.motion.compensation = path;
     config
 }
 
 fn asked(side: CutterSide) -> Event<'static> {
-    Event::Compensation(Compensation { side, register: None, xy: true })
+    Event::Compensation(Compensation { side, register: None, in_xy_plane: true })
 }
 
 /// A quarter about a centre, counter-clockwise.
@@ -30,7 +33,7 @@ fn quarter(start: [f64; 3], end: [f64; 3], centre: [f64; 3]) -> Event<'static> {
         end: pose(end, UP),
         centre: centre.into(),
         normal: nalgebra::UnitVector3::new_normalize(UP.into()),
-        angle: std::f64::consts::FRAC_PI_2,
+        angle_rad: std::f64::consts::FRAC_PI_2,
         feed: Some(Feed::PerMinute(500.0)),
     })
 }
@@ -112,7 +115,7 @@ fn each_control_has_its_words_and_its_register() {
 
 #[test]
 fn on_takes_the_side_and_the_register_that_were_given_last() {
-    let left = Event::Compensation(Compensation { side: CutterSide::Left, register: Some(7), xy: true });
+    let left = Event::Compensation(Compensation { side: CutterSide::Left, register: Some(7), in_xy_plane: true });
     let events = from_below(&[
         left,
         feed([0.0, 0.0, 0.0], UP),
@@ -204,7 +207,7 @@ fn a_lead_in_is_longer_than_the_radius_that_d_holds() {
 
 #[test]
 fn compensation_wants_the_plane_of_x_and_y_and_no_tip_control() {
-    let other = Event::Compensation(Compensation { side: CutterSide::Left, register: None, xy: false });
+    let other = Event::Compensation(Compensation { side: CutterSide::Left, register: None, in_xy_plane: false });
     assert!(refused(&from_below(&[other])).contains("plane of X and Y only"));
     let mut config = set_up(Some(CutterPath::Centre));
     config.motion.mode = Mode::Tcp;

@@ -16,7 +16,7 @@ const UP: [f64; 3] = [0.0, 0.0, 1.0];
 
 fn set_up(output: CycleOutput) -> Config {
     let mut config = config();
-    config.set_up.tools.insert(1, GivenTool { length: Some(100.0), ..GivenTool::default() });
+    config.set_up.tools.insert(1, GivenTool { length_mm: Some(100.0), ..GivenTool::default() });
     config.motion.retract.distance = Some(20.0);
     config.motion.cycles.output = output;
     config
@@ -24,7 +24,15 @@ fn set_up(output: CycleOutput) -> Config {
 
 fn hole(top: [f64; 3], drilling: Drilling, back_to: f64, dwell: Option<Dwell>) -> Event<'static> {
     let feed = Some(Programmed::PerMinute(100.0));
-    Event::Hole(Hole { top: pose(top, UP), depth: 5.0, clearance: 2.0, back_to, drilling, feed, dwell })
+    Event::Hole(Hole {
+        top: pose(top, UP),
+        depth_mm: 5.0,
+        clearance_mm: 2.0,
+        return_mm: back_to,
+        drilling,
+        feed,
+        dwell,
+    })
 }
 
 /// A program that begins with a cut to a point.
@@ -65,14 +73,14 @@ fn a_hole_is_drilled_at_feed_and_left_at_rapid() {
 
 #[test]
 fn deep_holes_are_cleared_after_each_step_and_chips_broken_without() {
-    let found = heights([1.0, 0.0, 2.0], Drilling::Peck { first: 3.0, later: 1.5 }, 2.0, None);
+    let found = heights([1.0, 0.0, 2.0], Drilling::Peck { first_mm: 3.0, later_mm: 1.5 }, 2.0, None);
     let expected = [-3.0, 2.0, -2.5, -4.5, 2.0, -4.0, -5.0, 2.0];
     assert_eq!(found.iter().map(|(height, _)| *height).collect::<Vec<_>>(), expected);
     assert_eq!(
         found.iter().map(|(_, fast)| !fast).collect::<Vec<_>>(),
         expected.map(|height| [-3.0, -4.5, -5.0].contains(&height))
     );
-    let found = heights([1.0, 0.0, 2.0], Drilling::ChipBreak { step: 2.0, back: Some(0.3) }, 2.0, None);
+    let found = heights([1.0, 0.0, 2.0], Drilling::ChipBreak { step_mm: 2.0, retract_mm: Some(0.3) }, 2.0, None);
     assert_eq!(found.iter().map(|(height, _)| *height).collect::<Vec<_>>(), [-2.0, -1.7, -4.0, -3.7, -5.0, 2.0]);
 }
 
@@ -109,14 +117,14 @@ fn what_a_cycle_cannot_say_is_expanded() {
     };
     let waits = Some(Dwell::Seconds(0.5));
     assert_eq!(cycle(Drilling::Drill, waits), "G99 G82 X1 Y2 Z-5 R2 P0.5 F100");
-    assert_eq!(cycle(Drilling::Peck { first: 2.0, later: 2.0 }, None), "G99 G83 X1 Y2 Z-5 R2 Q2 F100");
-    assert_eq!(cycle(Drilling::ChipBreak { step: 2.0, back: None }, None), "G99 G73 X1 Y2 Z-5 R2 Q2 F100");
+    assert_eq!(cycle(Drilling::Peck { first_mm: 2.0, later_mm: 2.0 }, None), "G99 G83 X1 Y2 Z-5 R2 Q2 F100");
+    assert_eq!(cycle(Drilling::ChipBreak { step_mm: 2.0, retract_mm: None }, None), "G99 G73 X1 Y2 Z-5 R2 Q2 F100");
     assert_eq!(cycle(Drilling::Ream, None), "G99 G85 X1 Y2 Z-5 R2 F100");
     assert_eq!(cycle(Drilling::Ream, waits), "G99 G89 X1 Y2 Z-5 R2 P0.5 F100");
     for (drilling, dwell) in [
-        (Drilling::Peck { first: 3.0, later: 2.0 }, None),
-        (Drilling::Peck { first: 2.0, later: 2.0 }, waits),
-        (Drilling::ChipBreak { step: 2.0, back: Some(0.3) }, None),
+        (Drilling::Peck { first_mm: 3.0, later_mm: 2.0 }, None),
+        (Drilling::Peck { first_mm: 2.0, later_mm: 2.0 }, waits),
+        (Drilling::ChipBreak { step_mm: 2.0, retract_mm: Some(0.3) }, None),
     ] {
         assert_eq!(cycle(drilling, dwell), "G0 X1 Y2", "{drilling:?}");
     }
@@ -124,13 +132,13 @@ fn what_a_cycle_cannot_say_is_expanded() {
 
 #[test]
 fn a_thread_follows_the_spindle_and_is_never_expanded() {
-    let tap = |pitch| hole([1.0, 2.0, 0.0], Drilling::Tap { pitch }, 9.0, None);
+    let tap = |pitch| hole([1.0, 2.0, 0.0], Drilling::Tap { pitch_mm: pitch }, 9.0, None);
     let events = behind([0.0, 0.0, 9.0], &[tap(Some(1.25))]);
     let found = lines(&set_up(CycleOutput::Native), &events);
     assert_eq!(found[..4], ["G0 X1 Y2", "Z2", "G33.1 Z-5 K1.25", "G0 Z9"]);
     let refused = |config: &Config, events: &[Event<'_>]| run::<Xyz>(config, events).error().text.clone();
     assert!(refused(&set_up(CycleOutput::Expanded), &events).contains("a thread needs"));
-    let waiting = hole([1.0, 2.0, 0.0], Drilling::Tap { pitch: Some(1.0) }, 9.0, Some(Dwell::Seconds(1.0)));
+    let waiting = hole([1.0, 2.0, 0.0], Drilling::Tap { pitch_mm: Some(1.0) }, 9.0, Some(Dwell::Seconds(1.0)));
     assert!(refused(&set_up(CycleOutput::Native), &behind([0.0, 0.0, 9.0], &[waiting])).contains("does not wait"));
     // Without a pitch the feed says it: 100 mm/min at 8000 turns.
     let found = lines(&set_up(CycleOutput::Native), &behind([0.0, 0.0, 9.0], &[tap(None)]));
@@ -139,7 +147,7 @@ fn a_thread_follows_the_spindle_and_is_never_expanded() {
 
 #[test]
 fn the_way_to_a_thread_is_no_other_hole_of_the_cycle_before() {
-    let tap = hole([9.0, 2.0, 0.0], Drilling::Tap { pitch: Some(1.0) }, 2.0, None);
+    let tap = hole([9.0, 2.0, 0.0], Drilling::Tap { pitch_mm: Some(1.0) }, 2.0, None);
     let events = behind([0.0, 0.0, 2.0], &[hole([1.0, 2.0, 0.0], Drilling::Drill, 2.0, None), tap]);
     let found = lines(&set_up(CycleOutput::Native), &events);
     assert_eq!(found[..4], ["G99 G81 X1 Y2 Z-5 R2 F100", "G80", "G0 X9", "Z2"]);
@@ -147,7 +155,7 @@ fn the_way_to_a_thread_is_no_other_hole_of_the_cycle_before() {
 
 #[test]
 fn a_hole_with_too_many_steps_is_refused() {
-    let dust = hole([0.0; 3], Drilling::Peck { first: 1e-6, later: 1e-6 }, 2.0, None);
+    let dust = hole([0.0; 3], Drilling::Peck { first_mm: 1e-6, later_mm: 1e-6 }, 2.0, None);
     let run = run::<Xyz>(&set_up(CycleOutput::Expanded), &behind([0.0, 0.0, 9.0], &[dust]));
     assert!(run.error().text.contains("more than 10000 steps"), "{:?}", run.error());
 }
@@ -158,7 +166,7 @@ fn on_a_head_only_holes_along_z_are_cycles() {
         let top = pose([1.0, 2.0, -60.0], axis);
         let feed = Some(Programmed::PerMinute(100.0));
         let (depth, clearance, drilling) = (5.0, 2.0, Drilling::Drill);
-        let hole = Hole { top, depth, clearance, back_to: 2.0, drilling, feed, dwell: None };
+        let hole = Hole { top, depth_mm: depth, clearance_mm: clearance, return_mm: 2.0, drilling, feed, dwell: None };
         let run = run::<Head>(&set_up(CycleOutput::Native), &[tool(1), spindle(), Event::Hole(hole)]);
         assert_eq!(run.diagnostics, []);
         run.statistics.cycles
@@ -244,7 +252,15 @@ fn any_hole() -> impl Strategy<Value = Event<'static>> {
         |(x, y, z, clearance, above, drilling, dwell)| {
             let feed = Some(Programmed::PerMinute(100.0));
             let top = pose([x, y, z], UP);
-            Event::Hole(Hole { top, depth: 4.0, clearance, back_to: clearance + above, drilling, feed, dwell })
+            Event::Hole(Hole {
+                top,
+                depth_mm: 4.0,
+                clearance_mm: clearance,
+                return_mm: clearance + above,
+                drilling,
+                feed,
+                dwell,
+            })
         },
     )
 }
@@ -337,16 +353,16 @@ fn kind(control: &dyn Control, drilling: Drilling, dwell: Option<Dwell>) -> Opti
 #[test]
 fn steps_that_are_those_of_the_control_are_left_to_it() {
     let waits = Some(Dwell::Seconds(0.5));
-    let peck = |step: f64| Drilling::Peck { first: step, later: step };
-    let chips = |step: f64| Drilling::ChipBreak { step, back: Some(0.3) };
+    let peck = |step: f64| Drilling::Peck { first_mm: step, later_mm: step };
+    let chips = |step: f64| Drilling::ChipBreak { step_mm: step, retract_mm: Some(0.3) };
     let native = |control: &dyn Control| {
         [(peck(2.5), None), (peck(2.0), None), (peck(2.5), waits), (chips(2.5), None), (chips(2.0), None)]
             .map(|(drilling, dwell)| kind(control, drilling, dwell).is_some())
     };
     assert_eq!(native(&Siemens), [true, false, true, true, false]);
     assert_eq!(native(&Heidenhain), [true, true, false, true, true]);
-    let uneven = Drilling::Peck { first: 3.0, later: 2.0 };
-    let too_far = Drilling::ChipBreak { step: 2.5, back: Some(4.6) };
+    let uneven = Drilling::Peck { first_mm: 3.0, later_mm: 2.0 };
+    let too_far = Drilling::ChipBreak { step_mm: 2.5, retract_mm: Some(4.6) };
     for control in [&Siemens as &dyn Control, &Heidenhain] {
         assert_eq!(kind(control, peck(2.5), None), Some(CannedKind::Peck { step: 2500, gap: 500 }));
         assert_eq!(kind(control, chips(2.5), None), Some(CannedKind::ChipBreak { step: 2500, gap: 300 }));
@@ -365,24 +381,24 @@ fn a_wait_that_is_too_long_for_a_cycle_is_written_behind_motions() {
 
 #[test]
 fn the_pitch_of_a_thread_has_the_digits_of_the_control() {
-    let pitch = |control, pitch| match kind(control, Drilling::Tap { pitch: Some(pitch) }, None) {
+    let pitch = |control, pitch| match kind(control, Drilling::Tap { pitch_mm: Some(pitch) }, None) {
         Some(CannedKind::Tap { pitch, .. }) => pitch.value(),
         _ => f64::NAN,
     };
     let eighteen = 25.4 / 18.0;
     assert!((pitch(&Siemens, eighteen) - 1.411_111).abs() < 1e-9);
     assert!((pitch(&Heidenhain, eighteen) - 1.4111).abs() < 1e-9);
-    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.0103) }, 2.0, None)]);
+    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.0103) }, 2.0, None)]);
     let refused = |control: &dyn Control| {
         let (found, _) = plan::<Xyz>(control, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
         found.into_iter().find(|found| found.severity == Severity::Error).map(|found| found.text)
     };
     assert_eq!(refused(&Heidenhain), None);
-    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(0.010_33) }, 2.0, None)]);
+    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(0.010_33) }, 2.0, None)]);
     let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
     // 1.25 mm in inches: with four decimals 1.249 68 mm would be cut.
-    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch: Some(1.25 / 25.4) }, 2.0, None)]);
+    let events = behind([0.0, 0.0, 2.0], &[hole([0.0; 3], Drilling::Tap { pitch_mm: Some(1.25 / 25.4) }, 2.0, None)]);
     let (found, _) = plan::<Xyz>(&Heidenhain, &set_up(CycleOutput::Native), &events, &mut crate::motion::Nowhere);
     assert!(found[0].text.contains("has too many digits"), "{found:?}");
 }
@@ -392,9 +408,10 @@ fn any_steps() -> impl Strategy<Value = Drilling> {
     prop_oneof![
         Just(Drilling::Drill),
         Just(Drilling::Ream),
-        step().prop_map(|step| Drilling::Peck { first: step, later: step }),
-        (step(), step()).prop_map(|(first, later)| Drilling::Peck { first, later }),
-        (step(), prop::option::of(step())).prop_map(|(step, back)| Drilling::ChipBreak { step, back }),
+        step().prop_map(|step| Drilling::Peck { first_mm: step, later_mm: step }),
+        (step(), step()).prop_map(|(first, later)| Drilling::Peck { first_mm: first, later_mm: later }),
+        (step(), prop::option::of(step()))
+            .prop_map(|(step, back)| Drilling::ChipBreak { step_mm: step, retract_mm: back }),
     ]
 }
 
