@@ -20,8 +20,8 @@
 //! DTS, FRF, VARI (1 retract out of the hole, 0 chip breaking), _AXN, _MDEP, _VRT (retract distance), _DTD (dwell at
 //! the bottom), _DIS1 (distance above the last depth after a retract). `CYCLE85` adds DPR, DTB, FFR, RFF. `CYCLE84`
 //! adds DPR, DTB, SDAC (sense of rotation after the cycle), MPIT, PIT (negative: left-hand), POSS, SST, SST1, _AXN,
-//! _PITA (1 mm, 3 inches). `CYCLE83` divides the rest before the last two steps in halves, so it is only used for whole
-//! steps.
+//! _PITA (1 mm, 3 inches). `CYCLE83` divides the depth that is left for the last two steps equally between them, so it
+//! is only used for whole steps.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
