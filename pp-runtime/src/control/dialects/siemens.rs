@@ -90,7 +90,7 @@ static SPELLINGS: Spellings = Spellings {
         code: "D{offset}",
         call: LengthCall::Alone,
         off: "",
-        machine_ends: true,
+        cancelled_by_machine_coordinates: true,
         registers: Registers::Edges,
         address: "D",
     },
@@ -106,7 +106,7 @@ static SPELLINGS: Spellings = Spellings {
         with_length: None,
         off: &["TRAFOOF"],
         reset: &[],
-        ends_length: false,
+        cancels_length: false,
         posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
         // In ORIMKS they would be components in the machine frame.
         vectors: Some(ToolAxisWords {
