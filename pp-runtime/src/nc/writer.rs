@@ -100,7 +100,7 @@ impl<W: Write> Writer<W> {
                 self.next_number = if number > LAST_NUMBER - step.min(LAST_NUMBER) { step } else { number + step };
                 self.number("N", number);
             }
-            Numbering::EveryLine => self.count(),
+            Numbering::EveryLine => self.number_line(),
             Numbering::None => {
                 if let Some(number) = self.single_number.take() {
                     self.number("N", number);
@@ -110,7 +110,7 @@ impl<W: Write> Writer<W> {
     }
 
     /// Writes the number of a line, where every line has one.
-    fn count(&mut self) {
+    fn number_line(&mut self) {
         let number = self.next_number;
         self.next_number += 1;
         self.number("", number);
@@ -157,7 +157,7 @@ impl<W: Write> Writer<W> {
     /// Errors of the output.
     pub fn line(&mut self, text: &[u8]) -> io::Result<()> {
         if self.numbering == Numbering::EveryLine {
-            self.count();
+            self.number_line();
         }
         self.buffer.extend_from_slice(text);
         self.finish_line()

@@ -72,7 +72,7 @@ static SPELLINGS: Spellings = Spellings {
         with_length: Some("G43.4 H{offset} P{posture}"),
         off: &["G49"],
         reset: &[],
-        ends_length: true,
+        cancels_length: true,
         posture: ["0", "1"],
         vectors: Some(ToolAxisWords {
             words: ["I", "J", "K"],

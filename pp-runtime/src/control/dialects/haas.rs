@@ -64,7 +64,7 @@ static SPELLINGS: Spellings = Spellings {
         with_length: Some("G234 H{offset}"),
         off: &["G49"],
         reset: &[],
-        ends_length: true,
+        cancels_length: true,
         posture: ["", ""],
         vectors: None,
         frame_is_set: false,

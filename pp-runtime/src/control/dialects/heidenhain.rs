@@ -162,7 +162,7 @@ static SPELLINGS: Spellings = Spellings {
         code: "",
         call: LengthCall::WithTool,
         off: "",
-        machine_ends: false,
+        cancelled_by_machine_coordinates: false,
         registers: Registers::Rows,
         address: "",
     },
@@ -186,7 +186,7 @@ static SPELLINGS: Spellings = Spellings {
         with_length: None,
         off: &["FUNCTION RESET TCPM"],
         reset: &["FUNCTION RESET TCPM"],
-        ends_length: false,
+        cancels_length: false,
         posture: ["AXIS", "VECTOR"],
         vectors: Some(ToolAxisWords {
             words: ["TX", "TY", "TZ"],

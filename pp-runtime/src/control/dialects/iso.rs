@@ -97,7 +97,7 @@ impl LengthCodes {
         code: "G43 H{offset}",
         call: LengthCall::WithZ,
         off: "G49",
-        machine_ends: true,
+        cancelled_by_machine_coordinates: true,
         registers: Registers::Shared,
         address: "H",
     };

@@ -37,7 +37,12 @@ static SPELLINGS: Spellings = Spellings {
     }),
     preselect: false,
     // G43 moves nothing, and G53 leaves it in force.
-    length: LengthCodes { call: LengthCall::Alone, off: "", machine_ends: false, ..LengthCodes::ISO },
+    length: LengthCodes {
+        call: LengthCall::Alone,
+        off: "",
+        cancelled_by_machine_coordinates: false,
+        ..LengthCodes::ISO
+    },
     rotary_note: "the axes must not be wrapped (WRAPPED_ROTARY = 0)",
     ..Spellings::ISO
 };

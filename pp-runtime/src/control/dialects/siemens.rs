@@ -20,8 +20,8 @@
 //! DTS, FRF, VARI (1 retract out of the hole, 0 chip breaking), _AXN, _MDEP, _VRT (retract distance), _DTD (dwell at
 //! the bottom), _DIS1 (distance above the last depth after a retract). `CYCLE85` adds DPR, DTB, FFR, RFF. `CYCLE84`
 //! adds DPR, DTB, SDAC (sense of rotation after the cycle), MPIT, PIT (negative: left-hand), POSS, SST, SST1, _AXN,
-//! _PITA (1 mm, 3 inches). `CYCLE83` divides the rest before the last two steps in halves, so it is only used for whole
-//! steps.
+//! _PITA (1 mm, 3 inches). `CYCLE83` divides the depth that is left for the last two steps equally between them, so it
+//! is only used for whole steps.
 
 use crate::motion::{CycleAbilities, PlaneAngles, PoseRule, Registers};
 use crate::nc::Formats;
@@ -90,7 +90,7 @@ static SPELLINGS: Spellings = Spellings {
         code: "D{offset}",
         call: LengthCall::Alone,
         off: "",
-        machine_ends: true,
+        cancelled_by_machine_coordinates: true,
         registers: Registers::Edges,
         address: "D",
     },
@@ -106,7 +106,7 @@ static SPELLINGS: Spellings = Spellings {
         with_length: None,
         off: &["TRAFOOF"],
         reset: &[],
-        ends_length: false,
+        cancels_length: false,
         posture: ["ORIMKS ORIAXES", "ORIWKS ORIVECT"],
         // In ORIMKS they would be components in the machine frame.
         vectors: Some(ToolAxisWords {

@@ -225,7 +225,7 @@ pub struct LengthCodes {
     /// Code that cancels it in a block of machine coordinates.
     pub off: &'static str,
     /// A block of machine coordinates cancels it.
-    pub machine_ends: bool,
+    pub cancelled_by_machine_coordinates: bool,
     /// Meaning of the register.
     pub registers: Registers,
     /// Address of the register in the program header.
@@ -244,7 +244,7 @@ pub struct TipControlCodes {
     /// Blocks of a restart point in addition to those of `safety`.
     pub reset: &'static [&'static str],
     /// Switching it off also cancels the length offset, which must be called again.
-    pub ends_length: bool,
+    pub cancels_length: bool,
     /// Value of `{posture}`: the tool axis follows the rotary axes, or rotates in the plane of its start and end.
     pub posture: [&'static str; 2],
     /// Words for the tool axis as a vector; `None` if the control takes none.

@@ -43,7 +43,7 @@ impl FrameWriter {
         out.fill_all(if on { tip.on } else { tip.off })?;
         if let LengthState::On(register) = out.modal().length()
             && !on
-            && tip.ends_length
+            && tip.cancels_length
         {
             out.modal().set_length(LengthState::Pending(register));
         }

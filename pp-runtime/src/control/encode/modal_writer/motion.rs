@@ -57,7 +57,7 @@ impl<W: Write> ModalWriter<W> {
         self.smooth(false)?;
         self.select_xy_plane()?;
         let length = &self.codes.length;
-        if length.machine_ends {
+        if length.cancelled_by_machine_coordinates {
             if matches!(self.modal.length(), LengthState::On(_) | LengthState::Unknown) {
                 self.writer.code(length.off);
             }
