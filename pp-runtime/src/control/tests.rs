@@ -19,7 +19,7 @@ use crate::motion::{FeedWord, MAX_AXES, Mode, Step, Words};
 use crate::nc::Decimal;
 use crate::program::{Coolant, Rotation, Units};
 
-type Buffer<'b> = Encoder<'b, &'b mut Vec<u8>>;
+type Buffer<'b> = Encoder<'b>;
 
 fn layout() -> Layout {
     Layout {

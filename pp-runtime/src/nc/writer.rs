@@ -32,9 +32,8 @@ pub struct WrittenLine {
 }
 
 /// Writes blocks word by word; a block without words writes no line.
-#[derive(Debug)]
-pub struct Writer<W: Write> {
-    out: W,
+pub struct Writer<'a> {
+    out: &'a mut dyn Write,
     buffer: Vec<u8>,
     /// Start of the current block in the buffer.
     block: usize,
@@ -67,9 +66,9 @@ impl Journal {
     }
 }
 
-impl<W: Write> Writer<W> {
+impl<'a> Writer<'a> {
     /// A writer for a new program.
-    pub fn new(out: W, numbering: Numbering) -> Self {
+    pub fn new(out: &'a mut dyn Write, numbering: Numbering) -> Self {
         Self {
             out,
             buffer: Vec::with_capacity(PIECE + 4096),
@@ -213,7 +212,7 @@ mod tests {
         Decimal { units, decimals: 3 }
     }
 
-    fn written(numbering: Numbering, write: impl Fn(&mut Writer<&mut Vec<u8>>) -> io::Result<()>) -> String {
+    fn written(numbering: Numbering, write: impl Fn(&mut Writer<'_>) -> io::Result<()>) -> String {
         let mut out = Vec::new();
         let mut writer = Writer::new(&mut out, numbering);
         write(&mut writer).expect("memory takes everything");

@@ -1,7 +1,7 @@
 //! The account of a program: for each of its lines the record that it serves, why it is there, and where the machine
 //! stands behind it.
 
-use std::io::{self, Write};
+use std::io;
 
 use crate::control::Encoder;
 use crate::kinematics::{Branch, Pose};
@@ -59,23 +59,23 @@ impl Stand {
 }
 
 /// Hands steps to an encoder, and what it makes of them to an account, if one is kept.
-pub(crate) struct Recorded<'e, 'r, W: Write> {
-    encoder: Encoder<'e, W>,
+pub(crate) struct Recorded<'e, 'r> {
+    encoder: Encoder<'e>,
     account: Option<&'r mut dyn Account>,
     /// The record that was served last.
     at: Option<Location>,
     why: Why,
 }
 
-impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
-    pub(crate) fn new(mut encoder: Encoder<'e, W>, account: Option<&'r mut dyn Account>) -> Self {
+impl<'e, 'r> Recorded<'e, 'r> {
+    pub(crate) fn new(mut encoder: Encoder<'e>, account: Option<&'r mut dyn Account>) -> Self {
         if account.is_some() {
             encoder.keep_lines();
         }
         Self { encoder, account, at: None, why: Why::Head }
     }
 
-    pub(crate) fn encoder(&mut self) -> &mut Encoder<'e, W> {
+    pub(crate) fn encoder(&mut self) -> &mut Encoder<'e> {
         &mut self.encoder
     }
 
@@ -103,7 +103,7 @@ impl<'e, 'r, W: Write> Recorded<'e, 'r, W> {
     }
 }
 
-impl<W: Write> Sink for Recorded<'_, '_, W> {
+impl Sink for Recorded<'_, '_> {
     #[inline]
     fn step(&mut self, step: &Step<'_>, from: &Provenance<'_>) -> io::Result<()> {
         self.encoder.step(step, from)?;

@@ -1,6 +1,6 @@
 //! The head of a program: what it is for, what it was made from, and what was assumed.
 
-use std::io::{self, Write};
+use std::io;
 
 use crate::cl::{ArcVote, ClPoint, Frames, Insert};
 use crate::config::Config;
@@ -213,7 +213,7 @@ pub(crate) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
 }
 
 impl Header<'_> {
-    pub(crate) fn write<W: Write>(&self, assumptions: &[String], encoder: &mut Encoder<'_, W>) -> io::Result<()> {
+    pub(crate) fn write(&self, assumptions: &[String], encoder: &mut Encoder<'_>) -> io::Result<()> {
         encoder.open(self.blank().as_ref())?;
         let config = self.job.config;
         let mut name = b"PROGRAM ".to_vec();

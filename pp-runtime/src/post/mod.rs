@@ -350,10 +350,10 @@ impl Pass<'_> {
     }
 
     /// The last pass: header, program, and end code.
-    fn write<W: Write>(
+    fn write(
         &self,
         reader: ClReader<impl Read>,
-        recorded: Recorded<'_, '_, W>,
+        recorded: Recorded<'_, '_>,
         course: Course,
         moving: MovingAxes,
         report: &mut Report,
@@ -433,7 +433,7 @@ fn abandoned(released: Result<(), Stop>) -> Result<(), Stop> {
 }
 
 /// The end code, or the first error in its place.
-fn close<W: Write>(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_, W>) -> io::Result<()> {
+fn close(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_>) -> io::Result<()> {
     if !report.failed {
         let times = if job.config.control.program.times { time::lines(&report.times) } else { Vec::new() };
         return encoder.end(&times);

@@ -2,7 +2,7 @@
 //!
 //! Planned and written as every program is; what it is to show stands in its head.
 
-use std::io::{self, Write};
+use std::io;
 
 use nalgebra::Point3;
 
@@ -16,6 +16,7 @@ use crate::program::ToolCall;
 use crate::program::Units;
 
 use super::Job;
+use super::account::Recorded;
 use super::header::{Header, work_offset};
 use super::survey::{Survey, ToolUse};
 
@@ -65,8 +66,8 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let abilities = control::abilities(proof.control, config.demands());
     let mut out = Vec::new();
     let layout = Layout::new(&*machine, config.demands(), units, b"PROOF");
-    let encoder = Encoder::new(proof.control, &layout, &mut out);
-    let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, encoder);
+    let recorded = Recorded::new(Encoder::new(proof.control, &layout, &mut out), None);
+    let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, recorded);
     let sweeps = ProofProgram::new(&mut planner).sweeps().map_err(told)?;
 
     let number = proof.tool.unwrap_or_else(|| usual_tool(&config));
@@ -74,9 +75,9 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let job = Job { cl_name: "", config: &config, control: proof.control, units: None };
     let survey = survey(number, &point);
     let header = Header { job: &job, survey: &survey, units, machine: &*machine, unchecked: planner.unchecked_axes() };
-    head(&header, &point, &sweeps, planner.sink()).map_err(|error| told(Stop::Output(error)))?;
+    head(&header, &point, &sweeps, planner.sink().encoder()).map_err(|error| told(Stop::Output(error)))?;
     ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(told)?;
-    let encoder = planner.sink();
+    let encoder = planner.sink().encoder();
     encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| told(Stop::Output(error)))?;
     drop(planner);
     Ok(out)
@@ -105,12 +106,7 @@ fn survey(number: u32, point: &Point3<f64>) -> Survey {
     survey
 }
 
-fn head<W: Write>(
-    header: &Header<'_>,
-    point: &Point3<f64>,
-    sweeps: &[Sweep],
-    encoder: &mut Encoder<'_, W>,
-) -> io::Result<()> {
+fn head(header: &Header<'_>, point: &Point3<f64>, sweeps: &[Sweep], encoder: &mut Encoder<'_>) -> io::Result<()> {
     encoder.open(None)?;
     let (config, control) = (header.job.config, header.job.control);
     let mut lines = vec![

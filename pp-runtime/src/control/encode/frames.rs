@@ -1,7 +1,7 @@
 //! Blocks that change the frame of the words: tip control and tilted planes, and the restart points and tool changes
 //! that reset them.
 
-use std::io::{self, Write};
+use std::io;
 
 use crate::control::layout::Layout;
 use crate::motion::{Mode, PoseRule};
@@ -30,7 +30,7 @@ impl FrameWriter {
     }
 
     /// Switches tip control on or off. Where the length offset switches it on, that happens with the next motion.
-    pub(crate) fn tip_control<W: Write>(&self, on: bool, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn tip_control(&self, on: bool, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.select_xy_plane()?;
         out.modal().forget(After::FrameChange);
         if let Some(codes) = &self.tip_control {
@@ -51,12 +51,7 @@ impl FrameWriter {
     }
 
     /// Tilts the plane. The control rotates the axes to it and may change modal codes.
-    pub(crate) fn tilt<W: Write>(
-        &self,
-        angles: [Decimal; 3],
-        pose: Option<bool>,
-        out: &mut ModalWriter<W>,
-    ) -> io::Result<()> {
+    pub(crate) fn tilt(&self, angles: [Decimal; 3], pose: Option<bool>, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let Some(plane) = &out.codes().plane else { return Ok(()) };
         out.select_xy_plane()?;
         if plane.length_first {
@@ -75,7 +70,7 @@ impl FrameWriter {
     }
 
     /// Cancels the tilted plane.
-    pub(crate) fn tilt_off<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn tilt_off(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let Some(plane) = &out.codes().plane else { return Ok(()) };
         out.smooth(false)?;
         out.fill_all(plane.off)?;
@@ -84,7 +79,7 @@ impl FrameWriter {
     }
 
     /// Writes the blocks of a restart point, the first one with this block number.
-    pub(crate) fn restart<W: Write>(&self, number: u32, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn restart(&self, number: u32, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.smooth(false)?;
         out.modal().forget(After::Anything);
         out.writer_mut().number_next(number);
@@ -102,7 +97,7 @@ impl FrameWriter {
     }
 
     /// Cancels the tip control or tilted plane of the mode, which `safety` does not cancel.
-    fn reset<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
+    fn reset(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let codes = out.codes();
         match self.mode {
             Mode::Tcp => match (&self.tip_control, &codes.tip) {
@@ -116,7 +111,7 @@ impl FrameWriter {
     }
 
     /// Writes the change to the tool of the values.
-    pub(crate) fn tool_change<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn tool_change(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         match &self.tool_change {
             Some(blocks) => out.fill_all(blocks)?,
             None => {

@@ -1,6 +1,6 @@
 //! Hole cycles of the control.
 
-use std::io::{self, Write};
+use std::io;
 
 use crate::control::dialects::{CycleCodes, CycleDefinitions, CycleForm, ThreadCodes};
 use crate::control::layout::Layout;
@@ -28,7 +28,7 @@ impl HoleWriter {
     }
 
     /// Cancels the cycle in force; the next motion writes its motion code, the word of the tool axis and F again.
-    pub(crate) fn end_cycle<W: Write>(&mut self, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn end_cycle(&mut self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let Some(cycle) = self.in_force.take() else { return Ok(()) };
         out.modal().forget(After::HoleCycle { z: cycle.z });
         match out.codes().cycles.as_ref().map(|cycles| &cycles.form) {
@@ -40,7 +40,7 @@ impl HoleWriter {
     }
 
     /// Writes a hole: the cycle with all its words, or only the position while the same cycle is in force.
-    pub(crate) fn cycle<W: Write>(&mut self, cycle: &CannedCycle, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn cycle(&mut self, cycle: &CannedCycle, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let Some(cycles) = &out.codes().cycles else { return Ok(()) };
         match (&cycles.form, cycle.kind) {
             (CycleForm::Definitions(blocks), _) => self.defined_cycle(cycle, blocks, out),
@@ -52,11 +52,11 @@ impl HoleWriter {
     }
 
     /// Writes `G99 G81 X Y Z R F`, then `X Y`.
-    fn coded_cycle<W: Write>(
+    fn coded_cycle(
         &mut self,
         cycle: &CannedCycle,
         codes: &'static CycleCodes,
-        out: &mut ModalWriter<W>,
+        out: &mut ModalWriter<'_>,
     ) -> io::Result<()> {
         if self.in_force.is_some_and(|before| cycle.repeats(&before)) {
             out.place_words(&cycle.words);
@@ -88,11 +88,11 @@ impl HoleWriter {
     }
 
     /// Writes `MCALL CYCLE81(..)`, then `G0 X Y`; or `CYCL DEF 200`, then `L X Y R0 FMAX M99`.
-    fn defined_cycle<W: Write>(
+    fn defined_cycle(
         &mut self,
         cycle: &CannedCycle,
         blocks: &'static CycleDefinitions,
-        out: &mut ModalWriter<W>,
+        out: &mut ModalWriter<'_>,
     ) -> io::Result<()> {
         // Where each position calls the cycle, its definition survives the motions between.
         let lasts = blocks.end.is_empty();
@@ -117,11 +117,11 @@ impl HoleWriter {
     }
 
     /// Writes the blocks that define a cycle.
-    fn define<W: Write>(
+    fn define(
         &self,
         cycle: &CannedCycle,
         blocks: &'static CycleDefinitions,
-        out: &mut ModalWriter<W>,
+        out: &mut ModalWriter<'_>,
     ) -> io::Result<()> {
         out.call_length_alone(&cycle.words)?;
         let per_minute = out.codes().per_minute;
@@ -148,19 +148,19 @@ impl HoleWriter {
     }
 
     /// Cancels the functions that must be off in a cycle.
-    fn before_cycle<W: Write>(&mut self, out: &mut ModalWriter<W>) -> io::Result<()> {
+    fn before_cycle(&mut self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         self.end_cycle(out)?;
         out.smooth(false)?;
         out.select_xy_plane()
     }
 
     /// Writes a thread as motions: rapid above it, rapid to its start, tapping motion, rapid to the return level.
-    fn thread<W: Write>(
+    fn thread(
         &mut self,
         cycle: &CannedCycle,
         code: &'static str,
         pitch: Decimal,
-        out: &mut ModalWriter<W>,
+        out: &mut ModalWriter<'_>,
     ) -> io::Result<()> {
         // The rapid to the position would be another hole of the cycle before.
         self.before_cycle(out)?;
@@ -182,7 +182,7 @@ impl HoleWriter {
 }
 
 /// Writes the words `Z R Q P F` of a cycle, and ends the block.
-fn cycle_words<W: Write>(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<W>) -> io::Result<()> {
+fn cycle_words(cycle: &CannedCycle, dwell: &str, out: &mut ModalWriter<'_>) -> io::Result<()> {
     let decimals = out.decimals(cycle.z);
     let mut bottom = Words { mask: 1 << cycle.z, ..Words::default() };
     bottom.units[cycle.z] = cycle.bottom;

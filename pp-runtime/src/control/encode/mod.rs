@@ -33,10 +33,10 @@ use text::plain;
 pub(crate) use text::{legible, lines_of};
 
 /// Writes steps in the codes of a control, and leaves out words that are in force.
-pub struct Encoder<'a, W: Write> {
+pub struct Encoder<'a> {
     control: &'a dyn Control,
     codes: &'static Spellings,
-    out: ModalWriter<W>,
+    out: ModalWriter<'a>,
     holes: HoleWriter,
     frames: FrameWriter,
     spindle_coolant: SpindleCoolantWriter,
@@ -52,9 +52,9 @@ pub struct Encoder<'a, W: Write> {
     line: Vec<u8>,
 }
 
-impl<'a, W: Write> Encoder<'a, W> {
+impl<'a> Encoder<'a> {
     /// An encoder for a new program: the modal state of the control is unknown.
-    pub fn new(control: &'a dyn Control, layout: &Layout, out: W) -> Self {
+    pub fn new(control: &'a dyn Control, layout: &Layout, out: &'a mut dyn Write) -> Self {
         let codes = control.spellings();
         Self {
             control,
@@ -253,7 +253,7 @@ impl<'a, W: Write> Encoder<'a, W> {
     }
 }
 
-impl<W: Write> Sink for Encoder<'_, W> {
+impl Sink for Encoder<'_> {
     #[inline]
     fn step(&mut self, step: &Step<'_>, _: &Provenance<'_>) -> io::Result<()> {
         self.encode(step)

@@ -1,6 +1,6 @@
 //! Spindle, coolant and dwells.
 
-use std::io::{self, Write};
+use std::io;
 
 use crate::control::dialects::{Spellings, coolant_index};
 use crate::control::layout::Layout;
@@ -22,19 +22,14 @@ impl SpindleCoolantWriter {
     }
 
     /// Switches the spindle on.
-    pub(crate) fn spindle<W: Write>(
-        &self,
-        speed: Decimal,
-        rotation: Rotation,
-        out: &mut ModalWriter<W>,
-    ) -> io::Result<()> {
+    pub(crate) fn spindle(&self, speed: Decimal, rotation: Rotation, out: &mut ModalWriter<'_>) -> io::Result<()> {
         out.changed_speed(speed)?;
         let codes = out.codes();
         out.fill(codes.rotation(rotation))
     }
 
     /// Writes a dwell, in several blocks if it is too long for one; each in whole milliseconds, as it is written.
-    pub(crate) fn dwell<W: Write>(&self, seconds: f64, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn dwell(&self, seconds: f64, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let codes = out.codes();
         let mut rest = (seconds * 1e3).round() as u32;
         while rest > 0 {
@@ -54,14 +49,14 @@ impl SpindleCoolantWriter {
     }
 
     /// Switches coolant on.
-    pub(crate) fn coolant<W: Write>(&self, kind: Coolant, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn coolant(&self, kind: Coolant, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let code = self.codes(kind, out.codes()).map_or("", |[on, _]| on);
         out.modal().set_coolant(kind);
         out.block(code)
     }
 
     /// Switches coolant off, with the code of the kind that is on, or with the general code if that is unknown.
-    pub(crate) fn coolant_off<W: Write>(&self, out: &mut ModalWriter<W>) -> io::Result<()> {
+    pub(crate) fn coolant_off(&self, out: &mut ModalWriter<'_>) -> io::Result<()> {
         let (codes, kind) = (out.codes(), out.modal().take_coolant());
         let own = kind.and_then(|kind| self.codes(kind, codes));
         out.block(own.map_or(codes.coolant_off, |[_, off]| off))

@@ -1,6 +1,6 @@
 //! Arcs and helices.
 
-use std::io::{self, Write};
+use std::io;
 
 use crate::control::dialects::ArcCentre;
 use crate::control::encode::modal_state::After;
@@ -15,7 +15,7 @@ const POLAR_DECIMALS: u32 = 6;
 /// Arc angle from which start and end are so close that the exact start must be known, rad.
 const NEARLY_WHOLE: f64 = 1.9 * std::f64::consts::PI;
 
-impl<W: Write> ModalWriter<W> {
+impl ModalWriter<'_> {
     /// Writes the code of the plane of an arc, unless it is in force.
     fn plane(&mut self, code: &'static str) {
         if self.writes(self.modal.plane() != Some(code)) {

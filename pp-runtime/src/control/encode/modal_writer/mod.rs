@@ -30,9 +30,9 @@ struct Address {
 }
 
 /// Writes blocks in the codes of a control, and leaves out words that are in force.
-pub(crate) struct ModalWriter<W: Write> {
+pub(crate) struct ModalWriter<'a> {
     codes: &'static Spellings,
-    writer: Writer<W>,
+    writer: Writer<'a>,
     /// Axes in the order of their words in a block.
     axes: Vec<Address>,
     /// Index of Z in the chain: a length offset may be called with its word.
@@ -100,9 +100,9 @@ fn values(control: &dyn Control, layout: &Layout, numerals: Numerals) -> Values 
     }
 }
 
-impl<W: Write> ModalWriter<W> {
+impl<'a> ModalWriter<'a> {
     /// A writer for a new program: the modal state of the control is unknown.
-    pub(crate) fn new(control: &dyn Control, layout: &Layout, out: W) -> Self {
+    pub(crate) fn new(control: &dyn Control, layout: &Layout, out: &'a mut dyn Write) -> Self {
         let codes = control.spellings();
         let numerals = Numerals { point: layout.options.point.unwrap_or(codes.numerals.point), ..codes.numerals };
         let numbering = match (codes.numbers_every_line, layout.program.line_numbers) {
@@ -132,12 +132,12 @@ impl<W: Write> ModalWriter<W> {
         self.codes
     }
 
-    pub(crate) fn writer(&self) -> &Writer<W> {
+    pub(crate) fn writer(&self) -> &Writer<'a> {
         &self.writer
     }
 
     /// Underlying writer, for lines without modal effect.
-    pub(crate) fn writer_mut(&mut self) -> &mut Writer<W> {
+    pub(crate) fn writer_mut(&mut self) -> &mut Writer<'a> {
         &mut self.writer
     }
 

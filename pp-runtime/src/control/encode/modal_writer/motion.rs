@@ -1,7 +1,7 @@
 //! Straight motions: rapids, feed blocks, rapids in machine coordinates. Length offset and cutter compensation take
 //! effect in a motion and are written here too.
 
-use std::io::{self, Write};
+use std::io;
 
 use crate::control::dialects::LengthCall;
 use crate::motion::{FeedWord, Words};
@@ -9,7 +9,7 @@ use crate::motion::{FeedWord, Words};
 use super::ModalWriter;
 use crate::control::encode::modal_state::{After, LengthState};
 
-impl<W: Write> ModalWriter<W> {
+impl ModalWriter<'_> {
     /// Writes a straight motion at feed, unless no axis word changes.
     pub(crate) fn feed(&mut self, words: &Words, feed: FeedWord) -> io::Result<()> {
         if !self.any_changes(words) {
