@@ -146,8 +146,12 @@ impl<T: Copy + PartialEq> KeyKind for OneOf<T> {
     }
 
     fn schema(&self, _scope: &KeyScope) -> Json {
-        json!({ "enum": self.0.iter().map(|(word, _)| *word).collect::<Vec<_>>() })
+        one_of(self.0.iter().map(|(word, _)| json!(word)).collect())
     }
+}
+
+fn one_of(words: Vec<Json>) -> Json {
+    json!({ "enum": words })
 }
 
 /// Kind of key: a list of values of one kind.

@@ -81,13 +81,21 @@ impl KeyList {
         example: Option<&'static str>,
     ) {
         let assumed = kind.assumed();
-        let printed = match (kind.printed(&self.scope), field.filled().or(assumed.as_ref()), example) {
-            (Some(printed), ..) => printed,
-            (None, Some(value), None) => Printed::Default(kind.print(value)),
-            (None, _, Some(example)) => Printed::Example(example.to_owned()),
-            (None, None, None) => Printed::Example(String::new()),
+        let printed = match (kind.printed(&self.scope), example) {
+            (Some(printed), _) => printed,
+            (None, Some(example)) => Printed::Example(example.to_owned()),
+            (None, None) => match field.filled().or(assumed.as_ref()) {
+                Some(value) => Printed::Default(kind.print(value)),
+                None => Printed::Example(String::new()),
+            },
         };
         let schema = kind.schema(&self.scope);
+        self.add(path, comment, printed, schema);
+    }
+
+    /// The part of [`row`](Self::row) that does not depend on the kind of key, so that it is compiled once.
+    #[inline(never)]
+    fn add(&mut self, path: &'static str, comment: &[&str], printed: Printed, schema: Json) {
         self.rows.push(KeyRow { path, group: self.group, text: first_paragraph(comment), printed, schema });
     }
 }

@@ -298,14 +298,20 @@ impl<'t> KeyReader<'t> {
         };
         let found = choices.iter().find(|(name, _)| *name == text).map(|&(_, choice)| choice);
         if found.is_none() {
-            let names = choices.iter().map(|(name, _)| *name);
-            let help = match nearest(text, names.clone()) {
-                Some(near) => format!("did you mean \"{near}\"?"),
-                None => format!("write one of {}", list(names, '"')),
-            };
-            self.fault(value.span(), format!("\"{text}\" is not a permitted value"), Some(help));
+            let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
+            self.not_permitted(value, text, &names);
         }
         found
+    }
+
+    /// Reports a word that is none of `names`.
+    fn not_permitted(&mut self, value: TomlValue<'_>, text: &str, names: &[&str]) {
+        let names = names.iter().copied();
+        let help = match nearest(text, names.clone()) {
+            Some(near) => format!("did you mean \"{near}\"?"),
+            None => format!("write one of {}", list(names, '"')),
+        };
+        self.fault(value.span(), format!("\"{text}\" is not a permitted value"), Some(help));
     }
 
     /// Reads a list and returns its elements.
