@@ -32,7 +32,7 @@ impl Dialect {
     #[must_use]
     pub const fn title(self) -> &'static str {
         match self {
-            Dialect::Generic => "no known CAM system",
+            Dialect::Generic => "an unknown CAM system",
             Dialect::Nx => "NX",
             Dialect::Catia => "CATIA",
             Dialect::Creo => "Creo",
