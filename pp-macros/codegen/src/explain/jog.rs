@@ -38,7 +38,7 @@ pub(crate) fn sheet(model: &Model) -> Section {
          If a line is false, the sign of that axis is wrong: correct it in the declaration before the first cut.",
     );
     section.words("Seen from the front of the machine: X points right (+X), Y away from you (+Y), Z up (+Z).");
-    section.words(&format!("With all axes at zero the tool points {}.", heading(minus(machine.tool))));
+    section.words(&format!("With all axes at zero the tool points {}.", heading(opposite(machine.tool))));
     section.words(if machine.tool[2].abs() < ALONG_COSINE {
         "If Z is not up on your machine, follow the letters in brackets."
     } else {
@@ -143,11 +143,12 @@ impl<'a> MachineAtDefaults<'a> {
             (angle.round(), (nearest * 100.0).round())
         };
         let best = moved.iter().fold(&moved[0], |best, marker| if rank(marker) > rank(best) { marker } else { best });
-        let sense = sense(about, degrees).map(|sense| format!("the {thing} rotates {sense}; ")).unwrap_or_default();
-        let mut sentence = format!("{sense}{}", shown(best));
+        let sense =
+            rotation_sense(about, degrees).map(|sense| format!("the {thing} rotates {sense}; ")).unwrap_or_default();
+        let mut sentence = format!("{sense}{}", marker_motion(best));
         // About an inclined axis one marker does not determine the motion.
         if sense.is_empty() && best.0.0 != moved[0].0.0 && moved[0].2 > 1.0 {
-            sentence += &format!("; {}", shown(&moved[0]));
+            sentence += &format!("; {}", marker_motion(&moved[0]));
         }
         sentence
     }
@@ -161,7 +162,7 @@ impl<'a> MachineAtDefaults<'a> {
     }
 
     fn head_markers(&self) -> Vec<(String, Xyz)> {
-        let points = minus(self.tool);
+        let points = opposite(self.tool);
         vec![
             (format!("the tool, which pointed {},", heading(points)), points),
             ("the side of the head that faced you (-Y)".into(), [0.0, -1.0, 0.0]),
@@ -172,7 +173,7 @@ impl<'a> MachineAtDefaults<'a> {
 }
 
 /// The motion of a marker, in words.
-fn shown(((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) -> String {
+fn marker_motion(((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) -> String {
     let tool = name.starts_with("the tool");
     if *angle >= FACING_DEG {
         let verb = if tool { "points" } else { "faces" };
@@ -191,7 +192,7 @@ fn shown(((name, before), after, angle): &(&(String, Xyz), Xyz, f64)) -> String 
 }
 
 /// Clockwise or counterclockwise, with the side it is seen from; for coordinate directions only.
-fn sense(about: Xyz, degrees: f64) -> Option<String> {
+fn rotation_sense(about: Xyz, degrees: f64) -> Option<String> {
     // The observer is above, in front (looking along +Y), or on the right.
     let views = [("above", [0.0, 0.0, 1.0]), ("the front", [0.0, -1.0, 0.0]), ("the right", [1.0, 0.0, 0.0])];
     views.into_iter().find_map(|(from, to_the_eye)| {
@@ -256,7 +257,7 @@ fn scaled(v: Xyz, by: f64) -> Xyz {
     v.map(|part| part * by)
 }
 
-fn minus(v: Xyz) -> Xyz {
+fn opposite(v: Xyz) -> Xyz {
     scaled(v, -1.0)
 }
 

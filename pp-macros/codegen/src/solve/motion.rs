@@ -56,20 +56,20 @@ pub(crate) fn solve(model: &Model) -> Motion {
     let (changes, sizes) = (symbols("change"), symbols("size"));
     let derivation = Derivation { model, graph };
     let moving = Moving { derivation: &derivation, changes: &changes, sizes: &sizes };
-    let (mut tip, mut tip_curve) = (derivation.origin(), moving.still());
-    let (mut axis, mut axis_curve) = (derivation.tool_axis(), moving.still());
+    let (mut tip, mut tip_curve) = (derivation.origin(), moving.at_rest());
+    let (mut axis, mut axis_curve) = (derivation.tool_axis(), moving.at_rest());
     for (id, joint) in model.axes.iter().enumerate().rev() {
         match joint.kind {
             AxisKind::Linear => {
                 let displacement = derivation.displacement(id);
                 tip.offset = tip.offset + displacement;
-                tip_curve.rate = moving.slid(id, tip_curve.rate);
+                tip_curve.rate = moving.after_linear(id, tip_curve.rate);
             }
             AxisKind::Rotary => {
                 tip = derivation.seen_from(tip, Some(id));
-                tip_curve = moving.rotated("tip", id, tip.offset, tip_curve);
+                tip_curve = moving.after_rotary("tip", id, tip.offset, tip_curve);
                 tip = Point { offset: derivation.rotated(id, tip.offset), ..tip };
-                axis_curve = moving.rotated("axis", id, axis, axis_curve);
+                axis_curve = moving.after_rotary("axis", id, axis, axis_curve);
                 axis = derivation.rotated(id, axis);
             }
         }
@@ -102,19 +102,19 @@ impl Derivatives<'_> {
 }
 
 impl<'g> Moving<'g> {
-    fn still(&self) -> Derivatives<'g> {
+    fn at_rest(&self) -> Derivatives<'g> {
         let zero = self.derivation.graph.zero_vector();
         Derivatives { rate: zero, bend: zero, third: self.derivation.graph.integer(0) }
     }
 
     /// First derivative after adding the motion of a linear axis.
-    fn slid(&self, axis: AxisId, rate: TermVector<'g>) -> TermVector<'g> {
+    fn after_linear(&self, axis: AxisId, rate: TermVector<'g>) -> TermVector<'g> {
         let change = self.change(axis);
         rate + change * self.derivation.step(axis)
     }
 
     /// Derivatives of a point after a rotary axis; `lever` is the vector from the centre of the axis to the point.
-    fn rotated(&self, what: &str, axis: AxisId, lever: TermVector<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
+    fn after_rotary(&self, what: &str, axis: AxisId, lever: TermVector<'g>, curve: Derivatives<'g>) -> Derivatives<'g> {
         let Derivatives { rate, bend, .. } = curve;
         let direction = self.derivation.step(axis);
         let change = self.change(axis);

@@ -14,17 +14,17 @@ pub(crate) struct Change {
 /// All changes of an expression that are tried, the likeliest first.
 pub(crate) fn changes(expr: &Expr, model: &Model) -> Vec<Change> {
     let mut found = Vec::new();
-    at(expr, true, model, &mut found, &|inner| inner);
-    throughout(expr, model, &mut found);
+    collect_changes(expr, true, model, &mut found, &|inner| inner);
+    changes_of_names(expr, model, &mut found);
     found.sort_by_key(|change| change.rank);
     found
 }
 
 /// Changes of every occurrence of a name: the source counts it in the opposite direction, or measures the angle from
 /// another direction.
-fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
+fn changes_of_names(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
     let mut names = Vec::new();
-    collect(expr, &mut names);
+    collect_names(expr, &mut names);
     let rotary =
         |name: &str| model.axes.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.letter.to_string() == name);
     for name in names {
@@ -61,7 +61,7 @@ fn throughout(expr: &Expr, model: &Model, found: &mut Vec<Change>) {
     }
 }
 
-fn collect(expr: &Expr, names: &mut Vec<String>) {
+fn collect_names(expr: &Expr, names: &mut Vec<String>) {
     match &expr.kind {
         ExprKind::Number(..) => {}
         ExprKind::Name(name) => {
@@ -69,18 +69,24 @@ fn collect(expr: &Expr, names: &mut Vec<String>) {
                 names.push(name.clone());
             }
         }
-        ExprKind::Neg(inner) | ExprKind::Power(inner, _) => collect(inner, names),
+        ExprKind::Neg(inner) | ExprKind::Power(inner, _) => collect_names(inner, names),
         ExprKind::Binary(left, _, right) => {
-            collect(left, names);
-            collect(right, names);
+            collect_names(left, names);
+            collect_names(right, names);
         }
-        ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| collect(argument, names)),
+        ExprKind::Call(_, arguments) => arguments.iter().for_each(|argument| collect_names(argument, names)),
     }
 }
 
 /// Collects the changes at and inside `expr`; `whole` puts a changed `expr` back into the equation.
-fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
-    here(expr, model, found, whole);
+fn collect_changes(
+    expr: &Expr,
+    may_be_negated: bool,
+    model: &Model,
+    found: &mut Vec<Change>,
+    whole: &dyn Fn(Expr) -> Expr,
+) {
+    changes_of_node(expr, model, found, whole);
     let is_sum = matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _) | ExprKind::Neg(_));
     if may_be_negated && !is_sum {
         let negated = negated(expr);
@@ -88,11 +94,11 @@ fn at(expr: &Expr, may_be_negated: bool, model: &Model, found: &mut Vec<Change>,
         let rank = if matches!(&expr.kind, ExprKind::Call(name, _) if is_inverse(name)) { 3 } else { 2 };
         found.push(Change { words: format!("write `{negated}` in place of `{expr}`"), expr: whole(negated), rank });
     }
-    inside(expr, model, found, whole);
+    changes_of_parts(expr, model, found, whole);
 }
 
 /// Changes of the expression itself.
-fn here(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
+fn changes_of_node(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
     let mut change = |rank: u8, new: Expr| {
         // A sum in the place of a factor keeps its parentheses.
         let sum = |expr: &Expr| matches!(expr.kind, ExprKind::Binary(_, '+' | '-', _));
@@ -135,29 +141,29 @@ fn here(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr
 }
 
 /// Changes of its parts.
-fn inside(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
+fn changes_of_parts(expr: &Expr, model: &Model, found: &mut Vec<Change>, whole: &dyn Fn(Expr) -> Expr) {
     let with = |kind: ExprKind| Expr { phrase: expr.phrase, kind };
     match &expr.kind {
         ExprKind::Number(..) | ExprKind::Name(_) => {}
         ExprKind::Neg(inner) => {
-            at(inner, false, model, found, &|new| whole(with(ExprKind::Neg(Box::new(new)))));
+            collect_changes(inner, false, model, found, &|new| whole(with(ExprKind::Neg(Box::new(new)))));
         }
         ExprKind::Power(base, exponent) => {
-            at(base, false, model, found, &|new| whole(with(ExprKind::Power(Box::new(new), *exponent))));
+            collect_changes(base, false, model, found, &|new| whole(with(ExprKind::Power(Box::new(new), *exponent))));
         }
         ExprKind::Binary(left, operator, right) => {
             let first_term = matches!(operator, '+' | '-');
-            at(left, first_term, model, found, &|new| {
+            collect_changes(left, first_term, model, found, &|new| {
                 whole(with(ExprKind::Binary(Box::new(new), *operator, right.clone())))
             });
-            at(right, false, model, found, &|new| {
+            collect_changes(right, false, model, found, &|new| {
                 whole(with(ExprKind::Binary(left.clone(), *operator, Box::new(new))))
             });
         }
         ExprKind::Call(name, arguments) => {
             for (place, argument) in arguments.iter().enumerate() {
                 let signed = !matches!(name.as_str(), "sin" | "cos");
-                at(argument, signed, model, found, &|new| {
+                collect_changes(argument, signed, model, found, &|new| {
                     let mut arguments = arguments.clone();
                     arguments[place] = new;
                     whole(with(ExprKind::Call(name.clone(), arguments)))
