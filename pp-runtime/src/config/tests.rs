@@ -403,7 +403,8 @@ fn numbers_that_a_word_would_round_to_nothing_or_could_not_hold_are_refused() {
 #[test]
 fn options_of_reading_cl_data_are_read() {
     use crate::cl::record::ClCycleKind;
-    use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
+    use crate::cl::{CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
+    use crate::set_up::ClPoint;
     let config = read(
         "units = \"in\"\ntolerance = 0.001\ncl_point = \"centre\"\n[defaults]\ntool = 3\npeck_gap = 0.02\n[tools.2]\n\
          cl_point = \"tip\"\n[frames]\n2 = \"G55\"\n[cl]\ndialect = \"solidworks\"\ncolumns = 72\ninert = [\"aicc\", \"BREAK\"]\n\

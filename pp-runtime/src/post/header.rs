@@ -2,7 +2,7 @@
 
 use std::io;
 
-use crate::cl::{ArcVote, ClPoint, Frames, Insert};
+use crate::cl::{ArcVote, Frames, Insert};
 use crate::config::Config;
 use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
@@ -10,6 +10,7 @@ use crate::motion::{CutterPath, Mode, TcpFrame, ToolPosture, Wrap};
 use crate::nc::{Decimal, write_decimal};
 use crate::program::Rotation;
 use crate::program::Units;
+use crate::set_up::ClPoint;
 use crate::set_up::{LengthMode, ProgramZero, Stock};
 
 use super::Job;

@@ -12,7 +12,6 @@ use std::collections::BTreeMap;
 
 use nalgebra::Rotation3;
 
-use crate::cl::ClPoint;
 use crate::keys::{Bound, LengthPoint, Measure, OneLine, OneOf, Whole, YesNo, options};
 use crate::kinematics::Limits;
 use crate::program::{Coolant, Rotation};
@@ -23,6 +22,21 @@ use keys::{
 use part_rotation::PartRotation;
 
 pub use machine::AxisBounds;
+
+/// The point of the tool that the CL data programs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ClPoint {
+    /// The end of the tool on its axis.
+    #[default]
+    Tip,
+    /// The centre of the corner radius, which lies above the tip by that radius.
+    Centre,
+}
+
+impl ClPoint {
+    /// Names, as in configuration files.
+    pub(crate) const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("centre", Self::Centre)];
+}
 
 options! {
     /// Machine, part and shop of a job. Lengths in mm, angles in rad, speeds in mm/min and rad/min.

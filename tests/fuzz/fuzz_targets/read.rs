@@ -2,7 +2,8 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use pp_runtime::cl::{ClPoint, ClReader, Dialect, FeedLabel, Frames, Insert, ReadingOptions};
+use pp_runtime::set_up::ClPoint;
+use pp_runtime::cl::{ClReader, Dialect, FeedLabel, Frames, Insert, ReadingOptions};
 use pp_runtime::program::{Event, Units};
 
 /// The first two bytes choose the options.

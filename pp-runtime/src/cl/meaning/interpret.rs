@@ -13,7 +13,7 @@ use super::cycle::CycleInForce;
 use super::event_queue::{EventQueue, QueuedEvent, TextUse};
 use super::modal_tool::ModalTool;
 use super::nurbs_curve::OpenCurve;
-use super::options::{ClPoint, Insert, ReadingOptions};
+use super::options::{Insert, ReadingOptions};
 use super::path_state::PathState;
 use super::permitted::Permitted;
 use super::units::FileUnits;
@@ -22,6 +22,7 @@ use crate::cl::dialect::Dialect;
 use crate::cl::record::{ProgramRecord, Record, SubprogramRecord, Text};
 use crate::cl::text::{ClFault, Span};
 use crate::program::{Event, Location, Spline};
+use crate::set_up::ClPoint;
 
 /// All modal state of the CL data, each part with its owner.
 #[derive(Debug, Default)]

@@ -12,6 +12,7 @@ use crate::keys::{
     KeyKind, KeyReader, KeyScope, KeyTable, ListOf, OneLine, OneOf, Printed, TomlValue, Whole, YesNo, options,
 };
 use crate::program::Units;
+use crate::set_up::ClPoint;
 
 /// Sense in which a circle is traversed about its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,21 +71,6 @@ pub enum FeedLabel {
 impl FeedLabel {
     const NAMES: [(&'static str, Self); 3] =
         [("refuse", Self::Refuse), ("trust", Self::Trust), ("file-units", Self::FileUnits)];
-}
-
-/// The point of the tool that the CL data programs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ClPoint {
-    /// The end of the tool on its axis.
-    #[default]
-    Tip,
-    /// The centre of the corner radius, which lies above the tip by that radius.
-    Centre,
-}
-
-impl ClPoint {
-    /// Names, as in configuration files.
-    pub(crate) const NAMES: [(&'static str, Self); 2] = [("tip", Self::Tip), ("centre", Self::Centre)];
 }
 
 options! {

@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::cl::record::ClCycleKind;
-use crate::cl::{ClPoint, CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
+use crate::cl::{CycleArg, Dialect, FeedLabel, Frames, Insert, Sense};
+use crate::set_up::ClPoint;
 
 fn mm() -> ReadingOptions {
     ReadingOptions::from(MM)

@@ -5,7 +5,6 @@ use crate::cl::meaning::arc::{WaitingCircle, arc_of, is_on, tangent_circle, tlon
 use crate::cl::meaning::event_queue::QueuedEvent;
 use crate::cl::meaning::feed::feed_of;
 use crate::cl::meaning::holes::{self, CycleContext};
-use crate::cl::meaning::options::ClPoint;
 use crate::cl::record::{
     ArcRecord, CircleRecord, CycleCall, CycleRecord, FeedRecord, MotionRecord, Numbers, NurbsRecord, Point, TangentArc,
 };
@@ -14,6 +13,7 @@ use crate::cl::vector::within_a_kilometre;
 use crate::kinematics::Pose;
 use crate::nalgebra::{Point3, Vector3};
 use crate::program::{Arc, Event, Hole, Location, Move};
+use crate::set_up::ClPoint;
 
 impl RecordInterpreter {
     pub(crate) fn take_motion(&mut self, record: &MotionRecord<'_>, here: Location) -> Result<(), ClFault> {
