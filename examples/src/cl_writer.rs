@@ -3,8 +3,6 @@
 //! Each file states its units and tools, so that it can be posted without a configuration. Only the records that these
 //! parts need are written: straight motions, one spindle speed per operation, coolant.
 
-use core::fmt::Write;
-
 use pp_runtime::cl::record::{CoordinateRecord, MachineRecord, ProgramRecord, Record};
 use pp_runtime::kinematics::Pose;
 use pp_runtime::program::{Coolant, Spindle, Units};
@@ -206,13 +204,13 @@ fn six(pose: &Pose) -> [f64; 6] {
 }
 
 /// Creo NCL: `WORD / a, b`, 10 decimals, continued after a comma, additional data in `$$->` comments.
-///
-/// # Panics
-/// Never: writing to a string does not fail.
 #[must_use]
 pub fn creo(program: &Program) -> String {
     let mut text = String::new();
-    let mut line = |line: String| writeln!(text, "{line}").expect("a string grows");
+    let mut line = |line: String| {
+        text.push_str(&line);
+        text.push('\n');
+    };
     line("$$*          Pro/CLfile  Version 8.0".to_owned());
     line(format!("$$-> MFGNO / {}", program.name));
     line(format!("PARTNO / {}", program.name));

@@ -2,6 +2,18 @@
 //!
 //! [`parts`] holds the geometry, [`cl_writer`] the three dialects; [`files`] returns the files of `examples/cl/`.
 //! `cargo run -p examples --bin generate_cl` writes these files again.
+// A library returns its errors and leaves output to its caller.
+#![cfg_attr(
+    not(test),
+    warn(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::print_stdout,
+        clippy::print_stderr
+    )
+)]
 
 pub mod cl_writer;
 pub mod no_std_kinematics;

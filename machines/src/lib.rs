@@ -2,6 +2,18 @@
 //!
 //! A file holds the data of the machine alone: its chain, the travel of its rotary axes and `d`. Data of the set-up is
 //! in the configuration.
+// A library returns its errors and leaves output to its caller.
+#![cfg_attr(
+    not(test),
+    warn(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::print_stdout,
+        clippy::print_stderr
+    )
+)]
 
 mod dmu_70e;
 mod lola_xoyzba;

@@ -1,4 +1,16 @@
 //! The `machine!` macro; its engine is the ordinary library `pp_codegen`.
+// A library returns its errors and leaves output to its caller.
+#![cfg_attr(
+    not(test),
+    warn(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::print_stdout,
+        clippy::print_stderr
+    )
+)]
 
 use proc_macro::TokenStream;
 

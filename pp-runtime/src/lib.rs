@@ -5,6 +5,18 @@
 //!
 //! Without default features only [`kinematics`] is built, under `no_std`.
 #![cfg_attr(not(feature = "std"), no_std)]
+// A library returns its errors and leaves output to its caller.
+#![cfg_attr(
+    not(test),
+    warn(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::print_stdout,
+        clippy::print_stderr
+    )
+)]
 
 // Generated code names `::pp_runtime`, also inside this crate's own tests.
 extern crate self as pp_runtime;

@@ -2,6 +2,18 @@
 //!
 //! An ordinary library, so that it can be tested, fuzzed and read; the proc-macro crate only calls [`expand_with`].
 //! Same input, same tokens: no I/O, no counters, no clock, no environment, no hash order.
+// A library returns its errors and leaves output to its caller.
+#![cfg_attr(
+    not(test),
+    warn(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::print_stdout,
+        clippy::print_stderr
+    )
+)]
 
 pub mod check;
 mod emit;

@@ -98,6 +98,7 @@ impl<'a> Body<'a> {
         }
     }
 
+    #[expect(clippy::expect_used, reason = "a constant of the graph is a number: it has a value without any symbol")]
     fn compound(&self, id: Id) -> (String, u8) {
         match *self.graph.node(id) {
             Node::Constant(ref value) => number(self.graph.ring().value(value).expect("constants have values")),
@@ -128,6 +129,7 @@ fn number(value: f64) -> (String, u8) {
     if value < 0.0 { (format!("-{text}"), 2) } else { (text, 3) }
 }
 
+#[expect(clippy::expect_used, reason = "the text is written here, from names and operators of Rust")]
 fn parse(text: &str) -> TokenStream {
     text.parse().expect("statements are Rust")
 }

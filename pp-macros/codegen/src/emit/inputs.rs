@@ -64,6 +64,7 @@ impl Inputs<'_> {
     }
 
     /// Values of linear axes, sines and cosines of rotary ones.
+    #[expect(clippy::expect_used, reason = "a function that reads axis values has them as a parameter")]
     fn axes(&self) -> TokenStream {
         let mut lets = TokenStream::new();
         let words = || format_ident!("{}", self.variables.words.expect("words are at hand"));

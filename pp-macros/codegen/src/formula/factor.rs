@@ -107,7 +107,7 @@ impl Writer<'_> {
         }
         let common: Monomial = common.unwrap_or_default().into_iter().collect();
         let number = common_number(&terms.values().collect::<Vec<_>>());
-        let inverse = number.inverse().expect("a common factor is not zero");
+        let Some(inverse) = number.inverse() else { return (Surd::one(), Monomial::new(), terms.clone()) };
         let rest: Terms =
             terms.iter().map(|(monomial, factor)| (divided(monomial, &common), factor * &inverse)).collect();
         let alone = common.is_empty() && number.is_one();

@@ -21,21 +21,20 @@ pub struct Position {
 }
 
 pub(crate) fn solve(derivation: &Derivation<'_>) -> Position {
-    (0..=derivation.model.axes.len())
-        .map(|cut| {
-            let position = solve_at(derivation, cut);
-            let outputs: Vec<Id> = position.values.iter().map(|(_, node)| *node).collect();
-            let cost = derivation.graph.with(|graph| Operations::of(graph, &outputs).total());
-            (cost, cut, position)
-        })
-        .min_by_key(|(cost, cut, _)| (*cost, *cut))
-        .map(|(_, _, position)| position)
-        .expect("a chain has at least one place to cut")
+    let cost = |position: &Position| {
+        let outputs: Vec<Id> = position.values.iter().map(|(_, node)| *node).collect();
+        derivation.graph.with(|graph| Operations::of(graph, &outputs).total())
+    };
+    let first = solve_at(derivation, 0);
+    let others = (1..=derivation.model.axes.len()).map(|cut| solve_at(derivation, cut));
+    // The earlier cut where two cost the same.
+    others.fold(first, |best, other| if cost(&other) < cost(&best) { other } else { best })
 }
 
 /// A solved linear axis, and its direction in the frame at the cut.
 type Column<'g> = (AxisId, TermVector<'g>);
 
+#[expect(clippy::unreachable, reason = "the front end refuses a chain without exactly three solved linear axes")]
 fn solve_at(derivation: &Derivation<'_>, cut: usize) -> Position {
     let (wanted, before) = wanted_at(derivation, cut);
     let (tool, after) = tool_at(derivation, cut);

@@ -374,6 +374,7 @@ impl Graph {
         self.intern(Node::Mul(factor, a))
     }
 
+    #[expect(clippy::expect_used, reason = "memory ends before 2^32 nodes")]
     fn intern(&mut self, node: Node) -> Id {
         if let Some(id) = self.index.get(&node) {
             return *id;

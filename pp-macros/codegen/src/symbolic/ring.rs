@@ -291,24 +291,24 @@ impl Ring {
 
     /// Rules `circle`, `unit-vector` and `root`, applied until no leading symbol has a power above 1.
     fn add_reduced(&self, sum: &mut Poly, monomial: Monomial, factor: &Surd) {
-        let leading = monomial.iter().position(|(s, power)| *power >= 2 && self.known[s.0 as usize].square.is_some());
-        let Some(position) = leading else {
+        let square_of = |symbol: Symbol| self.known[symbol.0 as usize].square.as_ref();
+        let mut leading = monomial.iter().enumerate().filter(|(_, (_, power))| *power >= 2);
+        let Some((position, square)) = leading.find_map(|(position, (s, _))| Some((position, square_of(*s)?))) else {
             sum.add_term(monomial, factor.clone());
             return;
         };
-        let symbol = monomial[position].0;
         let mut rest = monomial;
         rest[position].1 -= 2;
         if rest[position].1 == 0 {
             rest.remove(position);
         }
-        let square = self.known[symbol.0 as usize].square.as_ref().expect("found by its square");
         for (m, c) in &square.terms {
             self.add_reduced(sum, merge(&rest, m), &(c * factor));
         }
     }
 }
 
+#[expect(clippy::expect_used, reason = "memory ends before 2^32 symbols")]
 fn symbol_at(index: usize) -> Symbol {
     Symbol(u32::try_from(index).expect("fewer than 2^32 symbols"))
 }

@@ -31,7 +31,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Result<Declaration, Re
             errors.push_syntax(0, error);
             Err(errors.refused())
         }
-        (None, Ok(())) => unreachable!("the parser has run"),
+        (None, Ok(())) => Err(errors.refused()),
     }
 }
 
