@@ -5,18 +5,18 @@
 //! them share the beginning of that chain, it is decided.
 
 use crate::kinematics::Branch;
-use crate::motion::course::packed::Packed;
-use crate::motion::course::{Change, How};
-use crate::motion::rotary::{Cost, Metric, Rotary, Towards, Turns};
+use crate::motion::course::packed::PackedChanges;
+use crate::motion::course::{CourseAction, CourseChange};
+use crate::motion::rotary::{Cost, Rotary, RotaryMetric, RotaryWords, RotationSense};
 
 /// Chains of changes are tidied up when there are more than this, and again at twice what is left.
-const TIDY: usize = 4096;
+const COMPACT_ABOVE: usize = 4096;
 
 /// One way for the rotary axes to hold a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct RotaryState {
     pub(crate) branch: Branch,
-    pub(crate) words: Turns,
+    pub(crate) words: RotaryWords,
 }
 
 /// The cheapest way to a state.
@@ -25,37 +25,37 @@ struct Survivor {
     state: RotaryState,
     cost: Cost,
     /// Its last change.
-    head: Head,
+    head: HistoryIndex,
     /// At the pole: the motion in the air that can turn the first rotary. The last that begins an operation, for it turns
     /// the axes anyhow; else the first since the rotary came free.
     air: Option<u64>,
 }
 
 /// A change in the history; nothing is the part that is decided already.
-type Head = Option<u32>;
+type HistoryIndex = Option<u32>;
 
 #[derive(Debug, Clone, Copy)]
 struct Node {
-    parent: Head,
-    change: Change,
+    parent: HistoryIndex,
+    change: CourseChange,
 }
 
 /// Changes of all survivors.
 #[derive(Debug, Default)]
 struct History {
     nodes: Vec<Node>,
-    decided: Packed,
+    decided: PackedChanges,
     tidy_at: usize,
 }
 
 impl History {
-    fn push(&mut self, parent: Head, motion: u64, how: How, words: Turns) -> Head {
-        self.nodes.push(Node { parent, change: Change { motion, how, words } });
+    fn push(&mut self, parent: HistoryIndex, motion: u64, action: CourseAction, words: RotaryWords) -> HistoryIndex {
+        self.nodes.push(Node { parent, change: CourseChange { motion, action, words } });
         Some((self.nodes.len() - 1) as u32)
     }
 
     /// The chain of a head, oldest first.
-    fn chain(&self, mut head: Head) -> Vec<u32> {
+    fn chain(&self, mut head: HistoryIndex) -> Vec<u32> {
         let mut chain = Vec::new();
         while let Some(index) = head {
             chain.push(index);
@@ -80,7 +80,7 @@ impl History {
             // Also where nothing is decided: what ways given up have left behind.
             self.nodes.clear();
             survivors.iter_mut().for_each(|survivor| survivor.head = None);
-        } else if self.nodes.len() > self.tidy_at.max(TIDY) {
+        } else if self.nodes.len() > self.tidy_at.max(COMPACT_ABOVE) {
             self.tidy(survivors);
             self.tidy_at = 2 * self.nodes.len();
         }
@@ -111,7 +111,7 @@ impl History {
 
 /// Where a cut can begin: a state of the last layer.
 #[derive(Debug, Clone, Copy)]
-struct Ancestor {
+struct Predecessor {
     from: Survivor,
     /// It is reached by a rewind only.
     rewound: bool,
@@ -120,19 +120,19 @@ struct Ancestor {
 /// The search.
 #[derive(Debug)]
 pub(crate) struct CourseSearch {
-    metric: Metric,
+    metric: RotaryMetric,
     /// All states of the last pose, in the order of preference; empty at the pole.
     layer: Vec<RotaryState>,
     survivors: Vec<Survivor>,
     next: Vec<Survivor>,
-    sources: Vec<Ancestor>,
+    sources: Vec<Predecessor>,
     history: History,
     /// Keep the cheapest alone: pose by pose.
     greedy: bool,
 }
 
 impl CourseSearch {
-    pub(crate) fn new(metric: Metric, start: Turns, greedy: bool) -> Self {
+    pub(crate) fn new(metric: RotaryMetric, start: RotaryWords, greedy: bool) -> Self {
         Self {
             metric,
             layer: Vec::new(),
@@ -150,14 +150,14 @@ impl CourseSearch {
     }
 
     /// Where motion counts from before anything has moved.
-    pub(crate) fn restart(&mut self, words: Turns) {
+    pub(crate) fn restart(&mut self, words: RotaryWords) {
         for survivor in &mut self.survivors {
             survivor.state.words = words;
         }
     }
 
     /// Every survivor turns to where `parked` puts it; what comes next is a motion in the air.
-    pub(crate) fn park(&mut self, parked: impl Fn(&Turns) -> Turns) {
+    pub(crate) fn park(&mut self, parked: impl Fn(&RotaryWords) -> RotaryWords) {
         self.next.clear();
         for from in &self.survivors {
             let words = parked(&from.state.words);
@@ -171,13 +171,13 @@ impl CourseSearch {
     }
 
     /// The words from which the next motion turns least by chance: those of the cheapest survivor.
-    pub(crate) fn words(&self) -> Turns {
+    pub(crate) fn words(&self) -> RotaryWords {
         self.survivors.iter().min_by_key(|survivor| survivor.cost).map_or([0; 2], |survivor| survivor.state.words)
     }
 
     /// Where the axes stand that have been rewound least; in front of a motion in the air only where the cheapest way has
     /// led, or there would be ever more.
-    pub(crate) fn near(&self, air: bool, out: &mut Vec<Turns>) {
+    pub(crate) fn near(&self, air: bool, out: &mut Vec<RotaryWords>) {
         if air {
             return out.push(self.words());
         }
@@ -223,27 +223,26 @@ impl CourseSearch {
         &mut self,
         motion: u64,
         states: &[RotaryState],
-        towards: Option<Towards>,
-        wished: impl Fn(&RotaryState) -> bool,
+        sense: Option<RotationSense>,
+        is_preferred: impl Fn(&RotaryState) -> bool,
     ) -> bool {
         self.next.clear();
         for state in states {
-            let wish = if wished(state) { Cost::default() } else { Cost::UNWISHED };
+            let preference = if is_preferred(state) { Cost::default() } else { Cost::AGAINST_PREFERENCE };
             let cost = |from: &Survivor| {
-                let change =
-                    |axis| self.metric.change_towards(axis, from.state.words[axis], state.words[axis], towards);
-                Some(from.cost.plus(self.metric.cost_of([change(0)?, change(1)?])).plus(wish))
+                let change = |axis| self.metric.change_in_sense(axis, from.state.words[axis], state.words[axis], sense);
+                Some(from.cost.plus(self.metric.cost_of([change(0)?, change(1)?])).plus(preference))
             };
-            let ways = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
-            let Some((cost, from)) = ways.min_by_key(|(cost, _)| *cost) else { continue };
-            let travel = |to: &RotaryState| self.metric.cost(&from.state.words, &to.words).travel;
+            let candidates = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
+            let Some((cost, from)) = candidates.min_by_key(|(cost, _)| *cost) else { continue };
+            let travel = |to: &RotaryState| self.metric.cost(&from.state.words, &to.words).travel_units;
             // Without a word about it the least travel is taken; of an axis with many turns not all are looked at.
-            let expected = towards.is_none()
+            let expected = sense.is_none()
                 && self.metric.short(&from.state.words, &state.words)
                 && states.iter().all(|other| other == state || travel(other) > travel(state));
             let head = match expected {
                 true => from.head,
-                false => self.history.push(from.head, motion, How::Take, state.words),
+                false => self.history.push(from.head, motion, CourseAction::EndWith, state.words),
             };
             self.next.push(Survivor { state: *state, cost, head, air: None });
         }
@@ -256,17 +255,17 @@ impl CourseSearch {
         &mut self,
         (motion, begins): (u64, bool),
         (first, second): (Rotary, &[i64]),
-        towards: Option<Towards>,
+        sense: Option<RotationSense>,
     ) {
         self.next.clear();
         for from in &self.survivors {
             for &second in second {
                 let state = RotaryState { words: [first.clamped(from.state.words[0]), second], ..from.state };
                 let cost = from.cost.plus(self.metric.cost(&from.state.words, &state.words));
-                let (head, air) = match state.words == from.state.words && towards.is_none() {
+                let (head, air) = match state.words == from.state.words && sense.is_none() {
                     true => (from.head, from.air.filter(|_| !begins).unwrap_or(motion)),
                     // What turns the rotary must not stand in front of this in the course.
-                    false => (self.history.push(from.head, motion, How::Take, state.words), motion),
+                    false => (self.history.push(from.head, motion, CourseAction::EndWith, state.words), motion),
                 };
                 Self::keep(&mut self.next, Survivor { state, cost, head, air: Some(air) });
             }
@@ -285,22 +284,22 @@ impl CourseSearch {
         self.collect_sources();
         self.next.clear();
         for state in states {
-            let mut best: Option<(Cost, Ancestor)> = None;
+            let mut best: Option<(Cost, Predecessor)> = None;
             for source in &self.sources {
                 let cost = source.from.cost.plus(self.metric.cost(&source.from.state.words, &state.words));
                 if best.is_none_or(|(least, _)| cost < least) && linked(&source.from.state, state) {
                     best = Some((cost, *source));
                 }
             }
-            let Some((cost, Ancestor { from, rewound })) = best else { continue };
+            let Some((cost, Predecessor { from, rewound })) = best else { continue };
             let mut head = from.head;
             if rewound {
-                head = self.history.push(head, motion, How::Rewind, from.state.words);
+                head = self.history.push(head, motion, CourseAction::Rewind, from.state.words);
             }
             if let Some(part) = via {
-                head = self.history.push(head, motion, How::Via(part), state.words);
+                head = self.history.push(head, motion, CourseAction::SplitAt(part), state.words);
             } else if from.state.branch != state.branch || !self.metric.plain(&from.state.words, &state.words) {
-                head = self.history.push(head, motion, How::Take, state.words);
+                head = self.history.push(head, motion, CourseAction::EndWith, state.words);
             }
             self.next.push(Survivor { state: *state, cost, head, air: None });
         }
@@ -314,7 +313,7 @@ impl CourseSearch {
         let settled = self.survivors.len() >= self.layer.len()
             && self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest);
         if settled {
-            self.sources.extend(self.survivors.iter().map(|&from| Ancestor { from, rewound: false }));
+            self.sources.extend(self.survivors.iter().map(|&from| Predecessor { from, rewound: false }));
             return;
         }
         for state in &self.layer {
@@ -324,12 +323,12 @@ impl CourseSearch {
             let other = self.survivors.iter().map(|from| (rewound(from), from)).min_by_key(|(cost, _)| *cost);
             match (alive, other) {
                 (Some(&from), Some((cost, _))) if from.cost <= cost => {
-                    self.sources.push(Ancestor { from, rewound: false });
+                    self.sources.push(Predecessor { from, rewound: false });
                 }
-                (Some(&from), None) => self.sources.push(Ancestor { from, rewound: false }),
+                (Some(&from), None) => self.sources.push(Predecessor { from, rewound: false }),
                 (_, Some((cost, from))) => {
                     let from = Survivor { state: *state, cost, ..*from };
-                    self.sources.push(Ancestor { from, rewound: true });
+                    self.sources.push(Predecessor { from, rewound: true });
                 }
                 (None, None) => {}
             }
@@ -341,21 +340,21 @@ impl CourseSearch {
         &mut self,
         motion: u64,
         via: Option<f64>,
-        mut entry: impl FnMut(&RotaryState) -> Option<Turns>,
+        mut entry: impl FnMut(&RotaryState) -> Option<RotaryWords>,
     ) -> bool {
         self.collect_sources();
         self.next.clear();
-        for Ancestor { from, rewound } in &self.sources {
+        for Predecessor { from, rewound } in &self.sources {
             let Some(words) = entry(&from.state) else { continue };
             let cost = from.cost.plus(self.metric.cost(&from.state.words, &words));
             let mut head = from.head;
             if *rewound {
-                head = self.history.push(head, motion, How::Rewind, from.state.words);
+                head = self.history.push(head, motion, CourseAction::Rewind, from.state.words);
             }
             if let Some(part) = via {
-                head = self.history.push(head, motion, How::Via(part), words);
+                head = self.history.push(head, motion, CourseAction::SplitAt(part), words);
             } else if words[0] != from.state.words[0] || !self.metric.plain(&from.state.words, &words) {
-                head = self.history.push(head, motion, How::Take, words);
+                head = self.history.push(head, motion, CourseAction::EndWith, words);
             }
             Self::keep(&mut self.next, Survivor { state: RotaryState { words, ..from.state }, cost, head, air: None });
         }
@@ -363,7 +362,7 @@ impl CourseSearch {
     }
 
     /// A cut out of the pole. `exits`: for each state the words in which it leaves the pole.
-    pub(crate) fn leave_pole(&mut self, motion: u64, states: &[RotaryState], exits: &[Option<Turns>]) -> bool {
+    pub(crate) fn leave_pole(&mut self, motion: u64, states: &[RotaryState], exits: &[Option<RotaryWords>]) -> bool {
         self.next.clear();
         for (state, exit) in states.iter().zip(exits) {
             let Some(exit) = exit else { continue };
@@ -377,18 +376,18 @@ impl CourseSearch {
             let mut head = from.head;
             if *exit != from.state.words {
                 head = match from.air {
-                    Some(air) => self.history.push(head, air, How::Take, *exit),
-                    None => self.history.push(head, motion, How::Turn, *exit),
+                    Some(air) => self.history.push(head, air, CourseAction::EndWith, *exit),
+                    None => self.history.push(head, motion, CourseAction::RotateAtPole, *exit),
                 };
             }
-            head = self.history.push(head, motion, How::Take, state.words);
+            head = self.history.push(head, motion, CourseAction::EndWith, state.words);
             self.next.push(Survivor { state: *state, cost, head, air: None });
         }
         self.finish_layer(states)
     }
 
     /// The cheapest way, and what it decided.
-    pub(crate) fn finish(mut self) -> (Cost, Packed) {
+    pub(crate) fn finish(mut self) -> (Cost, PackedChanges) {
         let best = self.survivors.iter().min_by_key(|survivor| survivor.cost).copied();
         let Some(best) = best else { return (Cost::default(), self.history.decided) };
         let chain = self.history.chain(best.head);
@@ -404,8 +403,8 @@ mod tests {
 
     #[test]
     fn ways_that_are_given_up_leave_nothing_behind() {
-        let rotary = Rotary { index: 0, lower: Some(-400), upper: Some(400), rest: 0.0 };
-        let metric = Metric::new(&[rotary], [None; 2], AngleScale { per_degree: 1.0, turn: 360 });
+        let rotary = Rotary { index: 0, lower: Some(-400), upper: Some(400), rest_deg: 0.0 };
+        let metric = RotaryMetric::new(&[rotary], [None; 2], AngleScale { units_per_degree: 1.0, units_per_turn: 360 });
         // Pose by pose, one way is kept and one is rewound to and given up.
         let mut search = CourseSearch::new(metric, [10, 0], true);
         let states = [10, -350].map(|word| RotaryState { branch: Branch::First, words: [word, 0] });
@@ -413,7 +412,7 @@ mod tests {
         for motion in 1..10_000 {
             assert!(search.cut(motion, &states, None, |from, to| from == to));
         }
-        assert!(search.history.nodes.len() < TIDY, "{}", search.history.nodes.len());
+        assert!(search.history.nodes.len() < COMPACT_ABOVE, "{}", search.history.nodes.len());
         assert_eq!(search.finish().0.rewinds, 0);
     }
 }

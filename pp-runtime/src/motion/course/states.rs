@@ -5,20 +5,20 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use crate::kinematics::{AxisValues, Branch, Pose, Solution};
 
 use crate::motion::course::search::RotaryState;
-use crate::motion::geometry::{Way, angle_between};
+use crate::motion::geometry::{PathSegment, angle_between};
 use crate::motion::place::Placer;
 use crate::motion::rotary::Rotary;
-use crate::motion::rotary::{MOST_TURNS, Turns};
+use crate::motion::rotary::{MAX_TURNS, RotaryWords};
 
 /// Distance from the pole at which the direction of a path into it is read, rad.
-const BESIDE_POLE: f64 = 1e-8;
+const NEAR_POLE: f64 = 1e-8;
 
 /// Words this near to each other are the same after a detour through the pole.
 const SAME_WORD: i64 = 2;
 
 /// Halvings of a block while it is followed along its branch: half a turn, until it is no wider than the least distance
 /// from a pole beside which the axes still turn.
-const MOST_HALVINGS: u32 = 30;
+const MAX_HALVINGS: u32 = 30;
 
 /// Finds the ways in which the rotary axes of a machine can hold a pose.
 #[derive(Debug)]
@@ -39,18 +39,18 @@ impl StateFinder {
     /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first, then
     /// the turns nearest to zero, positive before negative. An endless axis stands within half a turn of zero. `near`: of an
     /// axis with too many turns those next to these words are among them, and those at its ends.
-    pub(crate) fn states(&self, pose: &Pose, near: &[Turns], out: &mut Vec<RotaryState>) {
+    pub(crate) fn states(&self, pose: &Pose, near: &[RotaryWords], out: &mut Vec<RotaryState>) {
         out.clear();
         for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
             let start = out.len();
             let turns = |rotary: &Rotary| {
                 rotary.turns(
                     rotary.word(solution.axes[rotary.index], self.placer.scale()),
-                    self.placer.scale().turn,
-                    MOST_TURNS,
+                    self.placer.scale().units_per_turn,
+                    MAX_TURNS,
                 )
             };
-            let mut push = |words: Turns| out.push(RotaryState { branch: solution.branch, words });
+            let mut push = |words: RotaryWords| out.push(RotaryState { branch: solution.branch, words });
             match self.placer.rotaries() {
                 [first, second] => {
                     for a in turns(first) {
@@ -60,14 +60,14 @@ impl StateFinder {
                 [only] => turns(only).for_each(|a| push([a, 0])),
                 _ => push([0; 2]),
             }
-            if self.placer.wide() {
+            if self.placer.has_many_turns() {
                 let ends = [Rotary::lower_end, Rotary::upper_end]
                     .map(|end| [0, 1].map(|axis| self.placer.rotaries().get(axis).map_or(0, |rotary| end(*rotary))));
                 for near in ends.iter().chain(near) {
                     let mut words = [0; 2];
                     let inside = self.placer.rotaries().iter().enumerate().all(|(axis, rotary)| {
                         let word = rotary.word(solution.axes[rotary.index], self.placer.scale());
-                        let nearest = rotary.nearest(word, near[axis], self.placer.scale().turn);
+                        let nearest = rotary.nearest(word, near[axis], self.placer.scale().units_per_turn);
                         words[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
                     });
@@ -87,7 +87,7 @@ impl StateFinder {
         let [_, second] = self.placer.rotaries()[..] else { return };
         for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
             let word = second.word(solution.axes[second.index], self.placer.scale());
-            out.extend(second.turns(word, self.placer.scale().turn, MOST_TURNS));
+            out.extend(second.turns(word, self.placer.scale().units_per_turn, MAX_TURNS));
         }
         out.dedup();
     }
@@ -131,7 +131,7 @@ impl StateFinder {
         pole: &UnitVector3<f64>,
         axis: &UnitVector3<f64>,
         state: &RotaryState,
-    ) -> Option<Turns> {
+    ) -> Option<RotaryWords> {
         let [first, second] = self.placer.rotaries()[..] else { return None };
         let p = pole.into_inner();
         let beside = (axis.into_inner() - p * p.dot(axis)).try_normalize(0.0)?;
@@ -139,10 +139,10 @@ impl StateFinder {
             let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
             self.placer.machine().inverse_kinematics(&pose, &self.placer.axes_of(&state.words))
         };
-        let near = solutions_at(p + beside * BESIDE_POLE);
+        let near = solutions_at(p + beside * NEAR_POLE);
         let near = near.iter().find(|solution| near.len() == 1 || solution.branch == state.branch)?;
         let word = |rotary: &Rotary, angle: f64, from: i64| {
-            rotary.nearest(rotary.word(angle, self.placer.scale()), from, self.placer.scale().turn).ok()
+            rotary.nearest(rotary.word(angle, self.placer.scale()), from, self.placer.scale().units_per_turn).ok()
         };
         let free = word(&first, near.axes[first.index], state.words[0])?;
         let there = solutions_at(p);
@@ -160,7 +160,7 @@ impl StateFinder {
         pole: &UnitVector3<f64>,
         axis: &UnitVector3<f64>,
         states: &[RotaryState],
-    ) -> Vec<Option<Turns>> {
+    ) -> Vec<Option<RotaryWords>> {
         states.iter().map(|state| self.at_pole(pole, axis, state)).collect()
     }
 
@@ -175,16 +175,16 @@ impl StateFinder {
         }
         let change = [0, 1].map(|axis| self.placer.metric().change(axis, start.words[axis], end.words[axis]));
         let end = [start.words[0] + change[0], start.words[1] + change[1]];
-        self.runs_through((a, start.words), (b, end), MOST_HALVINGS)
+        self.runs_through((a, start.words), (b, end), MAX_HALVINGS)
     }
 
     /// Whether halving a block again and again leads to small turns.
-    fn runs_through(&self, from: (&Pose, Turns), to: (&Pose, Turns), halvings: u32) -> bool {
+    fn runs_through(&self, from: (&Pose, RotaryWords), to: (&Pose, RotaryWords), halvings: u32) -> bool {
         let turn = (0..2).map(|axis| (to.1[axis] - from.1[axis]).abs()).max().unwrap_or(0);
-        if 36 * turn < self.placer.scale().turn {
+        if 36 * turn < self.placer.scale().units_per_turn {
             return true;
         }
-        let Some(middle) = Way::new(from.0, to.0).map(|way| way.at(0.5)) else { return false };
+        let Some(middle) = PathSegment::new(from.0, to.0).map(|segment| segment.at(0.5)) else { return false };
         if halvings == 0 {
             return false;
         }
@@ -197,32 +197,32 @@ impl StateFinder {
     }
 
     /// The solution of a pose nearest to some words, on any branch, without limits.
-    pub(crate) fn nearest_turns(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
+    pub(crate) fn nearest_turns(&self, pose: &Pose, expected: &RotaryWords) -> Option<RotaryWords> {
         let solutions = self.placer.machine().inverse_kinematics(pose, &self.placer.axes_of(expected));
-        let off = |words: &Turns| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
+        let off = |words: &RotaryWords| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
         solutions.iter().filter_map(|solution| self.turned_to(solution, expected)).min_by_key(off)
     }
 
     /// The words to which a state runs on in a cut, whatever the limits say.
-    pub(crate) fn continued(&self, pose: &Pose, state: &RotaryState) -> Option<Turns> {
+    pub(crate) fn continued(&self, pose: &Pose, state: &RotaryState) -> Option<RotaryWords> {
         let solutions = self.placer.machine().inverse_kinematics(pose, &self.placer.axes_of(&state.words));
         let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
         self.turned_to(solution, &state.words)
     }
 
     /// The words of a solution in the turn nearest to some words, without limits.
-    fn turned_to(&self, solution: &Solution<AxisValues>, near: &Turns) -> Option<Turns> {
+    fn turned_to(&self, solution: &Solution<AxisValues>, near: &RotaryWords) -> Option<RotaryWords> {
         let mut words = *near;
         for (word, rotary) in words.iter_mut().zip(self.placer.rotaries()) {
             let wanted = rotary.word(solution.axes[rotary.index], self.placer.scale());
-            *word = rotary.without_limits().nearest(wanted, *word, self.placer.scale().turn).ok()?;
+            *word = rotary.without_limits().nearest(wanted, *word, self.placer.scale().units_per_turn).ok()?;
         }
         Some(words)
     }
 
     /// Whether words lie inside the limits of their axes.
-    pub(crate) fn inside(&self, words: &Turns) -> bool {
-        self.placer.rotaries().iter().zip(words).all(|(rotary, &word)| rotary.holds(word))
+    pub(crate) fn inside(&self, words: &RotaryWords) -> bool {
+        self.placer.rotaries().iter().zip(words).all(|(rotary, &word)| rotary.contains(word))
     }
 
     /// Both branches of a pose are one.

@@ -28,7 +28,7 @@ struct Point {
 }
 
 /// All changes of a course.
-fn changes(mut course: Course) -> Vec<Change> {
+fn changes(mut course: Course) -> Vec<CourseChange> {
     std::iter::from_fn(|| {
         let change = course.next.take()?;
         course.next = course.changes.next();
@@ -63,7 +63,7 @@ fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
     }
     let course = course_of::<Cb>(&config, &events);
     // C to 170, home, to -172 and not to 188; B to 30 once.
-    let degrees = course.cost.travel as f64 / 10_f64.powi(config.formats.rotary as i32);
+    let degrees = course.cost.travel_units as f64 / 10_f64.powi(config.formats.rotary as i32);
     assert!((degrees - (170.0 + 170.0 + 172.0 + 30.0)).abs() < 0.01, "{degrees}");
     assert_eq!(changes(course), []);
 }
@@ -81,9 +81,9 @@ impl Everything<'_> {
     fn sum(a: Cost, b: Cost) -> Cost {
         Cost {
             rewinds: a.rewinds + b.rewinds,
-            unwished: a.unwished + b.unwished,
-            time: a.time + b.time,
-            travel: a.travel + b.travel,
+            against_preference: a.against_preference + b.against_preference,
+            time_ns: a.time_ns + b.time_ns,
+            travel_units: a.travel_units + b.travel_units,
         }
     }
 
@@ -192,8 +192,11 @@ fn a_limit_on_the_way_of_a_single_block_is_met_by_a_rewind_at_the_limit() {
     let course = course::<Cb>(&config, &path((170.0, 30.0), &[(20.0, 0.0, false)]));
     assert_eq!(course.cost.rewinds, 1);
     let changes = changes(course);
-    let how: Vec<How> = changes.iter().map(|change| change.how).collect();
-    assert!(matches!(how[..], [How::Via(part), How::Rewind] if (part - 0.5).abs() < 1e-4), "{how:?}");
+    let action: Vec<CourseAction> = changes.iter().map(|change| change.action).collect();
+    assert!(
+        matches!(action[..], [CourseAction::SplitAt(part), CourseAction::Rewind] if (part - 0.5).abs() < 1e-4),
+        "{action:?}"
+    );
     assert_eq!(changes[0].words[0], 1_800_000);
     assert_eq!(changes[1].words[0], -1_800_000);
 }
@@ -204,7 +207,7 @@ fn of_equal_courses_the_first_branch_is_taken_and_the_turn_nearest_to_zero() {
     config.set_up.limits.insert('B', limits(-110.0, 110.0));
     // C 90 B 30 or C -90 B -30: the same travel.
     let course = course::<Cb>(&config, &path((90.0, 30.0), &[]));
-    assert_eq!(changes(course), [Change { motion: 0, how: How::Take, words: [900_000, 300_000] }]);
+    assert_eq!(changes(course), [CourseChange { motion: 0, action: CourseAction::EndWith, words: [900_000, 300_000] }]);
 }
 
 #[test]
@@ -260,7 +263,7 @@ fn a_cut_runs_through_however_near_it_passes_the_pole() {
         let course = course::<Cb>(&config, &[-1.0, 1.0].map(pose));
         assert_eq!(course.cost.rewinds, 0);
         // To the start, and half a turn at the pole.
-        assert!(course.cost.travel > 1_700_000, "{beside}: {course:?}");
+        assert!(course.cost.travel_units > 1_700_000, "{beside}: {course:?}");
         assert!(course.greedy.is_some(), "{beside}");
     }
 }

@@ -11,44 +11,44 @@ use crate::program::Arc;
 use crate::motion::fault::Fault;
 
 /// More chords than this in one arc are a fault of the file.
-const MOST_CHORDS: f64 = 1e6;
+const MAX_CHORDS: f64 = 1e6;
 
 /// An arc with the frame in which it is computed.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Round<'a> {
+pub(crate) struct ArcGeometry<'a> {
     arc: &'a Arc,
     /// Unit vectors from the axis to the start, and a quarter turn on.
     u: Vector3<f64>,
     v: Vector3<f64>,
     /// Distances of start and end from the axis, mm.
-    pub(crate) radii: [f64; 2],
+    pub(crate) radii_mm: [f64; 2],
     /// Height of the start above the centre, mm.
-    level: f64,
+    level_mm: f64,
     /// What the tip moves along the normal, mm.
-    pub(crate) rise: f64,
+    pub(crate) rise_mm: f64,
 }
 
-impl<'a> Round<'a> {
+impl<'a> ArcGeometry<'a> {
     pub(crate) fn new(arc: &'a Arc) -> Self {
         let normal = arc.normal.into_inner();
         let along = |point: Point3<f64>| (point - arc.centre).dot(&normal);
         let flat = |point: Point3<f64>| (point - arc.centre) - normal * along(point);
         let (first, last) = (flat(arc.start.tip), flat(arc.end.tip));
         let u = first / first.norm();
-        let level = along(arc.start.tip);
+        let level_mm = along(arc.start.tip);
         Self {
             arc,
             u,
             v: normal.cross(&u),
-            radii: [first.norm(), last.norm()],
-            level,
-            rise: along(arc.end.tip) - level,
+            radii_mm: [first.norm(), last.norm()],
+            level_mm,
+            rise_mm: along(arc.end.tip) - level_mm,
         }
     }
 
     /// The larger of the radii, mm.
     pub(crate) fn radius(&self) -> f64 {
-        self.radii[0].max(self.radii[1])
+        self.radii_mm[0].max(self.radii_mm[1])
     }
 
     /// Where the tip is at a part of the way; the ends are as the CL data has them.
@@ -60,19 +60,19 @@ impl<'a> Round<'a> {
             return self.arc.end.tip;
         }
         let (sine, cosine) = (self.arc.angle * part).sin_cos();
-        let radius = self.radii[0] + (self.radii[1] - self.radii[0]) * part;
-        let height = self.level + self.rise * part;
+        let radius = self.radii_mm[0] + (self.radii_mm[1] - self.radii_mm[0]) * part;
+        let height = self.level_mm + self.rise_mm * part;
         self.arc.centre + (self.u * cosine + self.v * sine) * radius + self.arc.normal.into_inner() * height
     }
 
     /// Length of the whole way, mm.
     pub(crate) fn length(&self) -> f64 {
-        (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle).hypot(self.rise)
+        (0.5 * (self.radii_mm[0] + self.radii_mm[1]) * self.arc.angle).hypot(self.rise_mm)
     }
 
     /// What it rises on 1 mm of its way in the plane.
     pub(crate) fn slope(&self) -> f64 {
-        self.rise / (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle)
+        self.rise_mm / (0.5 * (self.radii_mm[0] + self.radii_mm[1]) * self.arc.angle)
     }
 
     /// Parts of the way, the ends left out, at which the tip may be furthest in a direction or against it.
@@ -82,7 +82,7 @@ impl<'a> Round<'a> {
     pub(crate) fn extremes(&self, direction: Vector3<f64>) -> impl Iterator<Item = f64> {
         let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
         let angle = self.arc.angle;
-        let slope = self.arc.normal.dot(&direction) * self.rise / angle;
+        let slope = self.arc.normal.dot(&direction) * self.rise_mm / angle;
         let share = slope / (self.radius() * a.hypot(b));
         let phase = b.atan2(a);
         // NaN where the direction is the normal, outside ±1 where the helix is steeper than the circle is wide.
@@ -102,7 +102,7 @@ impl<'a> Round<'a> {
         // A chord over the angle t is off by r (1 - cos t/2), which is at most r t²/8.
         let step = (8.0 * tolerance / self.radius()).sqrt().min(FRAC_PI_2);
         let chords = (self.arc.angle / step).ceil().max(1.0);
-        if chords.is_nan() || chords > MOST_CHORDS {
+        if chords.is_nan() || chords > MAX_CHORDS {
             return Err(Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL"));
         }
         Ok(chords as u32)
@@ -111,7 +111,7 @@ impl<'a> Round<'a> {
 
 /// The box that the tip of an arc fills: its lowest and its highest corner, mm.
 pub(crate) fn extent(arc: &Arc) -> [[f64; 3]; 2] {
-    let round = Round::new(arc);
+    let round = ArcGeometry::new(arc);
     let along = |axis: usize| {
         let direction = Vector3::ith_axis(axis).into_inner();
         let tips = round.extremes(direction).chain([0.0, 1.0]).map(|part| round.tip(part)[axis]);
@@ -146,7 +146,7 @@ mod tests {
         for tolerance in [0.001, 0.01, 0.1] {
             let angle = 2.25 * TAU;
             let helix = arc([20.0, 0.0, 0.0], [0.0, 20.0, -9.0], angle);
-            let round = Round::new(&helix);
+            let round = ArcGeometry::new(&helix);
             let chords = round.chords(tolerance).expect("chords");
             let tips: Vec<_> = (0..=chords).map(|index| round.tip(f64::from(index) / f64::from(chords))).collect();
             assert_eq!(tips.last(), Some(&helix.end.tip), "the end is exact");
@@ -166,7 +166,7 @@ mod tests {
     fn arcs_that_would_need_a_million_chords_are_refused() {
         let round = |centre, tolerance| {
             let circle = Arc { centre, ..arc([20.0, 0.0, 0.0], [20.0, 0.0, 0.0], TAU) };
-            Round::new(&circle).chords(tolerance).is_err()
+            ArcGeometry::new(&circle).chords(tolerance).is_err()
         };
         assert!(round(Point3::new(1e150, 0.0, 0.0), 0.01));
         assert!(round(Point3::new(f64::MAX, 0.0, 0.0), 0.01));
@@ -177,7 +177,7 @@ mod tests {
     #[test]
     fn a_radius_that_changes_within_the_tolerance_leaves_both_ends_exact() {
         let spiral = arc([20.0, 0.0, 0.0], [0.0, 20.004, 0.0], 0.25 * TAU);
-        let round = Round::new(&spiral);
+        let round = ArcGeometry::new(&spiral);
         assert_eq!((round.tip(0.0), round.tip(1.0)), (spiral.start.tip, spiral.end.tip));
         assert!((round.tip(0.5).coords.norm() - 20.002).abs() < 1e-9);
     }
@@ -197,7 +197,7 @@ mod tests {
             let u = normal.cross(&Vector3::new(0.3, 0.7, -0.4)).normalize() * 7.0;
             let turned = nalgebra::Rotation3::from_axis_angle(&normal, angle) * u + normal.into_inner() * rise;
             let helix = Arc { normal, ..arc(u.into(), turned.into(), angle) };
-            let (round, direction) = (Round::new(&helix), Vector3::from(direction));
+            let (round, direction) = (ArcGeometry::new(&helix), Vector3::from(direction));
             let far = |part: f64| round.tip(part).coords.dot(&direction);
             let known: Vec<f64> = round.extremes(direction).chain([0.0, 1.0]).map(far).collect();
             let most = known.iter().copied().fold(f64::MIN, f64::max);

@@ -14,7 +14,7 @@ const SAME_SWEEP: f64 = 0.5;
 const CLEAR_SWEEP: [f64; 2] = [0.05, 0.95 * PI];
 
 /// Centres further away than this, in units, are none.
-const LARGEST: f64 = 1e15;
+const MAX_UNITS: f64 = 1e15;
 
 /// A plane of the program, by the axis that is square to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,7 +29,7 @@ pub enum ArcPlane {
 
 impl ArcPlane {
     /// The plane square to X, Y or Z.
-    pub(crate) const SQUARE_TO: [Self; 3] = [Self::Yz, Self::Zx, Self::Xy];
+    pub(crate) const PERPENDICULAR_TO: [Self; 3] = [Self::Yz, Self::Zx, Self::Xy];
 
     /// Places of its axes among X Y Z, in their order, and that of the axis square to it.
     #[must_use]
@@ -65,40 +65,40 @@ pub struct Circle {
 
 /// The circle of the CL data in the plane, mm.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Nominal {
-    pub(crate) centre: [f64; 2],
+pub(crate) struct NominalCircle {
+    pub(crate) centre_mm: [f64; 2],
     /// At start and end.
-    pub(crate) radii: [f64; 2],
+    pub(crate) radii_mm: [f64; 2],
     pub(crate) clockwise: bool,
     /// rad.
-    pub(crate) sweep: f64,
+    pub(crate) sweep_rad: f64,
 }
 
 /// What words have to keep.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Grid {
+pub(crate) struct WordGrid {
     /// Units in 1 mm.
-    pub(crate) per_mm: f64,
+    pub(crate) units_per_mm: f64,
     /// By how much the control lets the radii at both ends differ, mm.
-    pub(crate) radius_tolerance: f64,
+    pub(crate) radius_tolerance_mm: f64,
 }
 
 /// Words of a circle and how well they say it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Fit {
+pub(crate) struct CircleFit {
     pub(crate) centre: [i64; 2],
     /// Angle of the circle that the words say, rad.
-    pub(crate) sweep: f64,
-    pub(crate) off: Off,
+    pub(crate) sweep_rad: f64,
+    pub(crate) off: CircleDeviation,
 }
 
 /// How far the circle of some words is off the nominal one, mm.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Off {
+pub(crate) struct CircleDeviation {
     /// In its plane.
-    pub(crate) plane: f64,
+    pub(crate) plane_mm: f64,
     /// Its centre: so much does a point lead or lag, seen from either centre.
-    pub(crate) centre: f64,
+    pub(crate) centre_mm: f64,
 }
 
 fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
@@ -113,7 +113,7 @@ fn length(a: [f64; 2]) -> f64 {
     a[0].hypot(a[1])
 }
 
-impl Nominal {
+impl NominalCircle {
     /// Angle from one direction to another in the sense of the circle; a whole turn where both are the same.
     fn turn(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let left = (from[0] * to[1] - from[1] * to[0]).atan2(dot(from, to));
@@ -122,17 +122,17 @@ impl Nominal {
     }
 
     /// The circle between two rounded points about `centre`, mm.
-    fn judged(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, Off) {
+    fn deviation_of(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, CircleDeviation) {
         let (first, last) = (minus(start, centre), minus(end, centre));
         let sweep = if whole { TAU } else { self.turn(first, last) };
         let radii = [length(first), length(last)];
-        let shift = minus(centre, self.centre);
+        let shift = minus(centre, self.centre_mm);
         let far = |direction: [f64; 2]| {
             let distance = length([shift[0] + direction[0] * radii[0], shift[1] + direction[1] * radii[0]]);
-            self.radii.iter().map(|radius| (distance - radius).abs()).fold(0.0, f64::max)
+            self.radii_mm.iter().map(|radius| (distance - radius).abs()).fold(0.0, f64::max)
         };
         let missed = |direction: [f64; 2]| {
-            let radius = self.radii[0];
+            let radius = self.radii_mm[0];
             (length([direction[0] * radius - shift[0], direction[1] * radius - shift[1]]) - radii[0]).abs()
         };
         let unit = |vector: [f64; 2]| [vector[0] / length(vector), vector[1] / length(vector)];
@@ -141,34 +141,34 @@ impl Nominal {
         let mut off = far(unit(first)).max(far(unit(last)));
         if length(shift) > 0.0 {
             let along = unit(shift);
-            let begin = minus(start, self.centre);
+            let begin = minus(start, self.centre_mm);
             for direction in [along, [-along[0], -along[1]]] {
                 if self.turn(first, direction) <= sweep {
                     off = off.max(far(direction));
                 }
                 // The other way round: a small loop near the nominal circle leaves most of that uncut.
-                if self.turn(begin, direction) <= self.sweep {
+                if self.turn(begin, direction) <= self.sweep_rad {
                     off = off.max(missed(direction));
                 }
             }
         }
-        (sweep, Off { plane: off + (radii[1] - radii[0]).abs(), centre: length(shift) })
+        (sweep, CircleDeviation { plane_mm: off + (radii[1] - radii[0]).abs(), centre_mm: length(shift) })
     }
 
     /// The words of the circle between two points in whole units; `None` if none say it.
-    pub(crate) fn fit(&self, start: [i64; 2], end: [i64; 2], grid: Grid) -> Option<Fit> {
-        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.per_mm);
+    pub(crate) fn fit(&self, start: [i64; 2], end: [i64; 2], grid: WordGrid) -> Option<CircleFit> {
+        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.units_per_mm);
         let (from, to) = (mm(start), mm(end));
         let whole = start == end;
-        let mut wanted = self.centre;
+        let mut wanted = self.centre_mm;
         if !whole {
             let chord = minus(to, from);
             let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
             let along = dot(minus(wanted, middle), chord) / dot(chord, chord);
             wanted = [wanted[0] - chord[0] * along, wanted[1] - chord[1] * along];
         }
-        let nearest = wanted.map(|value| (value * grid.per_mm).round());
-        if nearest.iter().any(|units| units.is_nan() || units.abs() > LARGEST) {
+        let nearest = wanted.map(|value| (value * grid.units_per_mm).round());
+        if nearest.iter().any(|units| units.is_nan() || units.abs() > MAX_UNITS) {
             return None;
         }
         let nearest = nearest.map(|units| units as i64);
@@ -184,32 +184,38 @@ impl Nominal {
                 centre = other;
             }
         }
-        if unequal(centre) > grid.radius_tolerance || centre == start {
+        if unequal(centre) > grid.radius_tolerance_mm || centre == start {
             return None;
         }
-        let (sweep, off) = self.judged([from, to], mm(centre), whole);
-        ((sweep - self.sweep).abs() <= SAME_SWEEP).then_some(Fit { centre, sweep, off })
+        let (sweep, off) = self.deviation_of([from, to], mm(centre), whole);
+        ((sweep - self.sweep_rad).abs() <= SAME_SWEEP).then_some(CircleFit { centre, sweep_rad: sweep, off })
     }
 
     /// The radius that says the same as a centre, in whole units, and how far the circle of its words is off, mm.
-    pub(crate) fn radius(&self, start: [i64; 2], end: [i64; 2], fit: &Fit, grid: Grid) -> Option<(i64, Off)> {
-        let small = fit.sweep.min(TAU - fit.sweep);
+    pub(crate) fn radius(
+        &self,
+        start: [i64; 2],
+        end: [i64; 2],
+        fit: &CircleFit,
+        grid: WordGrid,
+    ) -> Option<(i64, CircleDeviation)> {
+        let small = fit.sweep_rad.min(TAU - fit.sweep_rad);
         if !(CLEAR_SWEEP[0]..=CLEAR_SWEEP[1]).contains(&small) {
             return None;
         }
-        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.per_mm);
+        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.units_per_mm);
         let (from, to, centre) = (mm(start), mm(end), mm(fit.centre));
         let chord = minus(to, from);
         let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
-        let units = (length(minus(from, centre)) * grid.per_mm).round();
-        let radius = units / grid.per_mm;
+        let units = (length(minus(from, centre)) * grid.units_per_mm).round();
+        let radius = units / grid.units_per_mm;
         let height = (radius * radius - 0.25 * dot(chord, chord)).max(0.0).sqrt();
         let left = [-chord[1] / length(chord), chord[0] / length(chord)];
         let side = dot(minus(centre, middle), left).signum();
         let said = [middle[0] + left[0] * height * side, middle[1] + left[1] * height * side];
-        let (_, off) = self.judged([from, to], said, false);
+        let (_, off) = self.deviation_of([from, to], said, false);
         let units = units as i64;
-        Some((if fit.sweep > PI { -units } else { units }, off))
+        Some((if fit.sweep_rad > PI { -units } else { units }, off))
     }
 }
 
@@ -219,13 +225,14 @@ mod tests {
 
     use super::*;
 
-    const GRID: Grid = Grid { per_mm: 1000.0, radius_tolerance: 0.00127 };
+    const GRID: WordGrid = WordGrid { units_per_mm: 1000.0, radius_tolerance_mm: 0.00127 };
 
-    fn circle(centre: [f64; 2], radius: f64, from: f64, sweep: f64) -> (Nominal, [i64; 2], [i64; 2]) {
-        let nominal = Nominal { centre, radii: [radius; 2], clockwise: sweep < 0.0, sweep: sweep.abs() };
+    fn circle(centre: [f64; 2], radius: f64, from: f64, sweep: f64) -> (NominalCircle, [i64; 2], [i64; 2]) {
+        let nominal =
+            NominalCircle { centre_mm: centre, radii_mm: [radius; 2], clockwise: sweep < 0.0, sweep_rad: sweep.abs() };
         let at = |angle: f64| {
             [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
-                .map(|value| (value * GRID.per_mm).round() as i64)
+                .map(|value| (value * GRID.units_per_mm).round() as i64)
         };
         (nominal, at(from), at(from + sweep))
     }
@@ -235,11 +242,12 @@ mod tests {
     #[test]
     fn a_whole_turn_is_no_loop_at_its_start() {
         for radius in [0.05, 2.0, 10.000_5, 80.000_5] {
-            let nominal = Nominal { centre: [0.0; 2], radii: [radius; 2], clockwise: false, sweep: TAU };
+            let nominal =
+                NominalCircle { centre_mm: [0.0; 2], radii_mm: [radius; 2], clockwise: false, sweep_rad: TAU };
             let units = (radius * 1e3).floor() as i64;
             for aside in 0..40 {
                 let fit = nominal.fit([units, aside], [units + 1, aside], GRID);
-                let off = fit.map(|fit| (fit.off.plane, length(fit.centre.map(|units| units as f64 / 1e3))));
+                let off = fit.map(|fit| (fit.off.plane_mm, length(fit.centre.map(|units| units as f64 / 1e3))));
                 assert!(off.is_none_or(|(off, shift)| off > 0.8 * shift), "{radius} {aside}: {off:?}");
             }
         }
@@ -249,7 +257,7 @@ mod tests {
     fn a_whole_turn_stays_one_and_nothing_becomes_one() {
         let (nominal, start, end) = circle([1.0, 2.0], 10.0, 0.3, TAU);
         let fit = nominal.fit(start, end, GRID).expect("a circle");
-        assert!((fit.sweep - TAU).abs() < 1e-12 && fit.centre == [1000, 2000]);
+        assert!((fit.sweep_rad - TAU).abs() < 1e-12 && fit.centre == [1000, 2000]);
         // Nearly a whole turn whose ends round to one point, and to points on the wrong side of each other.
         let (nominal, start, _) = circle([1.0, 2.0], 10.0, 0.3, TAU - 1e-6);
         assert!(nominal.fit(start, start, GRID).is_some());
@@ -266,8 +274,8 @@ mod tests {
     fn radii_that_no_words_make_equal_are_none() {
         let (nominal, start, end) = circle([0.0, 0.0], 0.7, 0.0, 2.4);
         assert!(nominal.fit(start, end, GRID).is_some());
-        assert!(nominal.fit(start, end, Grid { radius_tolerance: 1e-9, ..GRID }).is_none());
-        assert!(nominal.fit(start, end, Grid { radius_tolerance: 1.0, ..GRID }).is_some());
+        assert!(nominal.fit(start, end, WordGrid { radius_tolerance_mm: 1e-9, ..GRID }).is_none());
+        assert!(nominal.fit(start, end, WordGrid { radius_tolerance_mm: 1.0, ..GRID }).is_some());
     }
 
     proptest! {
@@ -284,17 +292,17 @@ mod tests {
                 let [start, end, middle] = [start, end, fit.centre].map(|units| units.map(|units| units as f64 / 1e3));
                 let (first, last) = (minus(start, middle), minus(end, middle));
                 let unequal = (length(first) - length(last)).abs();
-                prop_assert!(unequal <= GRID.radius_tolerance);
+                prop_assert!(unequal <= GRID.radius_tolerance_mm);
                 let begin = first[1].atan2(first[0]);
                 for step in 0..=200 {
                     let part = f64::from(step) / 200.0;
-                    let angle = begin + sweep.signum() * fit.sweep * part;
+                    let angle = begin + sweep.signum() * fit.sweep_rad * part;
                     let r = length(first) + (length(last) - length(first)) * part;
                     let point = [middle[0] + r * angle.cos(), middle[1] + r * angle.sin()];
                     let off = (length(minus(point, centre)) - radius).abs();
-                    prop_assert!(off <= fit.off.plane + 1e-9, "{off} {fit:?}");
+                    prop_assert!(off <= fit.off.plane_mm + 1e-9, "{off} {fit:?}");
                 }
-                let reached = begin + sweep.signum() * fit.sweep;
+                let reached = begin + sweep.signum() * fit.sweep_rad;
                 let (x, y) = (middle[0] + length(last) * reached.cos(), middle[1] + length(last) * reached.sin());
                 prop_assert!((x - end[0]).hypot(y - end[1]) < 1e-6, "the sweep leads to the end");
                 if let Some((units, off)) = nominal.radius(
@@ -303,7 +311,7 @@ mod tests {
                     &fit,
                     GRID,
                 ) {
-                    prop_assert_eq!(units < 0, fit.sweep > PI);
+                    prop_assert_eq!(units < 0, fit.sweep_rad > PI);
                     // The control's own centre: on the side that sign and sense say.
                     let r = units.unsigned_abs() as f64 / 1e3;
                     let chord = minus(end, start);
@@ -315,7 +323,7 @@ mod tests {
                     ];
                     prop_assert!(length(minus(said, middle)) < 0.1 * radius + 0.01, "{said:?} {middle:?}");
                     prop_assert!((length(minus(start, said)) - r).abs() < 1e-6);
-                    prop_assert!(off.plane < 1.0);
+                    prop_assert!(off.plane_mm < 1.0);
                 }
             }
         }
@@ -330,7 +338,7 @@ mod tests {
         ) {
             let (nominal, start, end) = circle(centre, radius, from, sweep);
             let fit = nominal.fit(start, end, GRID);
-            prop_assert!(fit.is_some_and(|fit| fit.off.plane < 0.004), "{fit:?}");
+            prop_assert!(fit.is_some_and(|fit| fit.off.plane_mm < 0.004), "{fit:?}");
         }
     }
 }

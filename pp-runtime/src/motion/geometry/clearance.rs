@@ -8,7 +8,7 @@ use crate::program::Clearance;
 const ALONG: f64 = 1e-3;
 
 /// mm along `axis` until the tool is outside and stays there, 0 if it is; `None` if it never leaves.
-pub(crate) fn way_out(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
+pub(crate) fn distance_to_clear(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
     match *clearance {
         Clearance::Plane(plane) => {
             let along = axis.dot(&plane.normal);
@@ -63,7 +63,7 @@ mod tests {
     use crate::program::Plane;
 
     fn out(clearance: &Clearance, tip: [f64; 3], axis: [f64; 3]) -> Option<f64> {
-        way_out(clearance, &Point3::from(tip), &UnitVector3::new_normalize(Vector3::from(axis)))
+        distance_to_clear(clearance, &Point3::from(tip), &UnitVector3::new_normalize(Vector3::from(axis)))
     }
 
     const BOX: Clearance =
@@ -111,12 +111,12 @@ mod tests {
             prop_assume!(Vector3::from(axis).norm() > 0.1);
             let clearance = if cylinder { CYLINDER } else { BOX };
             let axis = UnitVector3::new_normalize(Vector3::from(axis));
-            let way = way_out(&clearance, &Point3::from(tip), &axis).expect("a way");
+            let distance = distance_to_clear(&clearance, &Point3::from(tip), &axis).expect("a distance");
             let at = |t: f64| Point3::from(tip) + axis.into_inner() * t;
             for step in 1..200 {
-                prop_assert!(!inside(&clearance, &at(way + 0.5 * f64::from(step))));
+                prop_assert!(!inside(&clearance, &at(distance + 0.5 * f64::from(step))));
             }
-            prop_assert!(way <= 1e-9 || inside(&clearance, &at(way - 1e-6)));
+            prop_assert!(distance <= 1e-9 || inside(&clearance, &at(distance - 1e-6)));
         }
     }
 }

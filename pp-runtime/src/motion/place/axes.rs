@@ -4,11 +4,11 @@
 
 use nalgebra::UnitVector3;
 
-use super::chain::{coordinates, counted, held_tool_axis, orthogonal, poles};
+use super::chain::{coordinates, held_tool_axis, orthogonal, poles, xyz_only};
 use super::datum::Datum;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, REACH_TOLERANCE};
 use crate::motion::options::{Mode, Policy};
-use crate::motion::rotary::{AngleScale, Metric, Rotary};
+use crate::motion::rotary::{AngleScale, Rotary, RotaryMetric};
 use crate::program::Units;
 
 /// Word units that floating-point noise of a limit may amount to.
@@ -32,7 +32,7 @@ pub(crate) struct RotaryAxes {
     /// Indexed ones, and their steps in whole units.
     pub(crate) grid: Vec<(Rotary, i64)>,
     pub(crate) scale: AngleScale,
-    pub(crate) metric: Metric,
+    pub(crate) metric: RotaryMetric,
 }
 
 /// Tool axes within reach that leave the first rotary free.
@@ -40,7 +40,7 @@ pub(crate) struct RotaryAxes {
 pub(crate) struct Poles {
     pub(crate) axes: Vec<UnitVector3<f64>>,
     /// Angle to a pole up to which the tool axis counts as being there, rad.
-    pub(crate) tolerance: f64,
+    pub(crate) tolerance_rad: f64,
 }
 
 /// The solved linear axes.
@@ -49,7 +49,7 @@ pub(crate) struct LinearAxes {
     /// Bit `i` for the axis at position `i`.
     pub(crate) mask: u16,
     /// Units of their words in 1 mm.
-    pub(crate) per_mm: f64,
+    pub(crate) units_per_mm: f64,
     /// Positions of X Y Z in the chain, where these are the axes that are solved.
     pub(crate) xyz: Option<[usize; 3]>,
     /// The one that retracts.
@@ -57,9 +57,9 @@ pub(crate) struct LinearAxes {
     /// Component of the tool axis along that axis' positive word, at the zero position.
     pub(crate) retract_share: f64,
     /// Going out along it is going out along the tool axis, whatever the rotaries do.
-    pub(crate) straight: bool,
+    pub(crate) retracts_along_tool: bool,
     /// The control counts their path as long as that of the tip.
-    pub(crate) square: bool,
+    pub(crate) keeps_path_length: bool,
     /// They are perpendicular to each other, whatever the rotaries do.
     pub(crate) orthogonal: bool,
 }
@@ -67,7 +67,7 @@ pub(crate) struct LinearAxes {
 /// Largest speeds, mm/min and rad/min, by position in the chain.
 #[derive(Debug, Clone)]
 pub(crate) struct AxisSpeeds {
-    pub(crate) of_axes: Vec<Option<f64>>,
+    pub(crate) per_axis: Vec<Option<f64>>,
     /// Feeds are limited by them.
     pub(crate) timed: bool,
 }
@@ -93,13 +93,13 @@ impl RotaryAxes {
         let limits = policy.set_up.travel(chain).limits;
         let axes: Vec<Rotary> = solved(chain, AxisKind::Rotary)
             .map(|index| {
-                let rest = datum.rest(index, scale);
-                let word = |angle: f64| (angle.to_degrees() - rest) * scale.per_degree;
+                let rest_deg = datum.rest_deg(index, scale);
+                let word = |angle: f64| (angle.to_degrees() - rest_deg) * scale.units_per_degree;
                 Rotary {
                     index,
                     lower: limits[index].map(|limits| (word(limits.lower) - LIMIT_NOISE).ceil() as i64),
                     upper: limits[index].map(|limits| (word(limits.upper) + LIMIT_NOISE).floor() as i64),
-                    rest,
+                    rest_deg,
                 }
             })
             .collect();
@@ -112,7 +112,7 @@ impl RotaryAxes {
             mask: mask(chain, AxisKind::Rotary),
             wrapped: axes.iter().filter(is_wrapped).fold(0, |mask, rotary| mask | 1 << rotary.index),
             grid: grid(chain, policy, &axes, scale),
-            metric: Metric::new(&axes, [0, 1].map(speed), scale),
+            metric: RotaryMetric::new(&axes, [0, 1].map(speed), scale),
             scale,
             axes,
         }
@@ -139,12 +139,12 @@ impl LinearAxes {
         let orthogonal = orthogonal(machine, axes);
         Self {
             mask: mask(axes, AxisKind::Linear),
-            per_mm: per_unit / units.in_mm(),
+            units_per_mm: per_unit / units.in_mm(),
             xyz: coordinates(axes),
             retract_axis,
             retract_share: share(retract_axis),
-            straight: policy.options.mode == Mode::Axes && !head && along_tool,
-            square: orthogonal && counted(axes),
+            retracts_along_tool: policy.options.mode == Mode::Axes && !head && along_tool,
+            keeps_path_length: orthogonal && xyz_only(axes),
             orthogonal,
         }
     }
@@ -152,8 +152,8 @@ impl LinearAxes {
 
 impl Poles {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
-        let tolerance = policy.options.course.axis_tolerance.max(REACH_TOLERANCE);
-        Self { axes: poles(machine, rotaries), tolerance }
+        let tolerance_rad = policy.options.course.axis_tolerance.max(REACH_TOLERANCE);
+        Self { axes: poles(machine, rotaries), tolerance_rad }
     }
 }
 

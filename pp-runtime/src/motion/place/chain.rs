@@ -54,7 +54,7 @@ pub(crate) fn orthogonal(machine: &dyn AnyMachine, axes: &[Axis]) -> bool {
 }
 
 /// X Y Z: along U V W no control counts F in a block that moves one of these.
-pub(crate) fn counted(axes: &[Axis]) -> bool {
+pub(crate) fn xyz_only(axes: &[Axis]) -> bool {
     solved_linear(axes).iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'))
 }
 

@@ -20,11 +20,11 @@ const NOISE: f64 = 1e-6;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Datum {
     /// Linear words at the zero position with a tool of no length, mm.
-    zero: [f64; MAX_AXES],
+    zero_mm: [f64; MAX_AXES],
     /// What 1 mm of gauge length adds to linear words.
     share: [f64; MAX_AXES],
     /// What a linear word is more than the axis value, with the tool in the spindle, mm.
-    linear: [f64; MAX_AXES],
+    linear_mm: [f64; MAX_AXES],
     /// Rotary offsets in units of words.
     offsets: [f64; MAX_AXES],
     /// The same in whole units.
@@ -36,11 +36,11 @@ impl Datum {
         let (mut offsets, mut whole) = ([0.0; MAX_AXES], [0; MAX_AXES]);
         for (index, axis) in machine.axes().iter().enumerate() {
             if let Some(offset) = policy.set_up.rotary_offset.get(&axis.letter) {
-                offsets[index] = offset.to_degrees() * scale.per_degree;
+                offsets[index] = offset.to_degrees() * scale.units_per_degree;
                 whole[index] = offsets[index].round() as i64;
             }
         }
-        let zero = match policy.set_up.program_zero {
+        let zero_mm = match policy.set_up.program_zero {
             ProgramZero::Part => [0.0; MAX_AXES],
             ProgramZero::Table => along_axes(machine, &policy.set_up.part_origin.into()),
         };
@@ -48,24 +48,24 @@ impl Datum {
             LengthMode::Tip => [0.0; MAX_AXES],
             LengthMode::Gauge => along_axes(machine, &machine.tool_axis()),
         };
-        Self { zero, share, linear: zero, offsets, whole }
+        Self { zero_mm, share, linear_mm: zero_mm, offsets, whole }
     }
 
     /// With another tool in the spindle.
     pub(crate) fn set_gauge_length(&mut self, length: f64) {
-        self.linear = std::array::from_fn(|index| self.zero[index] + length * self.share[index]);
+        self.linear_mm = std::array::from_fn(|index| self.zero_mm[index] + length * self.share[index]);
     }
 
     /// What the word of a linear axis is more than its value, mm.
     #[inline]
-    pub(crate) fn linear(&self, index: usize) -> f64 {
-        self.linear[index]
+    pub(crate) fn linear_shift_mm(&self, index: usize) -> f64 {
+        self.linear_mm[index]
     }
 
     /// What whole units do not hold of the offset of a rotary axis, degrees.
-    pub(crate) fn rest(&self, index: usize, scale: AngleScale) -> f64 {
+    pub(crate) fn rest_deg(&self, index: usize, scale: AngleScale) -> f64 {
         let rest = self.offsets[index] - self.whole[index] as f64;
-        if rest.abs() < NOISE { 0.0 } else { rest / scale.per_degree }
+        if rest.abs() < NOISE { 0.0 } else { rest / scale.units_per_degree }
     }
 
     /// The words to write for words that count axis values.

@@ -22,14 +22,14 @@ use crate::motion::options::{Mode, TcpFrame, TcpWords, ToolPosture};
 use crate::set_up::ProgramZero;
 
 use super::chain::rotaries;
-use super::tilted_plane::{PlaneAbility, Tilt};
+use super::tilted_plane::{PlaneAbility, TiltedPlane};
 use crate::motion::fault::Fault;
 
 /// What tip control of a control can do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TipAbility {
     /// In which frame it counts is a setting of the machine.
-    pub frame_is_set: bool,
+    pub frame_is_parameter: bool,
     /// It can turn the tool axis in the plane of its ends.
     pub turns_in_plane: bool,
     /// It takes the tool axis as a vector.
@@ -40,24 +40,24 @@ pub struct TipAbility {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct WordMap {
     pub(crate) rotation: Matrix3<f64>,
-    pub(crate) shift: Vector3<f64>,
+    pub(crate) shift_mm: Vector3<f64>,
 }
 
 impl WordMap {
     /// The words X Y Z of a tip, mm.
     pub(crate) fn words(&self, tip: &Point3<f64>) -> Vector3<f64> {
-        self.rotation * tip.coords + self.shift
+        self.rotation * tip.coords + self.shift_mm
     }
 
     /// The tip of words.
     pub(crate) fn tip(&self, words: &Vector3<f64>) -> Point3<f64> {
-        Point3::from(self.rotation.transpose() * (words - self.shift))
+        Point3::from(self.rotation.transpose() * (words - self.shift_mm))
     }
 }
 
 /// What linear words count.
 #[derive(Debug, Clone, PartialEq)]
-enum Counting {
+enum LinearWords {
     /// Axis values.
     Axes,
     /// The tip, in one frame until the next change.
@@ -69,14 +69,14 @@ enum Counting {
 /// The frames of one machine and set-up.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WordFrame {
-    counting: Counting,
+    counting: LinearWords,
     mode: Mode,
     tcp_frame: TcpFrame,
     posture: ToolPosture,
     /// Signs of the words X Y Z.
     signs: Matrix3<f64>,
     /// What the words count from, from the part zero, mm.
-    zero: Vector3<f64>,
+    zero_mm: Vector3<f64>,
     /// Positions of X Y Z in the chain.
     letters: [usize; 3],
 }
@@ -86,22 +86,22 @@ impl WordFrame {
         let position = |letter: char| machine.axes().iter().position(|axis| axis.letter == letter);
         let letters = ['X', 'Y', 'Z'].map(|letter| position(letter).unwrap_or_default());
         let sign = letters.map(|index| machine.joint(index).sign);
-        let zero = match policy.set_up.program_zero {
+        let zero_mm = match policy.set_up.program_zero {
             ProgramZero::Part => Vector3::zeros(),
             ProgramZero::Table => policy.set_up.part_origin.into(),
         };
         let mut frame = Self {
-            counting: Counting::Axes,
+            counting: LinearWords::Axes,
             mode: policy.options.mode,
             tcp_frame: policy.options.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             posture: policy.options.tip.tool_posture,
             signs: Matrix3::from_diagonal(&Vector3::from(sign)),
-            zero,
+            zero_mm,
             letters,
         };
         match (frame.mode, frame.tcp_frame) {
             (Mode::Tcp, TcpFrame::TableAtZero) => frame.fix(&Matrix3::identity(), Vector3::zeros()),
-            (Mode::Tcp, TcpFrame::NotTurning) => frame.counting = Counting::Turning,
+            (Mode::Tcp, TcpFrame::NotTurning) => frame.counting = LinearWords::Turning,
             (Mode::Axes | Mode::Plane, _) | (Mode::Tcp, TcpFrame::TableAtStart) => {}
         }
         frame
@@ -114,7 +114,7 @@ impl WordFrame {
 
     /// Words count the tip, not the axes.
     pub(crate) fn counts_tip(&self) -> bool {
-        self.counting != Counting::Axes
+        self.counting != LinearWords::Axes
     }
 
     /// The control turns the tool axis in the plane of its ends, whatever the rotary axes do for it.
@@ -123,28 +123,28 @@ impl WordFrame {
     }
 
     /// Whether the frame has to be set where the rotaries have turned.
-    pub(crate) fn is_set_anew(&self) -> bool {
+    pub(crate) fn is_set_at_angles(&self) -> bool {
         self.mode == Mode::Plane || self.mode == Mode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
     }
 
-    fn fix(&mut self, turn: &Matrix3<f64>, moved: Vector3<f64>) {
+    fn fix(&mut self, turn: &Matrix3<f64>, moved_mm: Vector3<f64>) {
         let rotation = self.signs * turn;
-        let shift = rotation * self.zero + self.signs * moved;
-        self.counting = Counting::Fixed(WordMap { rotation, shift });
+        let shift_mm = rotation * self.zero_mm + self.signs * moved_mm;
+        self.counting = LinearWords::Fixed(WordMap { rotation, shift_mm });
     }
 
     /// The frame is fixed to the table as it stands.
     pub(crate) fn start(&mut self, machine: &dyn AnyMachine, axes: &AxisValues) {
-        let (turn, moved) = table(machine, axes);
+        let (turn, moved_mm) = table(machine, axes);
         // The zero of the table's words turns with it, about the same centre lines.
-        self.fix(&turn, moved - turn * self.zero + self.zero);
+        self.fix(&turn, moved_mm - turn * self.zero_mm + self.zero_mm);
     }
 
     /// The plane of an orientation in the workpiece frame, as the control will have it.
-    pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<Tilt> {
+    pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<TiltedPlane> {
         let tilt = ability.tilt(&(self.signs * orientation * self.signs))?;
         let rotation = tilt.orientation.transpose() * self.signs;
-        self.counting = Counting::Fixed(WordMap { rotation, shift: rotation * self.zero });
+        self.counting = LinearWords::Fixed(WordMap { rotation, shift_mm: rotation * self.zero_mm });
         Some(tilt)
     }
 
@@ -152,11 +152,11 @@ impl WordFrame {
     #[inline]
     pub(crate) fn map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> Option<WordMap> {
         match &self.counting {
-            Counting::Axes => None,
-            Counting::Fixed(map) => Some(*map),
-            Counting::Turning => {
-                let (turn, moved) = table(machine, axes);
-                Some(WordMap { rotation: self.signs * turn, shift: self.signs * (moved + self.zero) })
+            LinearWords::Axes => None,
+            LinearWords::Fixed(map) => Some(*map),
+            LinearWords::Turning => {
+                let (turn, moved_mm) = table(machine, axes);
+                Some(WordMap { rotation: self.signs * turn, shift_mm: self.signs * (moved_mm + self.zero_mm) })
             }
         }
     }
@@ -165,9 +165,9 @@ impl WordFrame {
     #[inline]
     pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
         match (&self.counting, self.posture) {
-            (Counting::Axes | Counting::Turning, _) => bound,
-            (Counting::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
-            (Counting::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
+            (LinearWords::Axes | LinearWords::Turning, _) => bound,
+            (LinearWords::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
+            (LinearWords::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
         }
     }
 }
@@ -175,17 +175,17 @@ impl WordFrame {
 /// How the rotary axes of the table have carried the part: a point `p` of the workpiece stands at `turn · p + moved`, counted
 /// from where the part zero is with all axes at zero.
 fn table(machine: &dyn AnyMachine, axes: &AxisValues) -> (Matrix3<f64>, Vector3<f64>) {
-    let (mut turn, mut moved) = (Matrix3::identity(), Vector3::zeros());
+    let (mut turn, mut moved_mm) = (Matrix3::identity(), Vector3::zeros());
     for (index, axis) in machine.axes().iter().enumerate() {
         if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {
             let joint = machine.joint(index);
             let back = rotation(&joint, -axes[index]);
             let centre = joint.point.coords;
             turn = back * turn;
-            moved = back * (moved - centre) + centre;
+            moved_mm = back * (moved_mm - centre) + centre;
         }
     }
-    (turn, moved)
+    (turn, moved_mm)
 }
 
 /// How all rotary axes together turn the tool in the workpiece frame.
@@ -258,11 +258,11 @@ fn tcp_faults(
     };
     let table = rotaries(machine.axes(), Side::Workpiece).next().is_some();
     let head = rotaries(machine.axes(), Side::Tool).next().is_some();
-    if tip.frame_is_set && table && policy.options.tip.tcp_frame.is_none() {
+    if tip.frame_is_parameter && table && policy.options.tip.tcp_frame.is_none() {
         let text = "in which frame the tip is counted while the table turns is a parameter of the machine (19696#5)";
         other(text.to_owned(), "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
     }
-    if !tip.frame_is_set && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
+    if !tip.frame_is_parameter && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
         other(format!("{control} counts the tip in the frame of the table at zero"), "leave `tcp_frame` out");
     }
     if policy.options.tip.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {

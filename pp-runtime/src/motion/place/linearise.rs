@@ -18,9 +18,9 @@
 use crate::kinematics::{AxisValues, Branch, MotionBound, Pose, Solution};
 
 use super::refusal;
-use super::{Place, Placer};
+use super::{AxisPosition, Placer};
 use crate::motion::fault::Fault;
-use crate::motion::geometry::Way;
+use crate::motion::geometry::PathSegment;
 use crate::motion::rotary::{OutOfLimits, Rotary};
 use crate::motion::step::MAX_AXES;
 
@@ -37,22 +37,22 @@ const AIM: f64 = 0.993;
 const TRIES: usize = 120;
 
 /// Cosine of the largest angle between the tool axes of one block; the great circle of a wider one is ill conditioned.
-const WIDEST: f64 = -0.5;
+const MIN_AXIS_COSINE: f64 = -0.5;
 
 /// How far what is written may leave the motion of the CL data.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Tolerance {
+pub(crate) struct PathTolerance {
     /// Of the tip, mm.
-    pub(crate) tip: f64,
+    pub(crate) tip_mm: f64,
     /// Of the tool axis, rad.
-    pub(crate) axis: f64,
+    pub(crate) axis_rad: f64,
 }
 
 /// A piece with what is certified of it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CertifiedPiece {
     /// Where it ends.
-    pub(crate) place: Place,
+    pub(crate) place: AxisPosition,
     /// Largest deviation from the motion of the CL data, rounding of the words included.
     pub(crate) bound: MotionBound,
     /// Share of the tolerance that it uses; above 1 it does not certify.
@@ -62,10 +62,10 @@ pub(crate) struct CertifiedPiece {
 /// The pieces of one motion, one after the other.
 #[derive(Debug, Clone)]
 pub(crate) struct Linearised {
-    tolerance: Tolerance,
+    tolerance: PathTolerance,
     /// Where the last piece ended.
-    from: Place,
-    to: Place,
+    from: AxisPosition,
+    to: AxisPosition,
     rest: Remaining,
 }
 
@@ -76,17 +76,17 @@ enum Remaining {
     /// All of it, in one block if that certifies.
     Whole,
     /// Along the path.
-    Path(Path),
+    Path(CuttingPath),
     /// Turning on the spot, and then along the path, if that goes on.
-    Spot(Spot, Path),
+    Spot(SpotRotation, CuttingPath),
     /// Nothing.
     Nothing,
 }
 
 /// The straight, evenly turning motion of the CL data.
 #[derive(Debug, Clone, Copy)]
-struct Path {
-    way: Way,
+struct CuttingPath {
+    segment: PathSegment,
     /// The branch of both ends; `None` where they have none in common.
     branch: Option<Branch>,
     /// Shorter steps of the parameter than this are none: half a unit of the words.
@@ -99,9 +99,9 @@ struct Path {
 
 /// A turn of the rotaries while the tool stays in place.
 #[derive(Debug, Clone, Copy)]
-struct Spot {
-    start: Place,
-    target: Place,
+struct SpotRotation {
+    start: AxisPosition,
+    target: AxisPosition,
     /// Shorter steps than this turn no word by a unit.
     resolution: f64,
     at: f64,
@@ -118,7 +118,7 @@ struct LongestPiece {
 
 impl Linearised {
     /// The pieces from one place to another.
-    pub(crate) fn new(from: &Place, to: &Place, tolerance: Tolerance) -> Self {
+    pub(crate) fn new(from: &AxisPosition, to: &AxisPosition, tolerance: PathTolerance) -> Self {
         Self { tolerance, from: *from, to: *to, rest: Remaining::Whole }
     }
 
@@ -159,7 +159,7 @@ impl Linearised {
     }
 
     /// The next piece along the path; `None` if the tool has to turn on the spot first.
-    fn along(&mut self, certifier: &Certifier<'_>, path: Path) -> Result<Option<CertifiedPiece>, Fault> {
+    fn along(&mut self, certifier: &Certifier<'_>, path: CuttingPath) -> Result<Option<CertifiedPiece>, Fault> {
         // From the start the whole has been tried.
         if path.at > 0.0
             && let Some(piece) = self.rest_in_one(certifier)
@@ -173,16 +173,21 @@ impl Linearised {
         })?;
         let until = found.until;
         if found.piece.is_some() {
-            self.rest = Remaining::Path(Path { stride: until - path.at, at: until, ..path });
+            self.rest = Remaining::Path(CuttingPath { stride: until - path.at, at: until, ..path });
         } else {
             let target = if until < 1.0 { certifier.between(&path, (&from, &to), until)? } else { to };
-            self.rest = Remaining::Spot(certifier.spot(&from, &target), Path { at: until, ..path });
+            self.rest = Remaining::Spot(certifier.spot(&from, &target), CuttingPath { at: until, ..path });
         }
         Ok(found.piece)
     }
 
     /// The next piece of a turn on the spot.
-    fn on_spot(&mut self, certifier: &Certifier<'_>, spot: Spot, path: Path) -> Result<CertifiedPiece, Fault> {
+    fn on_spot(
+        &mut self,
+        certifier: &Certifier<'_>,
+        spot: SpotRotation,
+        path: CuttingPath,
+    ) -> Result<CertifiedPiece, Fault> {
         let from = self.from;
         let piece = certifier.certify(&from, &spot.target);
         if piece.share <= 1.0 {
@@ -194,7 +199,7 @@ impl Linearised {
             Ok(certifier.certify(&from, &place))
         })?;
         let Some(piece) = found.piece else { return Err(certifier.uncertified(&from, &spot.target)) };
-        let spot = Spot { stride: found.until - spot.at, at: found.until, ..spot };
+        let spot = SpotRotation { stride: found.until - spot.at, at: found.until, ..spot };
         self.rest = Remaining::Spot(spot, path);
         Ok(piece)
     }
@@ -239,21 +244,21 @@ fn longest(
 #[derive(Clone, Copy)]
 struct Certifier<'p> {
     placer: &'p Placer,
-    allowed: Tolerance,
+    allowed: PathTolerance,
 }
 
 impl Certifier<'_> {
     /// What is certified of one block.
     #[inline]
-    fn certify(&self, from: &Place, to: &Place) -> CertifiedPiece {
+    fn certify(&self, from: &AxisPosition, to: &AxisPosition) -> CertifiedPiece {
         let mut bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
-        let (tip_off, axis_off) = (from.rounding.max(to.rounding), self.axis_off(from).max(self.axis_off(to)));
-        if bound.tip > self.allowed.tip - tip_off && bound.axis <= self.allowed.axis - axis_off {
+        let (tip_off, axis_off) = (from.rounding_mm.max(to.rounding_mm), self.axis_off(from).max(self.axis_off(to)));
+        if bound.tip > self.allowed.tip_mm - tip_off && bound.axis <= self.allowed.axis_rad - axis_off {
             bound.tip = self.tip_by_halves(from, to, bound.tip);
         }
-        let share = (bound.tip / (self.allowed.tip - tip_off)).max(bound.axis / (self.allowed.axis - axis_off));
-        let roomy = self.allowed.tip > tip_off && self.allowed.axis > axis_off;
-        let narrow = from.pose.axis.dot(&to.pose.axis) > WIDEST && !self.placer.rolls_over(from, to);
+        let share = (bound.tip / (self.allowed.tip_mm - tip_off)).max(bound.axis / (self.allowed.axis_rad - axis_off));
+        let roomy = self.allowed.tip_mm > tip_off && self.allowed.axis_rad > axis_off;
+        let narrow = from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to);
         CertifiedPiece {
             place: *to,
             bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off },
@@ -264,7 +269,7 @@ impl Certifier<'_> {
     /// A bound of the tip's deviation from its line, mm, that is smaller than `whole` where the path bends to both sides
     /// of it: each half leaves its own chord by what is certified of it, and the two chords leave the line by no more than
     /// the point where they meet.
-    fn tip_by_halves(&self, from: &Place, to: &Place, whole: f64) -> f64 {
+    fn tip_by_halves(&self, from: &AxisPosition, to: &AxisPosition, whole: f64) -> f64 {
         let mut middle = from.axes;
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
             *value = 0.5 * (*value + end);
@@ -274,7 +279,7 @@ impl Certifier<'_> {
         let length = line.norm_squared();
         let part = if length > 0.0 { (along.dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
         // The ends are where the words put them.
-        let off = (along - line * part).norm() + from.rounding.max(to.rounding);
+        let off = (along - line * part).norm() + from.rounding_mm.max(to.rounding_mm);
         if off > 0.5 * whole {
             return whole;
         }
@@ -283,41 +288,41 @@ impl Certifier<'_> {
     }
 
     /// How far the arc between written axes may lie from that between the poses: twice what an end is off, since no block
-    /// is wider than [`WIDEST`]. A place at the pole has the pole for its pose, however far that was from the programmed
+    /// is wider than [`MIN_AXIS_COSINE`]. A place at the pole has the pole for its pose, however far that was from the programmed
     /// axis: that is a tolerance of its own.
     #[inline]
-    fn axis_off(&self, place: &Place) -> f64 {
-        let deviation = if place.pole { 0.0 } else { place.deviation };
+    fn axis_off(&self, place: &AxisPosition) -> f64 {
+        let deviation = if place.at_pole { 0.0 } else { place.deviation_rad };
         2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
     }
 
     /// The path between two places.
     #[cold]
-    fn path(&self, from: &Place, to: &Place) -> Result<Path, Fault> {
+    fn path(&self, from: &AxisPosition, to: &AxisPosition) -> Result<CuttingPath, Fault> {
         let rounding = self.placer.largest_rounding();
-        if rounding >= self.allowed.tip {
+        if rounding >= self.allowed.tip_mm {
             return Err(Fault::new(format_args!(
                 "the words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone takes \
                  the tip up to {rounding:.5} mm off",
-                self.allowed.tip
+                self.allowed.tip_mm
             ))
             .help("give a wider `tolerance`, or more decimals"));
         }
-        let Some(way) = Way::new(&from.pose, &to.pose) else {
+        let Some(segment) = PathSegment::new(&from.pose, &to.pose) else {
             return Err(Fault::new("the tool axis turns by 180° in one motion: which way, the CL data does not say")
                 .help("give a point in between"));
         };
-        let half_unit = |unit: f64, way: f64| if way > 0.0 { 0.5 * unit / way } else { 1.0 };
-        let resolution = half_unit(self.placer.unit_mm(), way.length())
-            .min(half_unit(self.placer.rotary.scale.angle(1), way.angle()))
+        let half_unit = |unit: f64, extent: f64| if extent > 0.0 { 0.5 * unit / extent } else { 1.0 };
+        let resolution = half_unit(self.placer.unit_mm(), segment.length())
+            .min(half_unit(self.placer.rotary.scale.angle(1), segment.angle()))
             .min(1.0);
         // At the pole both branches meet.
-        let branch = match (from.pole, to.pole) {
+        let branch = match (from.at_pole, to.at_pole) {
             (true, false) => Some(to.branch),
             (false, true) => Some(from.branch),
             _ => (from.branch == to.branch).then_some(from.branch),
         };
-        Ok(Path { way, branch, resolution, at: 0.0, stride: 0.5 })
+        Ok(CuttingPath { segment, branch, resolution, at: 0.0, stride: 0.5 })
     }
 
     /// Words of a solution's rotaries, in the turn nearest to some axis values.
@@ -326,15 +331,21 @@ impl Certifier<'_> {
         for rotary in &self.placer.rotary.axes {
             let word = rotary.word(solution.axes[rotary.index], self.placer.rotary.scale);
             let wanted = rotary.word(near.as_ref()[rotary.index], self.placer.rotary.scale);
-            let turns = (wanted - word + self.placer.rotary.scale.turn / 2).div_euclid(self.placer.rotary.scale.turn);
-            words[rotary.index] = word + turns * self.placer.rotary.scale.turn;
+            let turns = (wanted - word + self.placer.rotary.scale.units_per_turn / 2)
+                .div_euclid(self.placer.rotary.scale.units_per_turn);
+            words[rotary.index] = word + turns * self.placer.rotary.scale.units_per_turn;
         }
         words
     }
 
     /// The place of a pose of the path: on the branch of the ends, or else nearest to the interpolation between them.
-    fn between(&self, path: &Path, (from, to): (&Place, &Place), parameter: f64) -> Result<Place, Fault> {
-        let pose = path.way.at(parameter);
+    fn between(
+        &self,
+        path: &CuttingPath,
+        (from, to): (&AxisPosition, &AxisPosition),
+        parameter: f64,
+    ) -> Result<AxisPosition, Fault> {
+        let pose = path.segment.at(parameter);
         let mut guess = from.axes;
         let share = (parameter - path.at) / (1.0 - path.at);
         for (value, end) in guess.as_mut().iter_mut().zip(to.axes) {
@@ -351,47 +362,47 @@ impl Certifier<'_> {
             Some(branch) => solutions.iter().find(|solution| solution.branch == branch),
             None => solutions.iter().min_by_key(travel),
         };
-        let on_the_way = |fault: Fault| fault.context("on the way from the point before");
-        let Some(solution) = chosen else { return Err(on_the_way(refusal::unreachable(self.placer, &pose, &guess))) };
+        let in_between = |fault: Fault| fault.context("on the way from the point before");
+        let Some(solution) = chosen else { return Err(in_between(refusal::unreachable(self.placer, &pose, &guess))) };
         // Whole turns: between the ends, wherever near the pole most of the turning is done.
         let mut middle = from.axes;
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
             *value = 0.5 * (*value + end);
         }
-        self.beside(&pose, from, solution, &middle).map_err(on_the_way)
+        self.beside(&pose, from, solution, &middle).map_err(in_between)
     }
 
     /// The place of a solution, in the turn nearest to some axis values.
     fn beside(
         &self,
         pose: &Pose,
-        from: &Place,
+        from: &AxisPosition,
         solution: &Solution<AxisValues>,
         near: &AxisValues,
-    ) -> Result<Place, Fault> {
+    ) -> Result<AxisPosition, Fault> {
         let words = self.nearest_words(solution, near);
         for rotary in &self.placer.rotary.axes {
             let word = words[rotary.index];
-            if !rotary.holds(word) {
+            if !rotary.contains(word) {
                 return Err(refusal::outside_limits(self.placer, &[Some(OutOfLimits { rotary: *rotary, word }), None]));
             }
         }
         let mut place = self.placer.at(pose, from, &words);
-        place.deviation = solution.deviation;
+        place.deviation_rad = solution.deviation;
         place.branch = solution.branch;
         self.placer.hold_indexed(&mut place, from, self.allowed)?;
         self.placer.set(place)
     }
 
-    fn spot(&self, start: &Place, target: &Place) -> Spot {
+    fn spot(&self, start: &AxisPosition, target: &AxisPosition) -> SpotRotation {
         let largest =
             self.placer.rotary.axes.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));
         let units = largest.max().unwrap_or(0).max(1);
-        Spot { start: *start, target: *target, resolution: 1.0 / units as f64, at: 0.0, stride: 0.5 }
+        SpotRotation { start: *start, target: *target, resolution: 1.0 / units as f64, at: 0.0, stride: 0.5 }
     }
 
     /// A place of a turn on the spot.
-    fn turned(&self, spot: &Spot, parameter: f64) -> Result<Place, Fault> {
+    fn turned(&self, spot: &SpotRotation, parameter: f64) -> Result<AxisPosition, Fault> {
         let mut words = spot.start.words;
         for rotary in &self.placer.rotary.axes {
             let change = (spot.target.words[rotary.index] - words[rotary.index]) as f64;
@@ -401,13 +412,13 @@ impl Certifier<'_> {
         let pose = Pose { tip, axis: spot.target.pose.axis };
         let mut place = self.placer.at(&pose, &spot.start, &words);
         let reached = self.placer.machine.forward_kinematics(&place.axes).axis;
-        place.deviation = (reached.into_inner() - pose.axis.into_inner()).norm();
+        place.deviation_rad = (reached.into_inner() - pose.axis.into_inner()).norm();
         self.placer.set(place)
     }
 
     /// Why a turn on the spot cannot be cut.
     #[cold]
-    fn uncertified(&self, from: &Place, to: &Place) -> Fault {
+    fn uncertified(&self, from: &AxisPosition, to: &AxisPosition) -> Fault {
         let turned = self
             .placer
             .rotary
@@ -415,16 +426,17 @@ impl Certifier<'_> {
             .iter()
             .max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
         let index = turned.map_or(0, |rotary| rotary.index);
-        let shown =
-            |place: &Place| turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.placer.rotary.scale));
+        let shown = |place: &AxisPosition| {
+            turned.map_or(0.0, |rotary| rotary.degrees_for_display(place.words[index], self.placer.rotary.scale))
+        };
         Fault::new(format_args!(
             "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
              of tolerance ({} mm, {:.4}°)",
             self.placer.chain()[index].letter,
             shown(from),
             shown(to),
-            self.allowed.tip,
-            self.allowed.axis.to_degrees(),
+            self.allowed.tip_mm,
+            self.allowed.axis_rad.to_degrees(),
         ))
         .help("retract before this point and start a new operation, or keep clear of the pole")
     }
@@ -439,7 +451,7 @@ mod tests {
     use crate::motion::machines::Cb;
     use crate::program::Units;
 
-    const TOLERANCE: Tolerance = Tolerance { tip: 0.01, axis: 0.001_745 };
+    const TOLERANCE: PathTolerance = PathTolerance { tip_mm: 0.01, axis_rad: 0.001_745 };
 
     fn placer() -> Placer {
         let config = Config::default();
@@ -447,7 +459,7 @@ mod tests {
     }
 
     /// The place of rotary angles in degrees.
-    fn place(placer: &Placer, tip: [f64; 3], c: f64, b: f64) -> Place {
+    fn place(placer: &Placer, tip: [f64; 3], c: f64, b: f64) -> AxisPosition {
         let mut place = placer.zero();
         place.words[0] = placer.scale().word(c.to_radians());
         place.words[1] = placer.scale().word(b.to_radians());
@@ -457,7 +469,7 @@ mod tests {
         placer.set(placer.at(&Pose { tip: Point3::from(tip), axis }, &place, &words)).expect("a place")
     }
 
-    fn pieces(placer: &Placer, from: &Place, to: &Place) -> Result<Vec<CertifiedPiece>, Fault> {
+    fn pieces(placer: &Placer, from: &AxisPosition, to: &AxisPosition) -> Result<Vec<CertifiedPiece>, Fault> {
         let mut pieces = Linearised::new(from, to, TOLERANCE);
         let mut list = Vec::new();
         while let Some(piece) = pieces.next(placer)? {
@@ -476,10 +488,10 @@ mod tests {
         assert!((36..40).contains(&pieces.len()), "{}", pieces.len());
         let mut last = from;
         for piece in &pieces {
-            assert!(piece.bound.tip <= TOLERANCE.tip && piece.bound.axis <= TOLERANCE.axis);
+            assert!(piece.bound.tip <= TOLERANCE.tip_mm && piece.bound.axis <= TOLERANCE.axis_rad);
             assert!(piece.place.words[0] > last.words[0] && piece.place.words[1] == 0);
             let tip = placer.machine.forward_kinematics(&piece.place.axes).tip;
-            assert!((tip - to.pose.tip).norm() <= piece.place.rounding + 1e-12);
+            assert!((tip - to.pose.tip).norm() <= piece.place.rounding_mm + 1e-12);
             last = piece.place;
         }
         assert_eq!(last, to);

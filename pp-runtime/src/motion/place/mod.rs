@@ -9,10 +9,10 @@ mod datum;
 mod frame;
 mod linearise;
 mod refusal;
+mod rotary_angles;
 mod tilted_plane;
 mod tip;
 mod travel;
-mod turn;
 
 use std::collections::BTreeMap;
 
@@ -21,14 +21,14 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::{Mode, Policy, TcpWords};
-use crate::motion::rotary::{AngleScale, Metric, OutOfLimits, Rotary, TurnTarget, Turns, choose};
+use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
 use crate::motion::step::{MAX_AXES, Standing, VECTOR_DECIMALS, Words};
 use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
 pub use frame::{TipAbility, unsuited};
-pub(crate) use linearise::{Linearised, Tolerance};
+pub(crate) use linearise::{Linearised, PathTolerance};
 pub(crate) use refusal::limits_text;
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
@@ -36,11 +36,11 @@ use axes::{AxisSpeeds, LinearAxes, Poles, RotaryAxes};
 pub(crate) use chain::rotaries as rotaries_of;
 use datum::Datum;
 use frame::WordFrame;
-use travel::Travel;
+use travel::TravelCheck;
 
 /// Where the machine stands: axis values and the words that put it there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
+pub(crate) struct AxisPosition {
     /// The pose as programmed; near the pole with its axis.
     pub(crate) pose: Pose,
     /// Which answer of the inverse kinematics this is.
@@ -50,11 +50,11 @@ pub(crate) struct Place {
     /// Whole units by position in the chain: words of linear axes, and axis values of rotary ones.
     pub(crate) words: [i64; MAX_AXES],
     /// Angle between the programmed axis and the one reached, rad.
-    pub(crate) deviation: f64,
+    pub(crate) deviation_rad: f64,
     /// The tool axis is parallel to the first rotary, which may turn freely.
-    pub(crate) pole: bool,
+    pub(crate) at_pole: bool,
     /// How far rounding of the linear words takes the tip at most, mm.
-    pub(crate) rounding: f64,
+    pub(crate) rounding_mm: f64,
 }
 
 /// Puts poses into words for one machine, one set-up and the current tool.
@@ -77,7 +77,7 @@ pub(crate) struct Placer {
     /// What the linear words count.
     frame: WordFrame,
     limits: Vec<Option<Limits>>,
-    travel: Travel,
+    travel: TravelCheck,
     /// Solved rotary axes are on the tool side.
     head: bool,
     gauge_line: bool,
@@ -121,11 +121,11 @@ impl Placer {
             linear: LinearAxes::new(&*machine, policy, units, head),
             speeds: AxisSpeeds {
                 timed: options.feed.keep_speeds && speeds.iter().any(Option::is_some),
-                of_axes: speeds,
+                per_axis: speeds,
             },
             bounds: bounds(chain, policy, units),
             limits: policy.set_up.travel(chain).limits,
-            travel: Travel::new(&*machine, policy),
+            travel: TravelCheck::new(&*machine, policy),
             frame: WordFrame::new(&*machine, policy),
             datum,
             head,
@@ -155,7 +155,7 @@ impl Placer {
     }
 
     /// Measures turns of the rotary axes.
-    pub(crate) fn metric(&self) -> Metric {
+    pub(crate) fn metric(&self) -> RotaryMetric {
         self.rotary.metric
     }
 
@@ -166,7 +166,7 @@ impl Placer {
 
     /// Angle to a pole up to which the tool axis counts as being there, rad.
     pub(crate) fn pole_tolerance(&self) -> f64 {
-        self.poles.tolerance
+        self.poles.tolerance_rad
     }
 
     /// The solved rotary axes.
@@ -186,39 +186,44 @@ impl Placer {
 
     /// The machine at a place.
     #[inline]
-    pub(crate) fn standing_at<'p>(&self, place: &'p Place) -> Standing<'p> {
+    pub(crate) fn state_at<'p>(&self, place: &'p AxisPosition) -> Standing<'p> {
         let mask = self.linear.mask | self.rotary.mask;
         Standing { pose: Some(&place.pose), branch: place.branch, axes: &place.axes[..self.chain.len()], mask }
     }
 
     /// Compares a place with the travel of the linear axes.
     #[inline]
-    pub(crate) fn check_travel(&mut self, place: &Place) -> Result<(), Fault> {
+    pub(crate) fn check_travel(&mut self, place: &AxisPosition) -> Result<(), Fault> {
         self.travel.check(&place.axes)
     }
 
     /// Linear axes whose limits could not be compared: letter and why.
     pub(crate) fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
-        self.travel.axes().iter().filter_map(|axis| axis.unchecked().map(|why| (axis.letter(), why))).collect()
+        self.travel.axes().iter().filter_map(|axis| axis.unchecked_reason().map(|why| (axis.letter(), why))).collect()
     }
 
     /// The tool axis in the part with these rotary words.
-    pub(crate) fn axis_at(&self, words: &Turns) -> UnitVector3<f64> {
-        self.machine.forward_kinematics(&self.standing(words).axes).axis
+    pub(crate) fn axis_at(&self, words: &RotaryWords) -> UnitVector3<f64> {
+        self.machine.forward_kinematics(&self.position_at_words(words).axes).axis
     }
 
     /// The place of a pose with these rotary words; limits are not compared.
-    pub(crate) fn with_turns(&self, pose: &Pose, from: &Place, words: &Turns) -> Result<Place, Fault> {
+    pub(crate) fn with_rotary_words(
+        &self,
+        pose: &Pose,
+        from: &AxisPosition,
+        words: &RotaryWords,
+    ) -> Result<AxisPosition, Fault> {
         self.set(self.at(pose, from, &self.all_words(words)))
     }
 
     /// Solved rotary axes stand on the tool side: the tool's length moves the linear axes.
-    pub(crate) fn head(&self) -> bool {
+    pub(crate) fn has_rotary_head(&self) -> bool {
         self.head
     }
 
     /// Why the words depend on the length of the tool, if they do.
-    pub(crate) fn needs_length(&self) -> Option<&'static str> {
+    pub(crate) fn needs_gauge_length(&self) -> Option<&'static str> {
         if self.head {
             (!self.compensated).then_some("this machine turns the tool about its head")
         } else {
@@ -232,18 +237,18 @@ impl Placer {
     }
 
     /// Solved rotary axes stand in the table.
-    pub(crate) fn turning_table(&self) -> bool {
+    pub(crate) fn has_rotary_table(&self) -> bool {
         rotaries_of(self.chain, Side::Workpiece).next().is_some()
     }
 
     /// Going out along the retract axis is going out along the tool axis, whatever the rotaries do.
-    pub(crate) fn straight(&self) -> bool {
-        self.linear.straight
+    pub(crate) fn retracts_along_tool(&self) -> bool {
+        self.linear.retracts_along_tool
     }
 
     /// The path length of the linear words is that of the tip while no rotary moves.
-    pub(crate) fn square(&self) -> bool {
-        self.linear.square || self.frame.counts_tip()
+    pub(crate) fn keeps_path_length(&self) -> bool {
+        self.linear.keeps_path_length || self.frame.counts_tip()
     }
 
     pub(crate) fn retract_axis(&self) -> usize {
@@ -260,7 +265,7 @@ impl Placer {
 
     /// A length in mm and words of one unit.
     pub(crate) fn unit_mm(&self) -> f64 {
-        1.0 / self.linear.per_mm
+        1.0 / self.linear.units_per_mm
     }
 
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
@@ -278,14 +283,14 @@ impl Placer {
 
     /// The rotary that turns furthest, and how far, rad; none if none turns.
     #[inline]
-    pub(crate) fn largest_turn(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
+    pub(crate) fn largest_rotation(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
         let turns = self.rotary.axes.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
         let (index, turn) = turns.max_by_key(|(_, turn)| *turn).filter(|(_, turn)| *turn > 0)?;
         Some((self.chain[index].letter, self.rotary.scale.angle(turn.cast_signed())))
     }
 
     /// How far the linear axes go together, mm, and the rotary axes, degrees.
-    pub(crate) fn travelled(&self, from: &Place, to: &Place) -> (f64, f64) {
+    pub(crate) fn path_lengths(&self, from: &AxisPosition, to: &AxisPosition) -> (f64, f64) {
         let length = |mask: u16| {
             let steps = from.axes.iter().zip(to.axes).enumerate();
             let steps = steps.filter(|(index, _)| mask & (1 << index) != 0).map(|(_, (from, to))| to - from);
@@ -296,11 +301,11 @@ impl Placer {
 
     /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
     #[inline]
-    pub(crate) fn least_minutes(&self, from: &Place, to: &Place) -> Option<f64> {
+    pub(crate) fn least_minutes(&self, from: &AxisPosition, to: &AxisPosition) -> Option<f64> {
         if !self.speeds.timed {
             return None;
         }
-        let times = self.speeds.of_axes.iter().enumerate().filter_map(|(index, speed)| {
+        let times = self.speeds.per_axis.iter().enumerate().filter_map(|(index, speed)| {
             let travel = (to.axes[index] - from.axes[index]).abs();
             speed.map(|speed| travel / speed)
         });
@@ -308,9 +313,9 @@ impl Placer {
     }
 
     /// Minutes of a rapid of some axes; `None` if one of those that move has no known speed.
-    pub(crate) fn least_minutes_of(&self, from: &Place, to: &Place, mask: u16) -> Option<f64> {
+    pub(crate) fn least_minutes_of(&self, from: &AxisPosition, to: &AxisPosition, mask: u16) -> Option<f64> {
         let mut least: f64 = 0.0;
-        for (index, speed) in self.speeds.of_axes.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
+        for (index, speed) in self.speeds.per_axis.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
             let travel = (to.axes[index] - from.axes[index]).abs();
             if travel > 0.0 {
                 least = least.max(travel / (*speed)?);
@@ -321,13 +326,13 @@ impl Placer {
 
     /// What is written for the words of a place, by position in the chain.
     #[inline]
-    pub(crate) fn written(&self, place: &Place) -> [i64; MAX_AXES] {
+    pub(crate) fn written(&self, place: &AxisPosition) -> [i64; MAX_AXES] {
         self.datum.written(&place.words)
     }
 
     /// The written words of the axes in a mask.
     #[inline]
-    pub(crate) fn words(&self, place: &Place, mask: u16) -> Words {
+    pub(crate) fn words(&self, place: &AxisPosition, mask: u16) -> Words {
         let units = self.written(place);
         let both = mask & self.linear.mask != 0 && mask & self.rotary.mask != 0;
         if !(self.vectors && both) {
@@ -342,10 +347,10 @@ impl Placer {
     /// Whether a block would turn rotary axes by more than an angle, rad, and could not say so: a tool axis as a vector is the
     /// same before and behind a turn about it, or of whole turns. At the pole a control that turns the tool axis in the
     /// plane of its ends needs no such turn.
-    pub(crate) fn hides_turn(&self, from: &Place, to: &Place, angle: f64) -> bool {
+    pub(crate) fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
         self.vectors
-            && !(to.pole && self.frame.turns_in_plane())
+            && !(to.at_pole && self.frame.turns_in_plane())
             && self.rotary_travel(&from.words, &to.words) > angle
             && self.words(from, all).vector == self.words(to, all).vector
     }
@@ -356,29 +361,29 @@ impl Placer {
     pub(crate) fn place(
         &mut self,
         pose: &Pose,
-        from: &Place,
+        from: &AxisPosition,
         feed: bool,
-        planned: Option<TurnTarget>,
-    ) -> Result<Place, Fault> {
+        planned: Option<RotaryTarget>,
+    ) -> Result<AxisPosition, Fault> {
         let mut place = match planned {
-            Some(target) => self.planned(pose, from, &target)?,
-            None => self.turn(pose, from, feed)?,
+            Some(target) => self.follow_course(pose, from, &target)?,
+            None => self.choose_rotaries(pose, from, feed)?,
         };
         if !self.rotary.grid.is_empty() {
-            self.snap(&mut place, from, feed)?;
+            self.snap_to_index(&mut place, from, feed)?;
         }
         self.finish(place)
     }
 
     /// The place of another tip with the rotaries of `at`.
-    pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &Place) -> Result<Place, Fault> {
+    pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &AxisPosition) -> Result<AxisPosition, Fault> {
         let mut place = *at;
         place.pose.tip = tip;
         self.finish(place)
     }
 
     #[inline]
-    fn finish(&mut self, place: Place) -> Result<Place, Fault> {
+    fn finish(&mut self, place: AxisPosition) -> Result<AxisPosition, Fault> {
         let place = self.set(place)?;
         self.travel.check(&place.axes)?;
         Ok(place)
@@ -386,7 +391,7 @@ impl Placer {
 
     /// The linear words of a pose whose rotaries are known; the travel is not compared.
     #[inline]
-    pub(crate) fn set(&self, mut place: Place) -> Result<Place, Fault> {
+    pub(crate) fn set(&self, mut place: AxisPosition) -> Result<AxisPosition, Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(refusal::unreachable(self, &place.pose, &place.axes));
         };
@@ -397,12 +402,12 @@ impl Placer {
         let (mut sum, mut squares) = (0.0, 0.0);
         for (index, value) in place.axes.iter_mut().enumerate().take(MAX_AXES) {
             if self.linear.mask & (1 << index) != 0 {
-                let shift = self.datum.linear(index);
-                let Ok(units) = whole_units(*value + shift, self.linear.per_mm) else {
+                let shift = self.datum.linear_shift_mm(index);
+                let Ok(units) = whole_units(*value + shift, self.linear.units_per_mm) else {
                     return Err(too_large(self.chain[index].letter));
                 };
                 place.words[index] = units;
-                let written = units as f64 / self.linear.per_mm - shift;
+                let written = units as f64 / self.linear.units_per_mm - shift;
                 let off = written - *value;
                 *value = written;
                 sum += off.abs();
@@ -412,7 +417,7 @@ impl Placer {
         if let Some(index) = (0..self.chain.len()).find(|&index| place.words[index].abs() >= self.bounds[index]) {
             return Err(too_large(self.chain[index].letter));
         }
-        place.rounding = if self.linear.orthogonal { squares.sqrt() } else { sum };
+        place.rounding_mm = if self.linear.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
     }
 
@@ -423,10 +428,10 @@ impl Placer {
 
     /// Minutes that the linear axes need while the tip travels so far, mm, in whatever direction, with the rotary axes
     /// still; 0 where their speeds are not to be kept.
-    pub(crate) fn least_minutes_of_tip(&self, length: f64, at: &Place) -> f64 {
+    pub(crate) fn least_minutes_of_tip(&self, length: f64, at: &AxisPosition) -> f64 {
         let Some((solved, map)) = self.axis_map(at).filter(|_| self.speeds.timed) else { return 0.0 };
         let minutes = |(row, axis): (usize, usize)| {
-            self.speeds.of_axes[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed)
+            self.speeds.per_axis[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed)
         };
         solved.into_iter().enumerate().map(minutes).fold(0.0, f64::max)
     }
@@ -437,10 +442,10 @@ impl Placer {
     }
 
     /// The rotaries of a pose that only says where motion counts from; `None` if it cannot be reached.
-    pub(crate) fn reference(&self, pose: &Pose, from: &Place) -> Option<Place> {
+    pub(crate) fn reference(&self, pose: &Pose, from: &AxisPosition) -> Option<AxisPosition> {
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
         let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).ok()?;
-        let mut place = Place { branch: solutions[choice.solution].branch, ..*from };
+        let mut place = AxisPosition { branch: solutions[choice.solution].branch, ..*from };
         for rotary in &self.rotary.axes {
             place.words[rotary.index] = choice.words[rotary.index];
             place.axes[rotary.index] = rotary.angle(choice.words[rotary.index], self.rotary.scale);
@@ -449,16 +454,16 @@ impl Placer {
     }
 
     /// Every rotary at zero and held axes at their values.
-    pub(crate) fn zero(&self) -> Place {
+    pub(crate) fn zero(&self) -> AxisPosition {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
-        let zero = Place {
+        let zero = AxisPosition {
             pose,
             branch: Branch::First,
             axes: self.held,
             words: [0; MAX_AXES],
-            deviation: 0.0,
-            pole: false,
-            rounding: 0.0,
+            deviation_rad: 0.0,
+            at_pole: false,
+            rounding_mm: 0.0,
         };
         self.at(&pose, &zero, &zero.words)
     }
@@ -466,7 +471,7 @@ impl Placer {
     /// Words of a linear axis at a machine coordinate.
     pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<Words, Fault> {
         self.travel.check_machine(index, coordinate)?;
-        let units = whole_units(coordinate, self.linear.per_mm)
+        let units = whole_units(coordinate, self.linear.units_per_mm)
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
             .ok_or_else(|| too_large(self.chain[index].letter))?;
@@ -495,7 +500,7 @@ impl Placer {
         let Some(rotary) = rotary else { return Ok(0) };
         let mut words = [0; MAX_AXES];
         words[index] = rotary.word(angle, self.rotary.scale);
-        if !rotary.holds(words[index]) {
+        if !rotary.contains(words[index]) {
             return Err(refusal::outside_limits(
                 self,
                 &[Some(OutOfLimits { rotary: *rotary, word: words[index] }), None],
@@ -506,13 +511,13 @@ impl Placer {
 
     /// The place with its rotaries parked at these angles, and which of them are; one whose words are wrapped stands in
     /// the turn nearest to where it stood. The linear axes stay as they are.
-    pub(crate) fn parked(&self, park: &BTreeMap<char, f64>, from: &Place) -> Result<(Place, u16), Fault> {
+    pub(crate) fn parked(&self, park: &BTreeMap<char, f64>, from: &AxisPosition) -> Result<(AxisPosition, u16), Fault> {
         let (mut words, mut mask) = (from.words, 0);
         for rotary in &self.rotary.axes {
             let index = rotary.index;
             let Some(&angle) = park.get(&self.chain[index].letter) else { continue };
             let word = self.rotary_word(index, angle)?;
-            let nearest = || rotary.nearest(word, words[index], self.rotary.scale.turn).unwrap_or(word);
+            let nearest = || rotary.nearest(word, words[index], self.rotary.scale.units_per_turn).unwrap_or(word);
             words[index] = if self.rotary.wrapped & (1 << index) != 0 { nearest() } else { word };
             mask |= 1 << index;
         }
@@ -521,18 +526,18 @@ impl Placer {
 
     /// Whether a control that goes the short way would turn an axis the wrong way in this block.
     #[inline]
-    pub(crate) fn rolls_over(&self, from: &Place, to: &Place) -> bool {
+    pub(crate) fn rolls_over(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
         let half_turn = |rotary: &Rotary| {
             self.rotary.wrapped & (1 << rotary.index) != 0
                 && 2 * from.words[rotary.index].abs_diff(to.words[rotary.index])
-                    >= self.rotary.scale.turn.unsigned_abs()
+                    >= self.rotary.scale.units_per_turn.unsigned_abs()
         };
         self.rotary.wrapped != 0 && self.rotary.axes.iter().any(half_turn)
     }
 
     /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
     /// cannot be known.
-    pub(crate) fn below_retract(&self, place: &Place, retract: f64) -> Option<f64> {
+    pub(crate) fn below_retract(&self, place: &AxisPosition, retract: f64) -> Option<f64> {
         let there = self.travel.value_at(self.linear.retract_axis, retract)?;
         Some((there - place.axes[self.linear.retract_axis]) * self.linear.retract_share.signum())
     }
@@ -560,7 +565,11 @@ mod tests {
 
     #[test]
     fn only_a_machine_without_a_rotary_in_the_head_retracts_straight() {
-        assert!(placer::<Cb>().straight() && placer::<Ay>().straight() && placer::<Xyz>().straight());
-        assert!(!placer::<Head>().straight() && placer::<Head>().head());
+        assert!(
+            placer::<Cb>().retracts_along_tool()
+                && placer::<Ay>().retracts_along_tool()
+                && placer::<Xyz>().retracts_along_tool()
+        );
+        assert!(!placer::<Head>().retracts_along_tool() && placer::<Head>().has_rotary_head());
     }
 }

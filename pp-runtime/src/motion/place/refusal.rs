@@ -21,7 +21,7 @@ pub(crate) fn outside_limits(placer: &Placer, outside: &[Option<OutOfLimits>; 2]
     let mut text = String::new();
     for out in outside.iter().flatten() {
         let letter = placer.chain()[out.rotary.index].letter;
-        let value = out.rotary.shown(out.word, placer.rotary.scale);
+        let value = out.rotary.degrees_for_display(out.word, placer.rotary.scale);
         if text.is_empty() {
             text = format!("{letter} would have to turn to {value}°");
         } else {
@@ -35,10 +35,11 @@ pub(crate) fn outside_limits(placer: &Placer, outside: &[Option<OutOfLimits>; 2]
 /// Only a swing of the tool in the cut would keep an axis inside its limits.
 #[cold]
 pub(crate) fn jump(placer: &Placer, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
-    let outside = placer.rotary.axes.iter().find(|rotary| !rotary.holds(nearest[rotary.index]));
+    let outside = placer.rotary.axes.iter().find(|rotary| !rotary.contains(nearest[rotary.index]));
     let turned = placer.rotary.axes.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
     let (Some(limit), Some(turned)) = (outside, turned) else { return outside_limits(placer, &[None; 2]) };
-    let degrees = |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.shown(words[rotary.index], placer.rotary.scale);
+    let degrees =
+        |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.degrees_for_display(words[rotary.index], placer.rotary.scale);
     Fault::new(format_args!(
         "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
          tool in the cut",

@@ -92,12 +92,12 @@ pub struct PlaneAbility {
     /// Which pose it takes.
     pub pose: PoseRule,
     /// The plane is given up behind the machine retract; else before it.
-    pub ends_behind_retract: bool,
+    pub ends_after_retract: bool,
 }
 
 /// A plane in the words of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tilt {
+pub struct TiltedPlane {
     /// The words, degrees.
     pub words: [Decimal; 3],
     /// The orientation that these words mean.
@@ -108,7 +108,7 @@ impl PlaneAbility {
     /// The plane of an orientation; `None` if its words do not mean this orientation within three times half a unit of
     /// each: then the convention and the orientation do not belong together.
     #[must_use]
-    pub fn tilt(&self, orientation: &Matrix3<f64>) -> Option<Tilt> {
+    pub fn tilt(&self, orientation: &Matrix3<f64>) -> Option<TiltedPlane> {
         let wanted = self.angles.angles(orientation);
         let mut words = [Decimal::default(); 3];
         for (word, angle) in words.iter_mut().zip(wanted) {
@@ -120,7 +120,7 @@ impl PlaneAbility {
             let [is, wanted]: [Vector3<f64>; 2] = [meant, *orientation].map(|r| r.column(column).into_owned());
             angle_between(&is, &wanted)
         });
-        (off.fold(0.0, f64::max) <= 3.0 * half_unit + SAME_POSE).then_some(Tilt { words, orientation: meant })
+        (off.fold(0.0, f64::max) <= 3.0 * half_unit + SAME_POSE).then_some(TiltedPlane { words, orientation: meant })
     }
 }
 
@@ -191,7 +191,7 @@ mod tests {
             angles: PlaneAngles::EulerZxz,
             decimals: 3,
             pose: PoseRule::Nearest,
-            ends_behind_retract: true,
+            ends_after_retract: true,
         };
         for step in 0..400 {
             let t = f64::from(step);

@@ -9,40 +9,40 @@ use crate::nc::whole_units;
 
 use super::frame::{WordMap, no_plane, orientation};
 use super::refusal;
-use super::tilted_plane::{PlaneAbility, PoseRule, Tilt};
-use super::{Place, Placer, too_large};
+use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane};
+use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
-use crate::motion::geometry::turn_between;
+use crate::motion::geometry::rotation_between;
 
 /// How far a map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
 const ORTHOGONAL: f64 = 1e-9;
 
 /// Between two points of a block that are compared with the travel an axis leaves its chord by less than this, mm.
-const UNSEEN: f64 = 0.01;
+const TRAVEL_SAMPLING_MM: f64 = 0.01;
 
 /// Most points of a block that are compared with the travel.
-const MOST_SEEN: f64 = 1000.0;
+const MAX_TRAVEL_SAMPLES: f64 = 1000.0;
 
 impl Placer {
     /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
     /// where the program has no such words.
-    pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &Place) -> Option<Vector3<f64>> {
+    pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &AxisPosition) -> Option<Vector3<f64>> {
         if let Some(map) = self.frame.map(&*self.machine, &at.axes) {
             return Some(map.words(tip));
         }
         let axes = self.machine.linear_axes(tip, &at.axes)?;
-        let word = |index: usize| axes[index] + self.datum.linear(index);
+        let word = |index: usize| axes[index] + self.datum.linear_shift_mm(index);
         Some(Vector3::from(self.linear.xyz?.map(word)))
     }
 
     /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
     /// place: the rows belong to the words, the columns to the directions of the workpiece.
-    pub(crate) fn program_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn program_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         Some((self.linear.xyz?, differences(|tip| self.program_point(tip, at))?))
     }
 
     /// The same where the words are square to each other and as long as the ways of the tip.
-    pub(crate) fn square_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn orthogonal_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         self.program_map(at).filter(|(_, map)| {
             let off = map.transpose() * map - Matrix3::identity();
             off.iter().all(|part| part.abs() <= ORTHOGONAL)
@@ -50,7 +50,7 @@ impl Placer {
     }
 
     /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.
-    pub(crate) fn axis_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
+    pub(crate) fn axis_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         let mut linear = (0..self.chain.len()).filter(|index| self.linear.mask & (1 << index) != 0);
         let solved = [linear.next()?, linear.next()?, linear.next()?];
         let values = |tip: &Point3<f64>| {
@@ -61,25 +61,26 @@ impl Placer {
     }
 
     /// The words of a tip that the control counts in a frame of its own.
-    pub(crate) fn set_tip(&self, mut place: Place, map: &WordMap) -> Result<Place, Fault> {
+    pub(crate) fn set_tip(&self, mut place: AxisPosition, map: &WordMap) -> Result<AxisPosition, Fault> {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
-            let units = whole_units(*value, self.linear.per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
+            let units =
+                whole_units(*value, self.linear.units_per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
             let units = units.ok_or_else(|| too_large(self.chain[index].letter))?;
             place.words[index] = units;
-            *value = units as f64 / self.linear.per_mm;
+            *value = units as f64 / self.linear.units_per_mm;
         }
         let reached = map.tip(&written);
         let axes = self.machine.linear_axes(&reached, &place.axes);
         place.axes = axes.ok_or_else(|| refusal::unreachable(self, &place.pose, &place.axes))?;
-        place.rounding = (reached - place.pose.tip).norm();
+        place.rounding_mm = (reached - place.pose.tip).norm();
         Ok(place)
     }
 
     /// The place in the frame of tip control, which may be that of the table once its rotaries have been turned.
-    pub(crate) fn in_tip_frame(&mut self, place: Place) -> Result<Place, Fault> {
-        if !self.frame.is_set_anew() {
+    pub(crate) fn in_tip_frame(&mut self, place: AxisPosition) -> Result<AxisPosition, Fault> {
+        if !self.frame.is_set_at_angles() {
             return Ok(place);
         }
         self.frame.start(&*self.machine, &place.axes);
@@ -87,17 +88,21 @@ impl Placer {
     }
 
     /// The place in the plane whose Z is its tool axis, and that plane in the words of the control.
-    pub(crate) fn tilted(&mut self, place: Place, ability: &PlaneAbility) -> Result<(Place, Tilt), Fault> {
+    pub(crate) fn tilted(
+        &mut self,
+        place: AxisPosition,
+        ability: &PlaneAbility,
+    ) -> Result<(AxisPosition, TiltedPlane), Fault> {
         let stands = orientation(&*self.machine, &place.axes);
         // The rotaries stand at rounded angles, the control computes its own: the plane is that of the tool axis.
         let rounded = UnitVector3::new_normalize(stands * self.machine.tool_axis().into_inner());
-        let correction = turn_between(&rounded, &place.pose.axis);
+        let correction = rotation_between(&rounded, &place.pose.axis);
         let tilt = self.frame.tilt(ability, &(correction * stands)).ok_or_else(no_plane)?;
         Ok((self.finish(place)?, tilt))
     }
 
     /// Which of the poses of a plane this is, in the words of a rule: see [`PoseRule::choose`].
-    pub(crate) fn pose_of_plane(&self, place: &Place, rule: PoseRule) -> Option<bool> {
+    pub(crate) fn pose_of_plane(&self, place: &AxisPosition, rule: PoseRule) -> Option<bool> {
         let rotary = self.rotary.axes.last()?;
         let within_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
         let value = |axes: &AxisValues| within_a_turn(axes[rotary.index]);
@@ -111,12 +116,15 @@ impl Placer {
     }
 
     /// Checks the travel inside a block in which the control moves the linear axes so that the tip keeps to its line.
-    pub(crate) fn check_between(&mut self, from: &Place, to: &Place) -> Result<(), Fault> {
+    pub(crate) fn check_between(&mut self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
         if !self.frame.counts_tip() || !self.travel.limited() {
             return Ok(());
         }
         // Between two of these points an axis leaves its chord by less than `UNSEEN`: deviations fall with the square.
-        let steps = (self.machine.motion(&from.axes, &to.axes).tip / UNSEEN).sqrt().ceil().clamp(1.0, MOST_SEEN);
+        let steps = (self.machine.motion(&from.axes, &to.axes).tip / TRAVEL_SAMPLING_MM)
+            .sqrt()
+            .ceil()
+            .clamp(1.0, MAX_TRAVEL_SAMPLES);
         let mut step = 1.0;
         while step < steps {
             let part = step / steps;

@@ -11,7 +11,7 @@ use super::datum::along_axes;
 use crate::motion::fault::Fault;
 
 /// Noise of floating-point sums that must not turn an inclusive limit into an exclusive one, mm.
-const NOISE: f64 = 1e-6;
+const NOISE_MM: f64 = 1e-6;
 
 /// A gauge length adds nothing to an axis whose share of it is smaller than this.
 const NO_SHARE: f64 = 1e-12;
@@ -23,47 +23,47 @@ pub(crate) struct LinearTravel {
     pub(crate) index: usize,
     letter: char,
     limits: Option<Limits>,
-    zero: Option<f64>,
+    machine_zero_mm: Option<f64>,
     /// `g` for a gauge length of 1.
     share: f64,
     /// Smallest and largest `q + g` so far.
     pub(crate) span: Option<(f64, f64)>,
     /// A rotary axis of the head turns the tool: its length moves the axis, how far depends on the angles.
-    turned: bool,
+    has_rotary_head: bool,
     /// Points that could not be compared because the gauge length is unknown.
     pub(crate) unknown_length: bool,
 }
 
 /// The travel of all solved linear axes.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Travel {
+pub(crate) struct TravelCheck {
     axes: Vec<LinearTravel>,
     /// Gauge length of the tool, if known, mm.
-    gauge_length: Option<f64>,
+    gauge_length_mm: Option<f64>,
 }
 
-impl Travel {
+impl TravelCheck {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
         let limits = policy.set_up.travel(machine.axes()).limits;
         let solved: Vec<usize> = (0..machine.axes().len())
             .filter(|&i| machine.axes()[i].kind == AxisKind::Linear && !machine.axes()[i].held)
             .collect();
         let shares = along_axes(machine, &machine.tool_axis());
-        let turned = rotaries(machine.axes(), Side::Tool).next().is_some();
+        let has_rotary_head = rotaries(machine.axes(), Side::Tool).next().is_some();
         let axes = solved
             .iter()
             .map(|&index| LinearTravel {
                 index,
                 letter: machine.axes()[index].letter,
                 limits: limits[index],
-                zero: policy.set_up.machine_zero.get(&machine.axes()[index].letter).copied(),
+                machine_zero_mm: policy.set_up.machine_zero.get(&machine.axes()[index].letter).copied(),
                 share: shares[index],
                 span: None,
-                turned,
+                has_rotary_head,
                 unknown_length: false,
             })
             .collect();
-        Self { axes, gauge_length: None }
+        Self { axes, gauge_length_mm: None }
     }
 
     pub(crate) fn axes(&self) -> &[LinearTravel] {
@@ -71,12 +71,12 @@ impl Travel {
     }
 
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
-        self.gauge_length = length;
+        self.gauge_length_mm = length;
     }
 
     /// Compares a point of the program with the limits; `values` are rounded axis values, mm.
     pub(crate) fn check(&mut self, values: &[f64]) -> Result<(), Fault> {
-        let length = self.gauge_length;
+        let length = self.gauge_length_mm;
         for axis in &mut self.axes {
             axis.check(values[axis.index], length)?;
         }
@@ -104,16 +104,16 @@ impl Travel {
     /// The axis value at a machine coordinate, if that can be known.
     pub(crate) fn value_at(&self, index: usize, coordinate: f64) -> Option<f64> {
         let axis = self.axes.iter().find(|axis| axis.index == index)?;
-        Some(coordinate - axis.zero? - axis.gauge(self.gauge_length)?)
+        Some(coordinate - axis.machine_zero_mm? - axis.gauge(self.gauge_length_mm)?)
     }
 }
 
 impl LinearTravel {
     /// Why its limits could not be compared; `None` if they were.
-    pub(crate) fn unchecked(&self) -> Option<&'static str> {
+    pub(crate) fn unchecked_reason(&self) -> Option<&'static str> {
         if !self.limited() {
             Some("no travel declared")
-        } else if !self.placed() {
+        } else if !self.has_machine_zero() {
             Some("no machine_zero")
         } else if self.unknown_length {
             Some("gauge length unknown")
@@ -128,8 +128,8 @@ impl LinearTravel {
     }
 
     /// Whether machine coordinates are known.
-    pub(crate) fn placed(&self) -> bool {
-        self.zero.is_some()
+    pub(crate) fn has_machine_zero(&self) -> bool {
+        self.machine_zero_mm.is_some()
     }
 
     pub(crate) fn letter(&self) -> char {
@@ -137,7 +137,11 @@ impl LinearTravel {
     }
 
     fn gauge(&self, length: Option<f64>) -> Option<f64> {
-        if self.share.abs() < NO_SHARE && !self.turned { Some(0.0) } else { length.map(|length| length * self.share) }
+        if self.share.abs() < NO_SHARE && !self.has_rotary_head {
+            Some(0.0)
+        } else {
+            length.map(|length| length * self.share)
+        }
     }
 
     fn check(&mut self, value: f64, length: Option<f64>) -> Result<(), Fault> {
@@ -147,7 +151,7 @@ impl LinearTravel {
             return Ok(());
         };
         let letter = self.letter;
-        if let Some(zero) = self.zero {
+        if let Some(zero) = self.machine_zero_mm {
             let coordinate = zero + value + gauge;
             if inside(limits, coordinate) {
                 return Ok(());
@@ -162,7 +166,7 @@ impl LinearTravel {
         let (lowest, highest) = self.span.map_or((here, here), |(low, high)| (low.min(here), high.max(here)));
         self.span = Some((lowest, highest));
         let travel = limits.upper - limits.lower;
-        if highest - lowest <= travel + NOISE {
+        if highest - lowest <= travel + NOISE_MM {
             return Ok(());
         }
         Err(Fault::new(format_args!(
@@ -174,5 +178,5 @@ impl LinearTravel {
 }
 
 fn inside(limits: Limits, coordinate: f64) -> bool {
-    (limits.lower - NOISE..=limits.upper + NOISE).contains(&coordinate)
+    (limits.lower - NOISE_MM..=limits.upper + NOISE_MM).contains(&coordinate)
 }

@@ -7,6 +7,6 @@ mod nearest_turn;
 mod rollover;
 
 pub use metric::Cost;
-pub(crate) use metric::{Metric, Towards, TurnTarget, Turns};
-pub(crate) use nearest_turn::{AngleScale, MOST_TURNS, OutOfLimits, Rotary, choose};
-pub(crate) use rollover::Speller;
+pub(crate) use metric::{RotaryMetric, RotaryTarget, RotaryWords, RotationSense};
+pub(crate) use nearest_turn::{AngleScale, MAX_TURNS, OutOfLimits, Rotary, choose};
+pub(crate) use rollover::Rollover;

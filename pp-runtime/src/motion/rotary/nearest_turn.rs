@@ -9,7 +9,7 @@ use crate::motion::step::MAX_AXES;
 
 /// Turns of one axis that are looked at for one pose, nearest to zero first. Of a wider axis those at its ends and those in
 /// which the course stands are looked at besides.
-pub(crate) const MOST_TURNS: i64 = 24;
+pub(crate) const MAX_TURNS: i64 = 24;
 
 /// A solved rotary axis and the words it may have.
 ///
@@ -23,7 +23,7 @@ pub(crate) struct Rotary {
     /// Largest word, inclusive; `None` is endless.
     pub(crate) upper: Option<i64>,
     /// The axis value at word 0, degrees: what is left of an offset that whole units do not hold.
-    pub(crate) rest: f64,
+    pub(crate) rest_deg: f64,
 }
 
 /// A rotary axis that no whole turn brings inside its limits.
@@ -48,20 +48,20 @@ pub(crate) struct Choice {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AngleScale {
     /// Units in one degree.
-    pub(crate) per_degree: f64,
+    pub(crate) units_per_degree: f64,
     /// Units in a whole turn.
-    pub(crate) turn: i64,
+    pub(crate) units_per_turn: i64,
 }
 
 impl AngleScale {
     pub(crate) fn new(decimals: u32) -> Self {
-        let per_degree = 10_i64.pow(decimals);
-        Self { per_degree: per_degree as f64, turn: 360 * per_degree }
+        let units_per_degree = 10_i64.pow(decimals);
+        Self { units_per_degree: units_per_degree as f64, units_per_turn: 360 * units_per_degree }
     }
 
     /// The nearest word.
     pub(crate) fn word(self, angle: f64) -> i64 {
-        (angle.to_degrees() * self.per_degree).round() as i64
+        (angle.to_degrees() * self.units_per_degree).round() as i64
     }
 
     /// The angle between words, rad.
@@ -71,14 +71,14 @@ impl AngleScale {
 
     /// The same in degrees.
     pub(crate) fn degrees(self, word: i64) -> f64 {
-        word as f64 / self.per_degree
+        word as f64 / self.units_per_degree
     }
 }
 
 impl Rotary {
     /// The word nearest to an axis value.
     pub(crate) fn word(self, angle: f64, scale: AngleScale) -> i64 {
-        ((angle.to_degrees() - self.rest) * scale.per_degree).round() as i64
+        ((angle.to_degrees() - self.rest_deg) * scale.units_per_degree).round() as i64
     }
 
     /// The axis value of a word, rad.
@@ -87,13 +87,13 @@ impl Rotary {
     }
 
     /// The axis value of a word for people, degrees.
-    pub(crate) fn shown(self, word: i64, scale: AngleScale) -> f64 {
+    pub(crate) fn degrees_for_display(self, word: i64, scale: AngleScale) -> f64 {
         (self.degrees(word, scale) * 1e9).round() / 1e9
     }
 
     /// The axis value of a word, degrees.
     fn degrees(self, word: i64, scale: AngleScale) -> f64 {
-        scale.degrees(word) + self.rest
+        scale.degrees(word) + self.rest_deg
     }
 
     /// Whether whole turns are free.
@@ -107,7 +107,7 @@ impl Rotary {
     }
 
     /// Whether a word lies inside the limits.
-    pub(crate) fn holds(self, word: i64) -> bool {
+    pub(crate) fn contains(self, word: i64) -> bool {
         self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
     }
 
@@ -132,11 +132,11 @@ impl Rotary {
     pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
         let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
         let count = if self.endless() { 1 } else { most };
-        let towards = if nearest > 0 { -turn } else { turn };
+        let step_towards_zero = if nearest > 0 { -turn } else { turn };
         // nearest, one turn towards zero and past it, one away, two towards, ...
-        let all =
-            (0..count).map(move |step| nearest + towards * if step % 2 == 1 { (step + 1) / 2 } else { -step / 2 });
-        all.filter(move |&word| self.holds(word))
+        let all = (0..count)
+            .map(move |step| nearest + step_towards_zero * if step % 2 == 1 { (step + 1) / 2 } else { -step / 2 });
+        all.filter(move |&word| self.contains(word))
     }
 
     /// The word that is `word` modulo a turn, inside the limits and nearest to `previous`; at equal distance the one of
@@ -163,7 +163,7 @@ impl Rotary {
             choice += (lower - choice + turn - 1).div_euclid(turn) * turn;
         }
         // Both words next to the previous one may be inside on their own side only: the nearer one won above.
-        if self.holds(choice) { Ok(choice) } else { Err(out) }
+        if self.contains(choice) { Ok(choice) } else { Err(out) }
     }
 }
 
@@ -185,7 +185,7 @@ pub(crate) fn choose(
         let mut fits = true;
         for rotary in rotaries {
             let index = rotary.index;
-            match rotary.nearest(rotary.word(solution.axes[index], scale), previous[index], scale.turn) {
+            match rotary.nearest(rotary.word(solution.axes[index], scale), previous[index], scale.units_per_turn) {
                 Ok(word) => {
                     travel += (word - previous[index]).abs();
                     words[index] = word;
@@ -213,7 +213,7 @@ mod tests {
     use super::*;
     use crate::kinematics::Branch;
 
-    const SCALE: AngleScale = AngleScale { per_degree: 10_000.0, turn: 3_600_000 };
+    const SCALE: AngleScale = AngleScale { units_per_degree: 10_000.0, units_per_turn: 3_600_000 };
 
     fn solution(degrees: [f64; 2]) -> Solution<AxisValues> {
         let mut axes = [0.0; MAX_AXES];
@@ -227,7 +227,7 @@ mod tests {
             index,
             lower: limits.map(|(lower, _)| word(lower)),
             upper: limits.map(|(_, upper)| word(upper)),
-            rest: 0.0,
+            rest_deg: 0.0,
         }
     }
 
@@ -304,7 +304,7 @@ mod tests {
             for (number, &(a, b)) in angles.iter().enumerate() {
                 for i in -5..=5 {
                     for j in -5..=5 {
-                        let words = [a * 1000 + i * SCALE.turn, b * 1000 + j * SCALE.turn];
+                        let words = [a * 1000 + i * SCALE.units_per_turn, b * 1000 + j * SCALE.units_per_turn];
                         let inside = (0..2).all(|axis| {
                             rotaries[axis].lower.is_none_or(|lower| words[axis] >= lower)
                                 && rotaries[axis].upper.is_none_or(|upper| words[axis] <= upper)

@@ -12,7 +12,7 @@ use crate::motion::step::{MAX_AXES, Words};
 
 /// One axis whose words stay within a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Wrapped {
+struct RolloverAxis {
     /// Position in the chain.
     index: usize,
     wrap: Wrap,
@@ -22,23 +22,23 @@ struct Wrapped {
 
 /// Words of a program as they are written.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Speller {
-    axes: Vec<Wrapped>,
+pub(crate) struct Rollover {
+    axes: Vec<RolloverAxis>,
     turn: i64,
 }
 
-impl Speller {
+impl Rollover {
     pub(crate) fn new(chain: &[Axis], policy: Policy<'_>, rotaries: &[Rotary], turn: i64) -> Self {
         let wrapped = |rotary: &Rotary| {
             let wrap = *policy.options.rotaries.wrap.get(&chain[rotary.index].letter)?;
-            Some(Wrapped { index: rotary.index, wrap, last: None })
+            Some(RolloverAxis { index: rotary.index, wrap, last: None })
         };
         Self { axes: rotaries.iter().filter_map(wrapped).collect(), turn }
     }
 
     /// Blocks into which a motion of some axes has to be cut, so that the control turns each of them the way that is meant.
     pub(crate) fn pieces(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], mask: u16) -> i64 {
-        let pieces = |axis: &Wrapped| {
+        let pieces = |axis: &RolloverAxis| {
             let travel = (to[axis.index] - from[axis.index]).abs();
             match axis.wrap {
                 // The short way is less than half a turn.
@@ -91,8 +91,8 @@ mod tests {
     fn spelled(wrap: Wrap, degrees: &[i64]) -> Vec<i64> {
         let mut config = Config::default();
         config.motion.rotaries.wrap.insert('C', wrap);
-        let rotary = Rotary { index: 0, lower: None, upper: None, rest: 0.0 };
-        let mut speller = Speller::new(Cb::AXES, config.policy(), &[rotary], 360);
+        let rotary = Rotary { index: 0, lower: None, upper: None, rest_deg: 0.0 };
+        let mut speller = Rollover::new(Cb::AXES, config.policy(), &[rotary], 360);
         let mut from = [0; MAX_AXES];
         degrees
             .iter()
@@ -118,10 +118,10 @@ mod tests {
     #[test]
     fn the_short_way_is_less_than_half_a_turn() {
         let pieces = |wrap, travel: i64| {
-            let axes = vec![Wrapped { index: 0, wrap, last: None }];
+            let axes = vec![RolloverAxis { index: 0, wrap, last: None }];
             let mut to = [0; MAX_AXES];
             to[0] = travel;
-            Speller { axes, turn: 360 }.pieces(&[0; MAX_AXES], &to, 1)
+            Rollover { axes, turn: 360 }.pieces(&[0; MAX_AXES], &to, 1)
         };
         assert_eq!(
             [0, 179, 180, -180, 359, 360, 720].map(|travel| pieces(Wrap::Positive, travel)),

@@ -11,27 +11,27 @@ use crate::program::{Move, Spline};
 use crate::motion::fault::Fault;
 
 /// More chords than this in one piece of a curve are a fault of the file.
-const MOST_CHORDS: f64 = 1e6;
+const MAX_CHORDS: f64 = 1e6;
 
 /// The chord tolerance in force.
 #[derive(Debug, Clone)]
 pub(crate) struct Curves {
     /// Of the configuration, mm.
-    configured: f64,
+    configured_mm: f64,
     /// Of LINTOL, mm.
-    stated: Option<f64>,
+    stated_mm: Option<f64>,
     /// LINTOL may be wider than the configuration.
     may_widen: bool,
 }
 
 impl Curves {
     pub(crate) fn new(policy: Policy<'_>) -> Self {
-        Self { configured: policy.options.tolerance, stated: None, may_widen: policy.options.allow_lintol }
+        Self { configured_mm: policy.options.tolerance, stated_mm: None, may_widen: policy.options.allow_lintol }
     }
 
     /// The tolerance in force, mm.
     pub(crate) fn tolerance(&self) -> f64 {
-        self.stated.unwrap_or(self.configured)
+        self.stated_mm.unwrap_or(self.configured_mm)
     }
 
     /// LINTOL.
@@ -39,11 +39,11 @@ impl Curves {
     /// # Errors
     /// A remark if it is wider than may be: then that of the configuration stays in force.
     pub(crate) fn state_tolerance(&mut self, tolerance: Option<f64>) -> Result<(), Fault> {
-        self.stated = tolerance.filter(|stated| self.may_widen || *stated <= self.configured);
+        self.stated_mm = tolerance.filter(|stated| self.may_widen || *stated <= self.configured_mm);
         match tolerance {
-            Some(stated) if self.stated.is_none() => Err(Fault::new(format_args!(
+            Some(stated) if self.stated_mm.is_none() => Err(Fault::new(format_args!(
                 "LINTOL/{stated} mm is more than the tolerance of {} mm, which stays in force",
-                self.configured
+                self.configured_mm
             ))
             .help("give `--allow-lintol` if the CL data may widen the tolerance")),
             Some(_) | None => Ok(()),
@@ -78,7 +78,7 @@ pub(crate) fn chords<E>(
         // A chord over 1/n of the parameter is off by at most |f''| / (8 n²), and f'' by 6 times these differences.
         let bend = (a - b * 2.0 + c).norm().max((b - c * 2.0 + d).norm());
         let chords = (6.0 * bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
-        if chords.is_nan() || chords > MOST_CHORDS {
+        if chords.is_nan() || chords > MAX_CHORDS {
             return out(Err(Fault::new("this curve cannot be cut into chords").help("check its knots and LINTOL")));
         }
         let mut index = 1.0;
@@ -115,7 +115,7 @@ mod tests {
     use crate::config::Config;
     use crate::diag::Diagnostic;
     use crate::motion::machines::Xyz;
-    use crate::motion::source::{Action, Item, Source, Stage};
+    use crate::motion::source::{ItemAction, ProgramItem, Source, Stage};
     use crate::program::{Arc, Event, Location, ToolCall};
 
     const AT: Location = Location { line: 1, column: 1 };
@@ -148,9 +148,9 @@ mod tests {
     impl Stage for Seen {
         type Stop = Diagnostic;
 
-        fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
+        fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
             match item.action {
-                Action::Line { motion, .. } => self.motions.push((motion.pose.tip.into(), motion.rapid)),
+                ItemAction::Line { motion, .. } => self.motions.push((motion.pose.tip.into(), motion.rapid)),
                 other => self.others.push(format!("{other:?}")),
             }
             Ok(())

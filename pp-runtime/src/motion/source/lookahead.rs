@@ -10,13 +10,13 @@ use crate::kinematics::Pose;
 use crate::program::{Arc, Event, Hole, Location, Move};
 
 use crate::motion::source::operations::{Begins, MotionIndex};
-use crate::motion::source::{Action, Item, LinePart, Stage};
+use crate::motion::source::{ItemAction, LinePart, ProgramItem, Stage};
 
 /// More records than this between two motions are no habit of a CAM system; it bounds the memory.
-const MOST_RECORDS: usize = 10_000;
+const MAX_RECORDS: usize = 10_000;
 
 /// Bytes of text that are kept while records wait.
-const MOST_TEXT: usize = 1 << 20;
+const MAX_TEXT_BYTES: usize = 1 << 20;
 
 /// What comes after a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,12 +26,12 @@ pub enum Next {
     /// Nothing that the approach to it depends on.
     None,
     /// Unknown: more records than are kept come before it.
-    TooFar,
+    Unknown,
 }
 
 /// A motion that waits.
 #[derive(Debug, Clone, Copy)]
-struct Waiting {
+struct WaitingMotion {
     at: Location,
     motion: Move,
     index: MotionIndex,
@@ -50,7 +50,7 @@ enum WaitingRecord {
 /// The motion that waits, and the records after it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lookahead {
-    motion: Option<Waiting>,
+    motion: Option<WaitingMotion>,
     records: Vec<(Location, WaitingRecord, bool)>,
     texts: Vec<u8>,
 }
@@ -70,10 +70,10 @@ impl Lookahead {
             self.release(Next::Motion(motion.pose), to)?;
         }
         if index.begins != Begins::Nothing || motion.rapid {
-            self.motion = Some(Waiting { at, motion: *motion, index, part });
+            self.motion = Some(WaitingMotion { at, motion: *motion, index, part });
             return Ok(());
         }
-        to.take(&Item { at, action: Action::Line { motion, index, next: Next::None, part } })
+        to.take(&ProgramItem { at, action: ItemAction::Line { motion, index, next: Next::None, part } })
     }
 
     pub(crate) fn arc<S: Stage>(
@@ -84,7 +84,7 @@ impl Lookahead {
         to: &mut S,
     ) -> Result<(), S::Stop> {
         self.release(Next::None, to)?;
-        to.take(&Item { at, action: Action::Arc { arc, index } })
+        to.take(&ProgramItem { at, action: ItemAction::Arc { arc, index } })
     }
 
     pub(crate) fn hole<S: Stage>(
@@ -95,13 +95,13 @@ impl Lookahead {
         to: &mut S,
     ) -> Result<(), S::Stop> {
         self.release(Next::Motion(hole.level(hole.clearance)), to)?;
-        to.take(&Item { at, action: Action::Hole { hole, index } })
+        to.take(&ProgramItem { at, action: ItemAction::Hole { hole, index } })
     }
 
     /// A record after which another operation begins.
     pub(crate) fn boundary<S: Stage>(&mut self, at: Location, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
         self.release(Next::None, to)?;
-        to.take(&Item { at, action: Action::Record { event, between: true } })
+        to.take(&ProgramItem { at, action: ItemAction::Record { event, between: true } })
     }
 
     /// A record that belongs to the motions around it; `between`: to the operation that comes.
@@ -113,8 +113,8 @@ impl Lookahead {
         to: &mut S,
     ) -> Result<(), S::Stop> {
         if self.motion.is_some() {
-            if self.records.len() >= MOST_RECORDS || self.texts.len() >= MOST_TEXT {
-                self.release(Next::TooFar, to)?;
+            if self.records.len() >= MAX_RECORDS || self.texts.len() >= MAX_TEXT_BYTES {
+                self.release(Next::Unknown, to)?;
             } else if let Some(kept) = self.keep(event) {
                 self.records.push((at, kept, between));
                 return Ok(());
@@ -122,7 +122,7 @@ impl Lookahead {
                 self.release(Next::None, to)?;
             }
         }
-        to.take(&Item { at, action: Action::Record { event, between } })
+        to.take(&ProgramItem { at, action: ItemAction::Record { event, between } })
     }
 
     /// Whether the first motion of an operation waits.
@@ -139,9 +139,9 @@ impl Lookahead {
         }
     }
 
-    fn release_waiting<S: Stage>(&mut self, waiting: Waiting, next: Next, to: &mut S) -> Result<(), S::Stop> {
-        let Waiting { at, ref motion, index, part } = waiting;
-        to.take(&Item { at, action: Action::Line { motion, index, next, part } })?;
+    fn release_waiting<S: Stage>(&mut self, waiting: WaitingMotion, next: Next, to: &mut S) -> Result<(), S::Stop> {
+        let WaitingMotion { at, ref motion, index, part } = waiting;
+        to.take(&ProgramItem { at, action: ItemAction::Line { motion, index, next, part } })?;
         for (at, kept, between) in self.records.drain(..) {
             let text = |range: Range<usize>| &self.texts[range];
             let event = match kept {
@@ -150,7 +150,7 @@ impl Lookahead {
                 WaitingRecord::MachineName(range) => Event::MachineName(text(range)),
                 WaitingRecord::Message(range) => Event::Message(text(range)),
             };
-            to.take(&Item { at, action: Action::Record { event: &event, between } })?;
+            to.take(&ProgramItem { at, action: ItemAction::Record { event: &event, between } })?;
         }
         self.texts.clear();
         Ok(())

@@ -36,16 +36,16 @@ use operations::MotionCounter;
 
 /// One thing that the program does, with the record of the CL data that asks for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Item<'e> {
+pub struct ProgramItem<'e> {
     /// The record.
     pub at: Location,
     /// What it does.
-    pub action: Action<'e>,
+    pub action: ItemAction<'e>,
 }
 
 /// What an item does.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Action<'e> {
+pub enum ItemAction<'e> {
     /// A straight motion.
     Line {
         /// Where to, and how fast.
@@ -100,7 +100,7 @@ pub trait Stage {
     ///
     /// # Errors
     /// Its own.
-    fn take(&mut self, item: &Item<'_>) -> Result<(), Self::Stop>;
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Self::Stop>;
 
     /// Takes a remark on the CL data.
     fn remark(&mut self, remark: Diagnostic) {

@@ -42,9 +42,9 @@ pub struct MotionIndex {
 #[derive(Debug, Clone)]
 pub(crate) struct MotionCounter {
     /// Operations go on where the last one ended.
-    direct: bool,
+    links_operations: bool,
     /// The tool's length moves the axes even without a tool: nothing may be passed over.
-    head: bool,
+    rotary_head: bool,
     /// The tool that is called before the first motion if the CL data calls none.
     assumed_tool: Option<u32>,
     /// A tool has been called.
@@ -63,8 +63,8 @@ pub(crate) struct MotionCounter {
 impl MotionCounter {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
         Self {
-            direct: policy.options.rapids.transition == Transition::Direct,
-            head: rotaries_of(machine.axes(), Side::Tool).next().is_some(),
+            links_operations: policy.options.rapids.transition == Transition::Direct,
+            rotary_head: rotaries_of(machine.axes(), Side::Tool).next().is_some(),
             assumed_tool: policy.options.defaults.tool,
             called: false,
             passed_over: false,
@@ -84,7 +84,7 @@ impl MotionCounter {
     /// TOOL PATH.
     pub(crate) fn name(&mut self) {
         self.begins = match self.begins {
-            Begins::Nothing | Begins::Linked if self.direct => Begins::Linked,
+            Begins::Nothing | Begins::Linked if self.links_operations => Begins::Linked,
             Begins::Nothing | Begins::Linked | Begins::Operation => Begins::Operation,
         };
     }
@@ -111,7 +111,7 @@ impl MotionCounter {
     /// A rapid before the first tool is not written: whatever is in the spindle, its length offset is not active, and Z
     /// would go deeper by that length.
     pub(crate) fn passes_over(&self, motion: &Move) -> bool {
-        motion.rapid && !self.called && !self.head && self.between()
+        motion.rapid && !self.called && !self.rotary_head && self.between()
     }
 
     /// Whether this is the first rapid that is passed over.

@@ -18,7 +18,7 @@ use crate::motion::options::Policy;
 pub(crate) struct Setting {
     rotation: Rotation3<f64>,
     /// mm along the tool axis.
-    lift: f64,
+    lift_mm: f64,
     /// Nothing is changed.
     plain: bool,
     /// Control points of the curve that is handed on.
@@ -28,10 +28,10 @@ pub(crate) struct Setting {
 impl Setting {
     pub(crate) fn new(policy: Policy<'_>) -> Self {
         let rotation = policy.set_up.part_rotation;
-        let lift = policy.options.lift.unwrap_or(0.0);
+        let lift_mm = policy.options.lift.unwrap_or(0.0);
         Self {
             rotation,
-            lift,
+            lift_mm,
             plain: rotation == Rotation3::identity() && policy.options.lift.is_none(),
             points: Vec::new(),
         }
@@ -40,10 +40,10 @@ impl Setting {
     /// An event of the CL data as it is run; `None` if nothing changes.
     #[inline]
     pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
-        if self.plain { None } else { Some(self.turned(event)) }
+        if self.plain { None } else { Some(self.rotated(event)) }
     }
 
-    fn turned<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
+    fn rotated<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
         match *event {
             Event::Move(motion) => Event::Move(Move { pose: self.pose(&motion.pose), ..motion }),
             Event::From(pose) => Event::From(self.pose(&pose)),
@@ -93,7 +93,7 @@ impl Setting {
     }
 
     fn tip(&self, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Point3<f64> {
-        self.rotation * (tip + axis.into_inner() * self.lift)
+        self.rotation * (tip + axis.into_inner() * self.lift_mm)
     }
 
     fn direction(&self, direction: &UnitVector3<f64>) -> UnitVector3<f64> {

@@ -46,27 +46,27 @@ struct Seen {
 impl Stage for Seen {
     type Stop = Diagnostic;
 
-    fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
         let x = |pose: &Pose| pose.tip.x;
         self.items.push(match item.action {
-            Action::Line { motion, index, next, .. } => {
+            ItemAction::Line { motion, index, next, .. } => {
                 self.indices.push(index);
                 let next = match next {
                     Next::Motion(next) => format!("{}", x(&next)),
                     Next::None => "-".to_owned(),
-                    Next::TooFar => "?".to_owned(),
+                    Next::Unknown => "?".to_owned(),
                 };
                 format!("to {} next {next}", x(&motion.pose))
             }
-            Action::Arc { .. } => "arc".to_owned(),
-            Action::Hole { hole, index } => {
+            ItemAction::Arc { .. } => "arc".to_owned(),
+            ItemAction::Hole { hole, index } => {
                 self.indices.push(index);
                 format!("hole at {}", x(&hole.top))
             }
-            Action::Record { event: Event::Message(text), .. } => String::from_utf8_lossy(text).into_owned(),
-            Action::Record { event: Event::Tool(call), .. } => format!("T{}", call.number),
-            Action::Record { event: Event::From(pose), .. } => format!("from {}", x(pose)),
-            Action::Record { between, .. } => if between { "between" } else { "within" }.to_owned(),
+            ItemAction::Record { event: Event::Message(text), .. } => String::from_utf8_lossy(text).into_owned(),
+            ItemAction::Record { event: Event::Tool(call), .. } => format!("T{}", call.number),
+            ItemAction::Record { event: Event::From(pose), .. } => format!("from {}", x(pose)),
+            ItemAction::Record { between, .. } => if between { "between" } else { "within" }.to_owned(),
         });
         Ok(())
     }

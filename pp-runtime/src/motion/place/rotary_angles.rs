@@ -5,41 +5,42 @@ use nalgebra::UnitVector3;
 use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution};
 use crate::program::{Rotation, Turning};
 
-use super::linearise::Tolerance;
+use super::linearise::PathTolerance;
 use super::refusal;
-use super::{Place, Placer};
+use super::{AxisPosition, Placer};
 use crate::motion::fault::Fault;
 use crate::motion::geometry::angle_between;
-use crate::motion::rotary::{MOST_TURNS, Rotary, Towards, TurnTarget, Turns, choose};
+use crate::motion::rotary::{MAX_TURNS, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
 
 /// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
-const SWING: f64 = 1_f64.to_radians();
+const MAX_LIMIT_SWING: f64 = 1_f64.to_radians();
 
 impl Placer {
     /// What ROTABL/NEXT asks of the table's rotary, the one nearest the workpiece where there are two. Seen against its
     /// axis a table turns clockwise while its word grows, unless the word runs backwards.
-    pub(crate) fn towards(&self, turning: Turning) -> Option<Towards> {
+    pub(crate) fn rotation_sense(&self, turning: Turning) -> Option<RotationSense> {
         let Turning::Next(rotation) = turning else { return None };
         let table = |rotary: &Rotary| self.chain[rotary.index].side == Side::Workpiece;
         let axis = self.rotary.axes.iter().position(table)?;
         let forwards = self.machine.joint(self.rotary.axes[axis].index).sign > 0.0;
-        Some(Towards { axis, positive: (rotation == Rotation::Clockwise) == forwards })
+        Some(RotationSense { axis, positive: (rotation == Rotation::Clockwise) == forwards })
     }
 
     /// Indexed axes stand on one of their steps, and do not turn in a cut.
     #[cold]
-    pub(crate) fn snap(&self, place: &mut Place, from: &Place, feed: bool) -> Result<(), Fault> {
+    pub(crate) fn snap_to_index(&self, place: &mut AxisPosition, from: &AxisPosition, feed: bool) -> Result<(), Fault> {
         for &(rotary, step) in &self.rotary.grid {
             let index = rotary.index;
             let word = place.words[index];
             let snapped = (2 * word + step).div_euclid(2 * step) * step;
-            let (letter, degrees) = (self.chain[index].letter, |word| rotary.shown(word, self.rotary.scale));
+            let (letter, degrees) =
+                (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
             place.words[index] = snapped;
             place.axes[index] = rotary.angle(snapped, self.rotary.scale);
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             let deviation = angle_between(&reached, &place.pose.axis);
-            if deviation > self.poles.tolerance + 2.0 * self.rotary.scale.angle(1) || !rotary.holds(snapped) {
+            if deviation > self.poles.tolerance_rad + 2.0 * self.rotary.scale.angle(1) || !rotary.contains(snapped) {
                 return Err(Fault::new(format_args!(
                     "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
                     degrees(word),
@@ -47,7 +48,7 @@ impl Placer {
                 ))
                 .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
             }
-            place.deviation = place.deviation.max(deviation);
+            place.deviation_rad = place.deviation_rad.max(deviation);
             if feed && snapped != from.words[index] {
                 return Err(Fault::new(format_args!(
                     "{letter} would have to turn from {}° to {}° in the cut, and it is indexed",
@@ -62,17 +63,23 @@ impl Placer {
 
     /// On the way of a cut an indexed axis stays where it is, and the tool axis leaves its even turn by what that takes.
     #[inline]
-    pub(crate) fn hold_indexed(&self, place: &mut Place, from: &Place, allowed: Tolerance) -> Result<(), Fault> {
+    pub(crate) fn hold_indexed(
+        &self,
+        place: &mut AxisPosition,
+        from: &AxisPosition,
+        allowed: PathTolerance,
+    ) -> Result<(), Fault> {
         for &(rotary, step) in &self.rotary.grid {
             let index = rotary.index;
             let (wanted, held) = (place.words[index], from.words[index]);
             place.words[index] = held;
             place.axes[index] = from.axes[index];
             let reached = self.machine.forward_kinematics(&place.axes).axis;
-            place.deviation = place.deviation.max(angle_between(&reached, &place.pose.axis));
+            place.deviation_rad = place.deviation_rad.max(angle_between(&reached, &place.pose.axis));
             // What an end is off counts twice: see `certify`.
-            if 2.0 * place.deviation >= allowed.axis {
-                let (letter, degrees) = (self.chain[index].letter, |word| rotary.shown(word, self.rotary.scale));
+            if 2.0 * place.deviation_rad >= allowed.axis_rad {
+                let (letter, degrees) =
+                    (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
                 return Err(Fault::new(format_args!(
                     "{letter} would have to turn from {}° to {}° in the cut, and it is indexed in steps of {}°",
                     degrees(held),
@@ -89,7 +96,8 @@ impl Placer {
     #[inline]
     pub(crate) fn pole(&self, axis: &UnitVector3<f64>) -> Option<UnitVector3<f64>> {
         let near = |pole: &&UnitVector3<f64>| {
-            (pole.into_inner() - axis.into_inner()).norm_squared() <= self.poles.tolerance * self.poles.tolerance
+            (pole.into_inner() - axis.into_inner()).norm_squared()
+                <= self.poles.tolerance_rad * self.poles.tolerance_rad
         };
         self.poles.axes.iter().find(near).copied()
     }
@@ -97,15 +105,15 @@ impl Placer {
     /// The rotaries of a pose, chosen from where they stand: a feed motion stays on its branch, a rapid turns least. A
     /// feed motion is refused if only the limits make it take another turn than the nearest: the tool is in the cut.
     #[inline]
-    pub(crate) fn turn(&self, pose: &Pose, from: &Place, feed: bool) -> Result<Place, Fault> {
+    pub(crate) fn choose_rotaries(&self, pose: &Pose, from: &AxisPosition, feed: bool) -> Result<AxisPosition, Fault> {
         if let Some(pole) = self.pole(&pose.axis) {
-            return self.turn_to_pole(pose, pole, from);
+            return self.rotaries_at_pole(pose, pole, from);
         }
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
         if solutions.is_empty() {
             return Err(refusal::unreachable(self, pose, &from.axes));
         }
-        let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.pole);
+        let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.at_pole);
         let branch = same.map_or(&*solutions, |same| &solutions[same..=same]);
         let choice = choose(branch, &self.rotary.axes, &from.words, self.rotary.scale).map_err(|outside| {
             choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).map_or_else(
@@ -116,9 +124,9 @@ impl Placer {
         let solution = &branch[choice.solution];
         let mut place = self.at(pose, from, &choice.words);
         place.axes = merged(solution.axes, &place.axes, self.rotary.mask);
-        place.deviation = solution.deviation;
+        place.deviation_rad = solution.deviation;
         place.branch = solution.branch;
-        if feed && self.rotary.limited && self.rotary_travel(&from.words, &place.words) > SWING {
+        if feed && self.rotary.limited && self.rotary_travel(&from.words, &place.words) > MAX_LIMIT_SWING {
             let nearest = choose(branch, &self.rotary.endless, &from.words, self.rotary.scale);
             if let Ok(nearest) = nearest
                 && nearest.words != choice.words
@@ -130,7 +138,12 @@ impl Placer {
     }
 
     /// At the pole the first rotary keeps its value: what CL data says of it there is rounding.
-    pub(crate) fn turn_to_pole(&self, pose: &Pose, pole: UnitVector3<f64>, from: &Place) -> Result<Place, Fault> {
+    pub(crate) fn rotaries_at_pole(
+        &self,
+        pose: &Pose,
+        pole: UnitVector3<f64>,
+        from: &AxisPosition,
+    ) -> Result<AxisPosition, Fault> {
         let there = Pose { axis: pole, ..*pose };
         let solutions = self.machine.inverse_kinematics(&there, &from.axes);
         if solutions.is_empty() {
@@ -141,22 +154,22 @@ impl Placer {
             .map_err(|outside| refusal::outside_limits(self, &outside))?;
         let mut place = self.at(&there, from, &choice.words);
         place.branch = from.branch;
-        place.pole = true;
-        place.deviation = angle_between(&pole, &pose.axis);
+        place.at_pole = true;
+        place.deviation_rad = angle_between(&pole, &pose.axis);
         Ok(place)
     }
 
     /// A pose with these rotary words; the linear axes are not computed.
     #[inline]
-    pub(crate) fn at(&self, pose: &Pose, from: &Place, words: &[i64; MAX_AXES]) -> Place {
-        let mut place = Place {
+    pub(crate) fn at(&self, pose: &Pose, from: &AxisPosition, words: &[i64; MAX_AXES]) -> AxisPosition {
+        let mut place = AxisPosition {
             pose: *pose,
             branch: from.branch,
             axes: from.axes,
             words: *words,
-            deviation: 0.0,
-            pole: false,
-            rounding: 0.0,
+            deviation_rad: 0.0,
+            at_pole: false,
+            rounding_mm: 0.0,
         };
         for rotary in &self.rotary.axes {
             place.axes[rotary.index] = rotary.angle(words[rotary.index], self.rotary.scale);
@@ -165,17 +178,22 @@ impl Placer {
     }
 
     /// A pose with the rotary words of the course.
-    pub(crate) fn planned(&self, pose: &Pose, from: &Place, target: &TurnTarget) -> Result<Place, Fault> {
+    pub(crate) fn follow_course(
+        &self,
+        pose: &Pose,
+        from: &AxisPosition,
+        target: &RotaryTarget,
+    ) -> Result<AxisPosition, Fault> {
         let pole = self.pole(&pose.axis);
         let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         let mut words = self.all_words(&target.words);
         for (axis, rotary) in self.rotary.axes.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
             let (word, before) = (&mut words[rotary.index], from.words[rotary.index]);
-            *word = rotary.nearest(*word, before, self.rotary.scale.turn).unwrap_or(*word);
-            if let Some(Towards { positive, .. }) = target.towards.filter(|towards| towards.axis == axis) {
+            *word = rotary.nearest(*word, before, self.rotary.scale.units_per_turn).unwrap_or(*word);
+            if let Some(RotationSense { positive, .. }) = target.sense.filter(|sense| sense.axis == axis) {
                 match *word - before {
-                    change if change > 0 && !positive => *word -= self.rotary.scale.turn,
-                    change if change < 0 && positive => *word += self.rotary.scale.turn,
+                    change if change > 0 && !positive => *word -= self.rotary.scale.units_per_turn,
+                    change if change < 0 && positive => *word += self.rotary.scale.units_per_turn,
                     _ => {}
                 }
             }
@@ -193,8 +211,8 @@ impl Placer {
         };
         let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
         place.branch = nearest.map_or(from.branch, |solution| solution.branch);
-        place.pole = pole.is_some();
-        place.deviation = match pole {
+        place.at_pole = pole.is_some();
+        place.deviation_rad = match pole {
             Some(pole) => angle_between(&pole, &pose.axis),
             None => nearest.map_or(0.0, |solution| solution.deviation),
         };
@@ -202,7 +220,7 @@ impl Placer {
     }
 
     /// Words of all axes from those of the solved rotaries.
-    pub(crate) fn all_words(&self, words: &Turns) -> [i64; MAX_AXES] {
+    pub(crate) fn all_words(&self, words: &RotaryWords) -> [i64; MAX_AXES] {
         let mut all = [0; MAX_AXES];
         for (rotary, word) in self.rotary.axes.iter().zip(words) {
             all[rotary.index] = *word;
@@ -211,7 +229,7 @@ impl Placer {
     }
 
     /// Words of the solved rotaries.
-    pub(crate) fn turns_of(&self, words: &[i64; MAX_AXES]) -> Turns {
+    pub(crate) fn rotary_words_of(&self, words: &[i64; MAX_AXES]) -> RotaryWords {
         let mut turns = [0; 2];
         for (turn, rotary) in turns.iter_mut().zip(&self.rotary.axes) {
             *turn = words[rotary.index];
@@ -220,12 +238,12 @@ impl Placer {
     }
 
     /// Where nothing but the rotaries is known.
-    pub(crate) fn standing(&self, words: &Turns) -> Place {
-        Place { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
+    pub(crate) fn position_at_words(&self, words: &RotaryWords) -> AxisPosition {
+        AxisPosition { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
     }
 
     /// Axis values of rotary words, with held axes at their values.
-    pub(crate) fn axes_of(&self, words: &Turns) -> AxisValues {
+    pub(crate) fn axes_of(&self, words: &RotaryWords) -> AxisValues {
         let mut axes = self.held;
         for (rotary, word) in self.rotary.axes.iter().zip(words) {
             axes[rotary.index] = rotary.angle(*word, self.rotary.scale);
@@ -234,9 +252,9 @@ impl Placer {
     }
 
     /// An axis has more turns inside its limits than are looked at.
-    pub(crate) fn wide(&self) -> bool {
-        let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.rotary.scale.turn);
-        self.rotary.axes.iter().filter_map(turns).any(|turns| turns >= MOST_TURNS)
+    pub(crate) fn has_many_turns(&self) -> bool {
+        let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.rotary.scale.units_per_turn);
+        self.rotary.axes.iter().filter_map(turns).any(|turns| turns >= MAX_TURNS)
     }
 }
 

@@ -15,14 +15,14 @@ pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
 
 /// The shortest turn that brings `a` to `b`, which are not opposite. No arc cosine: the cosine of axes that are the same but
 /// for rounding may be above 1.
-pub(crate) fn turn_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> Rotation3<f64> {
+pub(crate) fn rotation_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> Rotation3<f64> {
     let normal = UnitVector3::try_new(a.cross(b), 0.0);
     normal.map_or_else(Rotation3::identity, |normal| Rotation3::from_axis_angle(&normal, angle_between(a, b)))
 }
 
 /// From one pose to another.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Way {
+pub(crate) struct PathSegment {
     start: Pose,
     step: Vector3<f64>,
     /// Unit vector in the plane of the tool axes, square to the first; zero where these are the same.
@@ -31,7 +31,7 @@ pub(crate) struct Way {
     angle: f64,
 }
 
-impl Way {
+impl PathSegment {
     /// `None` if the tool axes are opposite: which way round, nobody says.
     pub(crate) fn new(from: &Pose, to: &Pose) -> Option<Self> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
@@ -71,12 +71,14 @@ mod tests {
 
     #[test]
     fn the_tip_goes_straight_and_the_axis_turns_evenly() {
-        let way = Way::new(&pose([0.0; 3], [0.0, 0.0, 1.0]), &pose([4.0, 0.0, 8.0], [1.0, 0.0, 0.0])).expect("a way");
-        let third = way.at(1.0 / 3.0);
+        let segment = PathSegment::new(&pose([0.0; 3], [0.0, 0.0, 1.0]), &pose([4.0, 0.0, 8.0], [1.0, 0.0, 0.0]))
+            .expect("a segment");
+        let third = segment.at(1.0 / 3.0);
         let expected = pose([4.0 / 3.0, 0.0, 8.0 / 3.0], [0.5, 0.0, 3_f64.sqrt() / 2.0]);
         assert!((third.tip - expected.tip).norm() < 1e-12 && (third.axis.dot(&expected.axis) - 1.0).abs() < 1e-12);
         assert!(
-            (way.angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-12 && (way.length() - 80_f64.sqrt()).abs() < 1e-12
+            (segment.angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-12
+                && (segment.length() - 80_f64.sqrt()).abs() < 1e-12
         );
     }
 
@@ -88,7 +90,7 @@ mod tests {
                     let (sine, cosine) = (tilt + f64::from(step) * 0.01_f64).to_radians().sin_cos();
                     let a = UnitVector3::new_unchecked(Vector3::new(0.0, -sine, cosine));
                     let b = UnitVector3::new_normalize(Vector3::new(off * 0.7, off - sine, cosine));
-                    let turned = turn_between(&a, &b) * a.into_inner();
+                    let turned = rotation_between(&a, &b) * a.into_inner();
                     assert!((turned - b.into_inner()).norm() < 1e-15 * 4.0, "{tilt} {off}: {turned}");
                 }
             }
@@ -97,8 +99,9 @@ mod tests {
 
     #[test]
     fn opposite_axes_have_no_way() {
-        assert!(Way::new(&pose([0.0; 3], [0.0, 0.0, 1.0]), &pose([1.0; 3], [1e-8, 0.0, -1.0])).is_none());
-        let still = Way::new(&pose([0.0; 3], [0.0, 0.6, 0.8]), &pose([1.0; 3], [0.0, 0.6, 0.8])).expect("a way");
+        assert!(PathSegment::new(&pose([0.0; 3], [0.0, 0.0, 1.0]), &pose([1.0; 3], [1e-8, 0.0, -1.0])).is_none());
+        let still =
+            PathSegment::new(&pose([0.0; 3], [0.0, 0.6, 0.8]), &pose([1.0; 3], [0.0, 0.6, 0.8])).expect("a segment");
         assert_eq!(still.at(0.7).axis, still.at(0.0).axis);
     }
 }
