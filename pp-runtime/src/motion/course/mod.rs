@@ -1,15 +1,17 @@
-//! The course of the rotary axes: branch, whole turns and free values, for a whole program at once.
+//! The course of the rotary axes: branch, whole turns and free angles, for a whole program at once.
 //!
-//! Pose by pose the nearest answer may run into a limit in the middle of a cut. The navigator sees the first pass and
-//! finds the best course by exact dynamic programming over branches × whole turns × the free axis at the pole. A motion in
-//! the air may go from every state to every other. A cut goes where the axes run through; where no course runs through,
-//! the tool leaves the part, the axes rewind, and it comes back to the same pose.
+//! If the nearest solution is taken pose by pose, an axis may reach its limit in the middle of a cut. The navigator takes
+//! the first pass over the program and finds the best course by exact dynamic programming over branches × whole turns × the
+//! free angle at the pole. A motion in the air may lead from every state to every other. A cut connects two states if the
+//! axes move continuously between them; where no course is continuous, the tool leaves the part, the axes rewind, and the
+//! tool returns to the same pose.
 //!
-//! What is best, in this order: the fewest rewinds; starts as the user prefers them; the least time at the largest axis
-//! speeds; the least travel of the rotary axes. Of equals the first branch is taken before the second, the turn nearest to
-//! zero before others, positive before negative, and a rewind as early as it can be.
+//! The best course has, in this order: the fewest rewinds; starts as the user prefers them; the least time at the largest
+//! axis speeds; the least travel of the rotary axes. Of equals the first branch is taken before the second, the turn nearest
+//! to zero before others, positive before negative, and a rewind as early as possible.
 //!
-//! Memory: survivors share their history, and only what is not expected is remembered: a course is a list of changes.
+//! Memory: survivors share their history, and a course is a list of changes: the motions at which it differs from the
+//! smallest rotation on the same branch.
 
 mod packed;
 mod search;
@@ -37,26 +39,26 @@ use packed::PackedChanges;
 use search::{CourseSearch, RotaryState};
 use states::StateFinder;
 
-/// A limit is crossed at most this often in one block.
+/// Largest number of points at which one block is split, at poles and at limits.
 const MAX_CROSSINGS: u32 = 16;
 
-/// What the planner does at a change.
+/// Action of the planner at a change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum CourseAction {
     /// The motion ends with these words.
     EndWith,
-    /// The motion first goes to this part of its way, with these words.
+    /// The motion first runs to this fraction of its path, with these words.
     SplitAt(f64),
-    /// Before the motion the free rotary turns where it stands, at the pole.
+    /// Before the motion the free rotary axis rotates at the pole, with the tool in place.
     RotateAtPole,
-    /// Before the motion the tool leaves the part, and comes back with these words.
+    /// Before the motion the tool leaves the part, and returns with these words.
     Rewind,
 }
 
-/// Something that the least turn on the same branch would not do.
+/// A difference from the smallest rotation on the same branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CourseChange {
-    /// The motion, as the source counts them.
+    /// Number of the motion, as counted by the source.
     pub(crate) motion: u64,
     pub(crate) action: CourseAction,
     pub(crate) words: RotaryWords,
@@ -67,9 +69,9 @@ pub(crate) struct CourseChange {
 pub struct Course {
     changes: PackedChanges,
     next: Option<CourseChange>,
-    /// What the course costs.
+    /// Cost of the course.
     pub cost: Cost,
-    /// What it costs pose by pose, without looking ahead; `None` where that way ends before a limit.
+    /// Cost of planning motion by motion, without look-ahead; `None` if that ends at a limit.
     pub greedy: Option<Cost>,
 }
 
@@ -83,7 +85,7 @@ impl Course {
     }
 }
 
-/// The course while it is followed.
+/// Reads a course while the program is planned.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct CourseFollower {
     course: Course,
@@ -96,12 +98,12 @@ impl CourseFollower {
         Self { course, sense: None }
     }
 
-    /// ROTABL.
+    /// Takes ROTABL.
     pub(crate) fn set_sense(&mut self, sense: Option<RotationSense>) {
         self.sense = sense;
     }
 
-    /// ROTABL/NEXT for the motion at hand.
+    /// ROTABL/NEXT for this motion.
     #[inline]
     pub(crate) fn take_sense(&mut self) -> Option<RotationSense> {
         self.sense.take()
@@ -114,11 +116,11 @@ impl CourseFollower {
     }
 }
 
-/// One of the two searches: with a view ahead, and without.
+/// One of the two searches: with look-ahead, and motion by motion.
 #[derive(Debug)]
 struct SearchRun {
     search: CourseSearch,
-    /// It has come to a motion that it cannot make.
+    /// The search has reached a motion that it cannot make.
     ended: bool,
 }
 
@@ -128,23 +130,25 @@ pub struct Navigator {
     finder: StateFinder,
     greedy: bool,
     prefer: Option<(char, bool)>,
-    /// Where GOHOME takes the axes.
+    /// Angles at which GOHOME parks the axes.
     park: BTreeMap<char, f64>,
     start_branch: Option<Branch>,
     searches: [SearchRun; 2],
-    /// The number of the motion at hand.
+    /// Number of the present motion.
     motion: u64,
+    /// Pose at the end of the last motion.
     here: Option<Pose>,
-    /// The pole at which the tool axis stands.
+    /// The pole to which the tool axis is parallel.
     pole: Option<UnitVector3<f64>>,
-    /// Something has been reached: FROM no longer counts.
-    placed: bool,
+    /// A motion has come: FROM has no effect any more.
+    has_moved: bool,
     /// ROTABL/NEXT.
     sense: Option<RotationSense>,
     states: Vec<RotaryState>,
-    /// Words near which turns are looked at where there are too many to look at all.
+    /// Words near which turns are tried if an axis has too many turns to try all.
     near: Vec<RotaryWords>,
-    second: Vec<i64>,
+    /// Words of the second rotary axis at a pole.
+    second_words: Vec<i64>,
 }
 
 impl Navigator {
@@ -163,11 +167,11 @@ impl Navigator {
             motion: 0,
             here: None,
             pole: None,
-            placed: false,
+            has_moved: false,
             sense: None,
             states: Vec::new(),
             near: Vec::new(),
-            second: Vec::new(),
+            second_words: Vec::new(),
         }
     }
 
@@ -201,29 +205,29 @@ impl Navigator {
         }
     }
 
-    /// A motion; `air`: the tool is out of the part.
+    /// Takes a motion; `air`: the tool is out of the part.
     fn move_to(&mut self, end: &Pose, index: MotionIndex, air: bool) {
-        self.placed = true;
+        self.has_moved = true;
         self.motion = index.motion;
         self.go(end, air, index.begins == Begins::Operation);
         self.sense = None;
     }
 
-    /// The rotaries are parked where the configuration wants it; an angle out of reach is told by the planner.
+    /// Parks the rotary axes at the configured angles; the planner reports an angle outside the limits.
     fn go_home(&mut self) {
         let (placer, park) = (self.finder.placer(), &self.park);
         let Ok((_, 1..)) = placer.parked(park, &placer.zero()) else { return };
-        self.placed = true;
+        self.has_moved = true;
         let parked = |words: &RotaryWords| {
-            let there = placer.parked(park, &placer.position_at_words(words));
-            there.map_or(*words, |(place, _)| placer.rotary_words_of(&place.words))
+            let position = placer.parked(park, &placer.position_at_words(words));
+            position.map_or(*words, |(place, _)| placer.rotary_words_of(&place.words))
         };
         self.searches.iter_mut().for_each(|run| run.search.park(parked));
     }
 
-    /// Where the rotaries count from as long as nothing has moved.
+    /// Takes FROM: sets the start angles of the rotary axes unless a motion has come before.
     fn count_from(&mut self, pose: &Pose) {
-        if self.placed {
+        if self.has_moved {
             return;
         }
         let from = self.finder.placer().position_at_words(&self.searches[0].search.words());
@@ -244,10 +248,10 @@ impl Navigator {
             self.searches.iter().for_each(|run| run.search.near(air, &mut self.near));
         }
         match pole {
-            Some(_) => self.finder.second_words(&pose, &mut self.second),
+            Some(_) => self.finder.second_words(&pose, &mut self.second_words),
             None => self.finder.states(&pose, &self.near, &mut self.states),
         }
-        let reached = if pole.is_some() { !self.second.is_empty() } else { !self.states.is_empty() };
+        let reached = if pole.is_some() { !self.second_words.is_empty() } else { !self.states.is_empty() };
         if !reached {
             self.searches.iter_mut().for_each(|run| run.ended = true);
             return;
@@ -261,7 +265,7 @@ impl Navigator {
         self.pole = pole;
     }
 
-    /// One motion of one search. False if there is no way.
+    /// Takes one motion in one search. Returns false if no state of the pose can be reached.
     fn step(&mut self, run: usize, (pose, pole): (&Pose, Option<&UnitVector3<f64>>), air: bool, begins: bool) -> bool {
         let motion = self.motion;
         let (finder, search) = (&self.finder, &mut self.searches[run].search);
@@ -283,7 +287,7 @@ impl Navigator {
             }
             (None, Some(_)) => {
                 let Some(first) = finder.placer().rotaries().first() else { return false };
-                search.free_to_pole((motion, begins), (*first, &self.second), self.sense);
+                search.free_to_pole((motion, begins), (*first, &self.second_words), self.sense);
                 true
             }
             (Some(_), Some(_)) if self.pole.is_some() => true,
@@ -303,7 +307,7 @@ impl Navigator {
         }
     }
 
-    /// The course, and what it costs to plan without a view ahead.
+    /// Returns the course, and the cost of planning without look-ahead.
     #[must_use]
     pub fn finish(self) -> Course {
         let [best, greedy] = self.searches.map(|run| (run.ended, run.search.finish()));
@@ -324,9 +328,9 @@ impl Stage for Navigator {
                 let begins = index.begins == Begins::Operation;
                 self.move_to(&motion.pose, index, begins || motion.rapid);
             }
-            // The tool has been led to its start.
+            // The tool is at its start.
             ItemAction::Arc { arc, index } => self.move_to(&arc.end, index, false),
-            // The tool goes over to it at rapid.
+            // A rapid leads to the hole.
             ItemAction::Hole { hole, index } => self.move_to(&hole.top, index, true),
             ItemAction::Record { event, .. } => self.record(event),
         }
@@ -334,8 +338,8 @@ impl Stage for Navigator {
     }
 }
 
-/// A cut between two poses beside the pole. Where no state runs through it is split: at its place nearest to a pole that it
-/// passes, since an axis may turn by more than half a turn there, and where a state runs into a limit on the way.
+/// Takes a cut between two poses away from the pole. If no state is continuous over the whole cut, the cut is split: at the
+/// point nearest to a pole that it passes, where an axis may rotate by more than 180°, and where a state reaches a limit.
 fn cut(
     finder: &StateFinder,
     search: &mut CourseSearch,
@@ -344,7 +348,7 @@ fn cut(
     to: &Pose,
     states: &[RotaryState],
 ) -> bool {
-    // Between opposite axes no way is known, and none is split.
+    // Between opposite tool axes the path is undefined, and is not split.
     let segment = PathSegment::new(from, to);
     let (mut here, mut done) = (*from, 0.0);
     let mut passing = finder.passing(from, to);
@@ -360,26 +364,26 @@ fn cut(
             search.near(false, &mut near);
         }
         let mut split_at = |search: &mut CourseSearch, part: f64| {
-            let there = segment.at(part);
-            finder.states(&there, &near, &mut split);
+            let pose = segment.at(part);
+            finder.states(&pose, &near, &mut split);
             let reached =
-                search.cut(motion, &split, Some(part), |a, b| finder.connected((&here, a), (&there, b), false));
-            reached.then_some(there)
+                search.cut(motion, &split, Some(part), |a, b| finder.connected((&here, a), (&pose, b), false));
+            reached.then_some(pose)
         };
         if let Some(part) = passing.filter(|part| *part > done)
-            && let Some(there) = split_at(search, part)
+            && let Some(pose) = split_at(search, part)
         {
-            (here, done, passing) = (there, part, None);
+            (here, done, passing) = (pose, part, None);
             continue;
         }
         let Some(part) = crossing(finder, search, segment, (&here, done), &near) else { return false };
-        let Some(there) = split_at(search, part) else { return false };
-        (here, done) = (there, part);
+        let Some(pose) = split_at(search, part) else { return false };
+        (here, done) = (pose, part);
     }
     false
 }
 
-/// The first part of the way at which a state of the last layer is about to leave its limits while another turn is inside.
+/// First fraction of the path at which a state of the last layer reaches a limit while another turn is inside the limits.
 fn crossing(
     finder: &StateFinder,
     search: &CourseSearch,

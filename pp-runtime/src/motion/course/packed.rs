@@ -1,7 +1,7 @@
-//! Changes in few bytes: a program of a million operations must not fill the memory.
+//! Compact list of changes: a program of a million operations must not fill the memory.
 //!
-//! A change takes a byte for what it is, and as many as they need for the motions since the one before and for how far the
-//! words differ; the part of a way takes eight more.
+//! A change takes one byte for its action, a variable number for the motions since the change before and for the difference
+//! of the words, and eight bytes for the fraction of a split path.
 
 use crate::motion::course::{CourseAction, CourseChange};
 use crate::motion::rotary::RotaryWords;
@@ -10,10 +10,11 @@ use crate::motion::rotary::RotaryWords;
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct PackedChanges {
     bytes: Vec<u8>,
-    /// The one written or read last.
+    /// Motion of the change written or read last.
     motion: u64,
+    /// Words of the change written or read last.
     words: RotaryWords,
-    /// Bytes read so far.
+    /// Number of bytes read so far.
     read: usize,
 }
 
@@ -34,7 +35,7 @@ impl PackedChanges {
         (self.motion, self.words) = (change.motion, change.words);
     }
 
-    /// Goes back to the first change, to read.
+    /// Returns to the first change, for reading.
     pub(crate) fn read_from_start(self) -> Self {
         Self { bytes: self.bytes, ..Self::default() }
     }
@@ -61,7 +62,7 @@ impl PackedChanges {
         Some(CourseChange { motion: self.motion, action, words: self.words })
     }
 
-    /// Seven bits a byte, lowest first, small numbers of either sign in few bytes.
+    /// Writes a number with seven bits per byte, lowest first, and its sign in the lowest bit.
     fn push_number(&mut self, number: i64) {
         let mut rest = ((number << 1) ^ (number >> 63)).cast_unsigned();
         while rest >= 0x80 {
@@ -117,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn a_million_operations_take_few_megabytes() {
+    fn a_million_operations_take_at_most_ten_megabytes() {
         let mut packed = PackedChanges::default();
         for motion in 0..1_000_000 {
             let words = if motion % 2 == 0 { [900_000, -1_800_000] } else { [0; 2] };

@@ -1,4 +1,4 @@
-//! The search against trying everything, and courses on the machines of the tests.
+//! The search compared with an exhaustive search, and courses on the machines of the tests.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 use proptest::prelude::*;
@@ -51,7 +51,7 @@ fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
 }
 
 #[test]
-fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
+fn after_gohome_the_course_continues_from_the_parked_angles() {
     let mut config = Config::default();
     config.set_up.limits.insert('C', limits(-190.0, 190.0));
     config.motion.park.insert('C', 0.0);
@@ -68,16 +68,16 @@ fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
     assert_eq!(changes(course), []);
 }
 
-/// Everything that can be done, one choice after the other: which state each motion ends in, and to which state of the
-/// same pose the axes are rewound before it. Paths keep away from the pole.
-struct Everything<'t> {
+/// Exhaustive search: every state at the end of each motion, and every state of the same pose to which the axes may be
+/// rewound before it. The paths stay away from the pole.
+struct ExhaustiveSearch<'t> {
     finder: &'t StateFinder,
     points: &'t [Point],
     layers: Vec<Vec<RotaryState>>,
     least: Option<Cost>,
 }
 
-impl Everything<'_> {
+impl ExhaustiveSearch<'_> {
     fn sum(a: Cost, b: Cost) -> Cost {
         Cost {
             rewinds: a.rewinds + b.rewinds,
@@ -132,12 +132,12 @@ fn everything<M: Machine>(config: &Config, points: &[Point]) -> Option<Cost> {
             states
         })
         .collect();
-    let mut all = Everything { finder: &finder, points, layers, least: None };
+    let mut all = ExhaustiveSearch { finder: &finder, points, layers, least: None };
     all.go(0, RotaryState { branch: Branch::First, words: [0; 2] }, Cost::default());
     all.least
 }
 
-/// Steps of a path: change of the two angles in degrees, and whether it goes through the air.
+/// A path from steps: change of the two angles in degrees, and whether the step is a rapid.
 fn path(start: (f64, f64), steps: &[(f64, f64, bool)]) -> Vec<Point> {
     let (mut turn, mut tilt) = start;
     let mut points = vec![Point { pose: Pose { tip: Point3::origin(), axis: axis(turn, tilt) }, rapid: false }];
@@ -163,7 +163,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
 
     #[test]
-    fn the_search_finds_what_trying_everything_finds(
+    fn the_search_is_as_good_as_an_exhaustive_search(
         start in (-180.0..180.0_f64, 10.0..70.0_f64),
         steps in proptest::collection::vec((-80.0..80.0_f64, -15.0..15.0_f64, proptest::bool::weighted(0.15)), 1..=8),
         first in (-400.0..0.0_f64, 20.0..700.0_f64),
@@ -185,7 +185,7 @@ proptest! {
 }
 
 #[test]
-fn a_limit_on_the_way_of_a_single_block_is_met_by_a_rewind_at_the_limit() {
+fn a_limit_inside_a_single_block_leads_to_a_rewind_at_the_limit() {
     let mut config = Config::default();
     config.set_up.limits.insert('C', limits(-180.0, 180.0));
     // From 170 to 190 degrees: at each end there is one turn only.
@@ -211,7 +211,7 @@ fn of_equal_courses_the_first_branch_is_taken_and_the_turn_nearest_to_zero() {
 }
 
 #[test]
-fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
+fn a_preference_counts_less_than_a_rewind_and_more_than_travel() {
     let mut config = Config::default();
     config.motion.course.prefer = Some(('B', false));
     config.set_up.limits.insert('B', limits(-50.0, 110.0));
@@ -220,7 +220,7 @@ fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
         changes(course).first().map(|change| change.words[1])
     };
     assert_eq!(begins(&config, &[]), Some(-300_000));
-    // Tilted on, B- would run into its limit.
+    // With more tilt B- would reach its limit.
     assert_eq!(begins(&config, &[(0.0, 40.0, false)]), None);
     let mut second = config;
     second.motion.course.start_branch = Some(Branch::Second);
@@ -229,7 +229,7 @@ fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
 }
 
 #[test]
-fn a_hundred_thousand_motions_leave_nothing_behind_but_changes() {
+fn a_course_of_a_hundred_thousand_motions_is_one_change_at_most() {
     let mut config = Config::default();
     config.set_up.limits.insert('B', limits(-110.0, 110.0));
     let points: Vec<Point> = (0..100_000).map(|step| path((f64::from(step) * 0.3, 30.0), &[])[0]).collect();
@@ -239,12 +239,12 @@ fn a_hundred_thousand_motions_leave_nothing_behind_but_changes() {
 }
 
 #[test]
-fn a_spiral_goes_on_where_an_axis_has_more_turns_than_are_looked_at() {
+fn a_spiral_continues_on_an_axis_with_more_turns_than_are_tried() {
     let mut config = Config::default();
     let spiral: Vec<Point> = (0..=40 * 36).map(|step| path((f64::from(step) * 10.0, 30.0), &[])[0]).collect();
     config.set_up.limits.insert('C', limits(-99_999.0, 99_999.0));
     assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 0);
-    // From end to end, and not a turn more.
+    // The spiral needs the whole travel of the axis.
     config.set_up.limits.insert('C', limits(-7200.0, 7200.0));
     assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 0);
     config.set_up.limits.insert('C', limits(-7200.0, 7199.0));
@@ -252,7 +252,7 @@ fn a_spiral_goes_on_where_an_axis_has_more_turns_than_are_looked_at() {
 }
 
 #[test]
-fn a_cut_runs_through_however_near_it_passes_the_pole() {
+fn a_cut_is_continuous_however_near_it_passes_the_pole() {
     let mut config = Config::default();
     config.set_up.limits.insert('B', limits(-110.0, 110.0));
     for beside in [1.1e-6, 2e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
@@ -262,7 +262,7 @@ fn a_cut_runs_through_however_near_it_passes_the_pole() {
         };
         let course = course::<Cb>(&config, &[-1.0, 1.0].map(pose));
         assert_eq!(course.cost.rewinds, 0);
-        // To the start, and half a turn at the pole.
+        // To the start, and 180° at the pole.
         assert!(course.cost.travel_units > 1_700_000, "{beside}: {course:?}");
         assert!(course.greedy.is_some(), "{beside}");
     }

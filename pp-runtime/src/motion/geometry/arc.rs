@@ -1,7 +1,7 @@
-//! The geometry of an arc: where its tip is, how long it is, where it is furthest in a direction, and its chords.
+//! Geometry of an arc or helix: points, length, extremes in a direction, and chords.
 //!
-//! The angle runs from 0 at the start to [`Arc::angle`] at the end; parts count from 0 to 1. Height along the normal and,
-//! where the CL data's ends are not equally far from the centre, the radius change in proportion to the angle.
+//! The angle runs from 0 at the start to [`Arc::angle`] at the end; a fraction of the arc runs from 0 to 1. Height along the
+//! normal and, if the ends in the CL data are not equally far from the centre, the radius change in proportion to the angle.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -10,21 +10,22 @@ use crate::program::Arc;
 
 use crate::motion::fault::Fault;
 
-/// More chords than this in one arc are a fault of the file.
+/// Most chords in one arc; more indicate a fault in the file.
 const MAX_CHORDS: f64 = 1e6;
 
-/// An arc with the frame in which it is computed.
+/// An arc with its frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ArcGeometry<'a> {
     arc: &'a Arc,
-    /// Unit vectors from the axis to the start, and a quarter turn on.
+    /// Unit vector from the axis of the arc to its start.
     u: Vector3<f64>,
+    /// Unit vector 90° further along the arc.
     v: Vector3<f64>,
-    /// Distances of start and end from the axis, mm.
+    /// Distances of start and end from the axis of the arc.
     pub(crate) radii_mm: [f64; 2],
-    /// Height of the start above the centre, mm.
+    /// Height of the start above the centre along the normal.
     level_mm: f64,
-    /// What the tip moves along the normal, mm.
+    /// Motion of the tip along the normal.
     pub(crate) rise_mm: f64,
 }
 
@@ -46,61 +47,61 @@ impl<'a> ArcGeometry<'a> {
         }
     }
 
-    /// The larger of the radii, mm.
+    /// The larger radius, mm.
     pub(crate) fn radius(&self) -> f64 {
         self.radii_mm[0].max(self.radii_mm[1])
     }
 
-    /// Where the tip is at a part of the way; the ends are as the CL data has them.
-    pub(crate) fn tip(&self, part: f64) -> Point3<f64> {
-        if part <= 0.0 {
+    /// Tip at a fraction of the arc; the ends are exactly those of the CL data.
+    pub(crate) fn tip(&self, fraction: f64) -> Point3<f64> {
+        if fraction <= 0.0 {
             return self.arc.start.tip;
         }
-        if part >= 1.0 {
+        if fraction >= 1.0 {
             return self.arc.end.tip;
         }
-        let (sine, cosine) = (self.arc.angle * part).sin_cos();
-        let radius = self.radii_mm[0] + (self.radii_mm[1] - self.radii_mm[0]) * part;
-        let height = self.level_mm + self.rise_mm * part;
+        let (sine, cosine) = (self.arc.angle * fraction).sin_cos();
+        let radius = self.radii_mm[0] + (self.radii_mm[1] - self.radii_mm[0]) * fraction;
+        let height = self.level_mm + self.rise_mm * fraction;
         self.arc.centre + (self.u * cosine + self.v * sine) * radius + self.arc.normal.into_inner() * height
     }
 
-    /// Length of the whole way, mm.
+    /// Length of the arc, mm.
     pub(crate) fn length(&self) -> f64 {
         (0.5 * (self.radii_mm[0] + self.radii_mm[1]) * self.arc.angle).hypot(self.rise_mm)
     }
 
-    /// What it rises on 1 mm of its way in the plane.
+    /// Rise along the normal per mm of path in the plane.
     pub(crate) fn slope(&self) -> f64 {
         self.rise_mm / (0.5 * (self.radii_mm[0] + self.radii_mm[1]) * self.arc.angle)
     }
 
-    /// Parts of the way, the ends left out, at which the tip may be furthest in a direction or against it.
+    /// Fractions of the arc, without its ends, at which the tip may be furthest in a direction or against it.
     ///
     /// With `H cos(t - φ)` for the circle and `s t` for the helix the derivative vanishes where `sin(t - φ) = s/H`. Of the
-    /// places a turn apart only the first and the last can be the furthest.
+    /// points one revolution apart only the first and the last can be the furthest.
     pub(crate) fn extremes(&self, direction: Vector3<f64>) -> impl Iterator<Item = f64> {
         let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
         let angle = self.arc.angle;
         let slope = self.arc.normal.dot(&direction) * self.rise_mm / angle;
-        let share = slope / (self.radius() * a.hypot(b));
+        let sine = slope / (self.radius() * a.hypot(b));
         let phase = b.atan2(a);
-        // NaN where the direction is the normal, outside ±1 where the helix is steeper than the circle is wide.
-        let lean = share.asin();
-        [phase + lean, phase + PI - lean].into_iter().filter(|turn| turn.is_finite()).flat_map(move |turn| {
-            let first = turn.rem_euclid(TAU);
+        // NaN if the direction is the normal, outside ±1 if the pitch exceeds the circle's own motion in the direction.
+        let lean = sine.asin();
+        [phase + lean, phase + PI - lean].into_iter().filter(|angle| angle.is_finite()).flat_map(move |extreme| {
+            let first = extreme.rem_euclid(TAU);
             let last = first + TAU * ((angle - first) / TAU).floor();
             [first, last].into_iter().filter(move |at| *at < angle).map(move |at| at / angle)
         })
     }
 
-    /// Chords that leave the arc by no more than a tolerance, mm.
+    /// Number of chords that deviate from the arc by no more than the tolerance.
     ///
     /// # Errors
-    /// If there would be too many.
-    pub(crate) fn chords(&self, tolerance: f64) -> Result<u32, Fault> {
-        // A chord over the angle t is off by r (1 - cos t/2), which is at most r t²/8.
-        let step = (8.0 * tolerance / self.radius()).sqrt().min(FRAC_PI_2);
+    /// If the number would exceed [`MAX_CHORDS`].
+    pub(crate) fn chords(&self, tolerance_mm: f64) -> Result<u32, Fault> {
+        // A chord over the angle t deviates by r (1 - cos t/2), which is at most r t²/8.
+        let step = (8.0 * tolerance_mm / self.radius()).sqrt().min(FRAC_PI_2);
         let chords = (self.arc.angle / step).ceil().max(1.0);
         if chords.is_nan() || chords > MAX_CHORDS {
             return Err(Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL"));
@@ -109,7 +110,7 @@ impl<'a> ArcGeometry<'a> {
     }
 }
 
-/// The box that the tip of an arc fills: its lowest and its highest corner, mm.
+/// Bounding box of the tip on an arc: its lowest and its highest corner, mm.
 pub(crate) fn extent(arc: &Arc) -> [[f64; 3]; 2] {
     let round = ArcGeometry::new(arc);
     let along = |axis: usize| {
@@ -142,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn chords_leave_a_helix_by_the_tolerance_at_most_and_not_by_much_less() {
+    fn chords_deviate_from_a_helix_by_the_tolerance_at_most_and_not_by_much_less() {
         for tolerance in [0.001, 0.01, 0.1] {
             let angle = 2.25 * TAU;
             let helix = arc([20.0, 0.0, 0.0], [0.0, 20.0, -9.0], angle);
@@ -183,7 +184,7 @@ mod tests {
     }
 
     proptest! {
-        /// Nowhere on the arc is the tip further than at its ends and its extremes.
+        /// The tip is nowhere on the arc further than at its ends and its extremes.
         #[test]
         fn no_point_of_an_arc_is_further_than_its_extremes(
             direction in prop::array::uniform3(-1.0_f64..1.0),
@@ -195,8 +196,8 @@ mod tests {
             prop_assume!(normal.norm() > 0.1);
             let normal = UnitVector3::new_normalize(normal);
             let u = normal.cross(&Vector3::new(0.3, 0.7, -0.4)).normalize() * 7.0;
-            let turned = nalgebra::Rotation3::from_axis_angle(&normal, angle) * u + normal.into_inner() * rise;
-            let helix = Arc { normal, ..arc(u.into(), turned.into(), angle) };
+            let end = nalgebra::Rotation3::from_axis_angle(&normal, angle) * u + normal.into_inner() * rise;
+            let helix = Arc { normal, ..arc(u.into(), end.into(), angle) };
             let (round, direction) = (ArcGeometry::new(&helix), Vector3::from(direction));
             let far = |part: f64| round.tip(part).coords.dot(&direction);
             let known: Vec<f64> = round.extremes(direction).chain([0.0, 1.0]).map(far).collect();

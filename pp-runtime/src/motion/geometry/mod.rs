@@ -1,4 +1,4 @@
-//! Geometry of motions in the workpiece and in the words of a program; knows no machine.
+//! Geometry of motions in the workpiece frame and in the words of a program; independent of the machine.
 
 mod arc;
 mod circle;

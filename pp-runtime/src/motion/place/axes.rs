@@ -1,6 +1,6 @@
-//! Facts of the axes of a machine in its set-up, computed once: solved rotary and linear axes, poles, speeds.
+//! Properties of the axes of a machine in its set-up, computed once: solved rotary and linear axes, poles, speeds.
 //!
-//! Plain data that nothing changes after the placer has been built.
+//! Plain data, constant after the placer has been created.
 
 use nalgebra::UnitVector3;
 
@@ -11,10 +11,10 @@ use crate::motion::options::{Mode, Policy};
 use crate::motion::rotary::{AngleScale, Rotary, RotaryMetric};
 use crate::program::Units;
 
-/// Word units that floating-point noise of a limit may amount to.
+/// Largest floating-point noise of a limit, in units of a word.
 const LIMIT_NOISE: f64 = 1e-6;
 
-/// Cosine between tool axis and retract axis from which the two count as parallel.
+/// Smallest cosine between tool axis and retract axis at which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
 
 /// The solved rotary axes.
@@ -23,23 +23,23 @@ pub(crate) struct RotaryAxes {
     pub(crate) axes: Vec<Rotary>,
     /// The same axes without their limits.
     pub(crate) endless: Vec<Rotary>,
-    /// Any of them has limits.
+    /// At least one axis has limits.
     pub(crate) limited: bool,
     /// Bit `i` for the axis at position `i`.
     pub(crate) mask: u16,
-    /// Those whose words stay within a turn.
+    /// Mask of the axes whose words stay within one revolution.
     pub(crate) wrapped: u16,
-    /// Indexed ones, and their steps in whole units.
+    /// Indexed axes, and their steps in whole units.
     pub(crate) grid: Vec<(Rotary, i64)>,
     pub(crate) scale: AngleScale,
     pub(crate) metric: RotaryMetric,
 }
 
-/// Tool axes within reach that leave the first rotary free.
+/// Reachable tool axes at which the angle of the first rotary axis is free.
 #[derive(Debug, Clone)]
 pub(crate) struct Poles {
     pub(crate) axes: Vec<UnitVector3<f64>>,
-    /// Angle to a pole up to which the tool axis counts as being there, rad.
+    /// Largest angle to a pole at which the tool axis counts as being at the pole.
     pub(crate) tolerance_rad: f64,
 }
 
@@ -50,17 +50,17 @@ pub(crate) struct LinearAxes {
     pub(crate) mask: u16,
     /// Units of their words in 1 mm.
     pub(crate) units_per_mm: f64,
-    /// Positions of X Y Z in the chain, where these are the axes that are solved.
+    /// Positions of X Y Z in the chain, if these are the solved linear axes.
     pub(crate) xyz: Option<[usize; 3]>,
-    /// The one that retracts.
+    /// Position of the retract axis.
     pub(crate) retract_axis: usize,
-    /// Component of the tool axis along that axis' positive word, at the zero position.
+    /// Component of the tool axis along the positive direction of the retract axis, at the zero position.
     pub(crate) retract_share: f64,
-    /// Going out along it is going out along the tool axis, whatever the rotaries do.
+    /// A retract along the retract axis is a retract along the tool axis at any rotary angles.
     pub(crate) retracts_along_tool: bool,
-    /// The control counts their path as long as that of the tip.
+    /// The path length that the control computes from the words equals that of the tip.
     pub(crate) keeps_path_length: bool,
-    /// They are perpendicular to each other, whatever the rotaries do.
+    /// The linear axes are perpendicular to each other at any rotary angles.
     pub(crate) orthogonal: bool,
 }
 
@@ -68,16 +68,16 @@ pub(crate) struct LinearAxes {
 #[derive(Debug, Clone)]
 pub(crate) struct AxisSpeeds {
     pub(crate) per_axis: Vec<Option<f64>>,
-    /// Feeds are limited by them.
+    /// Feeds are limited by these speeds.
     pub(crate) timed: bool,
 }
 
-/// Positions of the solved axes of a kind.
+/// Positions of the solved axes of one kind.
 fn solved(chain: &'static [Axis], kind: AxisKind) -> impl Iterator<Item = usize> {
     chain.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
 }
 
-/// A bit for each solved axis of a kind.
+/// Mask of the solved axes of one kind.
 fn mask(chain: &'static [Axis], kind: AxisKind) -> u16 {
     solved(chain, kind).fold(0_u16, |mask, index| mask | 1 << index)
 }
@@ -127,7 +127,7 @@ impl LinearAxes {
             let joint = machine.joint(index);
             joint.direction.dot(&tool_axis) * joint.sign
         };
-        // `max_by` keeps the last of equals; nearer the tool is later on the tool side, and the tool side is later.
+        // `max_by` keeps the last of equals: the tool side comes last in the chain, and there the axis nearest the tool.
         let retract_axis = solved(axes, AxisKind::Linear)
             .max_by(|&a, &b| {
                 let (a, b) = (share(a).abs(), share(b).abs());
@@ -157,7 +157,7 @@ impl Poles {
     }
 }
 
-/// The steps of indexed rotaries in whole units.
+/// Indexed rotary axes and their steps in whole units.
 fn grid(chain: &'static [Axis], policy: Policy<'_>, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
     let step =
         |rotary: &Rotary| Some((*rotary, scale.word(*policy.options.rotaries.grid.get(&chain[rotary.index].letter)?)));

@@ -1,18 +1,19 @@
-//! What the linear words of a block count: axis values, or coordinates of the tip in a frame of the control.
+//! Frame of the linear words of a block: axis values, or coordinates of the tip in a frame of the control.
 //!
-//! In mode `tcp` the control moves the axes so that the tip stands at the X Y Z of the block; in mode `plane` it counts
-//! them in a plane that it has tilted. Either way the words are an isometry of the workpiece frame,
+//! In mode `tcp` the control moves the axes so that the tip is at the X Y Z of the block; in mode `plane` X Y Z are
+//! coordinates in a tilted plane. In both modes the words are an isometry of the workpiece frame,
 //!
 //! ```text
 //! word = S · R · (p + o) + shift
 //! ```
 //!
-//! `S` being the signs of words that run backwards (with all rotaries at zero the words are those of mode `axes`), `o` the
-//! part zero where words count from the table, and `R` what the frame adds: nothing for a frame that is fixed to the table
-//! as it stands at zero, the table's turn for one that is fixed to it where tip control begins, the plane's for a plane.
+//! where `S` contains the signs of the words (-1 for a word that runs backwards, so that with all rotary axes at zero the
+//! words are those of mode `axes`), `o` is the part zero if the words are measured from the table, and `R` is the rotation of
+//! the frame: the identity for a frame fixed to the table at zero, the rotation of the table for a frame fixed to the table
+//! where tip control begins, the rotation of the plane for a tilted plane.
 //!
-//! A mirrored control (an odd number of backward words) sees a mirrored part: what is a rotation `R` of the part is
-//! `S·R·S` in its words.
+//! For a mirrored control (an odd number of backward words) the part is mirrored: a rotation `R` of the part is `S·R·S` in
+//! its words.
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
@@ -25,14 +26,14 @@ use super::chain::rotaries;
 use super::tilted_plane::{PlaneAbility, TiltedPlane};
 use crate::motion::fault::Fault;
 
-/// What tip control of a control can do.
+/// Abilities of the tip control (TCP) of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TipAbility {
-    /// In which frame it counts is a setting of the machine.
+    /// A parameter of the machine selects the frame of its coordinates.
     pub frame_is_parameter: bool,
-    /// It can turn the tool axis in the plane of its ends.
+    /// It can rotate the tool axis in the plane of the tool axes at both ends of a block.
     pub turns_in_plane: bool,
-    /// It takes the tool axis as a vector.
+    /// It accepts the tool axis as a vector.
     pub takes_vectors: bool,
 }
 
@@ -49,33 +50,33 @@ impl WordMap {
         self.rotation * tip.coords + self.shift_mm
     }
 
-    /// The tip of words.
+    /// The tip of the words X Y Z, mm.
     pub(crate) fn tip(&self, words: &Vector3<f64>) -> Point3<f64> {
         Point3::from(self.rotation.transpose() * (words - self.shift_mm))
     }
 }
 
-/// What linear words count.
+/// Meaning of the linear words.
 #[derive(Debug, Clone, PartialEq)]
 enum LinearWords {
     /// Axis values.
     Axes,
-    /// The tip, in one frame until the next change.
+    /// Coordinates of the tip in a frame that is fixed until the next change.
     Fixed(WordMap),
-    /// The tip, in a frame that stands still while the table turns.
+    /// Coordinates of the tip in a frame that does not rotate with the table.
     Turning,
 }
 
-/// The frames of one machine and set-up.
+/// Frame of the linear words for one machine and set-up.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WordFrame {
-    counting: LinearWords,
+    meaning: LinearWords,
     mode: Mode,
     tcp_frame: TcpFrame,
     posture: ToolPosture,
     /// Signs of the words X Y Z.
     signs: Matrix3<f64>,
-    /// What the words count from, from the part zero, mm.
+    /// Part zero measured from the zero of the words.
     zero_mm: Vector3<f64>,
     /// Positions of X Y Z in the chain.
     letters: [usize; 3],
@@ -91,7 +92,7 @@ impl WordFrame {
             ProgramZero::Table => policy.set_up.part_origin.into(),
         };
         let mut frame = Self {
-            counting: LinearWords::Axes,
+            meaning: LinearWords::Axes,
             mode: policy.options.mode,
             tcp_frame: policy.options.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             posture: policy.options.tip.tool_posture,
@@ -101,7 +102,7 @@ impl WordFrame {
         };
         match (frame.mode, frame.tcp_frame) {
             (Mode::Tcp, TcpFrame::TableAtZero) => frame.fix(&Matrix3::identity(), Vector3::zeros()),
-            (Mode::Tcp, TcpFrame::NotTurning) => frame.counting = LinearWords::Turning,
+            (Mode::Tcp, TcpFrame::NotTurning) => frame.meaning = LinearWords::Turning,
             (Mode::Axes | Mode::Plane, _) | (Mode::Tcp, TcpFrame::TableAtStart) => {}
         }
         frame
@@ -112,59 +113,59 @@ impl WordFrame {
         self.letters
     }
 
-    /// Words count the tip, not the axes.
+    /// Whether the linear words are coordinates of the tip, not axis values.
     pub(crate) fn counts_tip(&self) -> bool {
-        self.counting != LinearWords::Axes
+        self.meaning != LinearWords::Axes
     }
 
-    /// The control turns the tool axis in the plane of its ends, whatever the rotary axes do for it.
+    /// Whether the control rotates the tool axis in the plane of the tool axes at both ends; the rotary axes follow.
     pub(crate) fn turns_in_plane(&self) -> bool {
         self.posture == ToolPosture::Plane
     }
 
-    /// Whether the frame has to be set where the rotaries have turned.
+    /// Whether the frame depends on the rotary angles at which it is switched on.
     pub(crate) fn is_set_at_angles(&self) -> bool {
         self.mode == Mode::Plane || self.mode == Mode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
     }
 
-    fn fix(&mut self, turn: &Matrix3<f64>, moved_mm: Vector3<f64>) {
-        let rotation = self.signs * turn;
+    fn fix(&mut self, table_rotation: &Matrix3<f64>, moved_mm: Vector3<f64>) {
+        let rotation = self.signs * table_rotation;
         let shift_mm = rotation * self.zero_mm + self.signs * moved_mm;
-        self.counting = LinearWords::Fixed(WordMap { rotation, shift_mm });
+        self.meaning = LinearWords::Fixed(WordMap { rotation, shift_mm });
     }
 
-    /// The frame is fixed to the table as it stands.
+    /// Fixes the frame to the table at its present angles.
     pub(crate) fn start(&mut self, machine: &dyn AnyMachine, axes: &AxisValues) {
-        let (turn, moved_mm) = table(machine, axes);
-        // The zero of the table's words turns with it, about the same centre lines.
-        self.fix(&turn, moved_mm - turn * self.zero_mm + self.zero_mm);
+        let (rotation, moved_mm) = table(machine, axes);
+        // The zero of the words on the table rotates with it, about the same centre lines.
+        self.fix(&rotation, moved_mm - rotation * self.zero_mm + self.zero_mm);
     }
 
-    /// The plane of an orientation in the workpiece frame, as the control will have it.
+    /// Sets the frame to the plane of an orientation in the workpiece frame, as the control computes it from rounded angles.
     pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<TiltedPlane> {
         let tilt = ability.tilt(&(self.signs * orientation * self.signs))?;
         let rotation = tilt.orientation.transpose() * self.signs;
-        self.counting = LinearWords::Fixed(WordMap { rotation, shift_mm: rotation * self.zero_mm });
+        self.meaning = LinearWords::Fixed(WordMap { rotation, shift_mm: rotation * self.zero_mm });
         Some(tilt)
     }
 
-    /// The map from the workpiece to the words, where words count the tip.
+    /// Map from the workpiece frame to the words; `None` if the words are axis values.
     #[inline]
     pub(crate) fn map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> Option<WordMap> {
-        match &self.counting {
+        match &self.meaning {
             LinearWords::Axes => None,
             LinearWords::Fixed(map) => Some(*map),
             LinearWords::Turning => {
-                let (turn, moved_mm) = table(machine, axes);
-                Some(WordMap { rotation: self.signs * turn, shift_mm: self.signs * (moved_mm + self.zero_mm) })
+                let (rotation, moved_mm) = table(machine, axes);
+                Some(WordMap { rotation: self.signs * rotation, shift_mm: self.signs * (moved_mm + self.zero_mm) })
             }
         }
     }
 
-    /// What is certified of a block: `bound` is for axes that all move evenly.
+    /// Certified bound of the deviation in a block; `bound` is that of a block in which all axes move linearly.
     #[inline]
     pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
-        match (&self.counting, self.posture) {
+        match (&self.meaning, self.posture) {
             (LinearWords::Axes | LinearWords::Turning, _) => bound,
             (LinearWords::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
             (LinearWords::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
@@ -172,33 +173,34 @@ impl WordFrame {
     }
 }
 
-/// How the rotary axes of the table have carried the part: a point `p` of the workpiece stands at `turn · p + moved`, counted
-/// from where the part zero is with all axes at zero.
+/// Rotation and displacement of the part by the rotary axes of the table: a point `p` of the workpiece is at
+/// `rotation · p + moved_mm`, measured from the part zero with all axes at zero.
 fn table(machine: &dyn AnyMachine, axes: &AxisValues) -> (Matrix3<f64>, Vector3<f64>) {
-    let (mut turn, mut moved_mm) = (Matrix3::identity(), Vector3::zeros());
+    let (mut rotation, mut moved_mm) = (Matrix3::identity(), Vector3::zeros());
     for (index, axis) in machine.axes().iter().enumerate() {
         if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {
             let joint = machine.joint(index);
-            let back = rotation(&joint, -axes[index]);
+            let back = joint_rotation(&joint, -axes[index]);
             let centre = joint.point.coords;
-            turn = back * turn;
+            rotation = back * rotation;
             moved_mm = back * (moved_mm - centre) + centre;
         }
     }
-    (turn, moved_mm)
+    (rotation, moved_mm)
 }
 
-/// How all rotary axes together turn the tool in the workpiece frame.
+/// Orientation of the tool in the workpiece frame from all rotary axes together.
 pub(crate) fn orientation(machine: &dyn AnyMachine, axes: &AxisValues) -> Matrix3<f64> {
     let rotaries = machine.axes().iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Rotary);
-    rotaries.fold(Matrix3::identity(), |turned, (index, _)| turned * rotation(&machine.joint(index), axes[index]))
+    rotaries
+        .fold(Matrix3::identity(), |product, (index, _)| product * joint_rotation(&machine.joint(index), axes[index]))
 }
 
-fn rotation(joint: &crate::kinematics::Joint, angle: f64) -> Matrix3<f64> {
-    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle).into_inner()
+fn joint_rotation(joint: &crate::kinematics::Joint, angle_rad: f64) -> Matrix3<f64> {
+    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle_rad).into_inner()
 }
 
-/// Why a machine, its control and a configuration do not suit the mode that is asked for, one sentence each.
+/// Reasons why a machine, its control and a configuration do not suit the configured mode, one sentence each.
 #[must_use]
 pub fn unsuited(
     machine: &dyn AnyMachine,
@@ -287,7 +289,7 @@ fn tcp_faults(
     }
 }
 
-/// Nothing is held, and every linear axis stands between the rotaries of the table and those of the head.
+/// Whether no axis is held, and every linear axis is between the rotary axes of the table and those of the head.
 fn plain_chain(machine: &dyn AnyMachine) -> bool {
     let last_of_table = rotaries(machine.axes(), Side::Workpiece).last();
     let first_of_head = rotaries(machine.axes(), Side::Tool).next();
@@ -297,7 +299,7 @@ fn plain_chain(machine: &dyn AnyMachine) -> bool {
     })
 }
 
-/// X along X, whichever way round its word counts.
+/// Whether the axis of a letter is parallel to that direction of the machine frame; its word may run backwards.
 fn is_own_direction(machine: &dyn AnyMachine, letter: char) -> bool {
     let index = machine.axes().iter().position(|axis| axis.letter == letter && !axis.held);
     let own = match letter {
@@ -312,7 +314,7 @@ fn tool_along_z(machine: &dyn AnyMachine) -> bool {
     (machine.tool_axis().into_inner() - Vector3::z()).norm() < 1e-12
 }
 
-/// What a control cannot do with a plane, in words.
+/// The fault that the angles of a tilted plane do not give its orientation.
 pub(crate) fn no_plane() -> Fault {
     Fault::new("the angles of the tilted plane do not give the orientation of the machine")
         .help("this is a fault of the postprocessor, not of the CL data: use mode axes")

@@ -1,19 +1,19 @@
 //! Linearisation with a guarantee: blocks whose tip and tool axis are *certified* to stay within tolerance.
 //!
-//! CL data means a straight tip path and a tool axis that turns evenly in the plane of its ends; a control moves every
-//! axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, with the words
-//! as they are written: what rounding takes is taken off the tolerance.
+//! CL data programs a straight tip path and a tool axis that rotates evenly in the plane of its ends; a control moves every
+//! axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, for the words
+//! as they are written: the tolerance is reduced by their rounding.
 //!
-//! From the start the longest piece that certifies is taken, then the longest from its end, and so on. The search is a
-//! bisection on the path parameter; because deviations grow with the square of the length, the last one says where to
-//! look next. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand would be a
-//! guess, because axes are not linear in the pose.
+//! The longest piece from the start that certifies is taken, then the longest from its end, and so on. The search is a
+//! bisection on the path parameter; because deviations grow with the square of the length, the last deviation predicts the
+//! next length to try. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand would be
+//! a guess, because axes are not linear in the pose.
 //!
-//! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a turn on the
-//! spot: the rotary that is free at the pole turns there. Its rotary values are stepped from one end to the other, and
-//! the linear axes follow. What does not certify when no rotary word turns by more than one unit is refused.
+//! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a rotation on the
+//! spot: of the rotary axis whose angle is free at the pole. Its rotary values are stepped from one end to the other, and
+//! the linear axes follow. A piece that does not certify although no rotary word changes by more than one unit is refused.
 //!
-//! Nothing is allocated: a motion is a few places on the stack, however many pieces it has.
+//! Nothing is allocated: a motion is a few positions on the stack, however many pieces it has.
 
 use crate::kinematics::{AxisValues, Branch, MotionBound, Pose, Solution};
 
@@ -24,38 +24,38 @@ use crate::motion::geometry::PathSegment;
 use crate::motion::rotary::{OutOfLimits, Rotary};
 use crate::motion::step::MAX_AXES;
 
-/// A piece that uses so much of the tolerance is long enough.
+/// Share of the tolerance from which on a piece is long enough.
 const LONG_ENOUGH: f64 = 0.97;
 
-/// A longest piece is known to this share of its length.
-const CLOSE: f64 = 0.01;
+/// Relative accuracy of the length of a longest piece.
+const LENGTH_ACCURACY: f64 = 0.01;
 
-/// The next try aims at this share of the tolerance's length.
+/// Factor on the length that would use the whole tolerance, for the next try.
 const AIM: f64 = 0.993;
 
-/// Most tries for one piece: bisection from the whole motion to the last bit takes fewer.
-const TRIES: usize = 120;
+/// Largest number of tries for one piece: bisection from the whole motion to the last bit takes fewer.
+const MAX_TRIES: usize = 120;
 
-/// Cosine of the largest angle between the tool axes of one block; the great circle of a wider one is ill conditioned.
+/// Cosine of the largest angle between the tool axes of one block; the great circle of a larger angle is ill conditioned.
 const MIN_AXIS_COSINE: f64 = -0.5;
 
-/// How far what is written may leave the motion of the CL data.
+/// Largest deviation of the written motion from the motion of the CL data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PathTolerance {
-    /// Of the tip, mm.
+    /// Deviation of the tip.
     pub(crate) tip_mm: f64,
-    /// Of the tool axis, rad.
+    /// Deviation of the tool axis.
     pub(crate) axis_rad: f64,
 }
 
-/// A piece with what is certified of it.
+/// A piece with its certified deviation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CertifiedPiece {
-    /// Where it ends.
+    /// Position at its end.
     pub(crate) place: AxisPosition,
     /// Largest deviation from the motion of the CL data, rounding of the words included.
     pub(crate) bound: MotionBound,
-    /// Share of the tolerance that it uses; above 1 it does not certify.
+    /// Share of the tolerance that the deviation uses; above 1 the piece does not certify.
     share: f64,
 }
 
@@ -63,46 +63,46 @@ pub(crate) struct CertifiedPiece {
 #[derive(Debug, Clone)]
 pub(crate) struct Linearised {
     tolerance: PathTolerance,
-    /// Where the last piece ended.
+    /// Position at the end of the last piece.
     from: AxisPosition,
     to: AxisPosition,
     rest: Remaining,
 }
 
-/// What is left of a motion, and how it is travelled.
+/// The rest of a motion.
 #[derive(Debug, Clone, Copy)]
 #[expect(clippy::large_enum_variant, reason = "one on the stack for a motion: nothing is allocated")]
 enum Remaining {
-    /// All of it, in one block if that certifies.
+    /// The whole motion, in one block if that certifies.
     Whole,
-    /// Along the path.
+    /// The rest of the path.
     Path(CuttingPath),
-    /// Turning on the spot, and then along the path, if that goes on.
+    /// A rotation on the spot, and then the rest of the path, if there is one.
     Spot(SpotRotation, CuttingPath),
     /// Nothing.
     Nothing,
 }
 
-/// The straight, evenly turning motion of the CL data.
+/// The motion of the CL data: a straight path with an evenly rotating tool axis.
 #[derive(Debug, Clone, Copy)]
 struct CuttingPath {
     segment: PathSegment,
-    /// The branch of both ends; `None` where they have none in common.
+    /// The branch of both ends; `None` if they are on different branches.
     branch: Option<Branch>,
-    /// Shorter steps of the parameter than this are none: half a unit of the words.
+    /// Smallest step of the parameter: half a unit of the words.
     resolution: f64,
-    /// Parameter of the last piece's end.
+    /// Parameter at the end of the last piece.
     at: f64,
-    /// How long the last piece was.
+    /// Length of the last piece, in the parameter.
     stride: f64,
 }
 
-/// A turn of the rotaries while the tool stays in place.
+/// A rotation of the rotary axes while the tool stays in place.
 #[derive(Debug, Clone, Copy)]
 struct SpotRotation {
     start: AxisPosition,
     target: AxisPosition,
-    /// Shorter steps than this turn no word by a unit.
+    /// Smallest step of the parameter: no word changes by more than one unit.
     resolution: f64,
     at: f64,
     stride: f64,
@@ -110,14 +110,14 @@ struct SpotRotation {
 
 /// Result of a search for the longest piece.
 struct LongestPiece {
-    /// Parameter of the end of the piece; without one the smallest that was tried.
+    /// Parameter at the end of the piece; without a piece the smallest that was tried.
     until: f64,
-    /// `None`: no piece up to `until` certifies, and shorter ones are not tried.
+    /// `None` if no piece up to `until` certifies; shorter ones are not tried.
     piece: Option<CertifiedPiece>,
 }
 
 impl Linearised {
-    /// The pieces from one place to another.
+    /// Starts the motion from one position to another.
     pub(crate) fn new(from: &AxisPosition, to: &AxisPosition, tolerance: PathTolerance) -> Self {
         Self { tolerance, from: *from, to: *to, rest: Remaining::Whole }
     }
@@ -125,7 +125,7 @@ impl Linearised {
     /// The next piece; `None` after the last.
     ///
     /// # Errors
-    /// If a part of the path cannot be certified, reached, or turned to inside the limits.
+    /// If a part of the path cannot be certified, is unreachable, or is outside the limits of a rotary axis.
     pub(crate) fn next(&mut self, placer: &Placer) -> Result<Option<CertifiedPiece>, Fault> {
         let certifier = Certifier { placer, allowed: self.tolerance };
         loop {
@@ -148,7 +148,7 @@ impl Linearised {
         }
     }
 
-    /// The rest of the motion as one piece, if that certifies.
+    /// The whole rest of the motion as one piece, if that certifies.
     #[inline]
     fn rest_in_one(&mut self, certifier: &Certifier<'_>) -> Option<CertifiedPiece> {
         let piece = certifier.certify(&self.from, &self.to);
@@ -158,9 +158,9 @@ impl Linearised {
         })
     }
 
-    /// The next piece along the path; `None` if the tool has to turn on the spot first.
+    /// The next piece along the path; `None` if a rotation on the spot must come first.
     fn along(&mut self, certifier: &Certifier<'_>, path: CuttingPath) -> Result<Option<CertifiedPiece>, Fault> {
-        // From the start the whole has been tried.
+        // At the start the whole motion has been tried already.
         if path.at > 0.0
             && let Some(piece) = self.rest_in_one(certifier)
         {
@@ -181,7 +181,7 @@ impl Linearised {
         Ok(found.piece)
     }
 
-    /// The next piece of a turn on the spot.
+    /// The next piece of a rotation on the spot.
     fn on_spot(
         &mut self,
         certifier: &Certifier<'_>,
@@ -195,7 +195,7 @@ impl Linearised {
             return Ok(piece);
         }
         let found = longest(spot.at, spot.stride, spot.resolution, |parameter| {
-            let place = certifier.turned(&spot, parameter)?;
+            let place = certifier.rotated(&spot, parameter)?;
             Ok(certifier.certify(&from, &place))
         })?;
         let Some(piece) = found.piece else { return Err(certifier.uncertified(&from, &spot.target)) };
@@ -205,7 +205,7 @@ impl Linearised {
     }
 }
 
-/// The longest piece that certifies, its end between `at` and 1, where the whole does not.
+/// Searches the longest piece that certifies, with its end between `at` and 1; the whole rest does not certify.
 fn longest(
     at: f64,
     stride: f64,
@@ -215,13 +215,13 @@ fn longest(
     let (mut good, mut bad) = (at, 1.0);
     let mut best: Option<CertifiedPiece> = None;
     let mut next = at + stride;
-    for count in 0..TRIES {
+    for count in 0..MAX_TRIES {
         let known = good - at;
-        if best.is_some() && bad - good <= CLOSE * known || best.is_none() && bad - at <= resolution {
+        if best.is_some() && bad - good <= LENGTH_ACCURACY * known || best.is_none() && bad - at <= resolution {
             break;
         }
         let margin = 0.03 * (bad - good);
-        // Every third try is a plain bisection, whatever the last one promised.
+        // Every third try is a plain bisection, so that the search ends even if the predictions are poor.
         if !(next > good + margin && next < bad - margin) || count % 3 == 2 {
             next = 0.5 * (good + bad);
         }
@@ -248,7 +248,7 @@ struct Certifier<'p> {
 }
 
 impl Certifier<'_> {
-    /// What is certified of one block.
+    /// Certified deviation of one block.
     #[inline]
     fn certify(&self, from: &AxisPosition, to: &AxisPosition) -> CertifiedPiece {
         let mut bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
@@ -266,9 +266,9 @@ impl Certifier<'_> {
         }
     }
 
-    /// A bound of the tip's deviation from its line, mm, that is smaller than `whole` where the path bends to both sides
-    /// of it: each half leaves its own chord by what is certified of it, and the two chords leave the line by no more than
-    /// the point where they meet.
+    /// A bound of the deviation of the tip from its line, mm, that is smaller than `whole` if the path bends to both sides of
+    /// the line: each half deviates from its own chord by no more than its certified bound, and the two chords deviate from
+    /// the line by no more than the point where they meet.
     fn tip_by_halves(&self, from: &AxisPosition, to: &AxisPosition, whole: f64) -> f64 {
         let mut middle = from.axes;
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
@@ -278,7 +278,7 @@ impl Certifier<'_> {
         let along = self.placer.machine.forward_kinematics(&middle).tip - start;
         let length = line.norm_squared();
         let part = if length > 0.0 { (along.dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
-        // The ends are where the words put them.
+        // The ends deviate by the rounding of their words.
         let off = (along - line * part).norm() + from.rounding_mm.max(to.rounding_mm);
         if off > 0.5 * whole {
             return whole;
@@ -287,16 +287,16 @@ impl Certifier<'_> {
         whole.min(off + halves[0].max(halves[1]))
     }
 
-    /// How far the arc between written axes may lie from that between the poses: twice what an end is off, since no block
-    /// is wider than [`MIN_AXIS_COSINE`]. A place at the pole has the pole for its pose, however far that was from the programmed
-    /// axis: that is a tolerance of its own.
+    /// Largest deviation of the arc between the written tool axes from the arc between those of the poses, rad: twice the
+    /// deviation of an end, since no block exceeds the angle of [`MIN_AXIS_COSINE`]. A position at the pole has the pole as
+    /// the axis of its pose: its distance from the programmed axis is subject to another tolerance.
     #[inline]
     fn axis_off(&self, place: &AxisPosition) -> f64 {
         let deviation = if place.at_pole { 0.0 } else { place.deviation_rad };
         2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
     }
 
-    /// The path between two places.
+    /// The path between two positions.
     #[cold]
     fn path(&self, from: &AxisPosition, to: &AxisPosition) -> Result<CuttingPath, Fault> {
         let rounding = self.placer.largest_rounding();
@@ -316,7 +316,7 @@ impl Certifier<'_> {
         let resolution = half_unit(self.placer.unit_mm(), segment.length())
             .min(half_unit(self.placer.rotary.scale.angle(1), segment.angle()))
             .min(1.0);
-        // At the pole both branches meet.
+        // At the pole both branches are the same.
         let branch = match (from.at_pole, to.at_pole) {
             (true, false) => Some(to.branch),
             (false, true) => Some(from.branch),
@@ -325,7 +325,7 @@ impl Certifier<'_> {
         Ok(CuttingPath { segment, branch, resolution, at: 0.0, stride: 0.5 })
     }
 
-    /// Words of a solution's rotaries, in the turn nearest to some axis values.
+    /// Rotary words of a solution, in the turn nearest to the axis values `near`.
     fn nearest_words(&self, solution: &Solution<AxisValues>, near: &AxisValues) -> [i64; MAX_AXES] {
         let mut words = [0; MAX_AXES];
         for rotary in &self.placer.rotary.axes {
@@ -338,7 +338,7 @@ impl Certifier<'_> {
         words
     }
 
-    /// The place of a pose of the path: on the branch of the ends, or else nearest to the interpolation between them.
+    /// Position of a pose of the path: on the common branch of the ends, or else nearest to the interpolation between them.
     fn between(
         &self,
         path: &CuttingPath,
@@ -364,16 +364,16 @@ impl Certifier<'_> {
         };
         let in_between = |fault: Fault| fault.context("on the way from the point before");
         let Some(solution) = chosen else { return Err(in_between(refusal::unreachable(self.placer, &pose, &guess))) };
-        // Whole turns: between the ends, wherever near the pole most of the turning is done.
+        // Whole turns are chosen near the middle of the ends, wherever near the pole most of the rotation takes place.
         let mut middle = from.axes;
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
             *value = 0.5 * (*value + end);
         }
-        self.beside(&pose, from, solution, &middle).map_err(in_between)
+        self.nearest_turn(&pose, from, solution, &middle).map_err(in_between)
     }
 
-    /// The place of a solution, in the turn nearest to some axis values.
-    fn beside(
+    /// Position of a solution, in the turn nearest to the axis values `near`.
+    fn nearest_turn(
         &self,
         pose: &Pose,
         from: &AxisPosition,
@@ -401,8 +401,8 @@ impl Certifier<'_> {
         SpotRotation { start: *start, target: *target, resolution: 1.0 / units as f64, at: 0.0, stride: 0.5 }
     }
 
-    /// A place of a turn on the spot.
-    fn turned(&self, spot: &SpotRotation, parameter: f64) -> Result<AxisPosition, Fault> {
+    /// Position at a parameter of a rotation on the spot.
+    fn rotated(&self, spot: &SpotRotation, parameter: f64) -> Result<AxisPosition, Fault> {
         let mut words = spot.start.words;
         for rotary in &self.placer.rotary.axes {
             let change = (spot.target.words[rotary.index] - words[rotary.index]) as f64;
@@ -416,18 +416,18 @@ impl Certifier<'_> {
         self.placer.set(place)
     }
 
-    /// Why a turn on the spot cannot be cut.
+    /// The fault that a rotation on the spot does not certify.
     #[cold]
     fn uncertified(&self, from: &AxisPosition, to: &AxisPosition) -> Fault {
-        let turned = self
+        let rotated = self
             .placer
             .rotary
             .axes
             .iter()
             .max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
-        let index = turned.map_or(0, |rotary| rotary.index);
+        let index = rotated.map_or(0, |rotary| rotary.index);
         let shown = |place: &AxisPosition| {
-            turned.map_or(0.0, |rotary| rotary.degrees_for_display(place.words[index], self.placer.rotary.scale))
+            rotated.map_or(0.0, |rotary| rotary.degrees_for_display(place.words[index], self.placer.rotary.scale))
         };
         Fault::new(format_args!(
             "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
@@ -458,7 +458,7 @@ mod tests {
         Placer::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy(), Units::Millimetres)
     }
 
-    /// The place of rotary angles in degrees.
+    /// Position at rotary angles in degrees.
     fn place(placer: &Placer, tip: [f64; 3], c: f64, b: f64) -> AxisPosition {
         let mut place = placer.zero();
         place.words[0] = placer.scale().word(c.to_radians());
@@ -479,7 +479,7 @@ mod tests {
     }
 
     #[test]
-    fn a_free_axis_turns_at_the_pole_in_steps_of_its_value() {
+    fn a_free_axis_rotates_at_the_pole_in_steps_of_its_value() {
         let placer = placer();
         let tip = [40.0, 10.0, 3.0];
         let (from, to) = (place(&placer, tip, 0.0, 0.0), place(&placer, tip, 90.0, 0.0));
@@ -498,7 +498,7 @@ mod tests {
     }
 
     #[test]
-    fn a_whole_turn_away_from_the_pole_is_no_turn_on_the_spot() {
+    fn a_revolution_away_from_the_pole_is_no_rotation_on_the_spot() {
         let placer = placer();
         let tip = [40.0, 10.0, 3.0];
         let (from, to) = (place(&placer, tip, 0.0, 20.0), place(&placer, tip, 360.0, 20.0));
@@ -519,8 +519,8 @@ mod tests {
             let along = (pose.tip - from.pose.tip).dot(&line) / line.norm_squared();
             assert!((from.pose.tip + line * along - pose.tip).norm() < 0.001);
             assert!(pose.axis.dot(&normal).abs() < 3e-6);
-            let turned = from.pose.axis.angle(&pose.axis) / from.pose.axis.angle(&to.pose.axis);
-            assert!((turned - along).abs() < 1e-4, "the axis turns evenly: {turned} at {along}");
+            let rotated = from.pose.axis.angle(&pose.axis) / from.pose.axis.angle(&to.pose.axis);
+            assert!((rotated - along).abs() < 1e-4, "the axis rotates evenly: {rotated} at {along}");
             assert!(along > before);
             before = along;
         }

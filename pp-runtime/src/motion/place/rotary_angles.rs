@@ -1,4 +1,4 @@
-//! A pose into angles of the rotary axes: branch and turn, the pole, indexed axes, and what the course says.
+//! Rotary angles of a pose: branch and turn, the pole, indexed axes, and the angles of the course.
 
 use nalgebra::UnitVector3;
 
@@ -13,12 +13,13 @@ use crate::motion::geometry::angle_between;
 use crate::motion::rotary::{MAX_TURNS, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
 
-/// A feed motion that turns a rotary axis by more than this because of its limits swings the tool in the cut, rad.
+/// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in the
+/// cut.
 const MAX_LIMIT_SWING: f64 = 1_f64.to_radians();
 
 impl Placer {
-    /// What ROTABL/NEXT asks of the table's rotary, the one nearest the workpiece where there are two. Seen against its
-    /// axis a table turns clockwise while its word grows, unless the word runs backwards.
+    /// Sense of ROTABL/NEXT for the rotary axis of the table, if there are two for the one nearest the workpiece. Seen
+    /// against its axis a table rotates clockwise while its word increases, unless the word runs backwards.
     pub(crate) fn rotation_sense(&self, turning: Turning) -> Option<RotationSense> {
         let Turning::Next(rotation) = turning else { return None };
         let table = |rotary: &Rotary| self.chain[rotary.index].side == Side::Workpiece;
@@ -27,7 +28,7 @@ impl Placer {
         Some(RotationSense { axis, positive: (rotation == Rotation::Clockwise) == forwards })
     }
 
-    /// Indexed axes stand on one of their steps, and do not turn in a cut.
+    /// Moves indexed axes to the nearest of their steps; refuses an angle between steps, and an indexed rotation in a cut.
     #[cold]
     pub(crate) fn snap_to_index(&self, place: &mut AxisPosition, from: &AxisPosition, feed: bool) -> Result<(), Fault> {
         for &(rotary, step) in &self.rotary.grid {
@@ -61,7 +62,7 @@ impl Placer {
         Ok(())
     }
 
-    /// On the way of a cut an indexed axis stays where it is, and the tool axis leaves its even turn by what that takes.
+    /// Keeps indexed axes at their angles inside a cut; refuses a deviation of the tool axis beyond the tolerance.
     #[inline]
     pub(crate) fn hold_indexed(
         &self,
@@ -76,7 +77,7 @@ impl Placer {
             place.axes[index] = from.axes[index];
             let reached = self.machine.forward_kinematics(&place.axes).axis;
             place.deviation_rad = place.deviation_rad.max(angle_between(&reached, &place.pose.axis));
-            // What an end is off counts twice: see `certify`.
+            // The deviation of an end counts twice: see `axis_off` in `linearise`.
             if 2.0 * place.deviation_rad >= allowed.axis_rad {
                 let (letter, degrees) =
                     (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
@@ -92,7 +93,7 @@ impl Placer {
         Ok(())
     }
 
-    /// The pole at which a tool axis stands.
+    /// Pole to which a tool axis is parallel, within the tolerance.
     #[inline]
     pub(crate) fn pole(&self, axis: &UnitVector3<f64>) -> Option<UnitVector3<f64>> {
         let near = |pole: &&UnitVector3<f64>| {
@@ -102,8 +103,8 @@ impl Placer {
         self.poles.axes.iter().find(near).copied()
     }
 
-    /// The rotaries of a pose, chosen from where they stand: a feed motion stays on its branch, a rapid turns least. A
-    /// feed motion is refused if only the limits make it take another turn than the nearest: the tool is in the cut.
+    /// Chooses the rotary angles of a pose from the present ones: a feed motion stays on its branch, a rapid takes the least
+    /// travel. Refuses a feed motion in which limits force another turn than the nearest: the tool is in the cut.
     #[inline]
     pub(crate) fn choose_rotaries(&self, pose: &Pose, from: &AxisPosition, feed: bool) -> Result<AxisPosition, Fault> {
         if let Some(pole) = self.pole(&pose.axis) {
@@ -137,29 +138,30 @@ impl Placer {
         Ok(place)
     }
 
-    /// At the pole the first rotary keeps its value: what CL data says of it there is rounding.
+    /// Rotary angles at the pole, where the first rotary axis keeps its value: the direction that CL data gives there is only
+    /// rounding.
     pub(crate) fn rotaries_at_pole(
         &self,
         pose: &Pose,
         pole: UnitVector3<f64>,
         from: &AxisPosition,
     ) -> Result<AxisPosition, Fault> {
-        let there = Pose { axis: pole, ..*pose };
-        let solutions = self.machine.inverse_kinematics(&there, &from.axes);
+        let pose_at_pole = Pose { axis: pole, ..*pose };
+        let solutions = self.machine.inverse_kinematics(&pose_at_pole, &from.axes);
         if solutions.is_empty() {
-            return Err(refusal::unreachable(self, &there, &from.axes));
+            return Err(refusal::unreachable(self, &pose_at_pole, &from.axes));
         }
-        // The rotary that is free stands in the solutions as it stood before.
+        // In the solutions the free rotary axis has its previous value.
         let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale)
             .map_err(|outside| refusal::outside_limits(self, &outside))?;
-        let mut place = self.at(&there, from, &choice.words);
+        let mut place = self.at(&pose_at_pole, from, &choice.words);
         place.branch = from.branch;
         place.at_pole = true;
         place.deviation_rad = angle_between(&pole, &pose.axis);
         Ok(place)
     }
 
-    /// A pose with these rotary words; the linear axes are not computed.
+    /// Position of a pose at these rotary words; the linear axes are not computed.
     #[inline]
     pub(crate) fn at(&self, pose: &Pose, from: &AxisPosition, words: &[i64; MAX_AXES]) -> AxisPosition {
         let mut place = AxisPosition {
@@ -177,7 +179,7 @@ impl Placer {
         place
     }
 
-    /// A pose with the rotary words of the course.
+    /// Position of a pose at the rotary words of the course; the linear axes are not computed.
     pub(crate) fn follow_course(
         &self,
         pose: &Pose,
@@ -185,7 +187,7 @@ impl Placer {
         target: &RotaryTarget,
     ) -> Result<AxisPosition, Fault> {
         let pole = self.pole(&pose.axis);
-        let there = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
+        let target_pose = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         let mut words = self.all_words(&target.words);
         for (axis, rotary) in self.rotary.axes.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
             let (word, before) = (&mut words[rotary.index], from.words[rotary.index]);
@@ -198,16 +200,16 @@ impl Placer {
                 }
             }
         }
-        let mut place = self.at(&there, from, &words);
+        let mut place = self.at(&target_pose, from, &words);
         let reached = self.machine.forward_kinematics(&place.axes).axis;
-        if angle_between(&reached, &there.axis) > 2.0 * self.rotary.scale.angle(1) + REACH_TOLERANCE {
+        if angle_between(&reached, &target_pose.axis) > 2.0 * self.rotary.scale.angle(1) + REACH_TOLERANCE {
             return Err(Fault::new("the course of the rotary axes does not hold this pose")
                 .help("this is a fault of the postprocessor, not of the CL data"));
         }
-        let solutions = self.machine.inverse_kinematics(&there, &place.axes);
+        let solutions = self.machine.inverse_kinematics(&target_pose, &place.axes);
         let off = |solution: &Solution<AxisValues>| -> f64 {
-            let turned = |rotary: &Rotary| solution.axes[rotary.index] - place.axes[rotary.index];
-            self.rotary.axes.iter().map(|rotary| 1.0 - turned(rotary).cos()).sum()
+            let difference = |rotary: &Rotary| solution.axes[rotary.index] - place.axes[rotary.index];
+            self.rotary.axes.iter().map(|rotary| 1.0 - difference(rotary).cos()).sum()
         };
         let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
         place.branch = nearest.map_or(from.branch, |solution| solution.branch);
@@ -219,7 +221,7 @@ impl Placer {
         Ok(place)
     }
 
-    /// Words of all axes from those of the solved rotaries.
+    /// Words of all axes from those of the solved rotary axes; 0 for the others.
     pub(crate) fn all_words(&self, words: &RotaryWords) -> [i64; MAX_AXES] {
         let mut all = [0; MAX_AXES];
         for (rotary, word) in self.rotary.axes.iter().zip(words) {
@@ -228,7 +230,7 @@ impl Placer {
         all
     }
 
-    /// Words of the solved rotaries.
+    /// Words of the solved rotary axes.
     pub(crate) fn rotary_words_of(&self, words: &[i64; MAX_AXES]) -> RotaryWords {
         let mut turns = [0; 2];
         for (turn, rotary) in turns.iter_mut().zip(&self.rotary.axes) {
@@ -237,7 +239,7 @@ impl Placer {
         turns
     }
 
-    /// Where nothing but the rotaries is known.
+    /// Position of which only the rotary words are known.
     pub(crate) fn position_at_words(&self, words: &RotaryWords) -> AxisPosition {
         AxisPosition { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
     }
@@ -251,14 +253,14 @@ impl Placer {
         axes
     }
 
-    /// An axis has more turns inside its limits than are looked at.
+    /// Whether an axis has more turns inside its limits than [`MAX_TURNS`].
     pub(crate) fn has_many_turns(&self) -> bool {
         let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.rotary.scale.units_per_turn);
         self.rotary.axes.iter().filter_map(turns).any(|turns| turns >= MAX_TURNS)
     }
 }
 
-/// The axes of `base`, and those of `mask` from `chosen`.
+/// Axis values of `base`, with those of `mask` from `chosen`.
 #[inline]
 fn merged(mut base: AxisValues, chosen: &AxisValues, mask: u16) -> AxisValues {
     for (index, value) in base.iter_mut().enumerate() {

@@ -1,7 +1,7 @@
 //! Travel of the linear axes, compared after rounding.
 //!
-//! Limits are machine coordinates: `M = machine_zero + q + g`, where `g` is what the gauge length adds to the axis.
-//! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
+//! Limits are machine coordinates: `M = machine_zero + q + g`, where `q` is the axis value and `g` the share of the gauge
+//! length along the axis. Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
 
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::options::Policy;
@@ -10,13 +10,13 @@ use super::chain::rotaries;
 use super::datum::along_axes;
 use crate::motion::fault::Fault;
 
-/// Noise of floating-point sums that must not turn an inclusive limit into an exclusive one, mm.
+/// Allowance for the noise of floating-point sums, so that limits remain inclusive.
 const NOISE_MM: f64 = 1e-6;
 
-/// A gauge length adds nothing to an axis whose share of it is smaller than this.
+/// Smallest share of the gauge length along an axis that counts.
 const NO_SHARE: f64 = 1e-12;
 
-/// One solved linear axis.
+/// Travel of one solved linear axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LinearTravel {
     /// Position in the chain.
@@ -24,13 +24,13 @@ pub(crate) struct LinearTravel {
     letter: char,
     limits: Option<Limits>,
     machine_zero_mm: Option<f64>,
-    /// `g` for a gauge length of 1.
+    /// `g` for a gauge length of 1 mm.
     share: f64,
-    /// Smallest and largest `q + g` so far.
+    /// Smallest and largest `q + g` so far, mm.
     pub(crate) span: Option<(f64, f64)>,
-    /// A rotary axis of the head turns the tool: its length moves the axis, how far depends on the angles.
+    /// The tool side has rotary axes: the tool length moves the axis by an amount that depends on their angles.
     has_rotary_head: bool,
-    /// Points that could not be compared because the gauge length is unknown.
+    /// Some points could not be compared because the gauge length is unknown.
     pub(crate) unknown_length: bool,
 }
 
@@ -38,7 +38,7 @@ pub(crate) struct LinearTravel {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TravelCheck {
     axes: Vec<LinearTravel>,
-    /// Gauge length of the tool, if known, mm.
+    /// Gauge length of the tool, if known.
     gauge_length_mm: Option<f64>,
 }
 
@@ -83,7 +83,7 @@ impl TravelCheck {
         Ok(())
     }
 
-    /// Whether the travel of an axis is declared.
+    /// Whether the travel of at least one axis is declared.
     pub(crate) fn limited(&self) -> bool {
         self.axes.iter().any(LinearTravel::limited)
     }
@@ -101,7 +101,7 @@ impl TravelCheck {
         }
     }
 
-    /// The axis value at a machine coordinate, if that can be known.
+    /// Axis value at a machine coordinate, mm; `None` if the machine zero or the gauge length is unknown.
     pub(crate) fn value_at(&self, index: usize, coordinate: f64) -> Option<f64> {
         let axis = self.axes.iter().find(|axis| axis.index == index)?;
         Some(coordinate - axis.machine_zero_mm? - axis.gauge(self.gauge_length_mm)?)
@@ -109,7 +109,7 @@ impl TravelCheck {
 }
 
 impl LinearTravel {
-    /// Why its limits could not be compared; `None` if they were.
+    /// Reason why the limits could not be compared; `None` if they were.
     pub(crate) fn unchecked_reason(&self) -> Option<&'static str> {
         if !self.limited() {
             Some("no travel declared")
@@ -127,7 +127,7 @@ impl LinearTravel {
         self.limits.is_some()
     }
 
-    /// Whether machine coordinates are known.
+    /// Whether machine coordinates are known, from `machine_zero`.
     pub(crate) fn has_machine_zero(&self) -> bool {
         self.machine_zero_mm.is_some()
     }

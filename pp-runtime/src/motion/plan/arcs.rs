@@ -245,7 +245,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             lean + 0.5 * unit + self.round.slope().abs() * (2.0 * off.centre_mm + ROUNDED * unit)
         };
         let within = |off: CircleDeviation| off.plane_mm.hypot(height(off)) <= tolerance;
-        if !within(fit.off) || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second]) {
+        if !within(fit.deviation)
+            || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second])
+        {
             return None;
         }
         let radius = match self.planner.policy.options.arcs.form {

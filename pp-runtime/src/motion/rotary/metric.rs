@@ -1,37 +1,37 @@
-//! How far and how long rotary axes turn between two places, and what that costs.
+//! Travel and time of the rotary axes between two positions, and their cost.
 
 use super::nearest_turn::{AngleScale, Rotary};
 
-/// Words of the solved rotary axes in the order of the chain; a machine without the second has zero there.
+/// Words of the solved rotary axes in the order of the chain; 0 for an axis that the machine does not have.
 pub(crate) type RotaryWords = [i64; 2];
 
-/// A sense in which an axis has to turn.
+/// Programmed sense of rotation of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct RotationSense {
-    /// Which of the solved rotaries.
+    /// Index among the solved rotary axes.
     pub(crate) axis: usize,
-    /// Its word grows.
+    /// Its word increases.
     pub(crate) positive: bool,
 }
 
-/// Rotary words that a motion is to end in.
+/// Rotary words at the end of a motion, as planned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RotaryTarget {
     pub(crate) words: RotaryWords,
-    /// Which way round an endless axis goes there; else the short way.
+    /// Sense in which an endless axis rotates; without it by the shorter path.
     pub(crate) sense: Option<RotationSense>,
 }
 
-/// What a way costs: the fewest rewinds first, then wishes of the user that are not met, then time, then travel.
+/// Cost of a course. Compared in this order: rewinds, starts against the preference of the user, time, travel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Cost {
-    /// Times that the tool has to leave the part to turn.
+    /// Number of rewinds: the tool leaves the part while a rotary axis unwinds.
     pub rewinds: u32,
-    /// Starts that are not as the user prefers.
+    /// Number of starts that are not as the user prefers.
     pub against_preference: u32,
-    /// Nanoseconds that the rotary axes take at their largest speeds; 0 where these are not known.
+    /// Time of the rotary axes at their largest speeds; 0 where these are unknown.
     pub time_ns: u64,
-    /// Travel of all rotary axes together, in whole units of their words.
+    /// Total travel of all rotary axes, in whole units of their words.
     pub travel_units: u64,
 }
 
@@ -49,27 +49,27 @@ impl Cost {
     pub(crate) const AGAINST_PREFERENCE: Self = Self { rewinds: 0, against_preference: 1, time_ns: 0, travel_units: 0 };
 }
 
-/// Measures turns.
+/// Travel and cost of rotations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RotaryMetric {
-    /// Nanoseconds for one unit of a word; 0 for an axis whose speed is not known.
+    /// Time for one unit of a word; 0 for an axis of unknown speed.
     ns_per_unit: [f64; 2],
     endless: [bool; 2],
     units_per_turn: i64,
 }
 
 impl RotaryMetric {
-    /// For axes with speeds in rad/min.
+    /// Creates the metric of these axes; speeds in rad/min.
     pub(crate) fn new(rotaries: &[Rotary], speeds: [Option<f64>; 2], scale: AngleScale) -> Self {
-        const NANOSECONDS: f64 = 60e9;
+        const NS_PER_MIN: f64 = 60e9;
         Self {
-            ns_per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NANOSECONDS * scale.angle(1) / speed)),
+            ns_per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NS_PER_MIN * scale.angle(1) / speed)),
             endless: [0, 1].map(|axis| rotaries.get(axis).is_some_and(|rotary| rotary.endless())),
             units_per_turn: scale.units_per_turn,
         }
     }
 
-    /// Signed travel of one axis; an endless one takes the short way.
+    /// Signed travel of one axis; an endless axis takes the shorter path.
     pub(crate) fn change(&self, axis: usize, from: i64, to: i64) -> i64 {
         let change = to - from;
         if !self.endless[axis] {
@@ -79,7 +79,7 @@ impl RotaryMetric {
         if 2 * short > self.units_per_turn { short - self.units_per_turn } else { short }
     }
 
-    /// Signed travel of one axis in a sense that was asked for; `None` if that sense does not lead there.
+    /// Signed travel of one axis in a programmed sense; `None` if a limited axis cannot rotate in that sense to the target.
     pub(crate) fn change_in_sense(&self, axis: usize, from: i64, to: i64, sense: Option<RotationSense>) -> Option<i64> {
         let change = self.change(axis, from, to);
         match sense.filter(|sense| sense.axis == axis) {
@@ -92,23 +92,24 @@ impl RotaryMetric {
         }
     }
 
-    /// Cost of turning all axes together.
+    /// Cost of rotating all axes together.
     pub(crate) fn cost(&self, from: &RotaryWords, to: &RotaryWords) -> Cost {
         self.cost_of([0, 1].map(|axis| self.change(axis, from[axis], to[axis])))
     }
 
+    /// Cost of these signed travels.
     pub(crate) fn cost_of(&self, changes: [i64; 2]) -> Cost {
         let travel = changes.map(i64::unsigned_abs);
         let time_ns = (0..2).map(|axis| (travel[axis] as f64 * self.ns_per_unit[axis]).round() as u64).max();
         Cost { time_ns: time_ns.unwrap_or(0), travel_units: travel[0] + travel[1], ..Cost::default() }
     }
 
-    /// Whether no axis turns by more than half a turn: what a cut can do without a rewind.
+    /// Whether no axis rotates by more than 180°: the limit of a cut without a rewind.
     pub(crate) fn short(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
         (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() <= self.units_per_turn)
     }
 
-    /// Whether every axis turns by less than a quarter of a turn.
+    /// Whether every axis rotates by less than 90°.
     pub(crate) fn plain(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
         (0..2).all(|axis| 4 * self.change(axis, from[axis], to[axis]).abs() < self.units_per_turn)
     }

@@ -1,6 +1,6 @@
-//! Words of rotary axes: which whole turn, at what cost, and how many turns a written word shows.
+//! Words of rotary axes: choice of the whole turn, cost of a rotation, and rollover of written words.
 //!
-//! Everything here counts whole units of the words, so that limits hold for what is written and turns are exact.
+//! All angles are whole units of the words, so that limits hold for the written values and whole turns are exact.
 
 mod metric;
 mod nearest_turn;

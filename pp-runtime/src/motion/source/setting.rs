@@ -1,10 +1,9 @@
-//! How the part lies on the table, and how far from it a dry run stays: the program as the CL data has it into the program
-//! as it is run.
+//! Set-up of the part: rotates the CL data by `part_rotation` and lifts it for a dry run.
 //!
-//! Tips, axes and every other direction and point are multiplied by `part_rotation` here and nowhere else. After it the
-//! frame of the part is along the table's directions. What the configuration says of the part (`floor`,
-//! `retract.clearance`) counts in that frame, too; what the CL data says (CLEARP) is turned with it. A dry run moves every
-//! point out along its tool axis; the clearance geometry stays where the part is.
+//! Tips, tool axes and every other point and direction are multiplied by `part_rotation` here and nowhere else. The result
+//! is in a part frame whose axes are parallel to those of the table. Positions in the configuration (`floor`,
+//! `retract.clearance`) are in that frame, too; those of the CL data (CLEARP) are rotated with it. A dry run moves every
+//! point outwards along its tool axis; the clearance geometry stays at the part.
 
 use nalgebra::{Point3, Rotation3, UnitVector3};
 
@@ -13,15 +12,15 @@ use crate::program::{Arc, Event, Hole, Move, Plane, Spline};
 
 use crate::motion::options::Policy;
 
-/// Turns the events of a program.
+/// Rotates and lifts the events of a program.
 #[derive(Debug, Clone)]
 pub(crate) struct Setting {
     rotation: Rotation3<f64>,
-    /// mm along the tool axis.
+    /// Lift of a dry run along the tool axis.
     lift_mm: f64,
-    /// Nothing is changed.
+    /// Neither rotation nor lift.
     plain: bool,
-    /// Control points of the curve that is handed on.
+    /// Control points of the curve at hand, rotated and lifted.
     points: Vec<Point3<f64>>,
 }
 
@@ -37,7 +36,7 @@ impl Setting {
         }
     }
 
-    /// An event of the CL data as it is run; `None` if nothing changes.
+    /// Returns an event rotated and lifted; `None` if nothing changes.
     #[inline]
     pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
         if self.plain { None } else { Some(self.rotated(event)) }
@@ -65,7 +64,7 @@ impl Setting {
             Event::ClearancePlane(plane) => {
                 Event::ClearancePlane(Plane { normal: self.direction(&plane.normal), ..plane })
             }
-            // No point and no direction is in these.
+            // These contain no point and no direction.
             Event::Name(_)
             | Event::MachineName(_)
             | Event::Operation(_)
@@ -113,7 +112,7 @@ mod tests {
         Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(Vector3::from(axis)) }
     }
 
-    /// X to Y, Y to Z, Z to X.
+    /// A rotation that takes X to Y, Y to Z and Z to X.
     fn setting() -> Setting {
         let rotation = Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(0., 0., 1., 1., 0., 0., 0., 1., 0.));
         let mut config = Config::default();
@@ -122,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn every_point_and_direction_of_an_event_is_turned() {
+    fn every_point_and_direction_of_an_event_is_rotated() {
         let (here, there) = (pose([1., 2., 3.], [0., 0., 1.]), pose([3., 1., 2.], [1., 0., 0.]));
         let motion = |pose| Event::Move(Move { pose, rapid: false, feed: None });
         assert_eq!(setting().event(&motion(here)), Some(motion(there)));
