@@ -311,7 +311,7 @@ impl Surveyor {
         if index.stretch != self.survey.stretches.held + self.survey.stretches.turning + 1 {
             self.end_stretch();
         }
-        self.turning |= index.turns;
+        self.turning |= index.rotates_axis;
         self.called = false;
         self.between = false;
         if index.begins != Begins::Nothing {

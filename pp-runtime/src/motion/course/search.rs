@@ -376,8 +376,8 @@ impl CourseSearch {
         for (state, exit) in states.iter().zip(exits) {
             let Some(exit) = exit else { continue };
             let cost = |from: &Survivor| {
-                let turned = self.metric.cost(&from.state.words, exit);
-                from.cost.plus(turned).plus(self.metric.cost(exit, &state.words))
+                let rotation = self.metric.cost(&from.state.words, exit);
+                from.cost.plus(rotation).plus(self.metric.cost(exit, &state.words))
             };
             let from = self.survivors.iter().filter(|from| self.metric.short(&[0, from.state.words[1]], &[0, exit[1]]));
             let Some(from) = from.min_by_key(|from| cost(from)) else { continue };

@@ -255,15 +255,15 @@ fn a_spiral_continues_on_an_axis_with_more_turns_than_are_tried() {
 fn a_cut_is_continuous_however_near_it_passes_the_pole() {
     let mut config = Config::default();
     config.set_up.limits.insert('B', limits(-110.0, 110.0));
-    for beside in [1.1e-6, 2e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+    for offset in [1.1e-6, 2e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
         let pose = |tilt: f64| {
-            let axis = UnitVector3::new_normalize(Vector3::new(tilt.sin(), beside, tilt.cos()));
+            let axis = UnitVector3::new_normalize(Vector3::new(tilt.sin(), offset, tilt.cos()));
             Point { pose: Pose { tip: Point3::origin(), axis }, rapid: false }
         };
         let course = course::<Cb>(&config, &[-1.0, 1.0].map(pose));
         assert_eq!(course.cost.rewinds, 0);
         // To the start, and 180° at the pole.
-        assert!(course.cost.travel_units > 1_700_000, "{beside}: {course:?}");
-        assert!(course.greedy.is_some(), "{beside}");
+        assert!(course.cost.travel_units > 1_700_000, "{offset}: {course:?}");
+        assert!(course.greedy.is_some(), "{offset}");
     }
 }

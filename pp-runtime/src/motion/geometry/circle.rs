@@ -57,8 +57,8 @@ pub struct Circle {
     pub centre: [i64; 2],
     /// Radius, if the block is written with R instead of the centre; negative for more than 180°.
     pub radius: Option<i64>,
-    /// Angle from start to end, above 0 and at most one revolution, rad.
-    pub sweep: f64,
+    /// Angle from start to end, above 0 and at most one revolution.
+    pub sweep_rad: f64,
     /// Motion along the axis perpendicular to the plane.
     pub rise: i64,
 }

@@ -44,13 +44,13 @@ fn rotated(joint: &Joint, angle_rad: f64, vector: &Vector3<f64>) -> Vector3<f64>
 /// Whether the solved linear axes are perpendicular to each other at any rotary angles: no rotary axis is between them.
 pub(crate) fn orthogonal(machine: &dyn AnyMachine, axes: &[Axis]) -> bool {
     let solved = solved_linear(axes);
-    let square = solved.iter().enumerate().all(|(position, &a)| {
+    let perpendicular = solved.iter().enumerate().all(|(position, &a)| {
         solved[position + 1..]
             .iter()
             .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
     });
     let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
-    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+    perpendicular && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
 }
 
 /// Whether the solved linear axes are X, Y, Z: no control applies F along U, V, W in a block that moves one of X, Y, Z.

@@ -387,11 +387,11 @@ impl Certifier<'_> {
                 return Err(refusal::outside_limits(self.placer, &[Some(OutOfLimits { rotary: *rotary, word }), None]));
             }
         }
-        let mut place = self.placer.at(pose, from, &words);
+        let mut place = self.placer.position_at(pose, from, &words);
         place.deviation_rad = solution.deviation;
         place.branch = solution.branch;
         self.placer.hold_indexed(&mut place, from, self.allowed)?;
-        self.placer.set(place)
+        self.placer.solve_linear(place)
     }
 
     fn spot(&self, start: &AxisPosition, target: &AxisPosition) -> SpotRotation {
@@ -410,10 +410,10 @@ impl Certifier<'_> {
         }
         let tip = spot.start.pose.tip + (spot.target.pose.tip - spot.start.pose.tip) * parameter;
         let pose = Pose { tip, axis: spot.target.pose.axis };
-        let mut place = self.placer.at(&pose, &spot.start, &words);
+        let mut place = self.placer.position_at(&pose, &spot.start, &words);
         let reached = self.placer.machine.forward_kinematics(&place.axes).axis;
         place.deviation_rad = (reached.into_inner() - pose.axis.into_inner()).norm();
-        self.placer.set(place)
+        self.placer.solve_linear(place)
     }
 
     /// The fault that a rotation on the spot does not certify.
@@ -466,7 +466,9 @@ mod tests {
         let axes = [c.to_radians(), b.to_radians(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         let axis = placer.machine.forward_kinematics(&axes).axis;
         let words = place.words;
-        placer.set(placer.at(&Pose { tip: Point3::from(tip), axis }, &place, &words)).expect("a place")
+        placer
+            .solve_linear(placer.position_at(&Pose { tip: Point3::from(tip), axis }, &place, &words))
+            .expect("a place")
     }
 
     fn pieces(placer: &Placer, from: &AxisPosition, to: &AxisPosition) -> Result<Vec<CertifiedPiece>, Fault> {

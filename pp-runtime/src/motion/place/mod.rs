@@ -214,7 +214,7 @@ impl Placer {
         from: &AxisPosition,
         words: &RotaryWords,
     ) -> Result<AxisPosition, Fault> {
-        self.set(self.at(pose, from, &self.all_words(words)))
+        self.solve_linear(self.position_at(pose, from, &self.all_words(words)))
     }
 
     /// Whether the tool side has solved rotary axes, so that the tool length moves the linear axes.
@@ -373,31 +373,32 @@ impl Placer {
         if !self.rotary.grid.is_empty() {
             self.snap_to_index(&mut place, from, feed)?;
         }
-        self.finish(place)
+        self.solve_linear_in_travel(place)
     }
 
     /// Position of another tip at the rotary angles of `at`.
     pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &AxisPosition) -> Result<AxisPosition, Fault> {
         let mut place = *at;
         place.pose.tip = tip;
-        self.finish(place)
+        self.solve_linear_in_travel(place)
     }
 
+    /// The same as [`Placer::solve_linear`], and compares the travel.
     #[inline]
-    fn finish(&mut self, place: AxisPosition) -> Result<AxisPosition, Fault> {
-        let place = self.set(place)?;
+    fn solve_linear_in_travel(&mut self, place: AxisPosition) -> Result<AxisPosition, Fault> {
+        let place = self.solve_linear(place)?;
         self.travel.check(&place.axes)?;
         Ok(place)
     }
 
     /// Computes the linear axes and words of a position whose rotary angles are known; the travel is not compared.
     #[inline]
-    pub(crate) fn set(&self, mut place: AxisPosition) -> Result<AxisPosition, Fault> {
+    pub(crate) fn solve_linear(&self, mut place: AxisPosition) -> Result<AxisPosition, Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(refusal::unreachable(self, &place.pose, &place.axes));
         };
         if let Some(map) = self.frame.map(&*self.machine, &place.axes) {
-            return self.set_tip(place, &map);
+            return self.solve_tip(place, &map);
         }
         place.axes = axes;
         let (mut sum, mut squares) = (0.0, 0.0);
@@ -466,7 +467,7 @@ impl Placer {
             at_pole: false,
             rounding_mm: 0.0,
         };
-        self.at(&pose, &zero, &zero.words)
+        self.position_at(&pose, &zero, &zero.words)
     }
 
     /// Words of a linear axis at a machine coordinate.
@@ -522,7 +523,7 @@ impl Placer {
             words[index] = if self.rotary.wrapped & (1 << index) != 0 { nearest() } else { word };
             mask |= 1 << index;
         }
-        Ok((self.at(&from.pose, from, &words), mask))
+        Ok((self.position_at(&from.pose, from, &words), mask))
     }
 
     /// Whether a control that rotates by the shorter path would rotate an axis in the wrong direction in this block.

@@ -123,7 +123,7 @@ impl Placer {
             )
         })?;
         let solution = &branch[choice.solution];
-        let mut place = self.at(pose, from, &choice.words);
+        let mut place = self.position_at(pose, from, &choice.words);
         place.axes = merged(solution.axes, &place.axes, self.rotary.mask);
         place.deviation_rad = solution.deviation;
         place.branch = solution.branch;
@@ -154,7 +154,7 @@ impl Placer {
         // In the solutions the free rotary axis has its previous value.
         let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale)
             .map_err(|outside| refusal::outside_limits(self, &outside))?;
-        let mut place = self.at(&pose_at_pole, from, &choice.words);
+        let mut place = self.position_at(&pose_at_pole, from, &choice.words);
         place.branch = from.branch;
         place.at_pole = true;
         place.deviation_rad = angle_between(&pole, &pose.axis);
@@ -163,7 +163,7 @@ impl Placer {
 
     /// Position of a pose at these rotary words; the linear axes are not computed.
     #[inline]
-    pub(crate) fn at(&self, pose: &Pose, from: &AxisPosition, words: &[i64; MAX_AXES]) -> AxisPosition {
+    pub(crate) fn position_at(&self, pose: &Pose, from: &AxisPosition, words: &[i64; MAX_AXES]) -> AxisPosition {
         let mut place = AxisPosition {
             pose: *pose,
             branch: from.branch,
@@ -200,7 +200,7 @@ impl Placer {
                 }
             }
         }
-        let mut place = self.at(&target_pose, from, &words);
+        let mut place = self.position_at(&target_pose, from, &words);
         let reached = self.machine.forward_kinematics(&place.axes).axis;
         if angle_between(&reached, &target_pose.axis) > 2.0 * self.rotary.scale.angle(1) + REACH_TOLERANCE {
             return Err(Fault::new("the course of the rotary axes does not hold this pose")
@@ -232,11 +232,11 @@ impl Placer {
 
     /// Words of the solved rotary axes.
     pub(crate) fn rotary_words_of(&self, words: &[i64; MAX_AXES]) -> RotaryWords {
-        let mut turns = [0; 2];
-        for (turn, rotary) in turns.iter_mut().zip(&self.rotary.axes) {
-            *turn = words[rotary.index];
+        let mut rotary_words = [0; 2];
+        for (word, rotary) in rotary_words.iter_mut().zip(&self.rotary.axes) {
+            *word = words[rotary.index];
         }
-        turns
+        rotary_words
     }
 
     /// Position of which only the rotary words are known.

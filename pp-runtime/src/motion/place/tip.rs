@@ -62,7 +62,7 @@ impl Placer {
     }
 
     /// Computes the linear axes and words of a position whose words are coordinates of the tip.
-    pub(crate) fn set_tip(&self, mut place: AxisPosition, map: &WordMap) -> Result<AxisPosition, Fault> {
+    pub(crate) fn solve_tip(&self, mut place: AxisPosition, map: &WordMap) -> Result<AxisPosition, Fault> {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
@@ -85,7 +85,7 @@ impl Placer {
             return Ok(place);
         }
         self.frame.start(&*self.machine, &place.axes);
-        self.finish(place)
+        self.solve_linear_in_travel(place)
     }
 
     /// Position in the tilted plane whose Z is its tool axis, and that plane in the words of the control.
@@ -99,7 +99,7 @@ impl Placer {
         let rounded = UnitVector3::new_normalize(reached * self.machine.tool_axis().into_inner());
         let correction = rotation_between(&rounded, &place.pose.axis);
         let tilt = self.frame.tilt(ability, &(correction * reached)).ok_or_else(no_plane)?;
-        Ok((self.finish(place)?, tilt))
+        Ok((self.solve_linear_in_travel(place)?, tilt))
     }
 
     /// Which of the possible poses of a plane this position is, according to a rule: see [`PoseRule::choose`].

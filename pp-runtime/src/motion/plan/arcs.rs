@@ -261,7 +261,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             start,
             centre: fit.centre,
             radius: radius.map(|(units, _)| units),
-            sweep: fit.sweep_rad,
+            sweep_rad: fit.sweep_rad,
             rise: to[square] - from[square],
         })
     }

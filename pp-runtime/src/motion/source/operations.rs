@@ -13,7 +13,7 @@ use crate::program::{Hole, Move};
 
 use crate::motion::geometry::SAME_AXIS;
 
-/// How a motion relates to the one before it.
+/// Relation of a motion to the one before it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Begins {
     /// The motion belongs to the same operation.
@@ -37,7 +37,7 @@ pub struct MotionIndex {
     /// Whether the motion begins an operation.
     pub begins: Begins,
     /// The motion rotates the tool axis at feed.
-    pub turns: bool,
+    pub rotates_axis: bool,
 }
 
 /// Counts the motions of a program.
@@ -155,7 +155,7 @@ impl MotionCounter {
         self.stretch += u64::from(first || air && axis_changes);
         let motion = self.next_motion;
         self.next_motion += 1;
-        let turns = axis_changes && !air && begins != Begins::Operation;
-        MotionIndex { motion, operation: self.operation, stretch: self.stretch, begins, turns }
+        let rotates_axis = axis_changes && !air && begins != Begins::Operation;
+        MotionIndex { motion, operation: self.operation, stretch: self.stretch, begins, rotates_axis }
     }
 }

@@ -130,8 +130,8 @@ mod tests {
             let (centre, angle) = (Point3::from(centre), 1.0);
             Event::Arc(Arc { start: pose, end: pose, centre, normal, angle, feed: None })
         };
-        let turned = arc(there, [6., 4., 5.], Vector3::y_axis());
-        assert_eq!(setting().event(&arc(here, [4., 5., 6.], Vector3::x_axis())), Some(turned));
+        let rotated = arc(there, [6., 4., 5.], Vector3::y_axis());
+        assert_eq!(setting().event(&arc(here, [4., 5., 6.], Vector3::x_axis())), Some(rotated));
         let hole = |top| {
             let drilling = Drilling::Drill;
             let (depth, clearance, back_to) = (5.0, 1.0, 2.0);

@@ -165,7 +165,7 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
         // A change of the tool axis in the air: another stretch.
         rapid(3.0, TILTED),
         feed(4.0, TILTED),
-        // A change at feed: the same stretch, and `turns` is set.
+        // A change at feed: the same stretch, and `rotates_axis` is set.
         feed(5.0, UP),
         rapid(6.0, UP),
         hole(7.0, TILTED),
@@ -174,7 +174,7 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
         feed(9.0, TILTED),
     ];
     let indices = seen::<Xyz>(&Config::default(), &events).indices;
-    let stretches: Vec<_> = indices.iter().map(|index| (index.stretch, index.turns)).collect();
+    let stretches: Vec<_> = indices.iter().map(|index| (index.stretch, index.rotates_axis)).collect();
     let held = |stretch| (stretch, false);
     assert_eq!(stretches, [held(1), held(1), held(2), held(2), (2, true), held(2), held(3), held(3), held(4)],);
 }
@@ -185,7 +185,10 @@ fn a_linked_operation_that_begins_with_a_rotation_at_feed_is_marked() {
     config.motion.rapids.transition = Transition::Direct;
     let events = [tool(1), feed(1.0, UP), Event::Operation(b"A"), feed(2.0, TILTED)];
     let indices = seen::<Xyz>(&config, &events).indices;
-    assert_eq!(indices.iter().map(|index| (index.stretch, index.turns)).collect::<Vec<_>>(), [(1, false), (2, true)]);
+    assert_eq!(
+        indices.iter().map(|index| (index.stretch, index.rotates_axis)).collect::<Vec<_>>(),
+        [(1, false), (2, true)]
+    );
 }
 
 #[test]
