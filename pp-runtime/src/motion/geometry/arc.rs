@@ -104,7 +104,8 @@ impl<'a> ArcGeometry<'a> {
         let step = (8.0 * tolerance_mm / self.radius()).sqrt().min(FRAC_PI_2);
         let chords = (self.arc.angle / step).ceil().max(1.0);
         if chords.is_nan() || chords > MAX_CHORDS {
-            return Err(Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL"));
+            return Err(Fault::new("this arc cannot be cut into chords")
+                .help("check its radius, its number of revolutions and LINTOL"));
         }
         Ok(chords as u32)
     }

@@ -162,7 +162,7 @@ mod tests {
         assert_eq!(posted(&shifted(&[('B', 20.0)]), [0.0, 110.0]).diagnostics, []);
         // 99.99997 is written as 100, and B would be at 110.00003.
         let fault = posted(&shifted(&[('B', 10.000_03)]), [0.0, 110.0]);
-        assert!(fault.error().text.contains("B would have to turn to 110.00003"), "{}", fault.error().text);
+        assert!(fault.error().text.contains("B would have to rotate to 110.00003"), "{}", fault.error().text);
         assert_eq!(posted(&shifted(&[('B', 9.999_97)]), [0.0, 110.0]).diagnostics, []);
     }
 

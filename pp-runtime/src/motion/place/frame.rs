@@ -218,29 +218,30 @@ pub fn unsuited(
     let mut faults = Vec::new();
     let mut other = |text: String, instead: &str| faults.push(format!("mode {}: {text}; {instead}", mode.name()));
     if policy.set_up.length_mode == crate::set_up::LengthMode::Gauge {
-        other("the control needs the length offset for it".to_owned(), "leave `length_mode` at \"tip\"");
+        other("the control needs an active tool length offset".to_owned(), "leave `length_mode` at \"tip\"");
     }
     if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(machine, *letter)) {
         let text =
-            format!("{letter} of this machine does not run along its own direction, and the control counts along it");
+            format!("{letter} of this machine is not parallel to the {letter} direction, as the control assumes");
         other(text, "use mode axes");
     }
     let offset = policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
     if let Some((letter, _)) = offset.filter(|_| !policy.options.tip.tcp_confirmed) {
         let text = format!(
-            "the frame of the control may turn with the entry of {letter} in its work offset, the words count as if it did not"
+            "the frame of the control may rotate with the value of {letter} in its work offset, but the words assume that it is \
+             fixed"
         );
         let instead =
-            "turn the part with `part_rotation` instead of `rotary_offset`, or `tcp_confirmed = true` if it stays";
+            "use `part_rotation` instead of `rotary_offset`, or set `tcp_confirmed = true` if the frame is fixed";
         other(text, instead);
     }
     match mode {
         Mode::Tcp => tcp_faults(machine, policy, control, tip, &mut other),
         Mode::Plane if plane.is_none() => {
-            other(format!("{control} tilts no plane"), "mode axes works on any control, mode tcp on most");
+            other(format!("{control} has no tilted work plane"), "mode axes works on any control, mode tcp on most");
         }
         Mode::Plane if !tool_along_z(machine) => {
-            other("the tool axis of this machine is not its Z".to_owned(), "use mode axes");
+            other("the tool axis of this machine is not parallel to Z".to_owned(), "use mode axes");
         }
         Mode::Plane | Mode::Axes => {}
     }
@@ -255,37 +256,43 @@ fn tcp_faults(
     other: &mut impl FnMut(String, &str),
 ) {
     let Some(tip) = tip else {
-        let text = format!("{control} has no tip control of its own");
-        return other(text, "give the codes that switch it, `[control] tip_control = [on, off]`, or use mode axes");
+        let text = format!("{control} has no tip control (TCP) by default");
+        return other(
+            text,
+            "give the codes that switch it on and off, `[control] tip_control = [on, off]`, or use mode axes",
+        );
     };
     let table = rotaries(machine.axes(), Side::Workpiece).next().is_some();
     let head = rotaries(machine.axes(), Side::Tool).next().is_some();
     if tip.frame_is_parameter && table && policy.options.tip.tcp_frame.is_none() {
-        let text = "in which frame the tip is counted while the table turns is a parameter of the machine (19696#5)";
+        let text =
+            "a parameter of the machine (19696#5) selects the frame of the tip coordinates while the table rotates";
         other(text.to_owned(), "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
     }
     if !tip.frame_is_parameter && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
-        other(format!("{control} counts the tip in the frame of the table at zero"), "leave `tcp_frame` out");
+        other(format!("{control} has its tip coordinates in the frame of the table at zero"), "leave `tcp_frame` out");
     }
     if policy.options.tip.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {
-        other(format!("{control} moves rotary axes evenly"), "leave `tool_posture` at \"axes\"");
+        other(format!("{control} interpolates the rotary axes linearly"), "leave `tool_posture` at \"axes\"");
     }
     if policy.options.tip.tcp_words == TcpWords::Vectors && !tip.takes_vectors {
-        other(format!("{control} takes no tool axis as a vector"), "leave `tcp_words` at \"angles\"");
+        other(format!("{control} does not accept the tool axis as a vector"), "leave `tcp_words` at \"angles\"");
     }
     if policy.options.tip.tcp_words == TcpWords::Vectors && policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning) {
-        let text = "a tool axis as a vector has no meaning in a frame that stands still while the table turns";
+        let text = "a tool axis as a vector has no meaning in a frame that does not rotate with the table";
         other(text.to_owned(), "leave `tcp_words` at \"angles\"");
     }
     if policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning)
         && (head || policy.options.tip.tool_posture == ToolPosture::Plane)
     {
-        let text = "in a frame that does not turn the path is certified for rotary axes of the table that move evenly";
+        let text = "in a frame that does not rotate, the path is certified only for rotary axes of the table that are \
+                    interpolated linearly";
         other(text.to_owned(), "use mode axes");
     }
     if !policy.options.tip.tcp_confirmed && !plain_chain(machine) {
-        let text = "a held axis, or a linear axis that is not between table and head, may be unknown to the control";
-        other(text.to_owned(), "`tcp_confirmed = true` if it knows this chain, or mode axes");
+        let text = "the control may not include a held axis, or a linear axis that is not between table and head, in its \
+                    kinematics";
+        other(text.to_owned(), "set `tcp_confirmed = true` if it does, or use mode axes");
     }
 }
 
@@ -316,6 +323,6 @@ fn tool_along_z(machine: &dyn AnyMachine) -> bool {
 
 /// The fault that the angles of a tilted plane do not give its orientation.
 pub(crate) fn no_plane() -> Fault {
-    Fault::new("the angles of the tilted plane do not give the orientation of the machine")
+    Fault::new("the angles of the tilted plane do not give the orientation of the tool")
         .help("this is a fault of the postprocessor, not of the CL data: use mode axes")
 }

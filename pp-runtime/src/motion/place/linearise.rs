@@ -302,15 +302,17 @@ impl Certifier<'_> {
         let rounding = self.placer.largest_rounding();
         if rounding >= self.allowed.tip_mm {
             return Err(Fault::new(format_args!(
-                "the words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone takes \
-                 the tip up to {rounding:.5} mm off",
+                "the linear words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone \
+                 moves the tip by up to {rounding:.5} mm",
                 self.allowed.tip_mm
             ))
-            .help("give a wider `tolerance`, or more decimals"));
+            .help("increase `tolerance`, or give more decimals: `linear_mm` or `linear_inch` in [formats]"));
         }
         let Some(segment) = PathSegment::new(&from.pose, &to.pose) else {
-            return Err(Fault::new("the tool axis turns by 180° in one motion: which way, the CL data does not say")
-                .help("give a point in between"));
+            return Err(Fault::new(
+                "the tool axis rotates by 180° in one motion: the direction of the rotation is undefined",
+            )
+            .help("program a point in between"));
         };
         let half_unit = |unit: f64, extent: f64| if extent > 0.0 { 0.5 * unit / extent } else { 1.0 };
         let resolution = half_unit(self.placer.unit_mm(), segment.length())
@@ -362,7 +364,7 @@ impl Certifier<'_> {
             Some(branch) => solutions.iter().find(|solution| solution.branch == branch),
             None => solutions.iter().min_by_key(travel),
         };
-        let in_between = |fault: Fault| fault.context("on the way from the point before");
+        let in_between = |fault: Fault| fault.context("between the last point and this one");
         let Some(solution) = chosen else { return Err(in_between(refusal::unreachable(self.placer, &pose, &guess))) };
         // Whole turns are chosen near the middle of the ends, wherever near the pole most of the rotation takes place.
         let mut middle = from.axes;
@@ -430,15 +432,15 @@ impl Certifier<'_> {
             rotated.map_or(0.0, |rotary| rotary.degrees_for_display(place.words[index], self.placer.rotary.scale))
         };
         Fault::new(format_args!(
-            "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
-             of tolerance ({} mm, {:.4}°)",
+            "before this point {} would have to rotate from {}° to {}° on the spot, which moves the tool axis or the tip \
+             out of tolerance ({} mm, {:.4}°)",
             self.placer.chain()[index].letter,
             shown(from),
             shown(to),
             self.allowed.tip_mm,
             self.allowed.axis_rad.to_degrees(),
         ))
-        .help("retract before this point and start a new operation, or keep clear of the pole")
+        .help("retract before this point and start a new operation, or keep the tool axis away from the pole")
     }
 }
 

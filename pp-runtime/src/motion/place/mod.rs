@@ -88,8 +88,8 @@ pub(crate) struct Placer {
 }
 
 fn too_large(letter: char) -> Fault {
-    Fault::new(format_args!("{letter} is too large for a word of this control"))
-        .help("`[formats] linear_whole` and `rotary_whole` are the digits before the point")
+    Fault::new(format_args!("the value of {letter} is too large for its word"))
+        .help("`linear_whole` and `rotary_whole` in [formats] are the digits before the decimal point")
 }
 
 /// Exclusive bounds of the words in whole units.
@@ -225,9 +225,9 @@ impl Placer {
     /// Reason why the words depend on the tool length; `None` if they do not.
     pub(crate) fn needs_gauge_length(&self) -> Option<&'static str> {
         if self.head {
-            (!self.compensated).then_some("this machine turns the tool about its head")
+            (!self.compensated).then_some("this machine rotates the tool about its head")
         } else {
-            self.gauge_line.then_some("`length_mode = \"gauge\"` writes where its gauge line is")
+            self.gauge_line.then_some("`length_mode = \"gauge\"` writes positions of its gauge line")
         }
     }
 
@@ -491,7 +491,7 @@ impl Placer {
                 "the retract position {} = {coordinate_mm} mm (machine coordinate) is the end of the travel at the part",
                 self.chain[index].letter
             ))
-            .help("give `retract.position` in the configuration, the machine coordinate away from the part"));
+            .help("set `retract.position` in the configuration to a machine coordinate away from the part"));
         }
         self.machine_words(index, coordinate_mm)
     }

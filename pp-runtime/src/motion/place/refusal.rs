@@ -23,13 +23,13 @@ pub(crate) fn outside_limits(placer: &Placer, outside: &[Option<OutOfLimits>; 2]
         let letter = placer.chain()[out.rotary.index].letter;
         let value = out.rotary.degrees_for_display(out.word, placer.rotary.scale);
         if text.is_empty() {
-            text = format!("{letter} would have to turn to {value}°");
+            text = format!("{letter} would have to rotate to {value}°");
         } else {
             text += &format!(", or {letter} to {value}°");
         }
         text += &format!(" (limits {})", limits_text(placer, out.rotary.index));
     }
-    Fault::new(text).help("turn the part on the table, or correct the limits in the configuration")
+    Fault::new(text).help("rotate the part on the table (`part_rotation`), or correct the limits in the configuration")
 }
 
 /// The fault that only a swing of the tool in the cut would keep an axis inside its limits.
@@ -41,7 +41,7 @@ pub(crate) fn jump(placer: &Placer, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]
     let degrees =
         |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.degrees_for_display(words[rotary.index], placer.rotary.scale);
     Fault::new(format_args!(
-        "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
+        "{} would have to continue to {}°, outside its limits {}; rotating {} from {}° to {}° instead would swing the \
          tool in the cut",
         placer.chain()[limit.index].letter,
         degrees(limit, nearest),
@@ -50,7 +50,7 @@ pub(crate) fn jump(placer: &Placer, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]
         degrees(swung, from),
         degrees(swung, to),
     ))
-    .help("retract before this point and start a new operation, or turn the part on the table")
+    .help("retract before this point and start a new operation, or rotate the part on the table (`part_rotation`)")
 }
 
 /// The fault that the machine cannot reach a tool axis.
@@ -59,7 +59,7 @@ pub(crate) fn unreachable(placer: &Placer, pose: &Pose, held: &AxisValues) -> Fa
     match placer.machine.reach(&pose.axis, held) {
         Err(reason) => Fault::new(reason),
         Ok(()) => Fault::new(format_args!(
-            "{} has no position for the tool axis ({:.7}, {:.7}, {:.7})",
+            "{} cannot reach the tool axis ({:.7}, {:.7}, {:.7})",
             placer.machine().name(),
             pose.axis.x,
             pose.axis.y,

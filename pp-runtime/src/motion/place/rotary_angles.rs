@@ -43,16 +43,18 @@ impl Placer {
             let deviation = angle_between(&reached, &place.pose.axis);
             if deviation > self.poles.tolerance_rad + 2.0 * self.rotary.scale.angle(1) || !rotary.contains(snapped) {
                 return Err(Fault::new(format_args!(
-                    "{letter} would have to stand at {}°, between the steps of {}° in which it is indexed",
+                    "{letter} would have to rotate to {}°, which is not a multiple of its indexing step of {}°",
                     degrees(word),
                     self.rotary.scale.degrees(step)
                 ))
-                .help("turn the operation to a step in CAM, or give `axis_tolerance` in [course]"));
+                .help(
+                    "move the tool axis of the operation to a step in CAM, or increase `axis_tolerance` in [course]",
+                ));
             }
             place.deviation_rad = place.deviation_rad.max(deviation);
             if feed && snapped != from.words[index] {
                 return Err(Fault::new(format_args!(
-                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed",
+                    "{letter} would have to rotate from {}° to {}° in the cut, but it is an indexed axis",
                     degrees(from.words[index]),
                     degrees(snapped)
                 ))
@@ -82,7 +84,7 @@ impl Placer {
                 let (letter, degrees) =
                     (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
                 return Err(Fault::new(format_args!(
-                    "{letter} would have to turn from {}° to {}° in the cut, and it is indexed in steps of {}°",
+                    "{letter} would have to rotate from {}° to {}° in the cut, but it is an indexed axis with steps of {}°",
                     degrees(held),
                     degrees(wanted),
                     self.rotary.scale.degrees(step)
@@ -203,7 +205,7 @@ impl Placer {
         let mut place = self.position_at(&target_pose, from, &words);
         let reached = self.machine.forward_kinematics(&place.axes).axis;
         if angle_between(&reached, &target_pose.axis) > 2.0 * self.rotary.scale.angle(1) + REACH_TOLERANCE {
-            return Err(Fault::new("the course of the rotary axes does not hold this pose")
+            return Err(Fault::new("the planned rotary angles do not give the tool axis of this point")
                 .help("this is a fault of the postprocessor, not of the CL data"));
         }
         let solutions = self.machine.inverse_kinematics(&target_pose, &place.axes);

@@ -93,7 +93,7 @@ impl TravelCheck {
         let Some(axis) = self.axes.iter().find(|axis| axis.index == index) else { return Ok(()) };
         match axis.limits {
             Some(limits) if !inside(limits, coordinate) => Err(Fault::new(format_args!(
-                "{} would have to go to machine coordinate {coordinate:.3} mm, its limits are {:.3} to {:.3} mm",
+                "{} would have to move to machine coordinate {coordinate:.3} mm, its limits are {:.3} to {:.3} mm",
                 axis.letter, limits.lower, limits.upper
             ))
             .help("correct `retract.position`, `park` or the limits in the configuration")),
@@ -157,10 +157,10 @@ impl LinearTravel {
                 return Ok(());
             }
             return Err(Fault::new(format_args!(
-                "{letter} would have to go to {coordinate:.3} mm (machine coordinate), its limits are {:.3} to {:.3} mm",
+                "{letter} would have to move to {coordinate:.3} mm (machine coordinate), its limits are {:.3} to {:.3} mm",
                 limits.lower, limits.upper
             ))
-            .help("move the part in the machine (`part_origin`, `machine_zero`), or use another tool length"));
+            .help("set the part up elsewhere (`part_origin`, `machine_zero`), or use another tool length"));
         }
         let here = value + gauge;
         let (lowest, highest) = self.span.map_or((here, here), |(low, high)| (low.min(here), high.max(here)));
@@ -170,10 +170,10 @@ impl LinearTravel {
             return Ok(());
         }
         Err(Fault::new(format_args!(
-            "from here on the program needs {:.3} mm of {letter} travel, the machine has {travel:.3} mm",
+            "up to this point the program needs {:.3} mm of {letter} travel, the machine has {travel:.3} mm",
             highest - lowest
         ))
-        .help("split the program, or place the part nearer the rotary centre lines"))
+        .help("split the program, or set the part up nearer to the rotary centre lines"))
     }
 }
 

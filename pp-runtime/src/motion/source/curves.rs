@@ -42,10 +42,10 @@ impl Curves {
         self.stated_mm = tolerance.filter(|stated| self.may_widen || *stated <= self.configured_mm);
         match tolerance {
             Some(stated) if self.stated_mm.is_none() => Err(Fault::new(format_args!(
-                "LINTOL/{stated} mm is more than the tolerance of {} mm, which stays in force",
+                "LINTOL/{stated} mm exceeds the tolerance of {} mm in the configuration, which stays in force",
                 self.configured_mm
             ))
-            .help("give `--allow-lintol` if the CL data may widen the tolerance")),
+            .help("use `--allow-lintol` to let the CL data widen the tolerance")),
             Some(_) | None => Ok(()),
         }
     }
@@ -80,7 +80,9 @@ pub(crate) fn chords<E>(
         let bend = (a - b * 2.0 + c).norm().max((b - c * 2.0 + d).norm());
         let chords = (6.0 * bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
         if chords.is_nan() || chords > MAX_CHORDS {
-            return out(Err(Fault::new("this curve cannot be cut into chords").help("check its knots and LINTOL")));
+            return out(Err(
+                Fault::new("this curve cannot be cut into chords").help("check its knots, its points and LINTOL")
+            ));
         }
         let mut index = 1.0;
         while index <= chords {
