@@ -1,14 +1,14 @@
 //! The course of the rotary axes: branch, whole turns and free angles, for a whole program at once.
 //!
-//! If the nearest solution is taken pose by pose, an axis may reach its limit in the middle of a cut. The navigator takes
-//! the first pass over the program and finds the best course by exact dynamic programming over branches × whole turns × the
-//! free angle at the pole. A motion in the air may lead from every state to every other. A cut connects two states if the
-//! axes move continuously between them; where no course is continuous, the tool leaves the part, the axes rewind, and the
-//! tool returns to the same pose.
+//! If the nearest solution is taken pose by pose, an axis may reach its limit in the middle of a cut. The navigator
+//! takes the first pass over the program and finds the best course by exact dynamic programming over branches × whole
+//! turns × the free angle at the pole. A motion in the air may lead from every state to every other. A cut connects two
+//! states if the axes move continuously between them; where no course is continuous, the tool leaves the part, the axes
+//! rewind, and the tool returns to the same pose.
 //!
-//! The best course has, in this order: the fewest rewinds; starts as the user prefers them; the least time at the largest
-//! axis speeds; the least travel of the rotary axes. Of equals the first branch is taken before the second, the turn nearest
-//! to zero before others, positive before negative, and a rewind as early as possible.
+//! The best course has, in this order: the fewest rewinds; starts as the user prefers them; the least time at the
+//! largest axis speeds; the least travel of the rotary axes. Of equals the first branch is taken before the second, the
+//! turn nearest to zero before others, positive before negative, and a rewind as early as possible.
 //!
 //! Memory: survivors share their history, and a course is a list of changes: the motions at which it differs from the
 //! smallest rotation on the same branch.
@@ -338,8 +338,9 @@ impl Stage for Navigator {
     }
 }
 
-/// Takes a cut between two poses away from the pole. If no state is continuous over the whole cut, the cut is split: at the
-/// point nearest to a pole that it passes, where an axis may rotate by more than 180°, and where a state reaches a limit.
+/// Takes a cut between two poses away from the pole. If no state is continuous over the whole cut, the cut is split: at
+/// the point nearest to a pole that it passes, where an axis may rotate by more than 180°, and where a state reaches a
+/// limit.
 fn cut(
     finder: &StateFinder,
     search: &mut CourseSearch,
@@ -383,7 +384,8 @@ fn cut(
     false
 }
 
-/// First fraction of the path at which a state of the last layer reaches a limit while another turn is inside the limits.
+/// First fraction of the path at which a state of the last layer reaches a limit while another turn is inside the
+/// limits.
 fn crossing(
     finder: &StateFinder,
     search: &CourseSearch,

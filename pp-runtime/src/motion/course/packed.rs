@@ -1,7 +1,7 @@
 //! Compact list of changes: a program of a million operations must not fill the memory.
 //!
-//! A change takes one byte for its action, a variable number for the motions since the change before and for the difference
-//! of the words, and eight bytes for the fraction of a split path.
+//! A change takes one byte for its action, a variable number for the motions since the change before and for the
+//! difference of the words, and eight bytes for the fraction of a split path.
 
 use crate::motion::course::{CourseAction, CourseChange};
 use crate::motion::rotary::RotaryWords;
@@ -105,7 +105,12 @@ mod tests {
             let list: Vec<CourseChange> = list
                 .into_iter()
                 .map(|(motion, tag, part, words)| {
-                    let action = [CourseAction::EndWith, CourseAction::RotateAtPole, CourseAction::Rewind, CourseAction::SplitAt(part)][usize::from(tag)];
+                    let action = match tag {
+                        0 => CourseAction::EndWith,
+                        1 => CourseAction::RotateAtPole,
+                        2 => CourseAction::Rewind,
+                        _ => CourseAction::SplitAt(part),
+                    };
                     CourseChange { motion, action, words }
                 })
                 .collect();

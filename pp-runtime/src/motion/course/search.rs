@@ -1,8 +1,8 @@
 //! Exact search over layers of states, one layer for each pose.
 //!
-//! Independent of the machine: states are words of rotary axes, and the caller decides which of them a cut connects. Every
-//! survivor is the cheapest course to its state; its decisions are a chain of changes, whose beginnings survivors share. A
-//! beginning that all of them share is final.
+//! Independent of the machine: states are words of rotary axes, and the caller decides which of them a cut connects.
+//! Every survivor is the cheapest course to its state; its decisions are a chain of changes, whose beginnings survivors
+//! share. A beginning that all of them share is final.
 
 use crate::kinematics::Branch;
 use crate::motion::course::packed::PackedChanges;
@@ -193,8 +193,8 @@ impl CourseSearch {
         &self.layer
     }
 
-    /// Makes the next survivors the present ones, in a layer of these states. Returns false, and changes nothing, if there
-    /// are none.
+    /// Makes the next survivors the present ones, in a layer of these states. Returns false, and changes nothing, if
+    /// there are none.
     fn finish_layer(&mut self, states: &[RotaryState]) -> bool {
         if self.next.is_empty() {
             return false;
@@ -221,8 +221,8 @@ impl CourseSearch {
         }
     }
 
-    /// Takes a motion in the air: every state can be reached from every other, in the programmed sense of rotation. Returns
-    /// false, and changes nothing, if no state can be reached in that sense.
+    /// Takes a motion in the air: every state can be reached from every other, in the programmed sense of rotation.
+    /// Returns false, and changes nothing, if no state can be reached in that sense.
     pub(crate) fn free(
         &mut self,
         motion: u64,
@@ -240,7 +240,8 @@ impl CourseSearch {
             let candidates = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
             let Some((cost, from)) = candidates.min_by_key(|(cost, _)| *cost) else { continue };
             let travel = |to: &RotaryState| self.metric.cost(&from.state.words, &to.words).travel_units;
-            // Without a change the planner takes the least travel; of an axis with many turns not all are among the states.
+            // Without a change the planner takes the least travel; of an axis with many turns not all are among the
+            // states.
             let expected = sense.is_none()
                 && self.metric.short(&from.state.words, &state.words)
                 && states.iter().all(|other| other == state || travel(other) > travel(state));
@@ -253,8 +254,8 @@ impl CourseSearch {
         self.finish_layer(states)
     }
 
-    /// Takes a motion in the air to the pole, where the angle of the first rotary axis is free; `second`: words of the other
-    /// axis. `begins`: an operation begins with the motion.
+    /// Takes a motion in the air to the pole, where the angle of the first rotary axis is free; `second`: words of the
+    /// other axis. `begins`: an operation begins with the motion.
     pub(crate) fn free_to_pole(
         &mut self,
         (motion, begins): (u64, bool),
@@ -277,8 +278,8 @@ impl CourseSearch {
         self.finish_layer(&[]);
     }
 
-    /// Takes a cut. Returns false, and changes nothing, if no state can be reached. `via`: fraction of the path at which it is
-    /// split.
+    /// Takes a cut. Returns false, and changes nothing, if no state can be reached. `via`: fraction of the path at
+    /// which it is split.
     pub(crate) fn cut(
         &mut self,
         motion: u64,
@@ -340,8 +341,8 @@ impl CourseSearch {
         }
     }
 
-    /// Takes a cut that ends at the pole: `entry` gives the words with which a state reaches the pole, if it does. `via`:
-    /// fraction of the path at which the pole is.
+    /// Takes a cut that ends at the pole: `entry` gives the words with which a state reaches the pole, if it does.
+    /// `via`: fraction of the path at which the pole is.
     pub(crate) fn cut_to_pole(
         &mut self,
         motion: u64,

@@ -16,8 +16,8 @@ const NEAR_POLE: f64 = 1e-8;
 /// Largest difference, in units, of words that count as the same after a path through the pole.
 const SAME_WORD: i64 = 2;
 
-/// Largest number of halvings of a block in the test of continuity: from 180° down to the smallest distance from a pole at
-/// which the axes still move.
+/// Largest number of halvings of a block in the test of continuity: from 180° down to the smallest distance from a pole
+/// at which the axes still move.
 const MAX_HALVINGS: u32 = 30;
 
 /// Finds the states of poses on one machine.
@@ -36,9 +36,9 @@ impl StateFinder {
         &self.placer
     }
 
-    /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first, then
-    /// the turns nearest to zero, positive before negative. An endless axis is within 180° of zero. `near`: of an axis with
-    /// more than [`MAX_TURNS`] turns those next to these words and at its ends are added.
+    /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first,
+    /// then the turns nearest to zero, positive before negative. An endless axis is within 180° of zero. `near`: of an
+    /// axis with more than [`MAX_TURNS`] turns those next to these words and at its ends are added.
     pub(crate) fn states(&self, pose: &Pose, near: &[RotaryWords], out: &mut Vec<RotaryState>) {
         out.clear();
         for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
@@ -109,8 +109,8 @@ impl StateFinder {
         })
     }
 
-    /// Fraction of the path at which the tool axis is nearest to a pole, if the path passes the pole: the directions from the
-    /// pole to its ends are more than 120° apart.
+    /// Fraction of the path at which the tool axis is nearest to a pole, if the path passes the pole: the directions
+    /// from the pole to its ends are more than 120° apart.
     pub(crate) fn passing(&self, from: &Pose, to: &Pose) -> Option<f64> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b).try_normalize(1e-12)?;

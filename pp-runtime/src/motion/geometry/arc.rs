@@ -1,7 +1,8 @@
 //! Geometry of an arc or helix: points, length, extremes in a direction, and chords.
 //!
-//! The angle runs from 0 at the start to [`Arc::angle`] at the end; a fraction of the arc runs from 0 to 1. Height along the
-//! normal and, if the ends in the CL data are not equally far from the centre, the radius change in proportion to the angle.
+//! The angle runs from 0 at the start to [`Arc::angle`] at the end; a fraction of the arc runs from 0 to 1. Height
+//! along the normal and, if the ends in the CL data are not equally far from the centre, the radius change in
+//! proportion to the angle.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -78,8 +79,8 @@ impl<'a> ArcGeometry<'a> {
 
     /// Fractions of the arc, without its ends, at which the tip may be furthest in a direction or against it.
     ///
-    /// With `H cos(t - φ)` for the circle and `s t` for the helix the derivative vanishes where `sin(t - φ) = s/H`. Of the
-    /// points one revolution apart only the first and the last can be the furthest.
+    /// With `H cos(t - φ)` for the circle and `s t` for the helix the derivative vanishes where `sin(t - φ) = s/H`. Of
+    /// the points one revolution apart only the first and the last can be the furthest.
     pub(crate) fn extremes(&self, direction: Vector3<f64>) -> impl Iterator<Item = f64> {
         let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
         let angle = self.arc.angle;

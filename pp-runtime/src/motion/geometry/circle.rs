@@ -1,16 +1,18 @@
 //! Words of a circle: the end points are rounded first, then the centre is computed from them.
 //!
-//! A control compares the distances of both ends from the centre. Therefore the centre is the point on the perpendicular
-//! bisector of the *rounded* ends that is nearest to the nominal centre, rounded to that neighbouring grid point whose
-//! distances from both ends differ least. Lengths are mm in the plane of the circle, in program coordinates: the first
-//! axis, then the second, which is 90° counter-clockwise from it.
+//! A control compares the distances of both ends from the centre. Therefore the centre is the point on the
+//! perpendicular bisector of the *rounded* ends that is nearest to the nominal centre, rounded to that neighbouring
+//! grid point whose distances from both ends differ least. Lengths are mm in the plane of the circle, in program
+//! coordinates: the first axis, then the second, which is 90° counter-clockwise from it.
 
 use std::f64::consts::{PI, TAU};
 
-/// Largest difference between the sweep of the words and the nominal one, rad: beyond it the words describe another arc.
+/// Largest difference between the sweep of the words and the nominal one, rad: beyond it the words describe another
+/// arc.
 const SAME_SWEEP: f64 = 0.5;
 
-/// Sweeps, rad, for which an `R` word determines the centre reliably: the chord is neither near zero nor near the diameter.
+/// Sweeps, rad, for which an `R` word determines the centre reliably: the chord is neither near zero nor near the
+/// diameter.
 const CLEAR_SWEEP: [f64; 2] = [0.05, 0.95 * PI];
 
 /// Largest coordinate of a centre, in units of the words.
@@ -135,8 +137,8 @@ impl NominalCircle {
             (length([direction[0] * radius - shift[0], direction[1] * radius - shift[1]]) - radii[0]).abs()
         };
         let unit = |vector: [f64; 2]| [vector[0] / length(vector), vector[1] / length(vector)];
-        // The distance of this circle from the nominal centre is monotonic except at the direction of the shift and opposite
-        // to it, and so is the distance of the nominal circle from this centre.
+        // The distance of this circle from the nominal centre is monotonic except at the direction of the shift and
+        // opposite to it, and so is the distance of the nominal circle from this centre.
         let mut off = far(unit(first)).max(far(unit(last)));
         if length(shift) > 0.0 {
             let along = unit(shift);
@@ -190,7 +192,8 @@ impl NominalCircle {
         ((sweep_rad - self.sweep_rad).abs() <= SAME_SWEEP).then_some(CircleFit { centre, sweep_rad, deviation })
     }
 
-    /// Radius word, in whole units, that describes the same circle as the centre of a fit, and the deviation of its circle.
+    /// Radius word, in whole units, that describes the same circle as the centre of a fit, and the deviation of its
+    /// circle.
     pub(crate) fn radius(
         &self,
         start: [i64; 2],
@@ -236,8 +239,9 @@ mod tests {
         (nominal, at(from), at(from + sweep))
     }
 
-    /// Ends of a full circle that are rounded apart, perpendicular to the path: on the line between them and the centre a loop
-    /// of some thousandths of a millimetre has the same ends and the same sweep, and lies on the nominal circle everywhere.
+    /// Ends of a full circle that are rounded apart, perpendicular to the path: on the line between them and the centre
+    /// a loop of some thousandths of a millimetre has the same ends and the same sweep, and lies on the nominal circle
+    /// everywhere.
     #[test]
     fn a_full_circle_is_no_loop_at_its_start() {
         for radius in [0.05, 2.0, 10.000_5, 80.000_5] {

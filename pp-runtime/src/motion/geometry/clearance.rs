@@ -4,7 +4,8 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::program::Clearance;
 
-/// Smallest cosine between the tool axis and the normal of a clearance plane: below it the axis does not lead to the plane.
+/// Smallest cosine between the tool axis and the normal of a clearance plane: below it the axis does not lead to the
+/// plane.
 const ALONG: f64 = 1e-3;
 
 /// Distance along `axis` to the point after which the tool stays outside the clearance geometry, mm; 0 if it is outside

@@ -13,8 +13,8 @@ pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     a.cross(b).norm().atan2(a.dot(b))
 }
 
-/// Smallest rotation that takes `a` to `b`; the two must not be opposite. Uses no arc cosine: the cosine of two axes that
-/// differ by rounding only may exceed 1.
+/// Smallest rotation that takes `a` to `b`; the two must not be opposite. Uses no arc cosine: the cosine of two axes
+/// that differ by rounding only may exceed 1.
 pub(crate) fn rotation_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> Rotation3<f64> {
     let normal = UnitVector3::try_new(a.cross(b), 0.0);
     normal.map_or_else(Rotation3::identity, |normal| Rotation3::from_axis_angle(&normal, angle_between(a, b)))

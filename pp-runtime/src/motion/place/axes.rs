@@ -127,7 +127,8 @@ impl LinearAxes {
             let joint = machine.joint(index);
             joint.direction.dot(&tool_axis) * joint.sign
         };
-        // `max_by` keeps the last of equals: the tool side comes last in the chain, and there the axis nearest the tool.
+        // `max_by` keeps the last of equals: the tool side comes last in the chain, and there the axis nearest the
+        // tool.
         let retract_axis = solved(axes, AxisKind::Linear)
             .max_by(|&a, &b| {
                 let (a, b) = (share(a).abs(), share(b).abs());

@@ -1,9 +1,9 @@
 //! Zero of the written words.
 //!
-//! Planning uses axis values, for which limits hold. A written rotary word is the axis value minus `rotary_offset`. Rounding
-//! comes first here, too: the part of the offset that is smaller than one unit of the word is kept in the axis value. A
-//! linear word is measured from the part zero or from the reference point of the table, to the tip or to the gauge line of
-//! the tool.
+//! Planning uses axis values, for which limits hold. A written rotary word is the axis value minus `rotary_offset`.
+//! Rounding comes first here, too: the part of the offset that is smaller than one unit of the word is kept in the axis
+//! value. A linear word is measured from the part zero or from the reference point of the table, to the tip or to the
+//! gauge line of the tool.
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -7,13 +7,13 @@
 //! word = S · R · (p + o) + shift
 //! ```
 //!
-//! where `S` contains the signs of the words (-1 for a word that runs backwards, so that with all rotary axes at zero the
-//! words are those of mode `axes`), `o` is the part zero if the words are measured from the table, and `R` is the rotation of
-//! the frame: the identity for a frame fixed to the table at zero, the rotation of the table for a frame fixed to the table
-//! where tip control begins, the rotation of the plane for a tilted plane.
+//! where `S` contains the signs of the words (-1 for a word that runs backwards, so that with all rotary axes at zero
+//! the words are those of mode `axes`), `o` is the part zero if the words are measured from the table, and `R` is the
+//! rotation of the frame: the identity for a frame fixed to the table at zero, the rotation of the table for a frame
+//! fixed to the table where tip control begins, the rotation of the plane for a tilted plane.
 //!
-//! For a mirrored control (an odd number of backward words) the part is mirrored: a rotation `R` of the part is `S·R·S` in
-//! its words.
+//! For a mirrored control (an odd number of backward words) the part is mirrored: a rotation `R` of the part is `S·R·S`
+//! in its words.
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
@@ -141,7 +141,8 @@ impl WordFrame {
         self.fix(&rotation, moved_mm - rotation * self.zero_mm + self.zero_mm);
     }
 
-    /// Sets the frame to the plane of an orientation in the workpiece frame, as the control computes it from rounded angles.
+    /// Sets the frame to the plane of an orientation in the workpiece frame, as the control computes it from rounded
+    /// angles.
     pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<TiltedPlane> {
         let tilt = ability.tilt(&(self.signs * orientation * self.signs))?;
         let rotation = tilt.orientation.transpose() * self.signs;
@@ -228,8 +229,8 @@ pub fn unsuited(
     let offset = policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
     if let Some((letter, _)) = offset.filter(|_| !policy.options.tip.tcp_confirmed) {
         let text = format!(
-            "the frame of the control may rotate with the value of {letter} in its work offset, but the words assume that it is \
-             fixed"
+            "the frame of the control may rotate with the value of {letter} in its work offset, but the words assume that \
+             it is fixed"
         );
         let instead =
             "use `part_rotation` instead of `rotary_offset`, or set `tcp_confirmed = true` if the frame is fixed";
@@ -290,8 +291,8 @@ fn tcp_faults(
         other(text.to_owned(), "use mode axes");
     }
     if !policy.options.tip.tcp_confirmed && !plain_chain(machine) {
-        let text = "the control may not include a held axis, or a linear axis that is not between table and head, in its \
-                    kinematics";
+        let text = "the kinematics of the control may not include a held axis, or a linear axis that is not between \
+                    table and head";
         other(text.to_owned(), "set `tcp_confirmed = true` if it does, or use mode axes");
     }
 }

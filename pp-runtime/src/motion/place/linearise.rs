@@ -1,17 +1,18 @@
 //! Linearisation with a guarantee: blocks whose tip and tool axis are *certified* to stay within tolerance.
 //!
-//! CL data programs a straight tip path and a tool axis that rotates evenly in the plane of its ends; a control moves every
-//! axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, for the words
-//! as they are written: the tolerance is reduced by their rounding.
+//! CL data programs a straight tip path and a tool axis that rotates evenly in the plane of its ends; a control moves
+//! every axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, for
+//! the words as they are written: the tolerance is reduced by their rounding.
 //!
 //! The longest piece from the start that certifies is taken, then the longest from its end, and so on. The search is a
-//! bisection on the path parameter; because deviations grow with the square of the length, the last deviation predicts the
-//! next length to try. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand would be
-//! a guess, because axes are not linear in the pose.
+//! bisection on the path parameter; because deviations grow with the square of the length, the last deviation predicts
+//! the next length to try. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand
+//! would be a guess, because axes are not linear in the pose.
 //!
-//! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a rotation on the
-//! spot: of the rotary axis whose angle is free at the pole. Its rotary values are stepped from one end to the other, and
-//! the linear axes follow. A piece that does not certify although no rotary word changes by more than one unit is refused.
+//! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a rotation
+//! on the spot: of the rotary axis whose angle is free at the pole. Its rotary values are stepped from one end to the
+//! other, and the linear axes follow. A piece that does not certify although no rotary word changes by more than one
+//! unit is refused.
 //!
 //! Nothing is allocated: a motion is a few positions on the stack, however many pieces it has.
 
@@ -36,7 +37,8 @@ const AIM: f64 = 0.993;
 /// Largest number of tries for one piece: bisection from the whole motion to the last bit takes fewer.
 const MAX_TRIES: usize = 120;
 
-/// Cosine of the largest angle between the tool axes of one block; the great circle of a larger angle is ill conditioned.
+/// Cosine of the largest angle between the tool axes of one block; the great circle of a larger angle is ill
+/// conditioned.
 const MIN_AXIS_COSINE: f64 = -0.5;
 
 /// Largest deviation of the written motion from the motion of the CL data.
@@ -266,9 +268,9 @@ impl Certifier<'_> {
         }
     }
 
-    /// A bound of the deviation of the tip from its line, mm, that is smaller than `whole` if the path bends to both sides of
-    /// the line: each half deviates from its own chord by no more than its certified bound, and the two chords deviate from
-    /// the line by no more than the point where they meet.
+    /// A bound of the deviation of the tip from its line, mm, that is smaller than `whole` if the path bends to both
+    /// sides of the line: each half deviates from its own chord by no more than its certified bound, and the two chords
+    /// deviate from the line by no more than the point where they meet.
     fn tip_by_halves(&self, from: &AxisPosition, to: &AxisPosition, whole: f64) -> f64 {
         let mut middle = from.axes;
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
@@ -287,9 +289,9 @@ impl Certifier<'_> {
         whole.min(off + halves[0].max(halves[1]))
     }
 
-    /// Largest deviation of the arc between the written tool axes from the arc between those of the poses, rad: twice the
-    /// deviation of an end, since no block exceeds the angle of [`MIN_AXIS_COSINE`]. A position at the pole has the pole as
-    /// the axis of its pose: its distance from the programmed axis is subject to another tolerance.
+    /// Largest deviation of the arc between the written tool axes from the arc between those of the poses, rad: twice
+    /// the deviation of an end, since no block exceeds the angle of [`MIN_AXIS_COSINE`]. A position at the pole has the
+    /// pole as the axis of its pose: its distance from the programmed axis is subject to another tolerance.
     #[inline]
     fn axis_off(&self, place: &AxisPosition) -> f64 {
         let deviation = if place.at_pole { 0.0 } else { place.deviation_rad };
@@ -340,7 +342,8 @@ impl Certifier<'_> {
         words
     }
 
-    /// Position of a pose of the path: on the common branch of the ends, or else nearest to the interpolation between them.
+    /// Position of a pose of the path: on the common branch of the ends, or else nearest to the interpolation between
+    /// them.
     fn between(
         &self,
         path: &CuttingPath,

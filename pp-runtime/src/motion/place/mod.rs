@@ -345,9 +345,9 @@ impl Placer {
         Words { units, mask: mask & !self.rotary.mask, vector }
     }
 
-    /// Whether a block rotates rotary axes by more than `angle_rad` although its tool vector does not change, so that the
-    /// block cannot program the rotation: about the tool axis, or by whole revolutions. At the pole a control that moves the
-    /// tool axis in the plane of its ends needs no such rotation.
+    /// Whether a block rotates rotary axes by more than `angle_rad` although its tool vector does not change, so that
+    /// the block cannot program the rotation: about the tool axis, or by whole revolutions. At the pole a control that
+    /// moves the tool axis in the plane of its ends needs no such rotation.
     pub(crate) fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
         self.vectors
@@ -356,8 +356,8 @@ impl Placer {
             && self.words(from, all).vector == self.words(to, all).vector
     }
 
-    /// Position of a pose, reached from the position `from`, which also gives the values of the held axes. `planned`: rotary
-    /// words of the course, if it sets them; an endless axis rotates to them by the shorter path.
+    /// Position of a pose, reached from the position `from`, which also gives the values of the held axes. `planned`:
+    /// rotary words of the course, if it sets them; an endless axis rotates to them by the shorter path.
     #[inline]
     pub(crate) fn place(
         &mut self,
@@ -428,8 +428,8 @@ impl Placer {
         units.iter().zip(axes).any(|(units, axis)| units.abs() >= self.bounds[axis])
     }
 
-    /// Shortest time of the linear axes, min, for a tip path of `length_mm` in any direction at constant rotary angles; 0 if
-    /// their speeds need not be kept.
+    /// Shortest time of the linear axes, min, for a tip path of `length_mm` in any direction at constant rotary angles;
+    /// 0 if their speeds need not be kept.
     pub(crate) fn least_minutes_of_tip(&self, length_mm: f64, at: &AxisPosition) -> f64 {
         let Some((solved, map)) = self.axis_map(at).filter(|_| self.speeds.timed) else { return 0.0 };
         let minutes = |(row, axis): (usize, usize)| {
@@ -511,8 +511,8 @@ impl Placer {
         Ok(words[index])
     }
 
-    /// Position with the rotary axes parked at these angles, and the mask of the parked axes; one that rolls over parks in
-    /// the turn nearest to `from`. The linear axes are unchanged.
+    /// Position with the rotary axes parked at these angles, and the mask of the parked axes; one that rolls over parks
+    /// in the turn nearest to `from`. The linear axes are unchanged.
     pub(crate) fn parked(&self, park: &BTreeMap<char, f64>, from: &AxisPosition) -> Result<(AxisPosition, u16), Fault> {
         let (mut words, mut mask) = (from.words, 0);
         for rotary in &self.rotary.axes {
@@ -537,8 +537,8 @@ impl Placer {
         self.rotary.wrapped != 0 && self.rotary.axes.iter().any(half_a_revolution)
     }
 
-    /// Distance of a position below the machine retract along the tool axis of the zero position, mm; `None` if it cannot be
-    /// known. `retract_mm`: machine coordinate.
+    /// Distance of a position below the machine retract along the tool axis of the zero position, mm; `None` if it
+    /// cannot be known. `retract_mm`: machine coordinate.
     pub(crate) fn below_retract(&self, place: &AxisPosition, retract_mm: f64) -> Option<f64> {
         let retracted = self.travel.value_at(self.linear.retract_axis, retract_mm)?;
         Some((retracted - place.axes[self.linear.retract_axis]) * self.linear.retract_share.signum())

@@ -13,8 +13,8 @@ use crate::motion::geometry::angle_between;
 use crate::motion::rotary::{MAX_TURNS, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
 use crate::motion::step::MAX_AXES;
 
-/// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in the
-/// cut.
+/// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in
+/// the cut.
 const MAX_LIMIT_SWING: f64 = 1_f64.to_radians();
 
 impl Placer {
@@ -28,7 +28,8 @@ impl Placer {
         Some(RotationSense { axis, positive: (rotation == Rotation::Clockwise) == forwards })
     }
 
-    /// Moves indexed axes to the nearest of their steps; refuses an angle between steps, and an indexed rotation in a cut.
+    /// Moves indexed axes to the nearest of their steps; refuses an angle between steps, and an indexed rotation in a
+    /// cut.
     #[cold]
     pub(crate) fn snap_to_index(&self, place: &mut AxisPosition, from: &AxisPosition, feed: bool) -> Result<(), Fault> {
         for &(rotary, step) in &self.rotary.grid {
@@ -105,8 +106,8 @@ impl Placer {
         self.poles.axes.iter().find(near).copied()
     }
 
-    /// Chooses the rotary angles of a pose from the present ones: a feed motion stays on its branch, a rapid takes the least
-    /// travel. Refuses a feed motion in which limits force another turn than the nearest: the tool is in the cut.
+    /// Chooses the rotary angles of a pose from the present ones: a feed motion stays on its branch, a rapid takes the
+    /// least travel. Refuses a feed motion in which limits force another turn than the nearest: the tool is in the cut.
     #[inline]
     pub(crate) fn choose_rotaries(&self, pose: &Pose, from: &AxisPosition, feed: bool) -> Result<AxisPosition, Fault> {
         if let Some(pole) = self.pole(&pose.axis) {
@@ -140,8 +141,8 @@ impl Placer {
         Ok(place)
     }
 
-    /// Rotary angles at the pole, where the first rotary axis keeps its value: the direction that CL data gives there is only
-    /// rounding.
+    /// Rotary angles at the pole, where the first rotary axis keeps its value: the direction that CL data gives there
+    /// is only rounding.
     pub(crate) fn rotaries_at_pole(
         &self,
         pose: &Pose,

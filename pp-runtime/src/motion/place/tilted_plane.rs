@@ -1,8 +1,8 @@
 //! Tilted planes: conversion between an orientation and the three angles of a control.
 //!
-//! The columns of an orientation are the X, Y and Z of the plane in the frame that is tilted; Z is the tool axis. The angles
-//! are written in the resolution of the control, and all later coordinates are in the plane as the *control* computes it:
-//! in the orientation of the rounded angles.
+//! The columns of an orientation are the X, Y and Z of the plane in the frame that is tilted; Z is the tool axis. The
+//! angles are written in the resolution of the control, and all later coordinates are in the plane as the *control*
+//! computes it: in the orientation of the rounded angles.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -38,8 +38,8 @@ impl PlaneAngles {
         rotation.into_inner()
     }
 
-    /// Angles of an orientation, rad. If the middle angle determines only the sum or the difference of the other two, one of
-    /// these is zero.
+    /// Angles of an orientation, rad. If the middle angle determines only the sum or the difference of the other two,
+    /// one of these is zero.
     #[must_use]
     pub fn angles(self, r: &Matrix3<f64>) -> [f64; 3] {
         match self {
@@ -105,8 +105,8 @@ pub struct TiltedPlane {
 }
 
 impl PlaneAbility {
-    /// The plane of an orientation; `None` if the orientation of its rounded words deviates by more than three times half a
-    /// unit of a word: then the matrix is no orientation of this convention.
+    /// The plane of an orientation; `None` if the orientation of its rounded words deviates by more than three times
+    /// half a unit of a word: then the matrix is no orientation of this convention.
     #[must_use]
     pub fn tilt(&self, orientation: &Matrix3<f64>) -> Option<TiltedPlane> {
         let wanted = self.angles.angles(orientation);
@@ -125,9 +125,9 @@ impl PlaneAbility {
 }
 
 impl PoseRule {
-    /// Selector of this pose: `true` for positive or higher, `None` if none is written, because the control takes the pose at
-    /// which the rotary axes already are. `here` and `others`: values of the rotary axis nearest the tool in this pose and
-    /// in the others, rad.
+    /// Selector of this pose: `true` for positive or higher, `None` if none is written, because the control takes the
+    /// pose at which the rotary axes already are. `here` and `others`: values of the rotary axis nearest the tool in
+    /// this pose and in the others, rad.
     pub(crate) fn choose(self, here: f64, others: &[f64]) -> Option<bool> {
         let mut apart = others.iter().filter(|other| (*other - here).abs() > SAME_POSE).peekable();
         apart.peek()?;

@@ -24,8 +24,8 @@ const TRAVEL_SAMPLING_MM: f64 = 0.01;
 const MAX_TRAVEL_SAMPLES: f64 = 1000.0;
 
 impl Placer {
-    /// Words of X Y Z, not rounded, that move the tip to a point at the rotary angles of `at`, mm; `None` if the program has
-    /// no such words.
+    /// Words of X Y Z, not rounded, that move the tip to a point at the rotary angles of `at`, mm; `None` if the
+    /// program has no such words.
     pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &AxisPosition) -> Option<Vector3<f64>> {
         if let Some(map) = self.frame.map(&*self.machine, &at.axes) {
             return Some(map.words(tip));
@@ -35,8 +35,8 @@ impl Placer {
         Some(Vector3::from(self.linear.xyz?.map(word)))
     }
 
-    /// Positions of X Y Z in the chain, and the derivative of their words with respect to the tip at the rotary angles of
-    /// `at`: one row for each word, one column for each direction of the workpiece frame.
+    /// Positions of X Y Z in the chain, and the derivative of their words with respect to the tip at the rotary angles
+    /// of `at`: one row for each word, one column for each direction of the workpiece frame.
     pub(crate) fn program_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         Some((self.linear.xyz?, differences(|tip| self.program_point(tip, at))?))
     }
@@ -49,8 +49,8 @@ impl Placer {
         })
     }
 
-    /// Positions of the solved linear axes, and the derivative of their values with respect to the tip at the rotary angles
-    /// of `at`.
+    /// Positions of the solved linear axes, and the derivative of their values with respect to the tip at the rotary
+    /// angles of `at`.
     pub(crate) fn axis_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         let mut linear = (0..self.chain.len()).filter(|index| self.linear.mask & (1 << index) != 0);
         let solved = [linear.next()?, linear.next()?, linear.next()?];
@@ -121,7 +121,8 @@ impl Placer {
         if !self.frame.counts_tip() || !self.travel.limited() {
             return Ok(());
         }
-        // The deviation from the chord falls with the square of the step: it is below `TRAVEL_SAMPLING_MM` between points.
+        // The deviation from the chord falls with the square of the step: it is below `TRAVEL_SAMPLING_MM` between
+        // points.
         let steps = (self.machine.motion(&from.axes, &to.axes).tip / TRAVEL_SAMPLING_MM)
             .sqrt()
             .ceil()

@@ -1,7 +1,8 @@
 //! Travel of the linear axes, compared after rounding.
 //!
-//! Limits are machine coordinates: `M = machine_zero + q + g`, where `q` is the axis value and `g` the share of the gauge
-//! length along the axis. Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
+//! Limits are machine coordinates: `M = machine_zero + q + g`, where `q` is the axis value and `g` the share of the
+//! gauge length along the axis. Without `machine_zero` only the span of `q + g` over the program is compared with the
+//! travel.
 
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::options::Policy;

@@ -79,7 +79,8 @@ impl RotaryMetric {
         if 2 * short > self.units_per_turn { short - self.units_per_turn } else { short }
     }
 
-    /// Signed travel of one axis in a programmed sense; `None` if a limited axis cannot rotate in that sense to the target.
+    /// Signed travel of one axis in a programmed sense; `None` if a limited axis cannot rotate in that sense to the
+    /// target.
     pub(crate) fn change_in_sense(&self, axis: usize, from: i64, to: i64, sense: Option<RotationSense>) -> Option<i64> {
         let change = self.change(axis, from, to);
         match sense.filter(|sense| sense.axis == axis) {

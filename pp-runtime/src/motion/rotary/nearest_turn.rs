@@ -1,14 +1,14 @@
 //! Choice of branch and whole turns with the least total travel of the rotary axes.
 //!
-//! Computes in whole units of the rotary words, so that limits hold for the written values, ties are exact, and turns are
-//! exact. The choice is made pose by pose, without look-ahead.
+//! Computes in whole units of the rotary words, so that limits hold for the written values, ties are exact, and turns
+//! are exact. The choice is made pose by pose, without look-ahead.
 
 use crate::kinematics::{AxisValues, Solution};
 
 use crate::motion::step::MAX_AXES;
 
-/// Most turns of one axis that are tried for one pose, nearest to zero first. Of an axis with a wider range the turns at its
-/// ends and those near the current course are tried in addition.
+/// Most turns of one axis that are tried for one pose, nearest to zero first. Of an axis with a wider range the turns
+/// at its ends and those near the current course are tried in addition.
 pub(crate) const MAX_TURNS: i64 = 24;
 
 /// A solved rotary axis and the range of its words.
@@ -127,8 +127,8 @@ impl Rotary {
         self.lower.map_or(word, |lower| word.max(lower))
     }
 
-    /// Words inside the limits that equal `word` modulo one revolution, nearest to zero first, at most `most` of them; for an
-    /// endless axis only the one nearest to zero. `turn`: units in one revolution.
+    /// Words inside the limits that equal `word` modulo one revolution, nearest to zero first, at most `most` of them;
+    /// for an endless axis only the one nearest to zero. `turn`: units in one revolution.
     pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
         let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
         let count = if self.endless() { 1 } else { most };
@@ -139,8 +139,8 @@ impl Rotary {
         all.filter(move |&word| self.contains(word))
     }
 
-    /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal distance
-    /// the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
+    /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal
+    /// distance the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
     pub(crate) fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
         // The candidates next to the previous word: at or below it, and above it.
         let below = word + (previous - word).div_euclid(turn) * turn;

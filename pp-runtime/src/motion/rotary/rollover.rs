@@ -1,7 +1,7 @@
 //! Rollover of written rotary words: all whole turns, or a value within one revolution.
 //!
-//! Planning uses angles beyond 360°. Where an axis of the control rolls over, the words stay within one revolution, and the
-//! control rotates by the shorter path, or in the direction given by the sign.
+//! Planning uses angles beyond 360°. Where an axis of the control rolls over, the words stay within one revolution, and
+//! the control rotates by the shorter path, or in the direction given by the sign.
 
 use crate::kinematics::Axis;
 use crate::motion::options::{Policy, Wrap};
@@ -35,8 +35,8 @@ impl Rollover {
         Self { axes: rotaries.iter().filter_map(wrapped).collect(), units_per_turn }
     }
 
-    /// Number of blocks into which a motion of the axes in `mask` must be split so that the control rotates each of them in
-    /// the planned direction.
+    /// Number of blocks into which a motion of the axes in `mask` must be split so that the control rotates each of
+    /// them in the planned direction.
     pub(crate) fn pieces(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], mask: u16) -> i64 {
         let pieces = |axis: &RolloverAxis| {
             let travel = (to[axis.index] - from[axis.index]).abs();

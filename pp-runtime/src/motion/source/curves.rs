@@ -1,7 +1,7 @@
 //! NURBS curves into straight motions.
 //!
-//! The chords deviate from a curve by no more than the tolerance; its ends are exact. Arcs and holes stay one motion each:
-//! their tool axis is constant, and the planner decides whether the control interpolates them.
+//! The chords deviate from a curve by no more than the tolerance; its ends are exact. Arcs and holes stay one motion
+//! each: their tool axis is constant, and the planner decides whether the control interpolates them.
 
 use crate::kinematics::Pose;
 use crate::motion::options::Policy;
@@ -60,7 +60,8 @@ fn to_point(tip: Point3<f64>, spline: &Spline<'_>) -> Move {
     Move { pose: Pose { tip, axis: spline.axis }, rapid: false, feed: spline.feed }
 }
 
-/// Hands on the chords of a curve from its start to its end, or a fault if it cannot be cut into chords; `tolerance` in mm.
+/// Hands on the chords of a curve from its start to its end, or a fault if it cannot be cut into chords; `tolerance` in
+/// mm.
 pub(crate) fn chords<E>(
     spline: &Spline<'_>,
     tolerance: f64,
@@ -75,8 +76,8 @@ pub(crate) fn chords<E>(
         }
         let piece = [[from; 3], [from, from, to], [from, to, to], [to; 3]].map(|at| blossom(knots, points, span, at));
         let [a, b, c, d] = piece;
-        // A chord over 1/n of the parameter deviates by at most |f''| / (8 n²), and |f''| is at most 6 times the larger of
-        // these differences.
+        // A chord over 1/n of the parameter deviates by at most |f''| / (8 n²), and |f''| is at most 6 times the larger
+        // of these differences.
         let bend = (a - b * 2.0 + c).norm().max((b - c * 2.0 + d).norm());
         let chords = (6.0 * bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
         if chords.is_nan() || chords > MAX_CHORDS {

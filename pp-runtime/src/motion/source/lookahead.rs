@@ -1,5 +1,5 @@
-//! Look-ahead of one motion: the approach to the first point of an operation, and to the end of a rapid that moves rotary
-//! axes, depends on the point after it.
+//! Look-ahead of one motion: the approach to the first point of an operation, and to the end of a rapid that moves
+//! rotary axes, depends on the point after it.
 //!
 //! Such a motion is held back until the next one, and the records between the two with it, so that the order of the CL
 //! data is kept. A feed motion inside an operation is never held back.

@@ -260,7 +260,8 @@ impl Expansion<'_> {
         })
     }
 
-    /// Hands on the motion back to the start of the path if a tool change or a stop came before. Returns whether it did.
+    /// Hands on the motion back to the start of the path if a tool change or a stop came before. Returns whether it
+    /// did.
     fn lead_to<S: Stage>(&mut self, start: Move, part: LinePart, to: &mut S) -> Result<bool, S::Stop> {
         let interrupted = self.operations.between();
         if interrupted {

@@ -1,9 +1,9 @@
 //! Numbers of motions, operations and stretches: counted once, for every pass.
 //!
-//! An operation begins with the first motion after TOOL PATH, a tool record, a stop, a change of the frame, GOHOME, or NC
-//! text in the CL data. A stretch is the part of an operation between two changes of the tool axis in the air: it begins
-//! with an operation, and with a rapid or a hole whose tool axis differs from the one before. Within a stretch the tool
-//! axis is constant, or changes at feed.
+//! An operation begins with the first motion after TOOL PATH, a tool record, a stop, a change of the frame, GOHOME, or
+//! NC text in the CL data. A stretch is the part of an operation between two changes of the tool axis in the air: it
+//! begins with an operation, and with a rapid or a hole whose tool axis differs from the one before. Within a stretch
+//! the tool axis is constant, or changes at feed.
 
 use crate::kinematics::{AnyMachine, Pose, Side};
 use crate::motion::options::{Policy, Transition};

@@ -1,9 +1,9 @@
 //! Set-up of the part: rotates the CL data by `part_rotation` and lifts it for a dry run.
 //!
-//! Tips, tool axes and every other point and direction are multiplied by `part_rotation` here and nowhere else. The result
-//! is in a part frame whose axes are parallel to those of the table. Positions in the configuration (`floor`,
-//! `retract.clearance`) are in that frame, too; those of the CL data (CLEARP) are rotated with it. A dry run moves every
-//! point outwards along its tool axis; the clearance geometry stays at the part.
+//! Tips, tool axes and every other point and direction are multiplied by `part_rotation` here and nowhere else. The
+//! result is in a part frame whose axes are parallel to those of the table. Positions in the configuration (`floor`,
+//! `retract.clearance`) are in that frame, too; those of the CL data (CLEARP) are rotated with it. A dry run moves
+//! every point outwards along its tool axis; the clearance geometry stays at the part.
 
 use nalgebra::{Point3, Rotation3, UnitVector3};
 

@@ -385,7 +385,11 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     let rounded = with(&config, &[cb(35.000_03, 30.0)]);
     assert!(rounded.diagnostics.is_empty() && rounded.lines.contains(&"G0 B30 C35".to_owned()), "{}", rounded.text());
     let between = with(&config, &[cb(36.0, 30.0)]);
-    assert!(between.error().text.contains("36°, which is not a multiple of its indexing step of 5°"), "{:?}", between.error());
+    assert!(
+        between.error().text.contains("36°, which is not a multiple of its indexing step of 5°"),
+        "{:?}",
+        between.error()
+    );
     let turning = with(&config, &[cb(35.0, 30.0), cb(40.0, 30.0)]);
     assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
     config.motion.course.axis_tolerance = 1_f64.to_radians();
