@@ -37,12 +37,17 @@ impl Shop {
             let times = [0, 1].map(|axis| (minutes(axis) * 60e9).round() as u64);
             times[0].max(times[1])
         });
-        Cost { time, travel: travel[0] + travel[1], ..Cost::default() }
+        Cost { time_ns: time, travel_units: travel[0] + travel[1], ..Cost::default() }
     }
 }
 
 fn sum(a: Cost, b: Cost) -> Cost {
-    Cost { rewinds: a.rewinds + b.rewinds, unwished: 0, time: a.time + b.time, travel: a.travel + b.travel }
+    Cost {
+        rewinds: a.rewinds + b.rewinds,
+        against_preference: 0,
+        time_ns: a.time_ns + b.time_ns,
+        travel_units: a.travel_units + b.travel_units,
+    }
 }
 
 /// Every state of a pose inside the limits.

@@ -318,11 +318,11 @@ struct Way {
 /// Why a control or a machine does not suit a way; any other refusal is a fault.
 const REFUSED: [&str; 7] = [
     "has no tip control",
-    "tilts no plane",
+    "has no tilted work plane",
     "give `tcp_frame`",
-    "counts the tip in",
-    "does not turn",
-    "no tool axis as a vector",
+    "has its tip coordinates in",
+    "does not rotate",
+    "not accept the tool axis as a vector",
     "has no meaning",
 ];
 
@@ -552,7 +552,9 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
         control::unfit(&SpinnerU5620::default(), control, config.demands()).join("\n")
     };
     let (linuxcnc, fanuc, haas) = (&control::LinuxCnc, &control::Fanuc, &control::Haas);
-    assert!(refused(linuxcnc, Mode::Plane, &|_| {}).contains("tilts no plane; mode axes works on any control"));
+    assert!(
+        refused(linuxcnc, Mode::Plane, &|_| {}).contains("has no tilted work plane; mode axes works on any control")
+    );
     assert!(refused(linuxcnc, Mode::Tcp, &|_| {}).contains("`[control] tip_control = [on, off]`"));
     assert!(refused(fanuc, Mode::Tcp, &|_| {}).contains("give `tcp_frame`"));
     let frame = |config: &mut Config| config.motion.tip.tcp_frame = Some(TcpFrame::TableAtStart);
@@ -563,7 +565,7 @@ fn what_does_not_suit_a_mode_is_refused_with_the_alternative() {
         config.motion.tip.tcp_frame = Some(TcpFrame::NotTurning);
         config.motion.tip.tool_posture = ToolPosture::Plane;
     };
-    assert!(refused(fanuc, Mode::Tcp, &fixed).contains("does not turn"));
+    assert!(refused(fanuc, Mode::Tcp, &fixed).contains("does not rotate"));
     let offset = |config: &mut Config| config.set_up.rotary_offset = [('C', 12.5_f64.to_radians())].into();
     for mode in [Mode::Tcp, Mode::Plane] {
         assert!(refused(haas, mode, &offset).contains("`part_rotation` instead of `rotary_offset`"));

@@ -13,7 +13,7 @@ use super::path::angle_between;
 use super::read::Block;
 use super::report::Shown;
 use super::sequence::{ON_LINE, SAME_AXIS};
-use crate::motion::way_out;
+use crate::motion::distance_to_clear;
 
 impl<R: Read> Checker<'_, R> {
     /// The tool has to have left the part along its axis.
@@ -46,7 +46,7 @@ impl<R: Read> Checker<'_, R> {
     pub(super) fn distance_out(&self, here: &Placed) -> Option<f64> {
         let clearance = self.last.map_or(self.config.motion.retract.clearance, |(_, wanted)| wanted.clearance);
         let axis = nalgebra::UnitVector3::new_normalize(here.axis);
-        let out = clearance.and_then(|clearance| way_out(&clearance, &here.tip.into(), &axis));
+        let out = clearance.and_then(|clearance| distance_to_clear(&clearance, &here.tip.into(), &axis));
         self.config.motion.retract.distance.or(out.map(|out| out + self.led_out))
     }
 

@@ -75,11 +75,11 @@ fn unsupported(control: &dyn Control, demands: Demands<'_>) -> Vec<String> {
 /// Tip control: that of the control, or the codes of the configuration.
 fn tip_ability(control: &dyn Control, demands: Demands<'_>) -> Option<TipAbility> {
     let own = control.spellings().tip.as_ref().map(|tip| TipAbility {
-        frame_is_set: tip.frame_is_set,
+        frame_is_parameter: tip.frame_is_set,
         turns_in_plane: tip.turns_in_plane,
         takes_vectors: tip.vectors.is_some() && demands.options.tip_control.is_none(),
     });
-    let plain = TipAbility { frame_is_set: false, turns_in_plane: false, takes_vectors: false };
+    let plain = TipAbility { frame_is_parameter: false, turns_in_plane: false, takes_vectors: false };
     own.or_else(|| demands.options.tip_control.is_some().then_some(plain))
 }
 
@@ -117,7 +117,7 @@ pub fn abilities(control: &dyn Control, demands: Demands<'_>) -> Abilities {
             angles: plane.angles,
             decimals: plane.decimals.unwrap_or(demands.formats.rotary),
             pose: plane.pose,
-            ends_behind_retract: plane.cancelled_after_retract,
+            ends_after_retract: plane.cancelled_after_retract,
         }),
     }
 }

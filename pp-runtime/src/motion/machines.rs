@@ -38,9 +38,9 @@ fn product<M: Machine>(machine: &M, axes: &[f64]) -> Isometry3<f64> {
         product *= match described.kind {
             AxisKind::Linear => Isometry3::from(Translation3::from(joint.direction.into_inner() * value)),
             AxisKind::Rotary => {
-                let turn = UnitQuaternion::from_axis_angle(&joint.direction, value);
-                let there = Translation3::from(joint.point.coords);
-                there * turn * there.inverse()
+                let rotation = UnitQuaternion::from_axis_angle(&joint.direction, value);
+                let to_joint = Translation3::from(joint.point.coords);
+                to_joint * rotation * to_joint.inverse()
             }
         };
     }
@@ -74,14 +74,14 @@ fn linear<M: Machine>(machine: &M, tip: &Point3<f64>, axes: &M::Axes) -> Option<
     Some(axes)
 }
 
-/// What differs between the machines.
-trait Shape: Machine {
+/// The parts in which the machines differ.
+trait RotaryFormulas: Machine {
     const CENTRES: &'static [[f64; 3]];
-    /// Angles of the two branches, in the order of the rotary axes, and whether the first is free.
+    /// Angles of both branches, rad, in the order of the rotary axes, and whether the first angle is free.
     fn angles(axis: &UnitVector3<f64>, held: &Self::Axes) -> Option<(Vec<Vec<f64>>, bool)>;
 }
 
-fn inverse<M: Shape>(machine: &M, pose: &Pose, held: &M::Axes) -> Solutions<M::Axes> {
+fn inverse<M: RotaryFormulas>(machine: &M, pose: &Pose, held: &M::Axes) -> Solutions<M::Axes> {
     let rotaries: Vec<usize> = (0..M::AXES.len()).filter(|&i| M::AXES[i].kind == AxisKind::Rotary).collect();
     let Some((branches, singular)) = M::angles(&pose.axis, held) else { return Solutions::none() };
     let solution = |number: usize| {
@@ -107,7 +107,7 @@ macro_rules! by_hand {
             gauge_length: f64,
         }
 
-        impl Shape for $name {
+        impl RotaryFormulas for $name {
             const CENTRES: &'static [[f64; 3]] = $centres;
             fn angles(axis: &UnitVector3<f64>, held: &[f64; $count]) -> Option<(Vec<Vec<f64>>, bool)> {
                 let angles: fn(&UnitVector3<f64>, &[f64; $count]) -> Option<(Vec<Vec<f64>>, bool)> = $angles;

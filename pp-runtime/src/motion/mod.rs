@@ -22,7 +22,7 @@ mod tests;
 pub use course::{Course, Navigator};
 pub use fault::Stop;
 pub use geometry::{ArcPlane, Circle};
-pub(crate) use geometry::{extent, way_out};
+pub(crate) use geometry::{distance_to_clear, extent};
 pub use options::{
     Approach, ArcForm, ArcOptions, ArcOutput, ClampCodes, CourseOptions, CutterPath, CycleOptions, CycleOutput,
     Defaults, FeedLimits, GuardOptions, Mode, Operations, Options, PathNorm, Policy, Rapid, RapidOptions, Retract,
@@ -36,7 +36,7 @@ pub use plan::{
 };
 pub use rotary::Cost;
 pub(crate) use source::Setting;
-pub use source::{Action, Begins, Item, LinePart, MotionIndex, Next, Source, Stage};
+pub use source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Source, Stage};
 pub use step::{
     CannedCycle, CannedKind, CycleAbilities, FeedWord, MAX_AXES, Nowhere, Provenance, Sink, Standing, Step,
     VECTOR_DECIMALS, Why, Words,

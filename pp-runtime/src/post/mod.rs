@@ -209,8 +209,8 @@ fn arcs_text(statistics: &Statistics) -> Option<String> {
 /// What the course costs, and what it would cost motion by motion.
 fn course_text(course: &Course, config: &Config) -> String {
     let cost = |cost: &Cost| {
-        let degrees = cost.travel as f64 / 10_f64.powi(config.formats.rotary as i32);
-        let time = match cost.time {
+        let degrees = cost.travel_units as f64 / 10_f64.powi(config.formats.rotary as i32);
+        let time = match cost.time_ns {
             0 => String::new(),
             time => format!(" in at least {:.1} s", time as f64 / 1e9),
         };

@@ -11,7 +11,8 @@ use crate::config::{list, nearest};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::{AnyMachine, Pose};
 use crate::motion::{
-    Action, Begins, Course, Item, MotionIndex, Navigator, Operations, Policy, Source, Stage, extent, hole_extent,
+    Begins, Course, ItemAction, MotionIndex, Navigator, Operations, Policy, ProgramItem, Source, Stage, extent,
+    hole_extent,
 };
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
@@ -170,7 +171,7 @@ impl From<Diagnostic> for Ignored {
 impl Stage for FirstPass {
     type Stop = Ignored;
 
-    fn take(&mut self, item: &Item<'_>) -> Result<(), Ignored> {
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Ignored> {
         self.surveyor.follow(item);
         match &mut self.navigator {
             Some(navigator) => Ok(navigator.take(item)?),
@@ -231,24 +232,24 @@ impl Surveyor {
         self.survey
     }
 
-    fn follow(&mut self, item: &Item<'_>) {
+    fn follow(&mut self, item: &ProgramItem<'_>) {
         match item.action {
-            Action::Line { motion, index, .. } => {
+            ItemAction::Line { motion, index, .. } => {
                 let at: [f64; 3] = motion.pose.tip.into();
                 self.begin(index);
                 self.moved(!motion.rapid, [at; 2], &motion.pose);
             }
-            Action::Arc { arc, index } => {
+            ItemAction::Arc { arc, index } => {
                 self.begin(index);
                 self.moved(true, extent(arc), &arc.end);
             }
-            Action::Hole { hole, index } => {
+            ItemAction::Hole { hole, index } => {
                 let [over, inside] = hole_extent(hole);
                 self.begin(index);
                 self.moved(false, over, &hole.top);
                 self.moved(true, inside, &hole.top);
             }
-            Action::Record { event, between } => {
+            ItemAction::Record { event, between } => {
                 self.record(item.at, event);
                 self.between |= between;
             }
@@ -310,7 +311,7 @@ impl Surveyor {
         if index.stretch != self.survey.stretches.held + self.survey.stretches.turning + 1 {
             self.end_stretch();
         }
-        self.turning |= index.turns;
+        self.turning |= index.rotates_axis;
         self.called = false;
         self.between = false;
         if index.begins != Begins::Nothing {

@@ -109,7 +109,10 @@ fn nothing_is_written_for_a_configuration_that_the_control_cannot_do() {
     let job = Job { cl_name: "part.cls", config: &config, control: &LinuxCnc, units: None };
     let mut out = Vec::new();
     let refused = post::<Cb>(&job, &mut Cursor::new(PART.as_bytes()), &mut out);
-    assert!(matches!(&refused, Err(PostError::Unfit(text)) if text.contains("LinuxCNC tilts no plane")), "{refused:?}");
+    assert!(
+        matches!(&refused, Err(PostError::Unfit(text)) if text.contains("LinuxCNC has no tilted work plane")),
+        "{refused:?}"
+    );
     assert!(out.is_empty());
 }
 

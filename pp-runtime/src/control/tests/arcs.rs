@@ -14,7 +14,16 @@ fn round(plane: ArcPlane, from: Place, to: Place, centre: [i64; 2], clockwise: b
     let turn = (angle(end) - angle(start)) * if clockwise { -1.0 } else { 1.0 };
     let turn = turn.rem_euclid(std::f64::consts::TAU);
     let sweep = if turn > 0.0 { turn } else { std::f64::consts::TAU };
-    Circle { plane, chain: [0, 1, 2], clockwise, start, centre, radius: None, sweep, rise: to[square] - from[square] }
+    Circle {
+        plane,
+        chain: [0, 1, 2],
+        clockwise,
+        start,
+        centre,
+        radius: None,
+        sweep_rad: sweep,
+        rise: to[square] - from[square],
+    }
 }
 
 /// A quarter circle, a full circle, a helix and an arc in the ZX plane, from X10 Y0 Z0 about the origin.

@@ -1,15 +1,17 @@
-//! The course of the rotary axes: branch, whole turns and free values, for a whole program at once.
+//! The course of the rotary axes: branch, whole turns and free angles, for a whole program at once.
 //!
-//! Pose by pose the nearest answer may run into a limit in the middle of a cut. The navigator sees the first pass and
-//! finds the best course by exact dynamic programming over branches × whole turns × the free axis at the pole. A motion in
-//! the air may go from every state to every other. A cut goes where the axes run through; where no course runs through,
-//! the tool leaves the part, the axes rewind, and it comes back to the same pose.
+//! If the nearest solution is taken pose by pose, an axis may reach its limit in the middle of a cut. The navigator
+//! takes the first pass over the program and finds the best course by exact dynamic programming over branches × whole
+//! turns × the free angle at the pole. A motion in the air may lead from every state to every other. A cut connects two
+//! states if the axes move continuously between them; where no course is continuous, the tool leaves the part, the axes
+//! rewind, and the tool returns to the same pose.
 //!
-//! What is best, in this order: the fewest rewinds; starts as the user prefers them; the least time at the largest axis
-//! speeds; the least travel of the rotary axes. Of equals the first branch is taken before the second, the turn nearest to
-//! zero before others, positive before negative, and a rewind as early as it can be.
+//! The best course has, in this order: the fewest rewinds; starts as the user prefers them; the least time at the
+//! largest axis speeds; the least travel of the rotary axes. Of equals the first branch is taken before the second, the
+//! turn nearest to zero before others, positive before negative, and a rewind as early as possible.
 //!
-//! Memory: survivors share their history, and only what is not expected is remembered: a course is a list of changes.
+//! Memory: survivors share their history, and a course is a list of changes: the motions at which it differs from the
+//! smallest rotation on the same branch.
 
 mod packed;
 mod search;
@@ -28,97 +30,97 @@ use crate::motion::options::Policy;
 use crate::program::Event;
 use crate::program::Units;
 
-use crate::motion::geometry::Way;
+use crate::motion::geometry::PathSegment;
 use crate::motion::place::Placer;
-use crate::motion::rotary::{Cost, Towards, Turns};
-use crate::motion::source::{Action, Begins, Item, MotionIndex, Stage};
+use crate::motion::rotary::{Cost, RotaryWords, RotationSense};
+use crate::motion::source::{Begins, ItemAction, MotionIndex, ProgramItem, Stage};
 
-use packed::Packed;
+use packed::PackedChanges;
 use search::{CourseSearch, RotaryState};
 use states::StateFinder;
 
-/// A limit is crossed at most this often in one block.
-const MOST_CROSSINGS: u32 = 16;
+/// Largest number of points at which one block is split, at poles and at limits.
+const MAX_CROSSINGS: u32 = 16;
 
-/// What the planner does at a change.
+/// Action of the planner at a change.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum How {
+pub(crate) enum CourseAction {
     /// The motion ends with these words.
-    Take,
-    /// The motion first goes to this part of its way, with these words.
-    Via(f64),
-    /// Before the motion the free rotary turns where it stands, at the pole.
-    Turn,
-    /// Before the motion the tool leaves the part, and comes back with these words.
+    EndWith,
+    /// The motion first runs to this fraction of its path, with these words.
+    SplitAt(f64),
+    /// Before the motion the free rotary axis rotates at the pole, with the tool in place.
+    RotateAtPole,
+    /// Before the motion the tool leaves the part, and returns with these words.
     Rewind,
 }
 
-/// Something that the least turn on the same branch would not do.
+/// A difference from the smallest rotation on the same branch.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Change {
-    /// The motion, as the source counts them.
+pub(crate) struct CourseChange {
+    /// Number of the motion, as counted by the source.
     pub(crate) motion: u64,
-    pub(crate) how: How,
-    pub(crate) words: Turns,
+    pub(crate) action: CourseAction,
+    pub(crate) words: RotaryWords,
 }
 
 /// The decisions for a program, in the order of its motions.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Course {
-    changes: Packed,
-    next: Option<Change>,
-    /// What the course costs.
+    changes: PackedChanges,
+    next: Option<CourseChange>,
+    /// Cost of the course.
     pub cost: Cost,
-    /// What it costs pose by pose, without looking ahead; `None` where that way ends before a limit.
+    /// Cost of planning motion by motion, without look-ahead; `None` if that ends at a limit.
     pub greedy: Option<Cost>,
 }
 
 impl Course {
     /// The next change of a motion.
     #[inline]
-    pub(crate) fn change(&mut self, motion: u64) -> Option<Change> {
+    pub(crate) fn change(&mut self, motion: u64) -> Option<CourseChange> {
         let change = self.next.filter(|change| change.motion == motion)?;
         self.next = self.changes.next();
         Some(change)
     }
 }
 
-/// The course while it is followed.
+/// Reads a course while the program is planned.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Follower {
+pub(crate) struct CourseFollower {
     course: Course,
     /// ROTABL/NEXT for the next motion.
-    towards: Option<Towards>,
+    sense: Option<RotationSense>,
 }
 
-impl Follower {
+impl CourseFollower {
     pub(crate) fn new(course: Course) -> Self {
-        Self { course, towards: None }
+        Self { course, sense: None }
     }
 
-    /// ROTABL.
-    pub(crate) fn set_towards(&mut self, towards: Option<Towards>) {
-        self.towards = towards;
+    /// Takes ROTABL.
+    pub(crate) fn set_sense(&mut self, sense: Option<RotationSense>) {
+        self.sense = sense;
     }
 
-    /// ROTABL/NEXT for the motion at hand.
+    /// ROTABL/NEXT for this motion.
     #[inline]
-    pub(crate) fn take_towards(&mut self) -> Option<Towards> {
-        self.towards.take()
+    pub(crate) fn take_sense(&mut self) -> Option<RotationSense> {
+        self.sense.take()
     }
 
     /// The next change of a motion.
     #[inline]
-    pub(crate) fn change(&mut self, motion: u64) -> Option<Change> {
+    pub(crate) fn change(&mut self, motion: u64) -> Option<CourseChange> {
         self.course.change(motion)
     }
 }
 
-/// One of the two searches: with a view ahead, and without.
+/// One of the two searches: with look-ahead, and motion by motion.
 #[derive(Debug)]
-struct Seeker {
+struct SearchRun {
     search: CourseSearch,
-    /// It has come to a motion that it cannot make.
+    /// The search has reached a motion that it cannot make.
     ended: bool,
 }
 
@@ -128,23 +130,25 @@ pub struct Navigator {
     finder: StateFinder,
     greedy: bool,
     prefer: Option<(char, bool)>,
-    /// Where GOHOME takes the axes.
+    /// Angles at which GOHOME parks the axes.
     park: BTreeMap<char, f64>,
     start_branch: Option<Branch>,
-    ways: [Seeker; 2],
-    /// The number of the motion at hand.
+    searches: [SearchRun; 2],
+    /// Number of the present motion.
     motion: u64,
+    /// Pose at the end of the last motion.
     here: Option<Pose>,
-    /// The pole at which the tool axis stands.
+    /// The pole to which the tool axis is parallel.
     pole: Option<UnitVector3<f64>>,
-    /// Something has been reached: FROM no longer counts.
-    placed: bool,
+    /// A motion has come: FROM has no effect any more.
+    has_moved: bool,
     /// ROTABL/NEXT.
-    towards: Option<Towards>,
+    sense: Option<RotationSense>,
     states: Vec<RotaryState>,
-    /// Words near which turns are looked at where there are too many to look at all.
-    near: Vec<Turns>,
-    second: Vec<i64>,
+    /// Words near which turns are tried if an axis has too many turns to try all.
+    near: Vec<RotaryWords>,
+    /// Words of the second rotary axis at a pole.
+    second_words: Vec<i64>,
 }
 
 impl Navigator {
@@ -152,9 +156,9 @@ impl Navigator {
     #[must_use]
     pub fn new(machine: Box<dyn AnyMachine>, policy: Policy<'_>) -> Self {
         let placer = Placer::new(machine, policy, Units::Millimetres);
-        let way = |greedy| Seeker { search: CourseSearch::new(placer.metric(), [0; 2], greedy), ended: false };
+        let run = |greedy| SearchRun { search: CourseSearch::new(placer.metric(), [0; 2], greedy), ended: false };
         Self {
-            ways: [way(false), way(true)],
+            searches: [run(false), run(true)],
             finder: StateFinder::new(placer),
             greedy: policy.options.course.greedy,
             prefer: policy.options.course.prefer,
@@ -163,11 +167,11 @@ impl Navigator {
             motion: 0,
             here: None,
             pole: None,
-            placed: false,
-            towards: None,
+            has_moved: false,
+            sense: None,
             states: Vec::new(),
             near: Vec::new(),
-            second: Vec::new(),
+            second_words: Vec::new(),
         }
     }
 
@@ -175,7 +179,7 @@ impl Navigator {
         match event {
             Event::From(pose) => self.count_from(pose),
             Event::Home => self.go_home(),
-            Event::RotaryDirection(turning) => self.towards = self.finder.placer().towards(*turning),
+            Event::RotaryDirection(turning) => self.sense = self.finder.placer().rotation_sense(*turning),
             Event::Name(_)
             | Event::MachineName(_)
             | Event::Operation(_)
@@ -201,74 +205,74 @@ impl Navigator {
         }
     }
 
-    /// A motion; `air`: the tool is out of the part.
+    /// Takes a motion; `air`: the tool is out of the part.
     fn move_to(&mut self, end: &Pose, index: MotionIndex, air: bool) {
-        self.placed = true;
+        self.has_moved = true;
         self.motion = index.motion;
         self.go(end, air, index.begins == Begins::Operation);
-        self.towards = None;
+        self.sense = None;
     }
 
-    /// The rotaries are parked where the configuration wants it; an angle out of reach is told by the planner.
+    /// Parks the rotary axes at the configured angles; the planner reports an angle outside the limits.
     fn go_home(&mut self) {
         let (placer, park) = (self.finder.placer(), &self.park);
         let Ok((_, 1..)) = placer.parked(park, &placer.zero()) else { return };
-        self.placed = true;
-        let parked = |words: &Turns| {
-            let there = placer.parked(park, &placer.standing(words));
-            there.map_or(*words, |(place, _)| placer.turns_of(&place.words))
+        self.has_moved = true;
+        let parked = |words: &RotaryWords| {
+            let position = placer.parked(park, &placer.position_at_words(words));
+            position.map_or(*words, |(place, _)| placer.rotary_words_of(&place.words))
         };
-        self.ways.iter_mut().for_each(|way| way.search.park(parked));
+        self.searches.iter_mut().for_each(|run| run.search.park(parked));
     }
 
-    /// Where the rotaries count from as long as nothing has moved.
+    /// Takes FROM: sets the start angles of the rotary axes unless a motion has come before.
     fn count_from(&mut self, pose: &Pose) {
-        if self.placed {
+        if self.has_moved {
             return;
         }
-        let from = self.finder.placer().standing(&self.ways[0].search.words());
+        let from = self.finder.placer().position_at_words(&self.searches[0].search.words());
         if let Some(place) = self.finder.placer().reference(pose, &from) {
-            let words = self.finder.placer().turns_of(&place.words);
-            self.ways.iter_mut().for_each(|way| way.search.restart(words));
+            let words = self.finder.placer().rotary_words_of(&place.words);
+            self.searches.iter_mut().for_each(|run| run.search.restart(words));
         }
     }
 
     fn go(&mut self, pose: &Pose, air: bool, begins: bool) {
-        if self.ways[0].ended {
+        if self.searches[0].ended {
             return;
         }
         let pole = self.finder.placer().pole(&pose.axis);
         let pose = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
         self.near.clear();
-        if self.finder.placer().wide() {
-            self.ways.iter().for_each(|way| way.search.near(air, &mut self.near));
+        if self.finder.placer().has_many_turns() {
+            self.searches.iter().for_each(|run| run.search.near(air, &mut self.near));
         }
         match pole {
-            Some(_) => self.finder.second_words(&pose, &mut self.second),
+            Some(_) => self.finder.second_words(&pose, &mut self.second_words),
             None => self.finder.states(&pose, &self.near, &mut self.states),
         }
-        let reached = if pole.is_some() { !self.second.is_empty() } else { !self.states.is_empty() };
+        let reached = if pole.is_some() { !self.second_words.is_empty() } else { !self.states.is_empty() };
         if !reached {
-            self.ways.iter_mut().for_each(|way| way.ended = true);
+            self.searches.iter_mut().for_each(|run| run.ended = true);
             return;
         }
-        for way in 0..self.ways.len() {
-            if !self.ways[way].ended && !self.step(way, (&pose, pole.as_ref()), air, begins) {
-                self.ways[way].ended = true;
+        for run in 0..self.searches.len() {
+            if !self.searches[run].ended && !self.step(run, (&pose, pole.as_ref()), air, begins) {
+                self.searches[run].ended = true;
             }
         }
         self.here = Some(pose);
         self.pole = pole;
     }
 
-    /// One motion of one search. False if there is no way.
-    fn step(&mut self, way: usize, (pose, pole): (&Pose, Option<&UnitVector3<f64>>), air: bool, begins: bool) -> bool {
+    /// Takes one motion in one search. Returns false if no state of the pose can be reached.
+    fn step(&mut self, run: usize, (pose, pole): (&Pose, Option<&UnitVector3<f64>>), air: bool, begins: bool) -> bool {
         let motion = self.motion;
-        let (finder, search) = (&self.finder, &mut self.ways[way].search);
+        let (finder, search) = (&self.finder, &mut self.searches[run].search);
         let from = self.here.filter(|_| !air);
         match (from, pole) {
             (None, None) => {
-                let wished = |state: &RotaryState| {
+                let is_preferred = |state: &RotaryState| {
                     let preferred = self.prefer.is_none_or(|(letter, positive)| {
                         let axis = finder
                             .placer()
@@ -279,11 +283,11 @@ impl Navigator {
                     });
                     preferred && self.start_branch.is_none_or(|branch| branch == state.branch)
                 };
-                search.free(motion, &self.states, self.towards, wished)
+                search.free(motion, &self.states, self.sense, is_preferred)
             }
             (None, Some(_)) => {
                 let Some(first) = finder.placer().rotaries().first() else { return false };
-                search.free_to_pole((motion, begins), (*first, &self.second), self.towards);
+                search.free_to_pole((motion, begins), (*first, &self.second_words), self.sense);
                 true
             }
             (Some(_), Some(_)) if self.pole.is_some() => true,
@@ -303,10 +307,10 @@ impl Navigator {
         }
     }
 
-    /// The course, and what it costs to plan without a view ahead.
+    /// Returns the course, and the cost of planning without look-ahead.
     #[must_use]
     pub fn finish(self) -> Course {
-        let [best, greedy] = self.ways.map(|way| (way.ended, way.search.finish()));
+        let [best, greedy] = self.searches.map(|run| (run.ended, run.search.finish()));
         let (ended, motion_by_motion) = (greedy.0, greedy.1.0);
         let (cost, changes) = if self.greedy { greedy.1 } else { best.1 };
         let mut changes = changes.read_from_start();
@@ -318,24 +322,25 @@ impl Stage for Navigator {
     type Stop = Diagnostic;
 
     /// Follows one item; nothing is refused.
-    fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
         match item.action {
-            Action::Line { motion, index, .. } => {
+            ItemAction::Line { motion, index, .. } => {
                 let begins = index.begins == Begins::Operation;
                 self.move_to(&motion.pose, index, begins || motion.rapid);
             }
-            // The tool has been led to its start.
-            Action::Arc { arc, index } => self.move_to(&arc.end, index, false),
-            // The tool goes over to it at rapid.
-            Action::Hole { hole, index } => self.move_to(&hole.top, index, true),
-            Action::Record { event, .. } => self.record(event),
+            // The tool is at its start.
+            ItemAction::Arc { arc, index } => self.move_to(&arc.end, index, false),
+            // A rapid leads to the hole.
+            ItemAction::Hole { hole, index } => self.move_to(&hole.top, index, true),
+            ItemAction::Record { event, .. } => self.record(event),
         }
         Ok(())
     }
 }
 
-/// A cut between two poses beside the pole. Where no state runs through it is split: at its place nearest to a pole that it
-/// passes, since an axis may turn by more than half a turn there, and where a state runs into a limit on the way.
+/// Takes a cut between two poses away from the pole. If no state is continuous over the whole cut, the cut is split: at
+/// the point nearest to a pole that it passes, where an axis may rotate by more than 180°, and where a state reaches a
+/// limit.
 fn cut(
     finder: &StateFinder,
     search: &mut CourseSearch,
@@ -344,53 +349,54 @@ fn cut(
     to: &Pose,
     states: &[RotaryState],
 ) -> bool {
-    // Between opposite axes no way is known, and none is split.
-    let way = Way::new(from, to);
+    // Between opposite tool axes the path is undefined, and is not split.
+    let segment = PathSegment::new(from, to);
     let (mut here, mut done) = (*from, 0.0);
     let mut passing = finder.passing(from, to);
     let (mut near, mut split) = (Vec::new(), Vec::new());
-    for _ in 0..MOST_CROSSINGS {
+    for _ in 0..MAX_CROSSINGS {
         let merged = finder.merged(states) || finder.merged(search.layer());
         if search.cut(motion, states, None, |a, b| finder.connected((&here, a), (to, b), merged)) {
             return true;
         }
-        let Some(way) = &way else { return false };
+        let Some(segment) = &segment else { return false };
         near.clear();
-        if finder.placer().wide() {
+        if finder.placer().has_many_turns() {
             search.near(false, &mut near);
         }
         let mut split_at = |search: &mut CourseSearch, part: f64| {
-            let there = way.at(part);
-            finder.states(&there, &near, &mut split);
+            let pose = segment.at(part);
+            finder.states(&pose, &near, &mut split);
             let reached =
-                search.cut(motion, &split, Some(part), |a, b| finder.connected((&here, a), (&there, b), false));
-            reached.then_some(there)
+                search.cut(motion, &split, Some(part), |a, b| finder.connected((&here, a), (&pose, b), false));
+            reached.then_some(pose)
         };
         if let Some(part) = passing.filter(|part| *part > done)
-            && let Some(there) = split_at(search, part)
+            && let Some(pose) = split_at(search, part)
         {
-            (here, done, passing) = (there, part, None);
+            (here, done, passing) = (pose, part, None);
             continue;
         }
-        let Some(part) = crossing(finder, search, way, (&here, done), &near) else { return false };
-        let Some(there) = split_at(search, part) else { return false };
-        (here, done) = (there, part);
+        let Some(part) = crossing(finder, search, segment, (&here, done), &near) else { return false };
+        let Some(pose) = split_at(search, part) else { return false };
+        (here, done) = (pose, part);
     }
     false
 }
 
-/// The first part of the way at which a state of the last layer is about to leave its limits while another turn is inside.
+/// First fraction of the path at which a state of the last layer reaches a limit while another turn is inside the
+/// limits.
 fn crossing(
     finder: &StateFinder,
     search: &CourseSearch,
-    way: &Way,
+    segment: &PathSegment,
     (here, done): (&Pose, f64),
-    near: &[Turns],
+    near: &[RotaryWords],
 ) -> Option<f64> {
     let mut split = Vec::new();
     let mut first: Option<f64> = None;
     for state in search.layer() {
-        let runs = |part: f64| finder.continued(&way.at(part), state);
+        let runs = |part: f64| finder.continued(&segment.at(part), state);
         if !finder.continued(here, state).is_some_and(|words| finder.inside(&words)) {
             continue;
         }
@@ -405,7 +411,7 @@ fn crossing(
         if inside <= done || first.is_some_and(|first| first <= inside) {
             continue;
         }
-        finder.states(&way.at(inside), near, &mut split);
+        finder.states(&segment.at(inside), near, &mut split);
         if split.len() > 1 {
             first = Some(inside);
         }

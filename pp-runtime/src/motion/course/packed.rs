@@ -1,29 +1,30 @@
-//! Changes in few bytes: a program of a million operations must not fill the memory.
+//! Compact list of changes: a program of a million operations must not fill the memory.
 //!
-//! A change takes a byte for what it is, and as many as they need for the motions since the one before and for how far the
-//! words differ; the part of a way takes eight more.
+//! A change takes one byte for its action, a variable number for the motions since the change before and for the
+//! difference of the words, and eight bytes for the fraction of a split path.
 
-use crate::motion::course::{Change, How};
-use crate::motion::rotary::Turns;
+use crate::motion::course::{CourseAction, CourseChange};
+use crate::motion::rotary::RotaryWords;
 
 /// Changes in the order of their motions, written once and then read.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Packed {
+pub(crate) struct PackedChanges {
     bytes: Vec<u8>,
-    /// The one written or read last.
+    /// Motion of the change written or read last.
     motion: u64,
-    words: Turns,
-    /// Bytes read so far.
+    /// Words of the change written or read last.
+    words: RotaryWords,
+    /// Number of bytes read so far.
     read: usize,
 }
 
-impl Packed {
-    pub(crate) fn push(&mut self, change: &Change) {
-        let (tag, part) = match change.how {
-            How::Take => (0, None),
-            How::Turn => (1, None),
-            How::Rewind => (2, None),
-            How::Via(part) => (3, Some(part)),
+impl PackedChanges {
+    pub(crate) fn push(&mut self, change: &CourseChange) {
+        let (tag, part) = match change.action {
+            CourseAction::EndWith => (0, None),
+            CourseAction::RotateAtPole => (1, None),
+            CourseAction::Rewind => (2, None),
+            CourseAction::SplitAt(part) => (3, Some(part)),
         };
         self.bytes.push(tag);
         self.push_number(change.motion.cast_signed().wrapping_sub(self.motion.cast_signed()));
@@ -34,34 +35,34 @@ impl Packed {
         (self.motion, self.words) = (change.motion, change.words);
     }
 
-    /// Goes back to the first change, to read.
+    /// Returns to the first change, for reading.
     pub(crate) fn read_from_start(self) -> Self {
         Self { bytes: self.bytes, ..Self::default() }
     }
 
     /// The next change.
-    pub(crate) fn next(&mut self) -> Option<Change> {
+    pub(crate) fn next(&mut self) -> Option<CourseChange> {
         let tag = self.byte()?;
         self.motion = self.motion.wrapping_add_signed(self.number()?);
         for axis in 0..self.words.len() {
             self.words[axis] = self.words[axis].wrapping_add(self.number()?);
         }
-        let how = match tag {
-            0 => How::Take,
-            1 => How::Turn,
-            2 => How::Rewind,
+        let action = match tag {
+            0 => CourseAction::EndWith,
+            1 => CourseAction::RotateAtPole,
+            2 => CourseAction::Rewind,
             _ => {
                 let mut part = [0; 8];
                 for byte in &mut part {
                     *byte = self.byte()?;
                 }
-                How::Via(f64::from_le_bytes(part))
+                CourseAction::SplitAt(f64::from_le_bytes(part))
             }
         };
-        Some(Change { motion: self.motion, how, words: self.words })
+        Some(CourseChange { motion: self.motion, action, words: self.words })
     }
 
-    /// Seven bits a byte, lowest first, small numbers of either sign in few bytes.
+    /// Writes a number with seven bits per byte, lowest first, and its sign in the lowest bit.
     fn push_number(&mut self, number: i64) {
         let mut rest = ((number << 1) ^ (number >> 63)).cast_unsigned();
         while rest >= 0x80 {
@@ -99,29 +100,34 @@ mod tests {
     proptest! {
         #[test]
         fn changes_are_read_as_they_were_written(
-            list in proptest::collection::vec((any::<u64>(), 0..4_u8, 0.0..1.0_f64, any::<Turns>()), 0..20),
+            list in proptest::collection::vec((any::<u64>(), 0..4_u8, 0.0..1.0_f64, any::<RotaryWords>()), 0..20),
         ) {
-            let list: Vec<Change> = list
+            let list: Vec<CourseChange> = list
                 .into_iter()
                 .map(|(motion, tag, part, words)| {
-                    let how = [How::Take, How::Turn, How::Rewind, How::Via(part)][usize::from(tag)];
-                    Change { motion, how, words }
+                    let action = match tag {
+                        0 => CourseAction::EndWith,
+                        1 => CourseAction::RotateAtPole,
+                        2 => CourseAction::Rewind,
+                        _ => CourseAction::SplitAt(part),
+                    };
+                    CourseChange { motion, action, words }
                 })
                 .collect();
-            let mut packed = Packed::default();
+            let mut packed = PackedChanges::default();
             list.iter().for_each(|change| packed.push(change));
             let mut packed = packed.read_from_start();
-            let found: Vec<Change> = std::iter::from_fn(|| packed.next()).collect();
+            let found: Vec<CourseChange> = std::iter::from_fn(|| packed.next()).collect();
             prop_assert_eq!(found, list);
         }
     }
 
     #[test]
-    fn a_million_operations_take_few_megabytes() {
-        let mut packed = Packed::default();
+    fn a_million_operations_take_at_most_ten_megabytes() {
+        let mut packed = PackedChanges::default();
         for motion in 0..1_000_000 {
             let words = if motion % 2 == 0 { [900_000, -1_800_000] } else { [0; 2] };
-            packed.push(&Change { motion: 20 * motion, how: How::Take, words });
+            packed.push(&CourseChange { motion: 20 * motion, action: CourseAction::EndWith, words });
         }
         assert!(packed.bytes.len() <= 10_000_000, "{}", packed.bytes.len());
     }

@@ -1,65 +1,67 @@
 //! Exact search over layers of states, one layer for each pose.
 //!
-//! Knows no machine: states are words of rotary axes, and the caller says which of them a cut connects. Every survivor is
-//! the cheapest way to its state; what it decided on the way is a chain of changes that survivors share. As soon as all of
-//! them share the beginning of that chain, it is decided.
+//! Independent of the machine: states are words of rotary axes, and the caller decides which of them a cut connects.
+//! Every survivor is the cheapest course to its state; its decisions are a chain of changes, whose beginnings survivors
+//! share. A beginning that all of them share is final.
 
 use crate::kinematics::Branch;
-use crate::motion::course::packed::Packed;
-use crate::motion::course::{Change, How};
-use crate::motion::rotary::{Cost, Metric, Rotary, Towards, Turns};
+use crate::motion::course::packed::PackedChanges;
+use crate::motion::course::{CourseAction, CourseChange};
+use crate::motion::rotary::{Cost, Rotary, RotaryMetric, RotaryWords, RotationSense};
 
-/// Chains of changes are tidied up when there are more than this, and again at twice what is left.
-const TIDY: usize = 4096;
+/// Number of changes above which chains are compacted for the first time; then at twice the number that was left.
+const COMPACT_ABOVE: usize = 4096;
 
-/// One way for the rotary axes to hold a pose.
+/// Branch and rotary words of a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct RotaryState {
     pub(crate) branch: Branch,
-    pub(crate) words: Turns,
+    pub(crate) words: RotaryWords,
 }
 
-/// The cheapest way to a state.
+/// The cheapest course to a state.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Survivor {
     state: RotaryState,
     cost: Cost,
     /// Its last change.
-    head: Head,
-    /// At the pole: the motion in the air that can turn the first rotary. The last that begins an operation, for it turns
-    /// the axes anyhow; else the first since the rotary came free.
+    last_change: HistoryIndex,
+    /// At the pole: number of the motion in the air that can rotate the first rotary axis. The last that begins an
+    /// operation, which rotates the axes anyway; else the first since the axis became free.
     air: Option<u64>,
 }
 
-/// A change in the history; nothing is the part that is decided already.
-type Head = Option<u32>;
+/// Index of a change in the history; `None` before the first change that is not final.
+type HistoryIndex = Option<u32>;
 
 #[derive(Debug, Clone, Copy)]
 struct Node {
-    parent: Head,
-    change: Change,
+    parent: HistoryIndex,
+    change: CourseChange,
 }
 
 /// Changes of all survivors.
 #[derive(Debug, Default)]
 struct History {
     nodes: Vec<Node>,
-    decided: Packed,
-    tidy_at: usize,
+    /// Final changes: all survivors share them.
+    decided: PackedChanges,
+    /// Number of nodes above which the history is compacted.
+    compact_above: usize,
 }
 
 impl History {
-    fn push(&mut self, parent: Head, motion: u64, how: How, words: Turns) -> Head {
-        self.nodes.push(Node { parent, change: Change { motion, how, words } });
+    fn push(&mut self, parent: HistoryIndex, motion: u64, action: CourseAction, words: RotaryWords) -> HistoryIndex {
+        self.nodes.push(Node { parent, change: CourseChange { motion, action, words } });
         Some((self.nodes.len() - 1) as u32)
     }
 
-    /// The chain of a head, oldest first.
-    fn chain(&self, mut head: Head) -> Vec<u32> {
+    /// The chain that ends with a change, oldest first.
+    fn chain(&self, mut last_change: HistoryIndex) -> Vec<u32> {
         let mut chain = Vec::new();
-        while let Some(index) = head {
+        while let Some(index) = last_change {
             chain.push(index);
-            head = self.nodes[index as usize].parent;
+            last_change = self.nodes[index as usize].parent;
         }
         chain.reverse();
         chain
@@ -71,24 +73,24 @@ impl History {
         }
     }
 
-    /// Decides what all survivors share.
+    /// Makes final the changes that all survivors share.
     fn settle(&mut self, survivors: &mut [Survivor]) {
-        let Some(first) = survivors.first().map(|survivor| survivor.head) else { return };
-        if survivors.iter().all(|survivor| survivor.head == first) {
+        let Some(first) = survivors.first().map(|survivor| survivor.last_change) else { return };
+        if survivors.iter().all(|survivor| survivor.last_change == first) {
             let chain = self.chain(first);
             self.decide(&chain);
-            // Also where nothing is decided: what ways given up have left behind.
+            // Also if no change became final: this drops the changes of abandoned courses.
             self.nodes.clear();
-            survivors.iter_mut().for_each(|survivor| survivor.head = None);
-        } else if self.nodes.len() > self.tidy_at.max(TIDY) {
-            self.tidy(survivors);
-            self.tidy_at = 2 * self.nodes.len();
+            survivors.iter_mut().for_each(|survivor| survivor.last_change = None);
+        } else if self.nodes.len() > self.compact_above.max(COMPACT_ABOVE) {
+            self.compact(survivors);
+            self.compact_above = 2 * self.nodes.len();
         }
     }
 
-    /// Drops changes that nobody shares any more, and decides the common beginning.
-    fn tidy(&mut self, survivors: &mut [Survivor]) {
-        let chains: Vec<Vec<u32>> = survivors.iter().map(|survivor| self.chain(survivor.head)).collect();
+    /// Drops changes of abandoned courses, and makes the common beginning final.
+    fn compact(&mut self, survivors: &mut [Survivor]) {
+        let chains: Vec<Vec<u32>> = survivors.iter().map(|survivor| self.chain(survivor.last_change)).collect();
         let shortest = chains.iter().map(Vec::len).min().unwrap_or(0);
         let common = (0..shortest).take_while(|&at| chains.iter().all(|chain| chain[at] == chains[0][at])).count();
         self.decide(&chains[0][..common]);
@@ -104,60 +106,60 @@ impl History {
             })
             .collect();
         for (survivor, chain) in survivors.iter_mut().zip(&chains) {
-            survivor.head = chain[common..].last().and_then(|&last| renamed(last));
+            survivor.last_change = chain[common..].last().and_then(|&last| renamed(last));
         }
     }
 }
 
-/// Where a cut can begin: a state of the last layer.
+/// A state of the last layer at which a cut can begin.
 #[derive(Debug, Clone, Copy)]
-struct Ancestor {
+struct Predecessor {
     from: Survivor,
-    /// It is reached by a rewind only.
+    /// A rewind is needed to reach this state.
     rewound: bool,
 }
 
-/// The search.
+/// The search for the cheapest course.
 #[derive(Debug)]
 pub(crate) struct CourseSearch {
-    metric: Metric,
+    metric: RotaryMetric,
     /// All states of the last pose, in the order of preference; empty at the pole.
     layer: Vec<RotaryState>,
     survivors: Vec<Survivor>,
     next: Vec<Survivor>,
-    sources: Vec<Ancestor>,
+    predecessors: Vec<Predecessor>,
     history: History,
-    /// Keep the cheapest alone: pose by pose.
+    /// Only the cheapest survivor is kept: the search is made motion by motion.
     greedy: bool,
 }
 
 impl CourseSearch {
-    pub(crate) fn new(metric: Metric, start: Turns, greedy: bool) -> Self {
+    pub(crate) fn new(metric: RotaryMetric, start: RotaryWords, greedy: bool) -> Self {
         Self {
             metric,
             layer: Vec::new(),
             survivors: vec![Survivor {
                 state: RotaryState { branch: Branch::First, words: start },
                 cost: Cost::default(),
-                head: None,
+                last_change: None,
                 air: None,
             }],
             next: Vec::new(),
-            sources: Vec::new(),
+            predecessors: Vec::new(),
             history: History::default(),
             greedy,
         }
     }
 
-    /// Where motion counts from before anything has moved.
-    pub(crate) fn restart(&mut self, words: Turns) {
+    /// Sets the start words before the first motion.
+    pub(crate) fn restart(&mut self, words: RotaryWords) {
         for survivor in &mut self.survivors {
             survivor.state.words = words;
         }
     }
 
-    /// Every survivor turns to where `parked` puts it; what comes next is a motion in the air.
-    pub(crate) fn park(&mut self, parked: impl Fn(&Turns) -> Turns) {
+    /// Moves every survivor to its parked words; the next motion is in the air.
+    pub(crate) fn park(&mut self, parked: impl Fn(&RotaryWords) -> RotaryWords) {
         self.next.clear();
         for from in &self.survivors {
             let words = parked(&from.state.words);
@@ -170,14 +172,14 @@ impl CourseSearch {
         self.finish_layer(&[]);
     }
 
-    /// The words from which the next motion turns least by chance: those of the cheapest survivor.
-    pub(crate) fn words(&self) -> Turns {
+    /// Words of the cheapest survivor.
+    pub(crate) fn words(&self) -> RotaryWords {
         self.survivors.iter().min_by_key(|survivor| survivor.cost).map_or([0; 2], |survivor| survivor.state.words)
     }
 
-    /// Where the axes stand that have been rewound least; in front of a motion in the air only where the cheapest way has
-    /// led, or there would be ever more.
-    pub(crate) fn near(&self, air: bool, out: &mut Vec<Turns>) {
+    /// Adds the words of the survivors with the fewest rewinds; before a motion in the air only those of the cheapest
+    /// survivor, or their number would grow without bound.
+    pub(crate) fn near(&self, air: bool, out: &mut Vec<RotaryWords>) {
         if air {
             return out.push(self.words());
         }
@@ -191,7 +193,8 @@ impl CourseSearch {
         &self.layer
     }
 
-    /// The next survivors become the survivors, in a layer of these states. False, and nothing done, if there are none.
+    /// Makes the next survivors the present ones, in a layer of these states. Returns false, and changes nothing, if
+    /// there are none.
     fn finish_layer(&mut self, states: &[RotaryState]) -> bool {
         if self.next.is_empty() {
             return false;
@@ -209,6 +212,7 @@ impl CourseSearch {
         true
     }
 
+    /// Adds a survivor unless one with the same words is as cheap.
     fn keep(next: &mut Vec<Survivor>, survivor: Survivor) {
         match next.iter_mut().find(|known| known.state.words == survivor.state.words) {
             Some(known) if survivor.cost < known.cost => *known = survivor,
@@ -217,64 +221,65 @@ impl CourseSearch {
         }
     }
 
-    /// A motion in the air: every state can be reached from every other, in the sense that was asked for. False, and
-    /// nothing done, if that sense leads nowhere.
+    /// Takes a motion in the air: every state can be reached from every other, in the programmed sense of rotation.
+    /// Returns false, and changes nothing, if no state can be reached in that sense.
     pub(crate) fn free(
         &mut self,
         motion: u64,
         states: &[RotaryState],
-        towards: Option<Towards>,
-        wished: impl Fn(&RotaryState) -> bool,
+        sense: Option<RotationSense>,
+        is_preferred: impl Fn(&RotaryState) -> bool,
     ) -> bool {
         self.next.clear();
         for state in states {
-            let wish = if wished(state) { Cost::default() } else { Cost::UNWISHED };
+            let preference = if is_preferred(state) { Cost::default() } else { Cost::AGAINST_PREFERENCE };
             let cost = |from: &Survivor| {
-                let change =
-                    |axis| self.metric.change_towards(axis, from.state.words[axis], state.words[axis], towards);
-                Some(from.cost.plus(self.metric.cost_of([change(0)?, change(1)?])).plus(wish))
+                let change = |axis| self.metric.change_in_sense(axis, from.state.words[axis], state.words[axis], sense);
+                Some(from.cost.plus(self.metric.cost_of([change(0)?, change(1)?])).plus(preference))
             };
-            let ways = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
-            let Some((cost, from)) = ways.min_by_key(|(cost, _)| *cost) else { continue };
-            let travel = |to: &RotaryState| self.metric.cost(&from.state.words, &to.words).travel;
-            // Without a word about it the least travel is taken; of an axis with many turns not all are looked at.
-            let expected = towards.is_none()
+            let candidates = self.survivors.iter().filter_map(|from| Some((cost(from)?, from)));
+            let Some((cost, from)) = candidates.min_by_key(|(cost, _)| *cost) else { continue };
+            let travel = |to: &RotaryState| self.metric.cost(&from.state.words, &to.words).travel_units;
+            // Without a change the planner takes the least travel; of an axis with many turns not all are among the
+            // states.
+            let expected = sense.is_none()
                 && self.metric.short(&from.state.words, &state.words)
                 && states.iter().all(|other| other == state || travel(other) > travel(state));
-            let head = match expected {
-                true => from.head,
-                false => self.history.push(from.head, motion, How::Take, state.words),
+            let last_change = match expected {
+                true => from.last_change,
+                false => self.history.push(from.last_change, motion, CourseAction::EndWith, state.words),
             };
-            self.next.push(Survivor { state: *state, cost, head, air: None });
+            self.next.push(Survivor { state: *state, cost, last_change, air: None });
         }
         self.finish_layer(states)
     }
 
-    /// A motion in the air to the pole, where the first rotary may stand anywhere; `second`: words of the other. `begins`:
-    /// an operation begins with it.
+    /// Takes a motion in the air to the pole, where the angle of the first rotary axis is free; `second`: words of the
+    /// other axis. `begins`: an operation begins with the motion.
     pub(crate) fn free_to_pole(
         &mut self,
         (motion, begins): (u64, bool),
         (first, second): (Rotary, &[i64]),
-        towards: Option<Towards>,
+        sense: Option<RotationSense>,
     ) {
         self.next.clear();
         for from in &self.survivors {
             for &second in second {
                 let state = RotaryState { words: [first.clamped(from.state.words[0]), second], ..from.state };
                 let cost = from.cost.plus(self.metric.cost(&from.state.words, &state.words));
-                let (head, air) = match state.words == from.state.words && towards.is_none() {
-                    true => (from.head, from.air.filter(|_| !begins).unwrap_or(motion)),
-                    // What turns the rotary must not stand in front of this in the course.
-                    false => (self.history.push(from.head, motion, How::Take, state.words), motion),
+                let (last_change, air) = match state.words == from.state.words && sense.is_none() {
+                    true => (from.last_change, from.air.filter(|_| !begins).unwrap_or(motion)),
+                    // The change that rotates the axis must not come before this one in the course.
+                    false => (self.history.push(from.last_change, motion, CourseAction::EndWith, state.words), motion),
                 };
-                Self::keep(&mut self.next, Survivor { state, cost, head, air: Some(air) });
+                Self::keep(&mut self.next, Survivor { state, cost, last_change, air: Some(air) });
             }
         }
         self.finish_layer(&[]);
     }
 
-    /// A cut. False, and nothing done, if no state can be reached.
+    /// Takes a cut. Returns false, and changes nothing, if no state can be reached. `via`: fraction of the path at
+    /// which it is split.
     pub(crate) fn cut(
         &mut self,
         motion: u64,
@@ -282,39 +287,39 @@ impl CourseSearch {
         via: Option<f64>,
         mut linked: impl FnMut(&RotaryState, &RotaryState) -> bool,
     ) -> bool {
-        self.collect_sources();
+        self.collect_predecessors();
         self.next.clear();
         for state in states {
-            let mut best: Option<(Cost, Ancestor)> = None;
-            for source in &self.sources {
+            let mut best: Option<(Cost, Predecessor)> = None;
+            for source in &self.predecessors {
                 let cost = source.from.cost.plus(self.metric.cost(&source.from.state.words, &state.words));
                 if best.is_none_or(|(least, _)| cost < least) && linked(&source.from.state, state) {
                     best = Some((cost, *source));
                 }
             }
-            let Some((cost, Ancestor { from, rewound })) = best else { continue };
-            let mut head = from.head;
+            let Some((cost, Predecessor { from, rewound })) = best else { continue };
+            let mut last_change = from.last_change;
             if rewound {
-                head = self.history.push(head, motion, How::Rewind, from.state.words);
+                last_change = self.history.push(last_change, motion, CourseAction::Rewind, from.state.words);
             }
             if let Some(part) = via {
-                head = self.history.push(head, motion, How::Via(part), state.words);
+                last_change = self.history.push(last_change, motion, CourseAction::SplitAt(part), state.words);
             } else if from.state.branch != state.branch || !self.metric.plain(&from.state.words, &state.words) {
-                head = self.history.push(head, motion, How::Take, state.words);
+                last_change = self.history.push(last_change, motion, CourseAction::EndWith, state.words);
             }
-            self.next.push(Survivor { state: *state, cost, head, air: None });
+            self.next.push(Survivor { state: *state, cost, last_change, air: None });
         }
         self.finish_layer(states)
     }
 
-    /// The survivors, and every other state of the layer as a rewind from the cheapest place reaches it.
-    fn collect_sources(&mut self) {
-        self.sources.clear();
+    /// Collects the survivors, and every other state of the layer as reached by a rewind from its cheapest survivor.
+    fn collect_predecessors(&mut self) {
+        self.predecessors.clear();
         let fewest = self.survivors.iter().map(|survivor| survivor.cost.rewinds).min();
         let settled = self.survivors.len() >= self.layer.len()
             && self.survivors.iter().all(|survivor| Some(survivor.cost.rewinds) == fewest);
         if settled {
-            self.sources.extend(self.survivors.iter().map(|&from| Ancestor { from, rewound: false }));
+            self.predecessors.extend(self.survivors.iter().map(|&from| Predecessor { from, rewound: false }));
             return;
         }
         for state in &self.layer {
@@ -324,74 +329,78 @@ impl CourseSearch {
             let other = self.survivors.iter().map(|from| (rewound(from), from)).min_by_key(|(cost, _)| *cost);
             match (alive, other) {
                 (Some(&from), Some((cost, _))) if from.cost <= cost => {
-                    self.sources.push(Ancestor { from, rewound: false });
+                    self.predecessors.push(Predecessor { from, rewound: false });
                 }
-                (Some(&from), None) => self.sources.push(Ancestor { from, rewound: false }),
+                (Some(&from), None) => self.predecessors.push(Predecessor { from, rewound: false }),
                 (_, Some((cost, from))) => {
                     let from = Survivor { state: *state, cost, ..*from };
-                    self.sources.push(Ancestor { from, rewound: true });
+                    self.predecessors.push(Predecessor { from, rewound: true });
                 }
                 (None, None) => {}
             }
         }
     }
 
-    /// A cut into the pole: `entry` gives the words in which a state arrives there, if it does.
+    /// Takes a cut that ends at the pole: `entry` gives the words with which a state reaches the pole, if it does.
+    /// `via`: fraction of the path at which the pole is.
     pub(crate) fn cut_to_pole(
         &mut self,
         motion: u64,
         via: Option<f64>,
-        mut entry: impl FnMut(&RotaryState) -> Option<Turns>,
+        mut entry: impl FnMut(&RotaryState) -> Option<RotaryWords>,
     ) -> bool {
-        self.collect_sources();
+        self.collect_predecessors();
         self.next.clear();
-        for Ancestor { from, rewound } in &self.sources {
+        for Predecessor { from, rewound } in &self.predecessors {
             let Some(words) = entry(&from.state) else { continue };
             let cost = from.cost.plus(self.metric.cost(&from.state.words, &words));
-            let mut head = from.head;
+            let mut last_change = from.last_change;
             if *rewound {
-                head = self.history.push(head, motion, How::Rewind, from.state.words);
+                last_change = self.history.push(last_change, motion, CourseAction::Rewind, from.state.words);
             }
             if let Some(part) = via {
-                head = self.history.push(head, motion, How::Via(part), words);
+                last_change = self.history.push(last_change, motion, CourseAction::SplitAt(part), words);
             } else if words[0] != from.state.words[0] || !self.metric.plain(&from.state.words, &words) {
-                head = self.history.push(head, motion, How::Take, words);
+                last_change = self.history.push(last_change, motion, CourseAction::EndWith, words);
             }
-            Self::keep(&mut self.next, Survivor { state: RotaryState { words, ..from.state }, cost, head, air: None });
+            Self::keep(
+                &mut self.next,
+                Survivor { state: RotaryState { words, ..from.state }, cost, last_change, air: None },
+            );
         }
         self.finish_layer(&[])
     }
 
-    /// A cut out of the pole. `exits`: for each state the words in which it leaves the pole.
-    pub(crate) fn leave_pole(&mut self, motion: u64, states: &[RotaryState], exits: &[Option<Turns>]) -> bool {
+    /// Takes a cut that begins at the pole. `exits`: for each state the words with which it leaves the pole.
+    pub(crate) fn leave_pole(&mut self, motion: u64, states: &[RotaryState], exits: &[Option<RotaryWords>]) -> bool {
         self.next.clear();
         for (state, exit) in states.iter().zip(exits) {
             let Some(exit) = exit else { continue };
             let cost = |from: &Survivor| {
-                let turned = self.metric.cost(&from.state.words, exit);
-                from.cost.plus(turned).plus(self.metric.cost(exit, &state.words))
+                let rotation = self.metric.cost(&from.state.words, exit);
+                from.cost.plus(rotation).plus(self.metric.cost(exit, &state.words))
             };
             let from = self.survivors.iter().filter(|from| self.metric.short(&[0, from.state.words[1]], &[0, exit[1]]));
             let Some(from) = from.min_by_key(|from| cost(from)) else { continue };
             let cost = cost(from);
-            let mut head = from.head;
+            let mut last_change = from.last_change;
             if *exit != from.state.words {
-                head = match from.air {
-                    Some(air) => self.history.push(head, air, How::Take, *exit),
-                    None => self.history.push(head, motion, How::Turn, *exit),
+                last_change = match from.air {
+                    Some(air) => self.history.push(last_change, air, CourseAction::EndWith, *exit),
+                    None => self.history.push(last_change, motion, CourseAction::RotateAtPole, *exit),
                 };
             }
-            head = self.history.push(head, motion, How::Take, state.words);
-            self.next.push(Survivor { state: *state, cost, head, air: None });
+            last_change = self.history.push(last_change, motion, CourseAction::EndWith, state.words);
+            self.next.push(Survivor { state: *state, cost, last_change, air: None });
         }
         self.finish_layer(states)
     }
 
-    /// The cheapest way, and what it decided.
-    pub(crate) fn finish(mut self) -> (Cost, Packed) {
+    /// Returns the cost of the cheapest course, and its changes.
+    pub(crate) fn finish(mut self) -> (Cost, PackedChanges) {
         let best = self.survivors.iter().min_by_key(|survivor| survivor.cost).copied();
         let Some(best) = best else { return (Cost::default(), self.history.decided) };
-        let chain = self.history.chain(best.head);
+        let chain = self.history.chain(best.last_change);
         self.history.decide(&chain);
         (best.cost, self.history.decided)
     }
@@ -403,17 +412,17 @@ mod tests {
     use crate::motion::rotary::AngleScale;
 
     #[test]
-    fn ways_that_are_given_up_leave_nothing_behind() {
-        let rotary = Rotary { index: 0, lower: Some(-400), upper: Some(400), rest: 0.0 };
-        let metric = Metric::new(&[rotary], [None; 2], AngleScale { per_degree: 1.0, turn: 360 });
-        // Pose by pose, one way is kept and one is rewound to and given up.
+    fn abandoned_courses_leave_no_changes() {
+        let rotary = Rotary { index: 0, lower: Some(-400), upper: Some(400), rest_deg: 0.0 };
+        let metric = RotaryMetric::new(&[rotary], [None; 2], AngleScale { units_per_degree: 1.0, units_per_turn: 360 });
+        // Motion by motion one course is kept, and another, reached by a rewind, is abandoned.
         let mut search = CourseSearch::new(metric, [10, 0], true);
         let states = [10, -350].map(|word| RotaryState { branch: Branch::First, words: [word, 0] });
         assert!(search.free(0, &states, None, |_| true));
         for motion in 1..10_000 {
             assert!(search.cut(motion, &states, None, |from, to| from == to));
         }
-        assert!(search.history.nodes.len() < TIDY, "{}", search.history.nodes.len());
+        assert!(search.history.nodes.len() < COMPACT_ABOVE, "{}", search.history.nodes.len());
         assert_eq!(search.finish().0.rewinds, 0);
     }
 }

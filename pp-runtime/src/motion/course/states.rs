@@ -1,26 +1,26 @@
-//! How a machine can hold a pose, and which of these states a cut connects.
+//! States (branch and rotary words) of a pose, and the test whether a cut connects two of them.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::kinematics::{AxisValues, Branch, Pose, Solution};
 
 use crate::motion::course::search::RotaryState;
-use crate::motion::geometry::{Way, angle_between};
+use crate::motion::geometry::{PathSegment, angle_between};
 use crate::motion::place::Placer;
 use crate::motion::rotary::Rotary;
-use crate::motion::rotary::{MOST_TURNS, Turns};
+use crate::motion::rotary::{MAX_TURNS, RotaryWords};
 
-/// Distance from the pole at which the direction of a path into it is read, rad.
-const BESIDE_POLE: f64 = 1e-8;
+/// Distance from the pole, rad, at which the direction of a path to the pole is evaluated.
+const NEAR_POLE: f64 = 1e-8;
 
-/// Words this near to each other are the same after a detour through the pole.
+/// Largest difference, in units, of words that count as the same after a path through the pole.
 const SAME_WORD: i64 = 2;
 
-/// Halvings of a block while it is followed along its branch: half a turn, until it is no wider than the least distance
-/// from a pole beside which the axes still turn.
-const MOST_HALVINGS: u32 = 30;
+/// Largest number of halvings of a block in the test of continuity: from 180° down to the smallest distance from a pole
+/// at which the axes still move.
+const MAX_HALVINGS: u32 = 30;
 
-/// Finds the ways in which the rotary axes of a machine can hold a pose.
+/// Finds the states of poses on one machine.
 #[derive(Debug)]
 pub(crate) struct StateFinder {
     placer: Placer,
@@ -31,26 +31,26 @@ impl StateFinder {
         Self { placer }
     }
 
-    /// Poses into words.
+    /// Converts poses to words.
     pub(crate) fn placer(&self) -> &Placer {
         &self.placer
     }
 
-    /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first, then
-    /// the turns nearest to zero, positive before negative. An endless axis stands within half a turn of zero. `near`: of an
-    /// axis with too many turns those next to these words are among them, and those at its ends.
-    pub(crate) fn states(&self, pose: &Pose, near: &[Turns], out: &mut Vec<RotaryState>) {
+    /// Every branch of a pose with every turn inside the limits, in the order of preference: the first branch first,
+    /// then the turns nearest to zero, positive before negative. An endless axis is within 180° of zero. `near`: of an
+    /// axis with more than [`MAX_TURNS`] turns those next to these words and at its ends are added.
+    pub(crate) fn states(&self, pose: &Pose, near: &[RotaryWords], out: &mut Vec<RotaryState>) {
         out.clear();
         for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
             let start = out.len();
             let turns = |rotary: &Rotary| {
                 rotary.turns(
                     rotary.word(solution.axes[rotary.index], self.placer.scale()),
-                    self.placer.scale().turn,
-                    MOST_TURNS,
+                    self.placer.scale().units_per_turn,
+                    MAX_TURNS,
                 )
             };
-            let mut push = |words: Turns| out.push(RotaryState { branch: solution.branch, words });
+            let mut push = |words: RotaryWords| out.push(RotaryState { branch: solution.branch, words });
             match self.placer.rotaries() {
                 [first, second] => {
                     for a in turns(first) {
@@ -60,14 +60,14 @@ impl StateFinder {
                 [only] => turns(only).for_each(|a| push([a, 0])),
                 _ => push([0; 2]),
             }
-            if self.placer.wide() {
+            if self.placer.has_many_turns() {
                 let ends = [Rotary::lower_end, Rotary::upper_end]
                     .map(|end| [0, 1].map(|axis| self.placer.rotaries().get(axis).map_or(0, |rotary| end(*rotary))));
                 for near in ends.iter().chain(near) {
                     let mut words = [0; 2];
                     let inside = self.placer.rotaries().iter().enumerate().all(|(axis, rotary)| {
                         let word = rotary.word(solution.axes[rotary.index], self.placer.scale());
-                        let nearest = rotary.nearest(word, near[axis], self.placer.scale().turn);
+                        let nearest = rotary.nearest(word, near[axis], self.placer.scale().units_per_turn);
                         words[axis] = nearest.unwrap_or_default();
                         nearest.is_ok()
                     });
@@ -81,18 +81,18 @@ impl StateFinder {
         }
     }
 
-    /// The words of the second rotary at a pole.
+    /// Words of the second rotary axis at a pole.
     pub(crate) fn second_words(&self, pose: &Pose, out: &mut Vec<i64>) {
         out.clear();
         let [_, second] = self.placer.rotaries()[..] else { return };
         for solution in self.placer.machine().inverse_kinematics(pose, self.placer.held()).iter() {
             let word = second.word(solution.axes[second.index], self.placer.scale());
-            out.extend(second.turns(word, self.placer.scale().turn, MOST_TURNS));
+            out.extend(second.turns(word, self.placer.scale().units_per_turn, MAX_TURNS));
         }
         out.dedup();
     }
 
-    /// Where a path between two poses touches the pole on its way: the part of the way and the pole.
+    /// Fraction of the path between two poses at which the tool axis is at a pole, and this pole.
     pub(crate) fn pole_between(&self, from: &Pose, to: &Pose) -> Option<(f64, UnitVector3<f64>)> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b);
@@ -109,15 +109,16 @@ impl StateFinder {
         })
     }
 
-    /// The part of its way at which a path is nearest to a pole, if it passes it rather than staying on one side.
+    /// Fraction of the path at which the tool axis is nearest to a pole, if the path passes the pole: the directions
+    /// from the pole to its ends are more than 120° apart.
     pub(crate) fn passing(&self, from: &Pose, to: &Pose) -> Option<f64> {
         let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
         let normal = a.cross(&b).try_normalize(1e-12)?;
         self.placer.poles().iter().find_map(|pole| {
             let p = pole.into_inner();
-            let beside = |axis: &Vector3<f64>| axis - p * p.dot(axis);
-            let (before, behind) = (beside(&a), beside(&b));
-            if before.dot(&behind) > -0.5 * before.norm() * behind.norm() {
+            let from_pole = |axis: &Vector3<f64>| axis - p * p.dot(axis);
+            let (before, after) = (from_pole(&a), from_pole(&b));
+            if before.dot(&after) > -0.5 * before.norm() * after.norm() {
                 return None;
             }
             let nearest = p - normal * p.dot(&normal);
@@ -125,28 +126,28 @@ impl StateFinder {
         })
     }
 
-    /// The words in which a path from (or to) an axis reaches the pole on the branch of a state.
+    /// Words with which a path between a tool axis and the pole reaches the pole on the branch of a state.
     pub(crate) fn at_pole(
         &self,
         pole: &UnitVector3<f64>,
         axis: &UnitVector3<f64>,
         state: &RotaryState,
-    ) -> Option<Turns> {
+    ) -> Option<RotaryWords> {
         let [first, second] = self.placer.rotaries()[..] else { return None };
         let p = pole.into_inner();
-        let beside = (axis.into_inner() - p * p.dot(axis)).try_normalize(0.0)?;
+        let away = (axis.into_inner() - p * p.dot(axis)).try_normalize(0.0)?;
         let solutions_at = |axis: Vector3<f64>| {
             let pose = Pose { tip: Point3::origin(), axis: UnitVector3::new_normalize(axis) };
             self.placer.machine().inverse_kinematics(&pose, &self.placer.axes_of(&state.words))
         };
-        let near = solutions_at(p + beside * BESIDE_POLE);
+        let near = solutions_at(p + away * NEAR_POLE);
         let near = near.iter().find(|solution| near.len() == 1 || solution.branch == state.branch)?;
         let word = |rotary: &Rotary, angle: f64, from: i64| {
-            rotary.nearest(rotary.word(angle, self.placer.scale()), from, self.placer.scale().turn).ok()
+            rotary.nearest(rotary.word(angle, self.placer.scale()), from, self.placer.scale().units_per_turn).ok()
         };
         let free = word(&first, near.axes[first.index], state.words[0])?;
-        let there = solutions_at(p);
-        let tilt = there
+        let at_pole = solutions_at(p);
+        let tilt = at_pole
             .iter()
             .filter_map(|solution| word(&second, solution.axes[second.index], state.words[1]))
             .min_by_key(|word| (word - state.words[1]).abs())?;
@@ -154,17 +155,18 @@ impl StateFinder {
         Some([free, tilt])
     }
 
-    /// For each state the words in which a path to an axis leaves the pole.
+    /// For each state the words with which a path to a tool axis leaves the pole.
     pub(crate) fn exits(
         &self,
         pole: &UnitVector3<f64>,
         axis: &UnitVector3<f64>,
         states: &[RotaryState],
-    ) -> Vec<Option<Turns>> {
+    ) -> Vec<Option<RotaryWords>> {
         states.iter().map(|state| self.at_pole(pole, axis, state)).collect()
     }
 
-    /// Whether a cut from one state to another keeps the tool on its path: the axes run through from end to end.
+    /// Whether a cut from one state to another keeps the tool on its path: the axes move continuously from end to end.
+    /// `merged`: both branches are the same.
     pub(crate) fn connected(&self, from: (&Pose, &RotaryState), to: (&Pose, &RotaryState), merged: bool) -> bool {
         let ((a, start), (b, end)) = (from, to);
         if !self.placer.metric().short(&start.words, &end.words) || (start.branch != end.branch && !merged) {
@@ -175,57 +177,57 @@ impl StateFinder {
         }
         let change = [0, 1].map(|axis| self.placer.metric().change(axis, start.words[axis], end.words[axis]));
         let end = [start.words[0] + change[0], start.words[1] + change[1]];
-        self.runs_through((a, start.words), (b, end), MOST_HALVINGS)
+        self.is_continuous((a, start.words), (b, end), MAX_HALVINGS)
     }
 
-    /// Whether halving a block again and again leads to small turns.
-    fn runs_through(&self, from: (&Pose, Turns), to: (&Pose, Turns), halvings: u32) -> bool {
-        let turn = (0..2).map(|axis| (to.1[axis] - from.1[axis]).abs()).max().unwrap_or(0);
-        if 36 * turn < self.placer.scale().turn {
+    /// Whether repeated halving of a block leads to rotations below 10°.
+    fn is_continuous(&self, from: (&Pose, RotaryWords), to: (&Pose, RotaryWords), halvings: u32) -> bool {
+        let travel = (0..2).map(|axis| (to.1[axis] - from.1[axis]).abs()).max().unwrap_or(0);
+        if 36 * travel < self.placer.scale().units_per_turn {
             return true;
         }
-        let Some(middle) = Way::new(from.0, to.0).map(|way| way.at(0.5)) else { return false };
+        let Some(middle) = PathSegment::new(from.0, to.0).map(|segment| segment.at(0.5)) else { return false };
         if halvings == 0 {
             return false;
         }
         let expected = [0, 1].map(|axis| (from.1[axis] + to.1[axis]) / 2);
         let Some(words) = self.nearest_turns(&middle, &expected) else { return false };
         let off = (0..2).map(|axis| (words[axis] - expected[axis]).abs()).max().unwrap_or(0);
-        off < turn
-            && self.runs_through(from, (&middle, words), halvings - 1)
-            && self.runs_through((&middle, words), to, halvings - 1)
+        off < travel
+            && self.is_continuous(from, (&middle, words), halvings - 1)
+            && self.is_continuous((&middle, words), to, halvings - 1)
     }
 
-    /// The solution of a pose nearest to some words, on any branch, without limits.
-    pub(crate) fn nearest_turns(&self, pose: &Pose, expected: &Turns) -> Option<Turns> {
+    /// Words of a pose nearest to the expected ones, on any branch, without limits.
+    pub(crate) fn nearest_turns(&self, pose: &Pose, expected: &RotaryWords) -> Option<RotaryWords> {
         let solutions = self.placer.machine().inverse_kinematics(pose, &self.placer.axes_of(expected));
-        let off = |words: &Turns| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
-        solutions.iter().filter_map(|solution| self.turned_to(solution, expected)).min_by_key(off)
+        let off = |words: &RotaryWords| (words[0] - expected[0]).abs() + (words[1] - expected[1]).abs();
+        solutions.iter().filter_map(|solution| self.words_near(solution, expected)).min_by_key(off)
     }
 
-    /// The words to which a state runs on in a cut, whatever the limits say.
-    pub(crate) fn continued(&self, pose: &Pose, state: &RotaryState) -> Option<Turns> {
+    /// Words of a state after a cut to a pose, without limits.
+    pub(crate) fn continued(&self, pose: &Pose, state: &RotaryState) -> Option<RotaryWords> {
         let solutions = self.placer.machine().inverse_kinematics(pose, &self.placer.axes_of(&state.words));
         let solution = solutions.iter().find(|solution| solutions.len() == 1 || solution.branch == state.branch)?;
-        self.turned_to(solution, &state.words)
+        self.words_near(solution, &state.words)
     }
 
-    /// The words of a solution in the turn nearest to some words, without limits.
-    fn turned_to(&self, solution: &Solution<AxisValues>, near: &Turns) -> Option<Turns> {
+    /// Words of a solution in the turn nearest to the words `near`, without limits.
+    fn words_near(&self, solution: &Solution<AxisValues>, near: &RotaryWords) -> Option<RotaryWords> {
         let mut words = *near;
         for (word, rotary) in words.iter_mut().zip(self.placer.rotaries()) {
             let wanted = rotary.word(solution.axes[rotary.index], self.placer.scale());
-            *word = rotary.without_limits().nearest(wanted, *word, self.placer.scale().turn).ok()?;
+            *word = rotary.without_limits().nearest(wanted, *word, self.placer.scale().units_per_turn).ok()?;
         }
         Some(words)
     }
 
-    /// Whether words lie inside the limits of their axes.
-    pub(crate) fn inside(&self, words: &Turns) -> bool {
-        self.placer.rotaries().iter().zip(words).all(|(rotary, &word)| rotary.holds(word))
+    /// Whether words are inside the limits of their axes.
+    pub(crate) fn inside(&self, words: &RotaryWords) -> bool {
+        self.placer.rotaries().iter().zip(words).all(|(rotary, &word)| rotary.contains(word))
     }
 
-    /// Both branches of a pose are one.
+    /// Whether both branches of a pose are the same.
     pub(crate) fn merged(&self, states: &[RotaryState]) -> bool {
         self.placer.rotaries().len() == 2 && states.iter().all(|state| state.branch == Branch::First)
     }

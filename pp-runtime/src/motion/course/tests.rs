@@ -1,4 +1,4 @@
-//! The search against trying everything, and courses on the machines of the tests.
+//! The search compared with an exhaustive search, and courses on the machines of the tests.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 use proptest::prelude::*;
@@ -28,7 +28,7 @@ struct Point {
 }
 
 /// All changes of a course.
-fn changes(mut course: Course) -> Vec<Change> {
+fn changes(mut course: Course) -> Vec<CourseChange> {
     std::iter::from_fn(|| {
         let change = course.next.take()?;
         course.next = course.changes.next();
@@ -51,7 +51,7 @@ fn course<M: Machine>(config: &Config, points: &[Point]) -> Course {
 }
 
 #[test]
-fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
+fn after_gohome_the_course_continues_from_the_parked_angles() {
     let mut config = Config::default();
     config.set_up.limits.insert('C', limits(-190.0, 190.0));
     config.motion.park.insert('C', 0.0);
@@ -63,27 +63,27 @@ fn behind_gohome_the_course_goes_on_from_where_the_axes_were_parked() {
     }
     let course = course_of::<Cb>(&config, &events);
     // C to 170, home, to -172 and not to 188; B to 30 once.
-    let degrees = course.cost.travel as f64 / 10_f64.powi(config.formats.rotary as i32);
+    let degrees = course.cost.travel_units as f64 / 10_f64.powi(config.formats.rotary as i32);
     assert!((degrees - (170.0 + 170.0 + 172.0 + 30.0)).abs() < 0.01, "{degrees}");
     assert_eq!(changes(course), []);
 }
 
-/// Everything that can be done, one choice after the other: which state each motion ends in, and to which state of the
-/// same pose the axes are rewound before it. Paths keep away from the pole.
-struct Everything<'t> {
+/// Exhaustive search: every state at the end of each motion, and every state of the same pose to which the axes may be
+/// rewound before it. The paths stay away from the pole.
+struct ExhaustiveSearch<'t> {
     finder: &'t StateFinder,
     points: &'t [Point],
     layers: Vec<Vec<RotaryState>>,
     least: Option<Cost>,
 }
 
-impl Everything<'_> {
+impl ExhaustiveSearch<'_> {
     fn sum(a: Cost, b: Cost) -> Cost {
         Cost {
             rewinds: a.rewinds + b.rewinds,
-            unwished: a.unwished + b.unwished,
-            time: a.time + b.time,
-            travel: a.travel + b.travel,
+            against_preference: a.against_preference + b.against_preference,
+            time_ns: a.time_ns + b.time_ns,
+            travel_units: a.travel_units + b.travel_units,
         }
     }
 
@@ -132,12 +132,12 @@ fn everything<M: Machine>(config: &Config, points: &[Point]) -> Option<Cost> {
             states
         })
         .collect();
-    let mut all = Everything { finder: &finder, points, layers, least: None };
+    let mut all = ExhaustiveSearch { finder: &finder, points, layers, least: None };
     all.go(0, RotaryState { branch: Branch::First, words: [0; 2] }, Cost::default());
     all.least
 }
 
-/// Steps of a path: change of the two angles in degrees, and whether it goes through the air.
+/// A path from steps: change of the two angles in degrees, and whether the step is a rapid.
 fn path(start: (f64, f64), steps: &[(f64, f64, bool)]) -> Vec<Point> {
     let (mut turn, mut tilt) = start;
     let mut points = vec![Point { pose: Pose { tip: Point3::origin(), axis: axis(turn, tilt) }, rapid: false }];
@@ -163,7 +163,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 500, ..ProptestConfig::default() })]
 
     #[test]
-    fn the_search_finds_what_trying_everything_finds(
+    fn the_search_is_as_good_as_an_exhaustive_search(
         start in (-180.0..180.0_f64, 10.0..70.0_f64),
         steps in proptest::collection::vec((-80.0..80.0_f64, -15.0..15.0_f64, proptest::bool::weighted(0.15)), 1..=8),
         first in (-400.0..0.0_f64, 20.0..700.0_f64),
@@ -185,15 +185,18 @@ proptest! {
 }
 
 #[test]
-fn a_limit_on_the_way_of_a_single_block_is_met_by_a_rewind_at_the_limit() {
+fn a_limit_inside_a_single_block_leads_to_a_rewind_at_the_limit() {
     let mut config = Config::default();
     config.set_up.limits.insert('C', limits(-180.0, 180.0));
     // From 170 to 190 degrees: at each end there is one turn only.
     let course = course::<Cb>(&config, &path((170.0, 30.0), &[(20.0, 0.0, false)]));
     assert_eq!(course.cost.rewinds, 1);
     let changes = changes(course);
-    let how: Vec<How> = changes.iter().map(|change| change.how).collect();
-    assert!(matches!(how[..], [How::Via(part), How::Rewind] if (part - 0.5).abs() < 1e-4), "{how:?}");
+    let action: Vec<CourseAction> = changes.iter().map(|change| change.action).collect();
+    assert!(
+        matches!(action[..], [CourseAction::SplitAt(part), CourseAction::Rewind] if (part - 0.5).abs() < 1e-4),
+        "{action:?}"
+    );
     assert_eq!(changes[0].words[0], 1_800_000);
     assert_eq!(changes[1].words[0], -1_800_000);
 }
@@ -204,11 +207,11 @@ fn of_equal_courses_the_first_branch_is_taken_and_the_turn_nearest_to_zero() {
     config.set_up.limits.insert('B', limits(-110.0, 110.0));
     // C 90 B 30 or C -90 B -30: the same travel.
     let course = course::<Cb>(&config, &path((90.0, 30.0), &[]));
-    assert_eq!(changes(course), [Change { motion: 0, how: How::Take, words: [900_000, 300_000] }]);
+    assert_eq!(changes(course), [CourseChange { motion: 0, action: CourseAction::EndWith, words: [900_000, 300_000] }]);
 }
 
 #[test]
-fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
+fn a_preference_counts_less_than_a_rewind_and_more_than_travel() {
     let mut config = Config::default();
     config.motion.course.prefer = Some(('B', false));
     config.set_up.limits.insert('B', limits(-50.0, 110.0));
@@ -217,7 +220,7 @@ fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
         changes(course).first().map(|change| change.words[1])
     };
     assert_eq!(begins(&config, &[]), Some(-300_000));
-    // Tilted on, B- would run into its limit.
+    // With more tilt B- would reach its limit.
     assert_eq!(begins(&config, &[(0.0, 40.0, false)]), None);
     let mut second = config;
     second.motion.course.start_branch = Some(Branch::Second);
@@ -226,7 +229,7 @@ fn a_wish_counts_less_than_a_rewind_and_more_than_travel() {
 }
 
 #[test]
-fn a_hundred_thousand_motions_leave_nothing_behind_but_changes() {
+fn a_course_of_a_hundred_thousand_motions_is_one_change_at_most() {
     let mut config = Config::default();
     config.set_up.limits.insert('B', limits(-110.0, 110.0));
     let points: Vec<Point> = (0..100_000).map(|step| path((f64::from(step) * 0.3, 30.0), &[])[0]).collect();
@@ -236,12 +239,12 @@ fn a_hundred_thousand_motions_leave_nothing_behind_but_changes() {
 }
 
 #[test]
-fn a_spiral_goes_on_where_an_axis_has_more_turns_than_are_looked_at() {
+fn a_spiral_continues_on_an_axis_with_more_turns_than_are_tried() {
     let mut config = Config::default();
     let spiral: Vec<Point> = (0..=40 * 36).map(|step| path((f64::from(step) * 10.0, 30.0), &[])[0]).collect();
     config.set_up.limits.insert('C', limits(-99_999.0, 99_999.0));
     assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 0);
-    // From end to end, and not a turn more.
+    // The spiral needs the whole travel of the axis.
     config.set_up.limits.insert('C', limits(-7200.0, 7200.0));
     assert_eq!(course::<Cb>(&config, &spiral).cost.rewinds, 0);
     config.set_up.limits.insert('C', limits(-7200.0, 7199.0));
@@ -249,18 +252,18 @@ fn a_spiral_goes_on_where_an_axis_has_more_turns_than_are_looked_at() {
 }
 
 #[test]
-fn a_cut_runs_through_however_near_it_passes_the_pole() {
+fn a_cut_is_continuous_however_near_it_passes_the_pole() {
     let mut config = Config::default();
     config.set_up.limits.insert('B', limits(-110.0, 110.0));
-    for beside in [1.1e-6, 2e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
+    for offset in [1.1e-6, 2e-6, 1e-5, 1e-4, 1e-3, 1e-2] {
         let pose = |tilt: f64| {
-            let axis = UnitVector3::new_normalize(Vector3::new(tilt.sin(), beside, tilt.cos()));
+            let axis = UnitVector3::new_normalize(Vector3::new(tilt.sin(), offset, tilt.cos()));
             Point { pose: Pose { tip: Point3::origin(), axis }, rapid: false }
         };
         let course = course::<Cb>(&config, &[-1.0, 1.0].map(pose));
         assert_eq!(course.cost.rewinds, 0);
-        // To the start, and half a turn at the pole.
-        assert!(course.cost.travel > 1_700_000, "{beside}: {course:?}");
-        assert!(course.greedy.is_some(), "{beside}");
+        // To the start, and 180° at the pole.
+        assert!(course.cost.travel_units > 1_700_000, "{offset}: {course:?}");
+        assert!(course.greedy.is_some(), "{offset}");
     }
 }

@@ -1,7 +1,8 @@
-//! The geometry of an arc: where its tip is, how long it is, where it is furthest in a direction, and its chords.
+//! Geometry of an arc or helix: points, length, extremes in a direction, and chords.
 //!
-//! The angle runs from 0 at the start to [`Arc::angle`] at the end; parts count from 0 to 1. Height along the normal and,
-//! where the CL data's ends are not equally far from the centre, the radius change in proportion to the angle.
+//! The angle runs from 0 at the start to [`Arc::angle`] at the end; a fraction of the arc runs from 0 to 1. Height
+//! along the normal and, if the ends in the CL data are not equally far from the centre, the radius change in
+//! proportion to the angle.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -10,108 +11,110 @@ use crate::program::Arc;
 
 use crate::motion::fault::Fault;
 
-/// More chords than this in one arc are a fault of the file.
-const MOST_CHORDS: f64 = 1e6;
+/// Most chords in one arc; more indicate a fault in the file.
+const MAX_CHORDS: f64 = 1e6;
 
-/// An arc with the frame in which it is computed.
+/// An arc with its frame.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Round<'a> {
+pub(crate) struct ArcGeometry<'a> {
     arc: &'a Arc,
-    /// Unit vectors from the axis to the start, and a quarter turn on.
+    /// Unit vector from the axis of the arc to its start.
     u: Vector3<f64>,
+    /// Unit vector 90° further along the arc.
     v: Vector3<f64>,
-    /// Distances of start and end from the axis, mm.
-    pub(crate) radii: [f64; 2],
-    /// Height of the start above the centre, mm.
-    level: f64,
-    /// What the tip moves along the normal, mm.
-    pub(crate) rise: f64,
+    /// Distances of start and end from the axis of the arc.
+    pub(crate) radii_mm: [f64; 2],
+    /// Height of the start above the centre along the normal.
+    level_mm: f64,
+    /// Motion of the tip along the normal.
+    pub(crate) rise_mm: f64,
 }
 
-impl<'a> Round<'a> {
+impl<'a> ArcGeometry<'a> {
     pub(crate) fn new(arc: &'a Arc) -> Self {
         let normal = arc.normal.into_inner();
         let along = |point: Point3<f64>| (point - arc.centre).dot(&normal);
         let flat = |point: Point3<f64>| (point - arc.centre) - normal * along(point);
         let (first, last) = (flat(arc.start.tip), flat(arc.end.tip));
         let u = first / first.norm();
-        let level = along(arc.start.tip);
+        let level_mm = along(arc.start.tip);
         Self {
             arc,
             u,
             v: normal.cross(&u),
-            radii: [first.norm(), last.norm()],
-            level,
-            rise: along(arc.end.tip) - level,
+            radii_mm: [first.norm(), last.norm()],
+            level_mm,
+            rise_mm: along(arc.end.tip) - level_mm,
         }
     }
 
-    /// The larger of the radii, mm.
+    /// The larger radius, mm.
     pub(crate) fn radius(&self) -> f64 {
-        self.radii[0].max(self.radii[1])
+        self.radii_mm[0].max(self.radii_mm[1])
     }
 
-    /// Where the tip is at a part of the way; the ends are as the CL data has them.
-    pub(crate) fn tip(&self, part: f64) -> Point3<f64> {
-        if part <= 0.0 {
+    /// Tip at a fraction of the arc; the ends are exactly those of the CL data.
+    pub(crate) fn tip(&self, fraction: f64) -> Point3<f64> {
+        if fraction <= 0.0 {
             return self.arc.start.tip;
         }
-        if part >= 1.0 {
+        if fraction >= 1.0 {
             return self.arc.end.tip;
         }
-        let (sine, cosine) = (self.arc.angle_rad * part).sin_cos();
-        let radius = self.radii[0] + (self.radii[1] - self.radii[0]) * part;
-        let height = self.level + self.rise * part;
+        let (sine, cosine) = (self.arc.angle_rad * fraction).sin_cos();
+        let radius = self.radii_mm[0] + (self.radii_mm[1] - self.radii_mm[0]) * fraction;
+        let height = self.level_mm + self.rise_mm * fraction;
         self.arc.centre + (self.u * cosine + self.v * sine) * radius + self.arc.normal.into_inner() * height
     }
 
-    /// Length of the whole way, mm.
+    /// Length of the arc, mm.
     pub(crate) fn length(&self) -> f64 {
-        (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle_rad).hypot(self.rise)
+        (0.5 * (self.radii_mm[0] + self.radii_mm[1]) * self.arc.angle_rad).hypot(self.rise_mm)
     }
 
-    /// What it rises on 1 mm of its way in the plane.
+    /// Rise along the normal per mm of path in the plane.
     pub(crate) fn slope(&self) -> f64 {
-        self.rise / (0.5 * (self.radii[0] + self.radii[1]) * self.arc.angle_rad)
+        self.rise_mm / (0.5 * (self.radii_mm[0] + self.radii_mm[1]) * self.arc.angle_rad)
     }
 
-    /// Parts of the way, the ends left out, at which the tip may be furthest in a direction or against it.
+    /// Fractions of the arc, without its ends, at which the tip may be furthest in a direction or against it.
     ///
-    /// With `H cos(t - φ)` for the circle and `s t` for the helix the derivative vanishes where `sin(t - φ) = s/H`. Of the
-    /// places a turn apart only the first and the last can be the furthest.
+    /// With `H cos(t - φ)` for the circle and `s t` for the helix the derivative vanishes where `sin(t - φ) = s/H`. Of
+    /// the points one revolution apart only the first and the last can be the furthest.
     pub(crate) fn extremes(&self, direction: Vector3<f64>) -> impl Iterator<Item = f64> {
         let (a, b) = (self.u.dot(&direction), self.v.dot(&direction));
         let angle = self.arc.angle_rad;
-        let slope = self.arc.normal.dot(&direction) * self.rise / angle;
-        let share = slope / (self.radius() * a.hypot(b));
+        let slope = self.arc.normal.dot(&direction) * self.rise_mm / angle;
+        let sine = slope / (self.radius() * a.hypot(b));
         let phase = b.atan2(a);
-        // NaN where the direction is the normal, outside ±1 where the helix is steeper than the circle is wide.
-        let lean = share.asin();
-        [phase + lean, phase + PI - lean].into_iter().filter(|turn| turn.is_finite()).flat_map(move |turn| {
-            let first = turn.rem_euclid(TAU);
+        // NaN if the direction is the normal, outside ±1 if the pitch exceeds the circle's own motion in the direction.
+        let lean = sine.asin();
+        [phase + lean, phase + PI - lean].into_iter().filter(|angle| angle.is_finite()).flat_map(move |extreme| {
+            let first = extreme.rem_euclid(TAU);
             let last = first + TAU * ((angle - first) / TAU).floor();
             [first, last].into_iter().filter(move |at| *at < angle).map(move |at| at / angle)
         })
     }
 
-    /// Chords that leave the arc by no more than a tolerance, mm.
+    /// Number of chords that deviate from the arc by no more than the tolerance.
     ///
     /// # Errors
-    /// If there would be too many.
-    pub(crate) fn chords(&self, tolerance: f64) -> Result<u32, Fault> {
-        // A chord over the angle t is off by r (1 - cos t/2), which is at most r t²/8.
-        let step = (8.0 * tolerance / self.radius()).sqrt().min(FRAC_PI_2);
+    /// If the number would exceed [`MAX_CHORDS`].
+    pub(crate) fn chords(&self, tolerance_mm: f64) -> Result<u32, Fault> {
+        // A chord over the angle t deviates by r (1 - cos t/2), which is at most r t²/8.
+        let step = (8.0 * tolerance_mm / self.radius()).sqrt().min(FRAC_PI_2);
         let chords = (self.arc.angle_rad / step).ceil().max(1.0);
-        if chords.is_nan() || chords > MOST_CHORDS {
-            return Err(Fault::new("this arc cannot be cut into chords").help("check its radius, its turns and LINTOL"));
+        if chords.is_nan() || chords > MAX_CHORDS {
+            return Err(Fault::new("this arc cannot be cut into chords")
+                .help("check its radius, its number of revolutions and LINTOL"));
         }
         Ok(chords as u32)
     }
 }
 
-/// The box that the tip of an arc fills: its lowest and its highest corner, mm.
+/// Bounding box of the tip on an arc: its lowest and its highest corner, mm.
 pub(crate) fn extent(arc: &Arc) -> [[f64; 3]; 2] {
-    let round = Round::new(arc);
+    let round = ArcGeometry::new(arc);
     let along = |axis: usize| {
         let direction = Vector3::ith_axis(axis).into_inner();
         let tips = round.extremes(direction).chain([0.0, 1.0]).map(|part| round.tip(part)[axis]);
@@ -142,11 +145,11 @@ mod tests {
     }
 
     #[test]
-    fn chords_leave_a_helix_by_the_tolerance_at_most_and_not_by_much_less() {
+    fn chords_deviate_from_a_helix_by_the_tolerance_at_most_and_not_by_much_less() {
         for tolerance in [0.001, 0.01, 0.1] {
             let angle = 2.25 * TAU;
             let helix = arc([20.0, 0.0, 0.0], [0.0, 20.0, -9.0], angle);
-            let round = Round::new(&helix);
+            let round = ArcGeometry::new(&helix);
             let chords = round.chords(tolerance).expect("chords");
             let tips: Vec<_> = (0..=chords).map(|index| round.tip(f64::from(index) / f64::from(chords))).collect();
             assert_eq!(tips.last(), Some(&helix.end.tip), "the end is exact");
@@ -166,7 +169,7 @@ mod tests {
     fn arcs_that_would_need_a_million_chords_are_refused() {
         let round = |centre, tolerance| {
             let circle = Arc { centre, ..arc([20.0, 0.0, 0.0], [20.0, 0.0, 0.0], TAU) };
-            Round::new(&circle).chords(tolerance).is_err()
+            ArcGeometry::new(&circle).chords(tolerance).is_err()
         };
         assert!(round(Point3::new(1e150, 0.0, 0.0), 0.01));
         assert!(round(Point3::new(f64::MAX, 0.0, 0.0), 0.01));
@@ -177,13 +180,13 @@ mod tests {
     #[test]
     fn a_radius_that_changes_within_the_tolerance_leaves_both_ends_exact() {
         let spiral = arc([20.0, 0.0, 0.0], [0.0, 20.004, 0.0], 0.25 * TAU);
-        let round = Round::new(&spiral);
+        let round = ArcGeometry::new(&spiral);
         assert_eq!((round.tip(0.0), round.tip(1.0)), (spiral.start.tip, spiral.end.tip));
         assert!((round.tip(0.5).coords.norm() - 20.002).abs() < 1e-9);
     }
 
     proptest! {
-        /// Nowhere on the arc is the tip further than at its ends and its extremes.
+        /// The tip is nowhere on the arc further than at its ends and its extremes.
         #[test]
         fn no_point_of_an_arc_is_further_than_its_extremes(
             direction in prop::array::uniform3(-1.0_f64..1.0),
@@ -195,9 +198,9 @@ mod tests {
             prop_assume!(normal.norm() > 0.1);
             let normal = UnitVector3::new_normalize(normal);
             let u = normal.cross(&Vector3::new(0.3, 0.7, -0.4)).normalize() * 7.0;
-            let turned = nalgebra::Rotation3::from_axis_angle(&normal, angle) * u + normal.into_inner() * rise;
-            let helix = Arc { normal, ..arc(u.into(), turned.into(), angle) };
-            let (round, direction) = (Round::new(&helix), Vector3::from(direction));
+            let end = nalgebra::Rotation3::from_axis_angle(&normal, angle) * u + normal.into_inner() * rise;
+            let helix = Arc { normal, ..arc(u.into(), end.into(), angle) };
+            let (round, direction) = (ArcGeometry::new(&helix), Vector3::from(direction));
             let far = |part: f64| round.tip(part).coords.dot(&direction);
             let known: Vec<f64> = round.extremes(direction).chain([0.0, 1.0]).map(far).collect();
             let most = known.iter().copied().fold(f64::MIN, f64::max);

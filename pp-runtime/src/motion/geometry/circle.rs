@@ -1,22 +1,24 @@
-//! The words of a circle: end points are rounded first, and the centre follows from them.
+//! Words of a circle: the end points are rounded first, then the centre is computed from them.
 //!
-//! A control compares the distances of both ends from the centre. The centre therefore is the point of the perpendicular
-//! bisector of the *rounded* ends that is nearest to the nominal one, and of the points around it that its words can hold
-//! the one from which both ends are most equally far. Lengths here are mm in the plane of the circle, in the program's
-//! own coordinates: the first axis, then the second, a quarter turn counter-clockwise from it.
+//! A control compares the distances of both ends from the centre. Therefore the centre is the point on the
+//! perpendicular bisector of the *rounded* ends that is nearest to the nominal centre, rounded to that neighbouring
+//! grid point whose distances from both ends differ least. Lengths are mm in the plane of the circle, in program
+//! coordinates: the first axis, then the second, which is 90° counter-clockwise from it.
 
 use std::f64::consts::{PI, TAU};
 
-/// Angles by which the sweep of the words may be off the nominal one, rad: beyond it they say another arc.
+/// Largest difference between the sweep of the words and the nominal one, rad: beyond it the words describe another
+/// arc.
 const SAME_SWEEP: f64 = 0.5;
 
-/// An `R` says where the centre is only where the chord is well away from nothing and from the diameter: sweeps in rad.
+/// Sweeps, rad, for which an `R` word determines the centre reliably: the chord is neither near zero nor near the
+/// diameter.
 const CLEAR_SWEEP: [f64; 2] = [0.05, 0.95 * PI];
 
-/// Centres further away than this, in units, are none.
-const LARGEST: f64 = 1e15;
+/// Largest coordinate of a centre, in units of the words.
+const MAX_UNITS: f64 = 1e15;
 
-/// A plane of the program, by the axis that is square to it.
+/// Working plane of a circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ArcPlane {
     /// G17: X, then Y.
@@ -28,10 +30,10 @@ pub enum ArcPlane {
 }
 
 impl ArcPlane {
-    /// The plane square to X, Y or Z.
-    pub(crate) const SQUARE_TO: [Self; 3] = [Self::Yz, Self::Zx, Self::Xy];
+    /// The planes perpendicular to X, Y and Z.
+    pub(crate) const PERPENDICULAR_TO: [Self; 3] = [Self::Yz, Self::Zx, Self::Xy];
 
-    /// Places of its axes among X Y Z, in their order, and that of the axis square to it.
+    /// Indices (0 X, 1 Y, 2 Z) of its two axes, in their order, and of the axis perpendicular to it.
     #[must_use]
     pub const fn axes(self) -> [usize; 3] {
         match self {
@@ -42,63 +44,62 @@ impl ArcPlane {
     }
 }
 
-/// A circle as its words say it; whole units of linear words.
+/// A circle in words; whole units of the linear words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
     /// The plane.
     pub plane: ArcPlane,
-    /// Places of X Y Z in the chain.
+    /// Positions of X Y Z in the chain.
     pub chain: [usize; 3],
-    /// Seen against the axis square to the plane.
+    /// Sense of rotation, seen against the axis perpendicular to the plane.
     pub clockwise: bool,
-    /// Where it begins.
+    /// Start point.
     pub start: [i64; 2],
-    /// Its centre.
+    /// Centre.
     pub centre: [i64; 2],
-    /// The radius, where it is to say what the centre says; below zero for more than half a turn.
+    /// Radius, if the block is written with R instead of the centre; negative for more than 180°.
     pub radius: Option<i64>,
-    /// Angle from start to end, above 0 and at most a turn, rad.
-    pub sweep: f64,
-    /// What the block moves along the axis square to the plane.
+    /// Angle from start to end, above 0 and at most one revolution.
+    pub sweep_rad: f64,
+    /// Motion along the axis perpendicular to the plane.
     pub rise: i64,
 }
 
-/// The circle of the CL data in the plane, mm.
+/// The circle of the CL data in its plane.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Nominal {
-    pub(crate) centre: [f64; 2],
-    /// At start and end.
-    pub(crate) radii: [f64; 2],
+pub(crate) struct NominalCircle {
+    pub(crate) centre_mm: [f64; 2],
+    /// Radii at start and end.
+    pub(crate) radii_mm: [f64; 2],
     pub(crate) clockwise: bool,
-    /// rad.
-    pub(crate) sweep: f64,
+    pub(crate) sweep_rad: f64,
 }
 
-/// What words have to keep.
+/// Resolution of the words, and the tolerance of the control.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Grid {
-    /// Units in 1 mm.
-    pub(crate) per_mm: f64,
-    /// By how much the control lets the radii at both ends differ, mm.
-    pub(crate) radius_tolerance: f64,
+pub(crate) struct WordGrid {
+    /// Units of a linear word in 1 mm.
+    pub(crate) units_per_mm: f64,
+    /// Largest difference of the radii at both ends that the control accepts.
+    pub(crate) radius_tolerance_mm: f64,
 }
 
-/// Words of a circle and how well they say it.
+/// Words of a circle, and their deviation from the nominal circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Fit {
+pub(crate) struct CircleFit {
     pub(crate) centre: [i64; 2],
-    /// Angle of the circle that the words say, rad.
-    pub(crate) sweep: f64,
-    pub(crate) off: Off,
+    /// Sweep of the circle that the words describe.
+    pub(crate) sweep_rad: f64,
+    pub(crate) deviation: CircleDeviation,
 }
 
-/// How far the circle of some words is off the nominal one, mm.
+/// Deviation of the circle of some words from the nominal circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Off {
-    /// In its plane.
-    pub(crate) plane: f64,
-    /// Its centre: so much does a point lead or lag, seen from either centre.
-    pub(crate) centre: f64,
+pub(crate) struct CircleDeviation {
+    /// Largest distance between the two circles in the plane.
+    pub(crate) plane_mm: f64,
+    /// Distance between the two centres, by which a point may lead or lag along the circle, seen from either centre.
+    pub(crate) centre_mm: f64,
 }
 
 fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
@@ -113,62 +114,62 @@ fn length(a: [f64; 2]) -> f64 {
     a[0].hypot(a[1])
 }
 
-impl Nominal {
-    /// Angle from one direction to another in the sense of the circle; a whole turn where both are the same.
-    fn turn(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
+impl NominalCircle {
+    /// Angle from one direction to another in the sense of the circle, rad; one revolution if both are the same.
+    fn angle_to_run(&self, from: [f64; 2], to: [f64; 2]) -> f64 {
         let left = (from[0] * to[1] - from[1] * to[0]).atan2(dot(from, to));
-        let turn = if self.clockwise { -left } else { left }.rem_euclid(TAU);
-        if turn > 0.0 { turn } else { TAU }
+        let angle = if self.clockwise { -left } else { left }.rem_euclid(TAU);
+        if angle > 0.0 { angle } else { TAU }
     }
 
-    /// The circle between two rounded points about `centre`, mm.
-    fn judged(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, Off) {
+    /// Sweep, rad, and deviation of the circle between two rounded points about `centre`, mm.
+    fn deviation_of(&self, [start, end]: [[f64; 2]; 2], centre: [f64; 2], whole: bool) -> (f64, CircleDeviation) {
         let (first, last) = (minus(start, centre), minus(end, centre));
-        let sweep = if whole { TAU } else { self.turn(first, last) };
+        let sweep = if whole { TAU } else { self.angle_to_run(first, last) };
         let radii = [length(first), length(last)];
-        let shift = minus(centre, self.centre);
+        let shift = minus(centre, self.centre_mm);
         let far = |direction: [f64; 2]| {
             let distance = length([shift[0] + direction[0] * radii[0], shift[1] + direction[1] * radii[0]]);
-            self.radii.iter().map(|radius| (distance - radius).abs()).fold(0.0, f64::max)
+            self.radii_mm.iter().map(|radius| (distance - radius).abs()).fold(0.0, f64::max)
         };
         let missed = |direction: [f64; 2]| {
-            let radius = self.radii[0];
+            let radius = self.radii_mm[0];
             (length([direction[0] * radius - shift[0], direction[1] * radius - shift[1]]) - radii[0]).abs()
         };
         let unit = |vector: [f64; 2]| [vector[0] / length(vector), vector[1] / length(vector)];
-        // The distance from the nominal centre changes monotonously except along the shift, and so does that of the nominal
-        // circle from this centre.
+        // The distance of this circle from the nominal centre is monotonic except at the direction of the shift and
+        // opposite to it, and so is the distance of the nominal circle from this centre.
         let mut off = far(unit(first)).max(far(unit(last)));
         if length(shift) > 0.0 {
             let along = unit(shift);
-            let begin = minus(start, self.centre);
+            let begin = minus(start, self.centre_mm);
             for direction in [along, [-along[0], -along[1]]] {
-                if self.turn(first, direction) <= sweep {
+                if self.angle_to_run(first, direction) <= sweep {
                     off = off.max(far(direction));
                 }
-                // The other way round: a small loop near the nominal circle leaves most of that uncut.
-                if self.turn(begin, direction) <= self.sweep {
+                // The converse: a small loop near the nominal circle would leave most of that circle uncut.
+                if self.angle_to_run(begin, direction) <= self.sweep_rad {
                     off = off.max(missed(direction));
                 }
             }
         }
-        (sweep, Off { plane: off + (radii[1] - radii[0]).abs(), centre: length(shift) })
+        (sweep, CircleDeviation { plane_mm: off + (radii[1] - radii[0]).abs(), centre_mm: length(shift) })
     }
 
-    /// The words of the circle between two points in whole units; `None` if none say it.
-    pub(crate) fn fit(&self, start: [i64; 2], end: [i64; 2], grid: Grid) -> Option<Fit> {
-        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.per_mm);
+    /// Words of the circle between two points in whole units; `None` if no words describe it.
+    pub(crate) fn fit(&self, start: [i64; 2], end: [i64; 2], grid: WordGrid) -> Option<CircleFit> {
+        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.units_per_mm);
         let (from, to) = (mm(start), mm(end));
         let whole = start == end;
-        let mut wanted = self.centre;
+        let mut wanted = self.centre_mm;
         if !whole {
             let chord = minus(to, from);
             let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
             let along = dot(minus(wanted, middle), chord) / dot(chord, chord);
             wanted = [wanted[0] - chord[0] * along, wanted[1] - chord[1] * along];
         }
-        let nearest = wanted.map(|value| (value * grid.per_mm).round());
-        if nearest.iter().any(|units| units.is_nan() || units.abs() > LARGEST) {
+        let nearest = wanted.map(|value| (value * grid.units_per_mm).round());
+        if nearest.iter().any(|units| units.is_nan() || units.abs() > MAX_UNITS) {
             return None;
         }
         let nearest = nearest.map(|units| units as i64);
@@ -177,39 +178,46 @@ impl Nominal {
             (length(minus(from, centre)) - length(minus(to, centre))).abs()
         };
         let mut centre = nearest;
-        // The first of equals is the nearest.
+        // Of equals the first is kept: the nearest.
         for step in [[0, 1], [1, 0], [0, -1], [-1, 0], [1, 1], [1, -1], [-1, 1], [-1, -1]] {
             let other = [nearest[0] + step[0], nearest[1] + step[1]];
             if !whole && unequal(centre) > 0.0 && unequal(other) < 0.5 * unequal(centre) {
                 centre = other;
             }
         }
-        if unequal(centre) > grid.radius_tolerance || centre == start {
+        if unequal(centre) > grid.radius_tolerance_mm || centre == start {
             return None;
         }
-        let (sweep, off) = self.judged([from, to], mm(centre), whole);
-        ((sweep - self.sweep).abs() <= SAME_SWEEP).then_some(Fit { centre, sweep, off })
+        let (sweep_rad, deviation) = self.deviation_of([from, to], mm(centre), whole);
+        ((sweep_rad - self.sweep_rad).abs() <= SAME_SWEEP).then_some(CircleFit { centre, sweep_rad, deviation })
     }
 
-    /// The radius that says the same as a centre, in whole units, and how far the circle of its words is off, mm.
-    pub(crate) fn radius(&self, start: [i64; 2], end: [i64; 2], fit: &Fit, grid: Grid) -> Option<(i64, Off)> {
-        let small = fit.sweep.min(TAU - fit.sweep);
+    /// Radius word, in whole units, that describes the same circle as the centre of a fit, and the deviation of its
+    /// circle.
+    pub(crate) fn radius(
+        &self,
+        start: [i64; 2],
+        end: [i64; 2],
+        fit: &CircleFit,
+        grid: WordGrid,
+    ) -> Option<(i64, CircleDeviation)> {
+        let small = fit.sweep_rad.min(TAU - fit.sweep_rad);
         if !(CLEAR_SWEEP[0]..=CLEAR_SWEEP[1]).contains(&small) {
             return None;
         }
-        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.per_mm);
+        let mm = |units: [i64; 2]| units.map(|units| units as f64 / grid.units_per_mm);
         let (from, to, centre) = (mm(start), mm(end), mm(fit.centre));
         let chord = minus(to, from);
         let middle = [0.5 * (from[0] + to[0]), 0.5 * (from[1] + to[1])];
-        let units = (length(minus(from, centre)) * grid.per_mm).round();
-        let radius = units / grid.per_mm;
+        let units = (length(minus(from, centre)) * grid.units_per_mm).round();
+        let radius = units / grid.units_per_mm;
         let height = (radius * radius - 0.25 * dot(chord, chord)).max(0.0).sqrt();
         let left = [-chord[1] / length(chord), chord[0] / length(chord)];
         let side = dot(minus(centre, middle), left).signum();
-        let said = [middle[0] + left[0] * height * side, middle[1] + left[1] * height * side];
-        let (_, off) = self.judged([from, to], said, false);
+        let centre = [middle[0] + left[0] * height * side, middle[1] + left[1] * height * side];
+        let (_, deviation) = self.deviation_of([from, to], centre, false);
         let units = units as i64;
-        Some((if fit.sweep > PI { -units } else { units }, off))
+        Some((if fit.sweep_rad > PI { -units } else { units }, deviation))
     }
 }
 
@@ -219,43 +227,46 @@ mod tests {
 
     use super::*;
 
-    const GRID: Grid = Grid { per_mm: 1000.0, radius_tolerance: 0.00127 };
+    const GRID: WordGrid = WordGrid { units_per_mm: 1000.0, radius_tolerance_mm: 0.00127 };
 
-    fn circle(centre: [f64; 2], radius: f64, from: f64, sweep: f64) -> (Nominal, [i64; 2], [i64; 2]) {
-        let nominal = Nominal { centre, radii: [radius; 2], clockwise: sweep < 0.0, sweep: sweep.abs() };
+    fn circle(centre: [f64; 2], radius: f64, from: f64, sweep: f64) -> (NominalCircle, [i64; 2], [i64; 2]) {
+        let nominal =
+            NominalCircle { centre_mm: centre, radii_mm: [radius; 2], clockwise: sweep < 0.0, sweep_rad: sweep.abs() };
         let at = |angle: f64| {
             [centre[0] + radius * angle.cos(), centre[1] + radius * angle.sin()]
-                .map(|value| (value * GRID.per_mm).round() as i64)
+                .map(|value| (value * GRID.units_per_mm).round() as i64)
         };
         (nominal, at(from), at(from + sweep))
     }
 
-    /// Ends of a whole turn that are rounded apart, square to the way: on the line between them and the centre a loop of some
-    /// thousandths of a millimetre has the same ends and the same sweep, and nowhere leaves the nominal circle.
+    /// Ends of a full circle that are rounded apart, perpendicular to the path: on the line between them and the centre
+    /// a loop of some thousandths of a millimetre has the same ends and the same sweep, and lies on the nominal circle
+    /// everywhere.
     #[test]
-    fn a_whole_turn_is_no_loop_at_its_start() {
+    fn a_full_circle_is_no_loop_at_its_start() {
         for radius in [0.05, 2.0, 10.000_5, 80.000_5] {
-            let nominal = Nominal { centre: [0.0; 2], radii: [radius; 2], clockwise: false, sweep: TAU };
+            let nominal =
+                NominalCircle { centre_mm: [0.0; 2], radii_mm: [radius; 2], clockwise: false, sweep_rad: TAU };
             let units = (radius * 1e3).floor() as i64;
             for aside in 0..40 {
                 let fit = nominal.fit([units, aside], [units + 1, aside], GRID);
-                let off = fit.map(|fit| (fit.off.plane, length(fit.centre.map(|units| units as f64 / 1e3))));
+                let off = fit.map(|fit| (fit.deviation.plane_mm, length(fit.centre.map(|units| units as f64 / 1e3))));
                 assert!(off.is_none_or(|(off, shift)| off > 0.8 * shift), "{radius} {aside}: {off:?}");
             }
         }
     }
 
     #[test]
-    fn a_whole_turn_stays_one_and_nothing_becomes_one() {
+    fn a_full_circle_stays_one_and_no_other_arc_becomes_one() {
         let (nominal, start, end) = circle([1.0, 2.0], 10.0, 0.3, TAU);
         let fit = nominal.fit(start, end, GRID).expect("a circle");
-        assert!((fit.sweep - TAU).abs() < 1e-12 && fit.centre == [1000, 2000]);
-        // Nearly a whole turn whose ends round to one point, and to points on the wrong side of each other.
+        assert!((fit.sweep_rad - TAU).abs() < 1e-12 && fit.centre == [1000, 2000]);
+        // Nearly a full circle whose ends round to one point, and to points on the wrong side of each other.
         let (nominal, start, _) = circle([1.0, 2.0], 10.0, 0.3, TAU - 1e-6);
         assert!(nominal.fit(start, start, GRID).is_some());
         let past = [start[0] - 1, start[1] + 1];
-        assert!(nominal.fit(start, past, GRID).is_none(), "a tiny arc instead of a whole turn");
-        // Next to nothing whose ends round to one point, or overtake each other.
+        assert!(nominal.fit(start, past, GRID).is_none(), "a tiny arc instead of a full circle");
+        // A tiny arc whose ends round to one point, or to points in the opposite order.
         let (nominal, start, end) = circle([1.0, 2.0], 10.0, 0.3, 1e-5);
         assert_eq!(start, end);
         assert!(nominal.fit(start, end, GRID).is_none());
@@ -263,17 +274,17 @@ mod tests {
     }
 
     #[test]
-    fn radii_that_no_words_make_equal_are_none() {
+    fn radii_that_no_words_make_equal_are_refused() {
         let (nominal, start, end) = circle([0.0, 0.0], 0.7, 0.0, 2.4);
         assert!(nominal.fit(start, end, GRID).is_some());
-        assert!(nominal.fit(start, end, Grid { radius_tolerance: 1e-9, ..GRID }).is_none());
-        assert!(nominal.fit(start, end, Grid { radius_tolerance: 1.0, ..GRID }).is_some());
+        assert!(nominal.fit(start, end, WordGrid { radius_tolerance_mm: 1e-9, ..GRID }).is_none());
+        assert!(nominal.fit(start, end, WordGrid { radius_tolerance_mm: 1.0, ..GRID }).is_some());
     }
 
     proptest! {
-        /// What a control makes of the words, looked at in many places, is as near to the circle as the fit says.
+        /// The path that a control makes of the words, sampled at many points, is within the deviation of the fit.
         #[test]
-        fn a_fit_is_as_near_as_it_says(
+        fn a_fit_deviates_by_no_more_than_it_states(
             centre in prop::array::uniform2(-300.0_f64..300.0),
             radius in 0.05_f64..400.0,
             from in 0.0_f64..TAU,
@@ -284,17 +295,17 @@ mod tests {
                 let [start, end, middle] = [start, end, fit.centre].map(|units| units.map(|units| units as f64 / 1e3));
                 let (first, last) = (minus(start, middle), minus(end, middle));
                 let unequal = (length(first) - length(last)).abs();
-                prop_assert!(unequal <= GRID.radius_tolerance);
+                prop_assert!(unequal <= GRID.radius_tolerance_mm);
                 let begin = first[1].atan2(first[0]);
                 for step in 0..=200 {
                     let part = f64::from(step) / 200.0;
-                    let angle = begin + sweep.signum() * fit.sweep * part;
+                    let angle = begin + sweep.signum() * fit.sweep_rad * part;
                     let r = length(first) + (length(last) - length(first)) * part;
                     let point = [middle[0] + r * angle.cos(), middle[1] + r * angle.sin()];
                     let off = (length(minus(point, centre)) - radius).abs();
-                    prop_assert!(off <= fit.off.plane + 1e-9, "{off} {fit:?}");
+                    prop_assert!(off <= fit.deviation.plane_mm + 1e-9, "{off} {fit:?}");
                 }
-                let reached = begin + sweep.signum() * fit.sweep;
+                let reached = begin + sweep.signum() * fit.sweep_rad;
                 let (x, y) = (middle[0] + length(last) * reached.cos(), middle[1] + length(last) * reached.sin());
                 prop_assert!((x - end[0]).hypot(y - end[1]) < 1e-6, "the sweep leads to the end");
                 if let Some((units, off)) = nominal.radius(
@@ -303,26 +314,26 @@ mod tests {
                     &fit,
                     GRID,
                 ) {
-                    prop_assert_eq!(units < 0, fit.sweep > PI);
-                    // The control's own centre: on the side that sign and sense say.
+                    prop_assert_eq!(units < 0, fit.sweep_rad > PI);
+                    // The centre that the control computes: on the side given by sign and sense.
                     let r = units.unsigned_abs() as f64 / 1e3;
                     let chord = minus(end, start);
                     let height = (r * r - 0.25 * dot(chord, chord)).sqrt();
                     let side = if (units > 0) == (sweep > 0.0) { 1.0 } else { -1.0 };
-                    let said = [
+                    let computed = [
                         0.5 * (start[0] + end[0]) - side * height * chord[1] / length(chord),
                         0.5 * (start[1] + end[1]) + side * height * chord[0] / length(chord),
                     ];
-                    prop_assert!(length(minus(said, middle)) < 0.1 * radius + 0.01, "{said:?} {middle:?}");
-                    prop_assert!((length(minus(start, said)) - r).abs() < 1e-6);
-                    prop_assert!(off.plane < 1.0);
+                    prop_assert!(length(minus(computed, middle)) < 0.1 * radius + 0.01, "{computed:?} {middle:?}");
+                    prop_assert!((length(minus(start, computed)) - r).abs() < 1e-6);
+                    prop_assert!(off.plane_mm < 1.0);
                 }
             }
         }
 
-        /// Arcs that are long enough to have a direction are said by their words within two units.
+        /// Words of arcs that are long enough to have a direction deviate by less than four units.
         #[test]
-        fn clear_arcs_are_said_within_two_units(
+        fn words_of_long_arcs_deviate_by_less_than_four_units(
             centre in prop::array::uniform2(-300.0_f64..300.0),
             radius in 5.0_f64..100.0,
             from in 0.0_f64..TAU,
@@ -330,7 +341,7 @@ mod tests {
         ) {
             let (nominal, start, end) = circle(centre, radius, from, sweep);
             let fit = nominal.fit(start, end, GRID);
-            prop_assert!(fit.is_some_and(|fit| fit.off.plane < 0.004), "{fit:?}");
+            prop_assert!(fit.is_some_and(|fit| fit.deviation.plane_mm < 0.004), "{fit:?}");
         }
     }
 }

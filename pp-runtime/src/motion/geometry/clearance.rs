@@ -1,14 +1,16 @@
-//! How far a tool has to go along its axis to be clear of the part.
+//! Distance of a retract along the tool axis until the tool is clear of the part.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
 use crate::program::Clearance;
 
-/// Cosine between tool axis and the direction of a plane below which the axis does not lead there.
+/// Smallest cosine between the tool axis and the normal of a clearance plane: below it the axis does not lead to the
+/// plane.
 const ALONG: f64 = 1e-3;
 
-/// mm along `axis` until the tool is outside and stays there, 0 if it is; `None` if it never leaves.
-pub(crate) fn way_out(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
+/// Distance along `axis` to the point after which the tool stays outside the clearance geometry, mm; 0 if it is outside
+/// already, `None` if it never leaves.
+pub(crate) fn distance_to_clear(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Option<f64> {
     match *clearance {
         Clearance::Plane(plane) => {
             let along = axis.dot(&plane.normal);
@@ -27,7 +29,7 @@ pub(crate) fn way_out(clearance: &Clearance, tip: &Point3<f64>, axis: &UnitVecto
     }
 }
 
-/// Where a coordinate that begins at `from` and grows by `by` lies between two values: first and last.
+/// First and last parameter `t` at which `from + t * by` is between two values.
 fn span(from: f64, by: f64, lower: f64, upper: f64) -> Option<(f64, f64)> {
     if by.abs() < 1e-12 {
         return (lower..=upper).contains(&from).then_some((f64::NEG_INFINITY, f64::INFINITY));
@@ -36,7 +38,7 @@ fn span(from: f64, by: f64, lower: f64, upper: f64) -> Option<(f64, f64)> {
     Some((a.min(b), a.max(b)))
 }
 
-/// Where `a t² + 2 b t + c` is not positive: first and last.
+/// First and last parameter `t` at which `a t² + 2 b t + c` is not positive.
 fn crossing(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
     if a < 1e-24 {
         return (c <= 0.0).then_some((f64::NEG_INFINITY, f64::INFINITY));
@@ -45,7 +47,7 @@ fn crossing(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
     (!root.is_nan()).then(|| ((-b - root) / a, (-b + root) / a))
 }
 
-/// The last place that lies in all spans and is not behind; 0 if there is none.
+/// Largest parameter that is inside all spans and not negative; 0 if there is none.
 fn last_inside(spans: &[Option<(f64, f64)>]) -> f64 {
     let mut inside = (f64::NEG_INFINITY, f64::INFINITY);
     for span in spans {
@@ -63,7 +65,7 @@ mod tests {
     use crate::program::ClearancePlane;
 
     fn out(clearance: &Clearance, tip: [f64; 3], axis: [f64; 3]) -> Option<f64> {
-        way_out(clearance, &Point3::from(tip), &UnitVector3::new_normalize(Vector3::from(axis)))
+        distance_to_clear(clearance, &Point3::from(tip), &UnitVector3::new_normalize(Vector3::from(axis)))
     }
 
     const BOX: Clearance =
@@ -77,7 +79,7 @@ mod tests {
             assert_eq!(out(&clearance, [0.0; 3], [0.0, 0.0, 1.0]), Some(5.0));
             assert_eq!(out(&clearance, [4.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some(6.0));
             assert_eq!(out(&clearance, [0.0, 0.0, 6.0], [0.0, 0.0, 1.0]), Some(0.0));
-            // Outside, on the way through.
+            // Outside, but the axis leads through the part.
             assert_eq!(out(&clearance, [-15.0, 0.0, 0.0], [1.0, 0.0, 0.0]), Some(25.0));
             assert_eq!(out(&clearance, [-15.0, 25.0, 0.0], [1.0, 0.0, 0.0]), Some(0.0));
         }
@@ -104,7 +106,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn behind_the_way_out_nothing_is_inside(
+        fn beyond_the_distance_to_clear_nothing_is_inside(
             tip in proptest::array::uniform3(-25.0..25.0_f64),
             axis in proptest::array::uniform3(-1.0..1.0_f64),
             cylinder in proptest::bool::ANY,
@@ -112,12 +114,12 @@ mod tests {
             prop_assume!(Vector3::from(axis).norm() > 0.1);
             let clearance = if cylinder { CYLINDER } else { BOX };
             let axis = UnitVector3::new_normalize(Vector3::from(axis));
-            let way = way_out(&clearance, &Point3::from(tip), &axis).expect("a way");
+            let distance = distance_to_clear(&clearance, &Point3::from(tip), &axis).expect("a distance");
             let at = |t: f64| Point3::from(tip) + axis.into_inner() * t;
             for step in 1..200 {
-                prop_assert!(!inside(&clearance, &at(way + 0.5 * f64::from(step))));
+                prop_assert!(!inside(&clearance, &at(distance + 0.5 * f64::from(step))));
             }
-            prop_assert!(way <= 1e-9 || inside(&clearance, &at(way - 1e-6)));
+            prop_assert!(distance <= 1e-9 || inside(&clearance, &at(distance - 1e-6)));
         }
     }
 }

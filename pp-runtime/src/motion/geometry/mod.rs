@@ -1,12 +1,12 @@
-//! Geometry of motions in the workpiece and in the words of a program; knows no machine.
+//! Geometry of motions in the workpiece frame and in the words of a program; independent of the machine.
 
 mod arc;
 mod circle;
 mod clearance;
-mod sweep;
+mod path_segment;
 
-pub(crate) use arc::{Round, extent};
+pub(crate) use arc::{ArcGeometry, extent};
 pub use circle::{ArcPlane, Circle};
-pub(crate) use circle::{Grid, Nominal, Off};
-pub(crate) use clearance::way_out;
-pub(crate) use sweep::{SAME_AXIS, Way, angle_between, turn_between};
+pub(crate) use circle::{CircleDeviation, NominalCircle, WordGrid};
+pub(crate) use clearance::distance_to_clear;
+pub(crate) use path_segment::{PathSegment, SAME_AXIS, angle_between, rotation_between};

@@ -1,20 +1,20 @@
-//! Facts of the axes of a machine in its set-up, computed once: solved rotary and linear axes, poles, speeds.
+//! Properties of the axes of a machine in its set-up, computed once: solved rotary and linear axes, poles, speeds.
 //!
-//! Plain data that nothing changes after the placer has been built.
+//! Plain data, constant after the placer has been created.
 
 use nalgebra::UnitVector3;
 
-use super::chain::{coordinates, counted, held_tool_axis, orthogonal, poles};
+use super::chain::{coordinates, held_tool_axis, orthogonal, poles, xyz_only};
 use super::datum::Datum;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, REACH_TOLERANCE};
 use crate::motion::options::{Mode, Policy};
-use crate::motion::rotary::{AngleScale, Metric, Rotary};
+use crate::motion::rotary::{AngleScale, Rotary, RotaryMetric};
 use crate::program::Units;
 
-/// Word units that floating-point noise of a limit may amount to.
+/// Largest floating-point noise of a limit, in units of a word.
 const LIMIT_NOISE: f64 = 1e-6;
 
-/// Cosine between tool axis and retract axis from which the two count as parallel.
+/// Smallest cosine between tool axis and retract axis at which the two count as parallel.
 const PARALLEL: f64 = 1.0 - 1e-12;
 
 /// The solved rotary axes.
@@ -23,24 +23,24 @@ pub(crate) struct RotaryAxes {
     pub(crate) axes: Vec<Rotary>,
     /// The same axes without their limits.
     pub(crate) endless: Vec<Rotary>,
-    /// Any of them has limits.
+    /// At least one axis has limits.
     pub(crate) limited: bool,
     /// Bit `i` for the axis at position `i`.
     pub(crate) mask: u16,
-    /// Those whose words stay within a turn.
+    /// Mask of the axes whose words stay within one revolution.
     pub(crate) wrapped: u16,
-    /// Indexed ones, and their steps in whole units.
+    /// Indexed axes, and their steps in whole units.
     pub(crate) grid: Vec<(Rotary, i64)>,
     pub(crate) scale: AngleScale,
-    pub(crate) metric: Metric,
+    pub(crate) metric: RotaryMetric,
 }
 
-/// Tool axes within reach that leave the first rotary free.
+/// Reachable tool axes at which the angle of the first rotary axis is free.
 #[derive(Debug, Clone)]
 pub(crate) struct Poles {
     pub(crate) axes: Vec<UnitVector3<f64>>,
-    /// Angle to a pole up to which the tool axis counts as being there, rad.
-    pub(crate) tolerance: f64,
+    /// Largest angle to a pole at which the tool axis counts as being at the pole.
+    pub(crate) tolerance_rad: f64,
 }
 
 /// The solved linear axes.
@@ -49,35 +49,35 @@ pub(crate) struct LinearAxes {
     /// Bit `i` for the axis at position `i`.
     pub(crate) mask: u16,
     /// Units of their words in 1 mm.
-    pub(crate) per_mm: f64,
-    /// Positions of X Y Z in the chain, where these are the axes that are solved.
+    pub(crate) units_per_mm: f64,
+    /// Positions of X Y Z in the chain, if these are the solved linear axes.
     pub(crate) xyz: Option<[usize; 3]>,
-    /// The one that retracts.
+    /// Position of the retract axis.
     pub(crate) retract_axis: usize,
-    /// Component of the tool axis along that axis' positive word, at the zero position.
+    /// Component of the tool axis along the positive direction of the retract axis, at the zero position.
     pub(crate) retract_share: f64,
-    /// Going out along it is going out along the tool axis, whatever the rotaries do.
-    pub(crate) straight: bool,
-    /// The control counts their path as long as that of the tip.
-    pub(crate) square: bool,
-    /// They are perpendicular to each other, whatever the rotaries do.
+    /// A retract along the retract axis is a retract along the tool axis at any rotary angles.
+    pub(crate) retracts_along_tool: bool,
+    /// The path length that the control computes from the words equals that of the tip.
+    pub(crate) keeps_path_length: bool,
+    /// The linear axes are perpendicular to each other at any rotary angles.
     pub(crate) orthogonal: bool,
 }
 
 /// Largest speeds, mm/min and rad/min, by position in the chain.
 #[derive(Debug, Clone)]
 pub(crate) struct AxisSpeeds {
-    pub(crate) of_axes: Vec<Option<f64>>,
-    /// Feeds are limited by them.
+    pub(crate) per_axis: Vec<Option<f64>>,
+    /// Feeds are limited by these speeds.
     pub(crate) timed: bool,
 }
 
-/// Positions of the solved axes of a kind.
+/// Positions of the solved axes of one kind.
 fn solved(chain: &'static [Axis], kind: AxisKind) -> impl Iterator<Item = usize> {
     chain.iter().enumerate().filter(move |(_, axis)| axis.kind == kind && !axis.held).map(|(index, _)| index)
 }
 
-/// A bit for each solved axis of a kind.
+/// Mask of the solved axes of one kind.
 fn mask(chain: &'static [Axis], kind: AxisKind) -> u16 {
     solved(chain, kind).fold(0_u16, |mask, index| mask | 1 << index)
 }
@@ -93,13 +93,13 @@ impl RotaryAxes {
         let limits = policy.set_up.travel(chain).limits;
         let axes: Vec<Rotary> = solved(chain, AxisKind::Rotary)
             .map(|index| {
-                let rest = datum.rest(index, scale);
-                let word = |angle: f64| (angle.to_degrees() - rest) * scale.per_degree;
+                let rest_deg = datum.rest_deg(index, scale);
+                let word = |angle: f64| (angle.to_degrees() - rest_deg) * scale.units_per_degree;
                 Rotary {
                     index,
                     lower: limits[index].map(|limits| (word(limits.lower) - LIMIT_NOISE).ceil() as i64),
                     upper: limits[index].map(|limits| (word(limits.upper) + LIMIT_NOISE).floor() as i64),
-                    rest,
+                    rest_deg,
                 }
             })
             .collect();
@@ -112,7 +112,7 @@ impl RotaryAxes {
             mask: mask(chain, AxisKind::Rotary),
             wrapped: axes.iter().filter(is_wrapped).fold(0, |mask, rotary| mask | 1 << rotary.index),
             grid: grid(chain, policy, &axes, scale),
-            metric: Metric::new(&axes, [0, 1].map(speed), scale),
+            metric: RotaryMetric::new(&axes, [0, 1].map(speed), scale),
             scale,
             axes,
         }
@@ -127,7 +127,8 @@ impl LinearAxes {
             let joint = machine.joint(index);
             joint.direction.dot(&tool_axis) * joint.sign
         };
-        // `max_by` keeps the last of equals; nearer the tool is later on the tool side, and the tool side is later.
+        // `max_by` keeps the last of equals: the tool side comes last in the chain, and there the axis nearest the
+        // tool.
         let retract_axis = solved(axes, AxisKind::Linear)
             .max_by(|&a, &b| {
                 let (a, b) = (share(a).abs(), share(b).abs());
@@ -139,12 +140,12 @@ impl LinearAxes {
         let orthogonal = orthogonal(machine, axes);
         Self {
             mask: mask(axes, AxisKind::Linear),
-            per_mm: per_unit / units.in_mm(),
+            units_per_mm: per_unit / units.in_mm(),
             xyz: coordinates(axes),
             retract_axis,
             retract_share: share(retract_axis),
-            straight: policy.options.mode == Mode::Axes && !head && along_tool,
-            square: orthogonal && counted(axes),
+            retracts_along_tool: policy.options.mode == Mode::Axes && !head && along_tool,
+            keeps_path_length: orthogonal && xyz_only(axes),
             orthogonal,
         }
     }
@@ -152,12 +153,12 @@ impl LinearAxes {
 
 impl Poles {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>, rotaries: &[Rotary]) -> Self {
-        let tolerance = policy.options.course.axis_tolerance.max(REACH_TOLERANCE);
-        Self { axes: poles(machine, rotaries), tolerance }
+        let tolerance_rad = policy.options.course.axis_tolerance.max(REACH_TOLERANCE);
+        Self { axes: poles(machine, rotaries), tolerance_rad }
     }
 }
 
-/// The steps of indexed rotaries in whole units.
+/// Indexed rotary axes and their steps in whole units.
 fn grid(chain: &'static [Axis], policy: Policy<'_>, rotaries: &[Rotary], scale: AngleScale) -> Vec<(Rotary, i64)> {
     let step =
         |rotary: &Rotary| Some((*rotary, scale.word(*policy.options.rotaries.grid.get(&chain[rotary.index].letter)?)));

@@ -1,4 +1,4 @@
-//! What the directions of a machine's axes mean for planning: poles, and whether linear axes are square.
+//! Consequences of the axis directions of a machine: poles, and whether its linear axes are perpendicular.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
@@ -6,12 +6,12 @@ use crate::kinematics::{AnyMachine, Axis, AxisKind, Joint, Pose, Side};
 
 use crate::motion::rotary::Rotary;
 
-/// Tool axes within reach that leave the first of two rotaries free: along its direction and against it.
+/// Reachable tool axes at which the angle of the first of two rotary axes is free: along its direction and against it.
 pub(crate) fn poles(machine: &dyn AnyMachine, rotaries: &[Rotary]) -> Vec<UnitVector3<f64>> {
     let [first, _] = rotaries else { return Vec::new() };
     let mut direction = machine.joint(first.index).direction.into_inner();
     for index in (0..first.index).rev().filter(|&index| machine.axes()[index].kind == AxisKind::Rotary) {
-        direction = turned(&machine.joint(index), machine.held()[index], &direction);
+        direction = rotated(&machine.joint(index), machine.held()[index], &direction);
     }
     let free = |axis: &UnitVector3<f64>| {
         let pose = Pose { tip: Point3::origin(), axis: *axis };
@@ -20,45 +20,45 @@ pub(crate) fn poles(machine: &dyn AnyMachine, rotaries: &[Rotary]) -> Vec<UnitVe
     [direction, -direction].map(UnitVector3::new_normalize).into_iter().filter(free).collect()
 }
 
-/// Positions of the solved rotary axes of one side, from the workpiece on.
+/// Positions of the solved rotary axes of one side, beginning at the workpiece.
 pub(crate) fn rotaries(chain: &'static [Axis], side: Side) -> impl Iterator<Item = usize> {
     let wanted = move |axis: &Axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side;
     chain.iter().enumerate().filter(move |(_, axis)| wanted(axis)).map(|(index, _)| index)
 }
 
-/// The tool axis in the machine frame with the solved axes at zero and the held ones at their values.
+/// Tool axis in the machine frame with the solved axes at zero and the held axes at their values.
 pub(crate) fn held_tool_axis(machine: &dyn AnyMachine) -> Vector3<f64> {
     let mut axis = machine.tool_axis().into_inner();
     for (index, described) in machine.axes().iter().enumerate().rev() {
         if described.kind == AxisKind::Rotary && described.held && described.side == Side::Tool {
-            axis = turned(&machine.joint(index), machine.held()[index], &axis);
+            axis = rotated(&machine.joint(index), machine.held()[index], &axis);
         }
     }
     axis
 }
 
-fn turned(joint: &Joint, angle: f64, vector: &Vector3<f64>) -> Vector3<f64> {
-    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle) * vector
+fn rotated(joint: &Joint, angle_rad: f64, vector: &Vector3<f64>) -> Vector3<f64> {
+    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle_rad) * vector
 }
 
-/// Linear directions that are square to each other and stay so, because no rotary stands between two of them.
+/// Whether the solved linear axes are perpendicular to each other at any rotary angles: no rotary axis is between them.
 pub(crate) fn orthogonal(machine: &dyn AnyMachine, axes: &[Axis]) -> bool {
     let solved = solved_linear(axes);
-    let square = solved.iter().enumerate().all(|(position, &a)| {
+    let perpendicular = solved.iter().enumerate().all(|(position, &a)| {
         solved[position + 1..]
             .iter()
             .all(|&b| machine.joint(a).direction.dot(&machine.joint(b).direction).abs() < 1e-12)
     });
     let (Some(&first), Some(&last)) = (solved.first(), solved.last()) else { return false };
-    square && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
+    perpendicular && axes[first..=last].iter().all(|axis| axis.kind == AxisKind::Linear)
 }
 
-/// X Y Z: along U V W no control counts F in a block that moves one of these.
-pub(crate) fn counted(axes: &[Axis]) -> bool {
+/// Whether the solved linear axes are X, Y, Z: no control applies F along U, V, W in a block that moves one of X, Y, Z.
+pub(crate) fn xyz_only(axes: &[Axis]) -> bool {
     solved_linear(axes).iter().all(|&index| matches!(axes[index].letter, 'X' | 'Y' | 'Z'))
 }
 
-/// Places of X, Y and Z in the chain, if these are the linear axes that are solved.
+/// Positions of X, Y and Z in the chain, if these are the solved linear axes.
 pub(crate) fn coordinates(axes: &[Axis]) -> Option<[usize; 3]> {
     let place = |letter: char| axes.iter().position(|axis| axis.letter == letter && !axis.held);
     Some([place('X')?, place('Y')?, place('Z')?])

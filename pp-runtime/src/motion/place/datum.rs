@@ -1,8 +1,9 @@
-//! What the written words count from.
+//! Zero of the written words.
 //!
-//! Planning counts axis values, for which limits hold. A written rotary word is the axis value minus `rotary_offset`, and
-//! rounding comes first here, too: what whole units of the word cannot hold of the offset is in the axis value. A linear
-//! word counts from the part zero or from the table's reference point, and to the tip or to the gauge line of the tool.
+//! Planning uses axis values, for which limits hold. A written rotary word is the axis value minus `rotary_offset`.
+//! Rounding comes first here, too: the part of the offset that is smaller than one unit of the word is kept in the axis
+//! value. A linear word is measured from the part zero or from the reference point of the table, to the tip or to the
+//! gauge line of the tool.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -13,21 +14,21 @@ use crate::set_up::{LengthMode, ProgramZero};
 use crate::motion::rotary::AngleScale;
 use crate::motion::step::MAX_AXES;
 
-/// Part of a unit of a word that an offset may be off whole units because degrees became radians.
+/// Largest noise of an offset, in units of a word, from the conversion of degrees to radians.
 const NOISE: f64 = 1e-6;
 
-/// From axis values to written words, by position in the chain.
+/// Offsets from axis values to written words, by position in the chain.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Datum {
-    /// Linear words at the zero position with a tool of no length, mm.
-    zero: [f64; MAX_AXES],
-    /// What 1 mm of gauge length adds to linear words.
+    /// Linear words minus axis values for a tool of no length.
+    zero_mm: [f64; MAX_AXES],
+    /// Addition to the linear words for 1 mm of gauge length.
     share: [f64; MAX_AXES],
-    /// What a linear word is more than the axis value, with the tool in the spindle, mm.
-    linear: [f64; MAX_AXES],
+    /// Linear words minus axis values with the tool in the spindle.
+    linear_mm: [f64; MAX_AXES],
     /// Rotary offsets in units of words.
     offsets: [f64; MAX_AXES],
-    /// The same in whole units.
+    /// Rotary offsets rounded to whole units.
     whole: [i64; MAX_AXES],
 }
 
@@ -36,11 +37,11 @@ impl Datum {
         let (mut offsets, mut whole) = ([0.0; MAX_AXES], [0; MAX_AXES]);
         for (index, axis) in machine.axes().iter().enumerate() {
             if let Some(offset) = policy.set_up.rotary_offset.get(&axis.letter) {
-                offsets[index] = offset.to_degrees() * scale.per_degree;
+                offsets[index] = offset.to_degrees() * scale.units_per_degree;
                 whole[index] = offsets[index].round() as i64;
             }
         }
-        let zero = match policy.set_up.program_zero {
+        let zero_mm = match policy.set_up.program_zero {
             ProgramZero::Part => [0.0; MAX_AXES],
             ProgramZero::Table => along_axes(machine, &policy.set_up.part_origin.into()),
         };
@@ -48,38 +49,38 @@ impl Datum {
             LengthMode::Tip => [0.0; MAX_AXES],
             LengthMode::Gauge => along_axes(machine, &machine.tool_axis()),
         };
-        Self { zero, share, linear: zero, offsets, whole }
+        Self { zero_mm, share, linear_mm: zero_mm, offsets, whole }
     }
 
-    /// With another tool in the spindle.
-    pub(crate) fn set_gauge_length(&mut self, length: f64) {
-        self.linear = std::array::from_fn(|index| self.zero[index] + length * self.share[index]);
+    /// Sets the gauge length of the tool in the spindle.
+    pub(crate) fn set_gauge_length(&mut self, length_mm: f64) {
+        self.linear_mm = std::array::from_fn(|index| self.zero_mm[index] + length_mm * self.share[index]);
     }
 
-    /// What the word of a linear axis is more than its value, mm.
+    /// Word of a linear axis minus its axis value, mm.
     #[inline]
-    pub(crate) fn linear(&self, index: usize) -> f64 {
-        self.linear[index]
+    pub(crate) fn linear_shift_mm(&self, index: usize) -> f64 {
+        self.linear_mm[index]
     }
 
-    /// What whole units do not hold of the offset of a rotary axis, degrees.
-    pub(crate) fn rest(&self, index: usize, scale: AngleScale) -> f64 {
+    /// Part of the offset of a rotary axis that is smaller than one unit, degrees.
+    pub(crate) fn rest_deg(&self, index: usize, scale: AngleScale) -> f64 {
         let rest = self.offsets[index] - self.whole[index] as f64;
-        if rest.abs() < NOISE { 0.0 } else { rest / scale.per_degree }
+        if rest.abs() < NOISE { 0.0 } else { rest / scale.units_per_degree }
     }
 
-    /// The words to write for words that count axis values.
+    /// Written words for words that are axis values.
     #[inline]
     pub(crate) fn written(&self, words: &[i64; MAX_AXES]) -> [i64; MAX_AXES] {
         std::array::from_fn(|index| words[index] - self.whole[index])
     }
 }
 
-/// Words of the solved linear axes whose motion together, at the zero position, is a vector; zero for every other axis.
+/// Components of a vector along the solved linear axes at the zero position; 0 for every other axis.
 pub(crate) fn along_axes(machine: &dyn AnyMachine, vector: &Vector3<f64>) -> [f64; MAX_AXES] {
     let linear = |index: &usize| machine.axes()[*index].kind == AxisKind::Linear && !machine.axes()[*index].held;
     let solved: Vec<usize> = (0..machine.axes().len()).filter(linear).collect();
-    // Columns: where each axis moves the tool for a positive word.
+    // Columns: direction in which each axis moves the tool for a positive word.
     let column = |&index: &usize| {
         let joint = machine.joint(index);
         joint.direction.into_inner() * joint.sign
@@ -105,7 +106,7 @@ mod tests {
     use crate::motion::tests::{Run, config, feed, rapid, run, spindle, tool};
     use crate::set_up::GivenTool;
 
-    /// The axis at `C` and `B` degrees on the C-B table.
+    /// Tool axis at `C` and `B` degrees on the C-B table.
     fn axis(c: f64, b: f64) -> [f64; 3] {
         let ((sin_c, cos_c), (sin_b, cos_b)) = (c.to_radians().sin_cos(), b.to_radians().sin_cos());
         [sin_b * cos_c, sin_b * sin_c, cos_b]
@@ -142,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_word_cannot_hold_of_an_offset_is_in_the_axis_value() {
+    fn the_part_of_an_offset_below_one_unit_is_in_the_axis_value() {
         let [c, b, x, y, z] = words(&posted(&shifted(&[('C', 12.500_03), ('B', -0.000_04)]), [100.0, 30.0]));
         assert!((c - 87.5).abs() < 1e-9 && (b - 30.0).abs() < 1e-9, "{c} {b}");
         let machine: Cb = config().set_up.machine().expect("valid");
@@ -159,14 +160,14 @@ mod tests {
     #[test]
     fn limits_hold_for_the_rounded_word_and_its_offset() {
         assert_eq!(posted(&shifted(&[('B', 20.0)]), [0.0, 110.0]).diagnostics, []);
-        // 99.99997 is written 100, and B would stand at 110.00003.
+        // 99.99997 is written as 100, and B would be at 110.00003.
         let fault = posted(&shifted(&[('B', 10.000_03)]), [0.0, 110.0]);
-        assert!(fault.error().text.contains("B would have to turn to 110.00003"), "{}", fault.error().text);
+        assert!(fault.error().text.contains("B would have to rotate to 110.00003"), "{}", fault.error().text);
         assert_eq!(posted(&shifted(&[('B', 9.999_97)]), [0.0, 110.0]).diagnostics, []);
     }
 
     #[test]
-    fn linear_words_count_from_the_table_if_they_are_to() {
+    fn linear_words_are_measured_from_the_table_if_so_configured() {
         let mut config = shifted(&[]);
         config.set_up.part_origin = [1.5, -2.25, 40.0];
         let plain = words(&posted(&config, [100.0, 30.0]));

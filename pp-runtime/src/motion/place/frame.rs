@@ -1,18 +1,19 @@
-//! What the linear words of a block count: axis values, or coordinates of the tip in a frame of the control.
+//! Frame of the linear words of a block: axis values, or coordinates of the tip in a frame of the control.
 //!
-//! In mode `tcp` the control moves the axes so that the tip stands at the X Y Z of the block; in mode `plane` it counts
-//! them in a plane that it has tilted. Either way the words are an isometry of the workpiece frame,
+//! In mode `tcp` the control moves the axes so that the tip is at the X Y Z of the block; in mode `plane` X Y Z are
+//! coordinates in a tilted plane. In both modes the words are an isometry of the workpiece frame,
 //!
 //! ```text
 //! word = S · R · (p + o) + shift
 //! ```
 //!
-//! `S` being the signs of words that run backwards (with all rotaries at zero the words are those of mode `axes`), `o` the
-//! part zero where words count from the table, and `R` what the frame adds: nothing for a frame that is fixed to the table
-//! as it stands at zero, the table's turn for one that is fixed to it where tip control begins, the plane's for a plane.
+//! where `S` contains the signs of the words (-1 for a word that runs backwards, so that with all rotary axes at zero
+//! the words are those of mode `axes`), `o` is the part zero if the words are measured from the table, and `R` is the
+//! rotation of the frame: the identity for a frame fixed to the table at zero, the rotation of the table for a frame
+//! fixed to the table where tip control begins, the rotation of the plane for a tilted plane.
 //!
-//! A mirrored control (an odd number of backward words) sees a mirrored part: what is a rotation `R` of the part is
-//! `S·R·S` in its words.
+//! For a mirrored control (an odd number of backward words) the part is mirrored: a rotation `R` of the part is `S·R·S`
+//! in its words.
 
 use nalgebra::{Matrix3, Point3, Vector3};
 
@@ -22,17 +23,17 @@ use crate::motion::options::{Mode, TcpFrame, TcpWords, ToolPosture};
 use crate::set_up::ProgramZero;
 
 use super::chain::rotaries;
-use super::tilted_plane::{PlaneAbility, Tilt};
+use super::tilted_plane::{PlaneAbility, TiltedPlane};
 use crate::motion::fault::Fault;
 
-/// What tip control of a control can do.
+/// Abilities of the tip control (TCP) of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TipAbility {
-    /// In which frame it counts is a setting of the machine.
-    pub frame_is_set: bool,
-    /// It can turn the tool axis in the plane of its ends.
+    /// A parameter of the machine selects the frame of its coordinates.
+    pub frame_is_parameter: bool,
+    /// It can rotate the tool axis in the plane of the tool axes at both ends of a block.
     pub turns_in_plane: bool,
-    /// It takes the tool axis as a vector.
+    /// It accepts the tool axis as a vector.
     pub takes_vectors: bool,
 }
 
@@ -40,43 +41,43 @@ pub struct TipAbility {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct WordMap {
     pub(crate) rotation: Matrix3<f64>,
-    pub(crate) shift: Vector3<f64>,
+    pub(crate) shift_mm: Vector3<f64>,
 }
 
 impl WordMap {
     /// The words X Y Z of a tip, mm.
     pub(crate) fn words(&self, tip: &Point3<f64>) -> Vector3<f64> {
-        self.rotation * tip.coords + self.shift
+        self.rotation * tip.coords + self.shift_mm
     }
 
-    /// The tip of words.
+    /// The tip of the words X Y Z, mm.
     pub(crate) fn tip(&self, words: &Vector3<f64>) -> Point3<f64> {
-        Point3::from(self.rotation.transpose() * (words - self.shift))
+        Point3::from(self.rotation.transpose() * (words - self.shift_mm))
     }
 }
 
-/// What linear words count.
+/// Meaning of the linear words.
 #[derive(Debug, Clone, PartialEq)]
-enum Counting {
+enum LinearWords {
     /// Axis values.
     Axes,
-    /// The tip, in one frame until the next change.
+    /// Coordinates of the tip in a frame that is fixed until the next change.
     Fixed(WordMap),
-    /// The tip, in a frame that stands still while the table turns.
+    /// Coordinates of the tip in a frame that does not rotate with the table.
     Turning,
 }
 
-/// The frames of one machine and set-up.
+/// Frame of the linear words for one machine and set-up.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WordFrame {
-    counting: Counting,
+    meaning: LinearWords,
     mode: Mode,
     tcp_frame: TcpFrame,
     posture: ToolPosture,
     /// Signs of the words X Y Z.
     signs: Matrix3<f64>,
-    /// What the words count from, from the part zero, mm.
-    zero: Vector3<f64>,
+    /// Part zero measured from the zero of the words.
+    zero_mm: Vector3<f64>,
     /// Positions of X Y Z in the chain.
     letters: [usize; 3],
 }
@@ -86,22 +87,22 @@ impl WordFrame {
         let position = |letter: char| machine.axes().iter().position(|axis| axis.letter == letter);
         let letters = ['X', 'Y', 'Z'].map(|letter| position(letter).unwrap_or_default());
         let sign = letters.map(|index| machine.joint(index).sign);
-        let zero = match policy.set_up.program_zero {
+        let zero_mm = match policy.set_up.program_zero {
             ProgramZero::Part => Vector3::zeros(),
             ProgramZero::Table => policy.set_up.part_origin.into(),
         };
         let mut frame = Self {
-            counting: Counting::Axes,
+            meaning: LinearWords::Axes,
             mode: policy.options.mode,
             tcp_frame: policy.options.tip.tcp_frame.unwrap_or(TcpFrame::TableAtZero),
             posture: policy.options.tip.tool_posture,
             signs: Matrix3::from_diagonal(&Vector3::from(sign)),
-            zero,
+            zero_mm,
             letters,
         };
         match (frame.mode, frame.tcp_frame) {
             (Mode::Tcp, TcpFrame::TableAtZero) => frame.fix(&Matrix3::identity(), Vector3::zeros()),
-            (Mode::Tcp, TcpFrame::NotTurning) => frame.counting = Counting::Turning,
+            (Mode::Tcp, TcpFrame::NotTurning) => frame.meaning = LinearWords::Turning,
             (Mode::Axes | Mode::Plane, _) | (Mode::Tcp, TcpFrame::TableAtStart) => {}
         }
         frame
@@ -112,93 +113,95 @@ impl WordFrame {
         self.letters
     }
 
-    /// Words count the tip, not the axes.
+    /// Whether the linear words are coordinates of the tip, not axis values.
     pub(crate) fn counts_tip(&self) -> bool {
-        self.counting != Counting::Axes
+        self.meaning != LinearWords::Axes
     }
 
-    /// The control turns the tool axis in the plane of its ends, whatever the rotary axes do for it.
+    /// Whether the control rotates the tool axis in the plane of the tool axes at both ends; the rotary axes follow.
     pub(crate) fn turns_in_plane(&self) -> bool {
         self.posture == ToolPosture::Plane
     }
 
-    /// Whether the frame has to be set where the rotaries have turned.
-    pub(crate) fn is_set_anew(&self) -> bool {
+    /// Whether the frame depends on the rotary angles at which it is switched on.
+    pub(crate) fn is_set_at_angles(&self) -> bool {
         self.mode == Mode::Plane || self.mode == Mode::Tcp && self.tcp_frame == TcpFrame::TableAtStart
     }
 
-    fn fix(&mut self, turn: &Matrix3<f64>, moved: Vector3<f64>) {
-        let rotation = self.signs * turn;
-        let shift = rotation * self.zero + self.signs * moved;
-        self.counting = Counting::Fixed(WordMap { rotation, shift });
+    fn fix(&mut self, table_rotation: &Matrix3<f64>, moved_mm: Vector3<f64>) {
+        let rotation = self.signs * table_rotation;
+        let shift_mm = rotation * self.zero_mm + self.signs * moved_mm;
+        self.meaning = LinearWords::Fixed(WordMap { rotation, shift_mm });
     }
 
-    /// The frame is fixed to the table as it stands.
+    /// Fixes the frame to the table at its present angles.
     pub(crate) fn start(&mut self, machine: &dyn AnyMachine, axes: &AxisValues) {
-        let (turn, moved) = table(machine, axes);
-        // The zero of the table's words turns with it, about the same centre lines.
-        self.fix(&turn, moved - turn * self.zero + self.zero);
+        let (rotation, moved_mm) = table(machine, axes);
+        // The zero of the words on the table rotates with it, about the same centre lines.
+        self.fix(&rotation, moved_mm - rotation * self.zero_mm + self.zero_mm);
     }
 
-    /// The plane of an orientation in the workpiece frame, as the control will have it.
-    pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<Tilt> {
+    /// Sets the frame to the plane of an orientation in the workpiece frame, as the control computes it from rounded
+    /// angles.
+    pub(crate) fn tilt(&mut self, ability: &PlaneAbility, orientation: &Matrix3<f64>) -> Option<TiltedPlane> {
         let tilt = ability.tilt(&(self.signs * orientation * self.signs))?;
         let rotation = tilt.orientation.transpose() * self.signs;
-        self.counting = Counting::Fixed(WordMap { rotation, shift: rotation * self.zero });
+        self.meaning = LinearWords::Fixed(WordMap { rotation, shift_mm: rotation * self.zero_mm });
         Some(tilt)
     }
 
-    /// The map from the workpiece to the words, where words count the tip.
+    /// Map from the workpiece frame to the words; `None` if the words are axis values.
     #[inline]
     pub(crate) fn map(&self, machine: &dyn AnyMachine, axes: &AxisValues) -> Option<WordMap> {
-        match &self.counting {
-            Counting::Axes => None,
-            Counting::Fixed(map) => Some(*map),
-            Counting::Turning => {
-                let (turn, moved) = table(machine, axes);
-                Some(WordMap { rotation: self.signs * turn, shift: self.signs * (moved + self.zero) })
+        match &self.meaning {
+            LinearWords::Axes => None,
+            LinearWords::Fixed(map) => Some(*map),
+            LinearWords::Turning => {
+                let (rotation, moved_mm) = table(machine, axes);
+                Some(WordMap { rotation: self.signs * rotation, shift_mm: self.signs * (moved_mm + self.zero_mm) })
             }
         }
     }
 
-    /// What is certified of a block: `bound` is for axes that all move evenly.
+    /// Certified bound of the deviation in a block; `bound` is that of a block in which all axes move linearly.
     #[inline]
     pub(crate) fn bound(&self, bound: MotionBound) -> MotionBound {
-        match (&self.counting, self.posture) {
-            (Counting::Axes | Counting::Turning, _) => bound,
-            (Counting::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
-            (Counting::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
+        match (&self.meaning, self.posture) {
+            (LinearWords::Axes | LinearWords::Turning, _) => bound,
+            (LinearWords::Fixed(_), ToolPosture::Axes) => MotionBound { tip: 0.0, ..bound },
+            (LinearWords::Fixed(_), ToolPosture::Plane) => MotionBound::default(),
         }
     }
 }
 
-/// How the rotary axes of the table have carried the part: a point `p` of the workpiece stands at `turn · p + moved`, counted
-/// from where the part zero is with all axes at zero.
+/// Rotation and displacement of the part by the rotary axes of the table: a point `p` of the workpiece is at
+/// `rotation · p + moved_mm`, measured from the part zero with all axes at zero.
 fn table(machine: &dyn AnyMachine, axes: &AxisValues) -> (Matrix3<f64>, Vector3<f64>) {
-    let (mut turn, mut moved) = (Matrix3::identity(), Vector3::zeros());
+    let (mut rotation, mut moved_mm) = (Matrix3::identity(), Vector3::zeros());
     for (index, axis) in machine.axes().iter().enumerate() {
         if axis.kind == AxisKind::Rotary && axis.side == Side::Workpiece {
             let joint = machine.joint(index);
-            let back = rotation(&joint, -axes[index]);
+            let back = joint_rotation(&joint, -axes[index]);
             let centre = joint.point.coords;
-            turn = back * turn;
-            moved = back * (moved - centre) + centre;
+            rotation = back * rotation;
+            moved_mm = back * (moved_mm - centre) + centre;
         }
     }
-    (turn, moved)
+    (rotation, moved_mm)
 }
 
-/// How all rotary axes together turn the tool in the workpiece frame.
+/// Orientation of the tool in the workpiece frame from all rotary axes together.
 pub(crate) fn orientation(machine: &dyn AnyMachine, axes: &AxisValues) -> Matrix3<f64> {
     let rotaries = machine.axes().iter().enumerate().filter(|(_, axis)| axis.kind == AxisKind::Rotary);
-    rotaries.fold(Matrix3::identity(), |turned, (index, _)| turned * rotation(&machine.joint(index), axes[index]))
+    rotaries
+        .fold(Matrix3::identity(), |product, (index, _)| product * joint_rotation(&machine.joint(index), axes[index]))
 }
 
-fn rotation(joint: &crate::kinematics::Joint, angle: f64) -> Matrix3<f64> {
-    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle).into_inner()
+fn joint_rotation(joint: &crate::kinematics::Joint, angle_rad: f64) -> Matrix3<f64> {
+    nalgebra::Rotation3::from_axis_angle(&joint.direction, joint.sign * angle_rad).into_inner()
 }
 
-/// Why a machine, its control and a configuration do not suit the mode that is asked for, one sentence each.
+/// Reasons why a machine, its control and a configuration do not suit the configured mode, one sentence each.
 #[must_use]
 pub fn unsuited(
     machine: &dyn AnyMachine,
@@ -216,29 +219,30 @@ pub fn unsuited(
     let mut faults = Vec::new();
     let mut other = |text: String, instead: &str| faults.push(format!("mode {}: {text}; {instead}", mode.name()));
     if policy.set_up.length_mode == crate::set_up::LengthMode::Gauge {
-        other("the control needs the length offset for it".to_owned(), "leave `length_mode` at \"tip\"");
+        other("the control needs an active tool length offset".to_owned(), "leave `length_mode` at \"tip\"");
     }
     if let Some(letter) = ['X', 'Y', 'Z'].into_iter().find(|letter| !is_own_direction(machine, *letter)) {
         let text =
-            format!("{letter} of this machine does not run along its own direction, and the control counts along it");
+            format!("{letter} of this machine is not parallel to the {letter} direction, as the control assumes");
         other(text, "use mode axes");
     }
     let offset = policy.set_up.rotary_offset.iter().find(|(_, offset)| offset.abs() > 0.0);
     if let Some((letter, _)) = offset.filter(|_| !policy.options.tip.tcp_confirmed) {
         let text = format!(
-            "the frame of the control may turn with the entry of {letter} in its work offset, the words count as if it did not"
+            "the frame of the control may rotate with the value of {letter} in its work offset, but the words assume that \
+             it is fixed"
         );
         let instead =
-            "turn the part with `part_rotation` instead of `rotary_offset`, or `tcp_confirmed = true` if it stays";
+            "use `part_rotation` instead of `rotary_offset`, or set `tcp_confirmed = true` if the frame is fixed";
         other(text, instead);
     }
     match mode {
         Mode::Tcp => tcp_faults(machine, policy, control, tip, &mut other),
         Mode::Plane if plane.is_none() => {
-            other(format!("{control} tilts no plane"), "mode axes works on any control, mode tcp on most");
+            other(format!("{control} has no tilted work plane"), "mode axes works on any control, mode tcp on most");
         }
         Mode::Plane if !tool_along_z(machine) => {
-            other("the tool axis of this machine is not its Z".to_owned(), "use mode axes");
+            other("the tool axis of this machine is not parallel to Z".to_owned(), "use mode axes");
         }
         Mode::Plane | Mode::Axes => {}
     }
@@ -253,41 +257,47 @@ fn tcp_faults(
     other: &mut impl FnMut(String, &str),
 ) {
     let Some(tip) = tip else {
-        let text = format!("{control} has no tip control of its own");
-        return other(text, "give the codes that switch it, `[control] tip_control = [on, off]`, or use mode axes");
+        let text = format!("{control} has no tip control (TCP) by default");
+        return other(
+            text,
+            "give the codes that switch it on and off, `[control] tip_control = [on, off]`, or use mode axes",
+        );
     };
     let table = rotaries(machine.axes(), Side::Workpiece).next().is_some();
     let head = rotaries(machine.axes(), Side::Tool).next().is_some();
-    if tip.frame_is_set && table && policy.options.tip.tcp_frame.is_none() {
-        let text = "in which frame the tip is counted while the table turns is a parameter of the machine (19696#5)";
+    if tip.frame_is_parameter && table && policy.options.tip.tcp_frame.is_none() {
+        let text =
+            "a parameter of the machine (19696#5) selects the frame of the tip coordinates while the table rotates";
         other(text.to_owned(), "give `tcp_frame`: \"table_at_zero\", \"table_at_start\" or \"not_turning\"");
     }
-    if !tip.frame_is_set && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
-        other(format!("{control} counts the tip in the frame of the table at zero"), "leave `tcp_frame` out");
+    if !tip.frame_is_parameter && policy.options.tip.tcp_frame.is_some_and(|frame| frame != TcpFrame::TableAtZero) {
+        other(format!("{control} has its tip coordinates in the frame of the table at zero"), "leave `tcp_frame` out");
     }
     if policy.options.tip.tool_posture == ToolPosture::Plane && !tip.turns_in_plane {
-        other(format!("{control} moves rotary axes evenly"), "leave `tool_posture` at \"axes\"");
+        other(format!("{control} interpolates the rotary axes linearly"), "leave `tool_posture` at \"axes\"");
     }
     if policy.options.tip.tcp_words == TcpWords::Vectors && !tip.takes_vectors {
-        other(format!("{control} takes no tool axis as a vector"), "leave `tcp_words` at \"angles\"");
+        other(format!("{control} does not accept the tool axis as a vector"), "leave `tcp_words` at \"angles\"");
     }
     if policy.options.tip.tcp_words == TcpWords::Vectors && policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning) {
-        let text = "a tool axis as a vector has no meaning in a frame that stands still while the table turns";
+        let text = "a tool axis as a vector has no meaning in a frame that does not rotate with the table";
         other(text.to_owned(), "leave `tcp_words` at \"angles\"");
     }
     if policy.options.tip.tcp_frame == Some(TcpFrame::NotTurning)
         && (head || policy.options.tip.tool_posture == ToolPosture::Plane)
     {
-        let text = "in a frame that does not turn the path is certified for rotary axes of the table that move evenly";
+        let text = "in a frame that does not rotate, the path is certified only for rotary axes of the table that are \
+                    interpolated linearly";
         other(text.to_owned(), "use mode axes");
     }
     if !policy.options.tip.tcp_confirmed && !plain_chain(machine) {
-        let text = "a held axis, or a linear axis that is not between table and head, may be unknown to the control";
-        other(text.to_owned(), "`tcp_confirmed = true` if it knows this chain, or mode axes");
+        let text = "the kinematics of the control may not include a held axis, or a linear axis that is not between \
+                    table and head";
+        other(text.to_owned(), "set `tcp_confirmed = true` if it does, or use mode axes");
     }
 }
 
-/// Nothing is held, and every linear axis stands between the rotaries of the table and those of the head.
+/// Whether no axis is held, and every linear axis is between the rotary axes of the table and those of the head.
 fn plain_chain(machine: &dyn AnyMachine) -> bool {
     let last_of_table = rotaries(machine.axes(), Side::Workpiece).last();
     let first_of_head = rotaries(machine.axes(), Side::Tool).next();
@@ -297,7 +307,7 @@ fn plain_chain(machine: &dyn AnyMachine) -> bool {
     })
 }
 
-/// X along X, whichever way round its word counts.
+/// Whether the axis of a letter is parallel to that direction of the machine frame; its word may run backwards.
 fn is_own_direction(machine: &dyn AnyMachine, letter: char) -> bool {
     let index = machine.axes().iter().position(|axis| axis.letter == letter && !axis.held);
     let own = match letter {
@@ -312,8 +322,8 @@ fn tool_along_z(machine: &dyn AnyMachine) -> bool {
     (machine.tool_axis().into_inner() - Vector3::z()).norm() < 1e-12
 }
 
-/// What a control cannot do with a plane, in words.
+/// The fault that the angles of a tilted plane do not give its orientation.
 pub(crate) fn no_plane() -> Fault {
-    Fault::new("the angles of the tilted plane do not give the orientation of the machine")
+    Fault::new("the angles of the tilted plane do not give the orientation of the tool")
         .help("this is a fault of the postprocessor, not of the CL data: use mode axes")
 }

@@ -1,108 +1,110 @@
 //! Linearisation with a guarantee: blocks whose tip and tool axis are *certified* to stay within tolerance.
 //!
-//! CL data means a straight tip path and a tool axis that turns evenly in the plane of its ends; a control moves every
-//! axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, with the words
-//! as they are written: what rounding takes is taken off the tolerance.
+//! CL data programs a straight tip path and a tool axis that rotates evenly in the plane of its ends; a control moves
+//! every axis linearly instead. [`Linearised`] splits a motion so that [`Machine::motion`] certifies every piece, for
+//! the words as they are written: the tolerance is reduced by their rounding.
 //!
-//! From the start the longest piece that certifies is taken, then the longest from its end, and so on. The search is a
-//! bisection on the path parameter; because deviations grow with the square of the length, the last one says where to
-//! look next. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand would be a
-//! guess, because axes are not linear in the pose.
+//! The longest piece from the start that certifies is taken, then the longest from its end, and so on. The search is a
+//! bisection on the path parameter; because deviations grow with the square of the length, the last deviation predicts
+//! the next length to try. Points in between are *poses* of the path, inverted; a number of pieces computed beforehand
+//! would be a guess, because axes are not linear in the pose.
 //!
-//! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a turn on the
-//! spot: the rotary that is free at the pole turns there. Its rotary values are stepped from one end to the other, and
-//! the linear axes follow. What does not certify when no rotary word turns by more than one unit is refused.
+//! A piece whose tip and tool axis move by less than half a unit of the words and that does not certify is a rotation
+//! on the spot: of the rotary axis whose angle is free at the pole. Its rotary values are stepped from one end to the
+//! other, and the linear axes follow. A piece that does not certify although no rotary word changes by more than one
+//! unit is refused.
 //!
-//! Nothing is allocated: a motion is a few places on the stack, however many pieces it has.
+//! Nothing is allocated: a motion is a few positions on the stack, however many pieces it has.
 
 use crate::kinematics::{AxisValues, Branch, MotionBound, Pose, Solution};
 
 use super::refusal;
-use super::{Place, Placer};
+use super::{AxisPosition, Placer};
 use crate::motion::fault::Fault;
-use crate::motion::geometry::Way;
+use crate::motion::geometry::PathSegment;
 use crate::motion::rotary::{OutOfLimits, Rotary};
 use crate::motion::step::MAX_AXES;
 
-/// A piece that uses so much of the tolerance is long enough.
+/// Share of the tolerance from which on a piece is long enough.
 const LONG_ENOUGH: f64 = 0.97;
 
-/// A longest piece is known to this share of its length.
-const CLOSE: f64 = 0.01;
+/// Relative accuracy of the length of a longest piece.
+const LENGTH_ACCURACY: f64 = 0.01;
 
-/// The next try aims at this share of the tolerance's length.
+/// Factor on the length that would use the whole tolerance, for the next try.
 const AIM: f64 = 0.993;
 
-/// Most tries for one piece: bisection from the whole motion to the last bit takes fewer.
-const TRIES: usize = 120;
+/// Largest number of tries for one piece: bisection from the whole motion to the last bit takes fewer.
+const MAX_TRIES: usize = 120;
 
-/// Cosine of the largest angle between the tool axes of one block; the great circle of a wider one is ill conditioned.
-const WIDEST: f64 = -0.5;
+/// Cosine of the largest angle between the tool axes of one block; the great circle of a larger angle is ill
+/// conditioned.
+const MIN_AXIS_COSINE: f64 = -0.5;
 
-/// How far what is written may leave the motion of the CL data.
+/// Largest deviation of the written motion from the motion of the CL data.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Tolerance {
-    /// Of the tip, mm.
-    pub(crate) tip: f64,
-    /// Of the tool axis, rad.
-    pub(crate) axis: f64,
+pub(crate) struct PathTolerance {
+    /// Deviation of the tip.
+    pub(crate) tip_mm: f64,
+    /// Deviation of the tool axis.
+    pub(crate) axis_rad: f64,
 }
 
-/// A piece with what is certified of it.
+/// A piece with its certified deviation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CertifiedPiece {
-    /// Where it ends.
-    pub(crate) place: Place,
+    /// Position at its end.
+    pub(crate) place: AxisPosition,
     /// Largest deviation from the motion of the CL data, rounding of the words included.
     pub(crate) bound: MotionBound,
-    /// Share of the tolerance that it uses; above 1 it does not certify.
+    /// Share of the tolerance that the deviation uses; above 1 the piece does not certify.
     share: f64,
 }
 
 /// The pieces of one motion, one after the other.
 #[derive(Debug, Clone)]
 pub(crate) struct Linearised {
-    tolerance: Tolerance,
-    /// Where the last piece ended.
-    from: Place,
-    to: Place,
+    tolerance: PathTolerance,
+    /// Position at the end of the last piece.
+    from: AxisPosition,
+    to: AxisPosition,
     rest: Remaining,
 }
 
-/// What is left of a motion, and how it is travelled.
+/// The rest of a motion.
 #[derive(Debug, Clone, Copy)]
 #[expect(clippy::large_enum_variant, reason = "one on the stack for a motion: nothing is allocated")]
 enum Remaining {
-    /// All of it, in one block if that certifies.
+    /// The whole motion, in one block if that certifies.
     Whole,
-    /// Along the path.
-    Path(Path),
-    /// Turning on the spot, and then along the path, if that goes on.
-    Spot(Spot, Path),
+    /// The rest of the path.
+    Path(CuttingPath),
+    /// A rotation on the spot, and then the rest of the path, if there is one.
+    Spot(SpotRotation, CuttingPath),
     /// Nothing.
     Nothing,
 }
 
-/// The straight, evenly turning motion of the CL data.
+/// The motion of the CL data: a straight path with an evenly rotating tool axis.
 #[derive(Debug, Clone, Copy)]
-struct Path {
-    way: Way,
-    /// The branch of both ends; `None` where they have none in common.
+struct CuttingPath {
+    segment: PathSegment,
+    /// The branch of both ends; `None` if they are on different branches.
     branch: Option<Branch>,
-    /// Shorter steps of the parameter than this are none: half a unit of the words.
+    /// Smallest step of the parameter: half a unit of the words.
     resolution: f64,
-    /// Parameter of the last piece's end.
+    /// Parameter at the end of the last piece.
     at: f64,
-    /// How long the last piece was.
+    /// Length of the last piece, in the parameter.
     stride: f64,
 }
 
-/// A turn of the rotaries while the tool stays in place.
+/// A rotation of the rotary axes while the tool stays in place.
 #[derive(Debug, Clone, Copy)]
-struct Spot {
-    start: Place,
-    target: Place,
-    /// Shorter steps than this turn no word by a unit.
+struct SpotRotation {
+    start: AxisPosition,
+    target: AxisPosition,
+    /// Smallest step of the parameter: no word changes by more than one unit.
     resolution: f64,
     at: f64,
     stride: f64,
@@ -110,22 +112,22 @@ struct Spot {
 
 /// Result of a search for the longest piece.
 struct LongestPiece {
-    /// Parameter of the end of the piece; without one the smallest that was tried.
+    /// Parameter at the end of the piece; without a piece the smallest that was tried.
     until: f64,
-    /// `None`: no piece up to `until` certifies, and shorter ones are not tried.
+    /// `None` if no piece up to `until` certifies; shorter ones are not tried.
     piece: Option<CertifiedPiece>,
 }
 
 impl Linearised {
-    /// The pieces from one place to another.
-    pub(crate) fn new(from: &Place, to: &Place, tolerance: Tolerance) -> Self {
+    /// Starts the motion from one position to another.
+    pub(crate) fn new(from: &AxisPosition, to: &AxisPosition, tolerance: PathTolerance) -> Self {
         Self { tolerance, from: *from, to: *to, rest: Remaining::Whole }
     }
 
     /// The next piece; `None` after the last.
     ///
     /// # Errors
-    /// If a part of the path cannot be certified, reached, or turned to inside the limits.
+    /// If a part of the path cannot be certified, is unreachable, or is outside the limits of a rotary axis.
     pub(crate) fn next(&mut self, placer: &Placer) -> Result<Option<CertifiedPiece>, Fault> {
         let certifier = Certifier { placer, allowed: self.tolerance };
         loop {
@@ -148,7 +150,7 @@ impl Linearised {
         }
     }
 
-    /// The rest of the motion as one piece, if that certifies.
+    /// The whole rest of the motion as one piece, if that certifies.
     #[inline]
     fn rest_in_one(&mut self, certifier: &Certifier<'_>) -> Option<CertifiedPiece> {
         let piece = certifier.certify(&self.from, &self.to);
@@ -158,9 +160,9 @@ impl Linearised {
         })
     }
 
-    /// The next piece along the path; `None` if the tool has to turn on the spot first.
-    fn along(&mut self, certifier: &Certifier<'_>, path: Path) -> Result<Option<CertifiedPiece>, Fault> {
-        // From the start the whole has been tried.
+    /// The next piece along the path; `None` if a rotation on the spot must come first.
+    fn along(&mut self, certifier: &Certifier<'_>, path: CuttingPath) -> Result<Option<CertifiedPiece>, Fault> {
+        // At the start the whole motion has been tried already.
         if path.at > 0.0
             && let Some(piece) = self.rest_in_one(certifier)
         {
@@ -173,16 +175,21 @@ impl Linearised {
         })?;
         let until = found.until;
         if found.piece.is_some() {
-            self.rest = Remaining::Path(Path { stride: until - path.at, at: until, ..path });
+            self.rest = Remaining::Path(CuttingPath { stride: until - path.at, at: until, ..path });
         } else {
             let target = if until < 1.0 { certifier.between(&path, (&from, &to), until)? } else { to };
-            self.rest = Remaining::Spot(certifier.spot(&from, &target), Path { at: until, ..path });
+            self.rest = Remaining::Spot(certifier.spot(&from, &target), CuttingPath { at: until, ..path });
         }
         Ok(found.piece)
     }
 
-    /// The next piece of a turn on the spot.
-    fn on_spot(&mut self, certifier: &Certifier<'_>, spot: Spot, path: Path) -> Result<CertifiedPiece, Fault> {
+    /// The next piece of a rotation on the spot.
+    fn on_spot(
+        &mut self,
+        certifier: &Certifier<'_>,
+        spot: SpotRotation,
+        path: CuttingPath,
+    ) -> Result<CertifiedPiece, Fault> {
         let from = self.from;
         let piece = certifier.certify(&from, &spot.target);
         if piece.share <= 1.0 {
@@ -190,17 +197,17 @@ impl Linearised {
             return Ok(piece);
         }
         let found = longest(spot.at, spot.stride, spot.resolution, |parameter| {
-            let place = certifier.turned(&spot, parameter)?;
+            let place = certifier.rotated(&spot, parameter)?;
             Ok(certifier.certify(&from, &place))
         })?;
         let Some(piece) = found.piece else { return Err(certifier.uncertified(&from, &spot.target)) };
-        let spot = Spot { stride: found.until - spot.at, at: found.until, ..spot };
+        let spot = SpotRotation { stride: found.until - spot.at, at: found.until, ..spot };
         self.rest = Remaining::Spot(spot, path);
         Ok(piece)
     }
 }
 
-/// The longest piece that certifies, its end between `at` and 1, where the whole does not.
+/// Searches the longest piece that certifies, with its end between `at` and 1; the whole rest does not certify.
 fn longest(
     at: f64,
     stride: f64,
@@ -210,13 +217,13 @@ fn longest(
     let (mut good, mut bad) = (at, 1.0);
     let mut best: Option<CertifiedPiece> = None;
     let mut next = at + stride;
-    for count in 0..TRIES {
+    for count in 0..MAX_TRIES {
         let known = good - at;
-        if best.is_some() && bad - good <= CLOSE * known || best.is_none() && bad - at <= resolution {
+        if best.is_some() && bad - good <= LENGTH_ACCURACY * known || best.is_none() && bad - at <= resolution {
             break;
         }
         let margin = 0.03 * (bad - good);
-        // Every third try is a plain bisection, whatever the last one promised.
+        // Every third try is a plain bisection, so that the search ends even if the predictions are poor.
         if !(next > good + margin && next < bad - margin) || count % 3 == 2 {
             next = 0.5 * (good + bad);
         }
@@ -239,21 +246,21 @@ fn longest(
 #[derive(Clone, Copy)]
 struct Certifier<'p> {
     placer: &'p Placer,
-    allowed: Tolerance,
+    allowed: PathTolerance,
 }
 
 impl Certifier<'_> {
-    /// What is certified of one block.
+    /// Certified deviation of one block.
     #[inline]
-    fn certify(&self, from: &Place, to: &Place) -> CertifiedPiece {
+    fn certify(&self, from: &AxisPosition, to: &AxisPosition) -> CertifiedPiece {
         let mut bound = self.placer.frame.bound(self.placer.machine.motion(&from.axes, &to.axes));
-        let (tip_off, axis_off) = (from.rounding.max(to.rounding), self.axis_off(from).max(self.axis_off(to)));
-        if bound.tip > self.allowed.tip - tip_off && bound.axis <= self.allowed.axis - axis_off {
+        let (tip_off, axis_off) = (from.rounding_mm.max(to.rounding_mm), self.axis_off(from).max(self.axis_off(to)));
+        if bound.tip > self.allowed.tip_mm - tip_off && bound.axis <= self.allowed.axis_rad - axis_off {
             bound.tip = self.tip_by_halves(from, to, bound.tip);
         }
-        let share = (bound.tip / (self.allowed.tip - tip_off)).max(bound.axis / (self.allowed.axis - axis_off));
-        let roomy = self.allowed.tip > tip_off && self.allowed.axis > axis_off;
-        let narrow = from.pose.axis.dot(&to.pose.axis) > WIDEST && !self.placer.rolls_over(from, to);
+        let share = (bound.tip / (self.allowed.tip_mm - tip_off)).max(bound.axis / (self.allowed.axis_rad - axis_off));
+        let roomy = self.allowed.tip_mm > tip_off && self.allowed.axis_rad > axis_off;
+        let narrow = from.pose.axis.dot(&to.pose.axis) > MIN_AXIS_COSINE && !self.placer.rolls_over(from, to);
         CertifiedPiece {
             place: *to,
             bound: MotionBound { tip: bound.tip + tip_off, axis: bound.axis + axis_off },
@@ -261,10 +268,10 @@ impl Certifier<'_> {
         }
     }
 
-    /// A bound of the tip's deviation from its line, mm, that is smaller than `whole` where the path bends to both sides
-    /// of it: each half leaves its own chord by what is certified of it, and the two chords leave the line by no more than
-    /// the point where they meet.
-    fn tip_by_halves(&self, from: &Place, to: &Place, whole: f64) -> f64 {
+    /// A bound of the deviation of the tip from its line, mm, that is smaller than `whole` if the path bends to both
+    /// sides of the line: each half deviates from its own chord by no more than its certified bound, and the two chords
+    /// deviate from the line by no more than the point where they meet.
+    fn tip_by_halves(&self, from: &AxisPosition, to: &AxisPosition, whole: f64) -> f64 {
         let mut middle = from.axes;
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
             *value = 0.5 * (*value + end);
@@ -273,8 +280,8 @@ impl Certifier<'_> {
         let along = self.placer.machine.forward_kinematics(&middle).tip - start;
         let length = line.norm_squared();
         let part = if length > 0.0 { (along.dot(&line) / length).clamp(0.0, 1.0) } else { 0.0 };
-        // The ends are where the words put them.
-        let off = (along - line * part).norm() + from.rounding.max(to.rounding);
+        // The ends deviate by the rounding of their words.
+        let off = (along - line * part).norm() + from.rounding_mm.max(to.rounding_mm);
         if off > 0.5 * whole {
             return whole;
         }
@@ -282,59 +289,68 @@ impl Certifier<'_> {
         whole.min(off + halves[0].max(halves[1]))
     }
 
-    /// How far the arc between written axes may lie from that between the poses: twice what an end is off, since no block
-    /// is wider than [`WIDEST`]. A place at the pole has the pole for its pose, however far that was from the programmed
-    /// axis: that is a tolerance of its own.
+    /// Largest deviation of the arc between the written tool axes from the arc between those of the poses, rad: twice
+    /// the deviation of an end, since no block exceeds the angle of [`MIN_AXIS_COSINE`]. A position at the pole has the
+    /// pole as the axis of its pose: its distance from the programmed axis is subject to another tolerance.
     #[inline]
-    fn axis_off(&self, place: &Place) -> f64 {
-        let deviation = if place.pole { 0.0 } else { place.deviation };
+    fn axis_off(&self, place: &AxisPosition) -> f64 {
+        let deviation = if place.at_pole { 0.0 } else { place.deviation_rad };
         2.0 * (0.5 * self.placer.rotary.scale.angle(1) * self.placer.rotary.axes.len() as f64 + deviation)
     }
 
-    /// The path between two places.
+    /// The path between two positions.
     #[cold]
-    fn path(&self, from: &Place, to: &Place) -> Result<Path, Fault> {
+    fn path(&self, from: &AxisPosition, to: &AxisPosition) -> Result<CuttingPath, Fault> {
         let rounding = self.placer.largest_rounding();
-        if rounding >= self.allowed.tip {
+        if rounding >= self.allowed.tip_mm {
             return Err(Fault::new(format_args!(
-                "the words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone takes \
-                 the tip up to {rounding:.5} mm off",
-                self.allowed.tip
+                "the linear words are too coarse for a tolerance of {} mm while a rotary axis moves: their rounding alone \
+                 moves the tip by up to {rounding:.5} mm",
+                self.allowed.tip_mm
             ))
-            .help("give a wider `tolerance`, or more decimals"));
+            .help("increase `tolerance`, or give more decimals: `linear_mm` or `linear_inch` in [formats]"));
         }
-        let Some(way) = Way::new(&from.pose, &to.pose) else {
-            return Err(Fault::new("the tool axis turns by 180° in one motion: which way, the CL data does not say")
-                .help("give a point in between"));
+        let Some(segment) = PathSegment::new(&from.pose, &to.pose) else {
+            return Err(Fault::new(
+                "the tool axis rotates by 180° in one motion: the direction of the rotation is undefined",
+            )
+            .help("program a point in between"));
         };
-        let half_unit = |unit: f64, way: f64| if way > 0.0 { 0.5 * unit / way } else { 1.0 };
-        let resolution = half_unit(self.placer.unit_mm(), way.length())
-            .min(half_unit(self.placer.rotary.scale.angle(1), way.angle()))
+        let half_unit = |unit: f64, extent: f64| if extent > 0.0 { 0.5 * unit / extent } else { 1.0 };
+        let resolution = half_unit(self.placer.unit_mm(), segment.length())
+            .min(half_unit(self.placer.rotary.scale.angle(1), segment.angle()))
             .min(1.0);
-        // At the pole both branches meet.
-        let branch = match (from.pole, to.pole) {
+        // At the pole both branches are the same.
+        let branch = match (from.at_pole, to.at_pole) {
             (true, false) => Some(to.branch),
             (false, true) => Some(from.branch),
             _ => (from.branch == to.branch).then_some(from.branch),
         };
-        Ok(Path { way, branch, resolution, at: 0.0, stride: 0.5 })
+        Ok(CuttingPath { segment, branch, resolution, at: 0.0, stride: 0.5 })
     }
 
-    /// Words of a solution's rotaries, in the turn nearest to some axis values.
+    /// Rotary words of a solution, in the turn nearest to the axis values `near`.
     fn nearest_words(&self, solution: &Solution<AxisValues>, near: &AxisValues) -> [i64; MAX_AXES] {
         let mut words = [0; MAX_AXES];
         for rotary in &self.placer.rotary.axes {
             let word = rotary.word(solution.axes[rotary.index], self.placer.rotary.scale);
             let wanted = rotary.word(near.as_ref()[rotary.index], self.placer.rotary.scale);
-            let turns = (wanted - word + self.placer.rotary.scale.turn / 2).div_euclid(self.placer.rotary.scale.turn);
-            words[rotary.index] = word + turns * self.placer.rotary.scale.turn;
+            let turns = (wanted - word + self.placer.rotary.scale.units_per_turn / 2)
+                .div_euclid(self.placer.rotary.scale.units_per_turn);
+            words[rotary.index] = word + turns * self.placer.rotary.scale.units_per_turn;
         }
         words
     }
 
-    /// The place of a pose of the path: on the branch of the ends, or else nearest to the interpolation between them.
-    fn between(&self, path: &Path, (from, to): (&Place, &Place), parameter: f64) -> Result<Place, Fault> {
-        let pose = path.way.at(parameter);
+    /// Position of a pose of the path: on the common branch of the ends, or else nearest to the interpolation between
+    /// them.
+    fn between(
+        &self,
+        path: &CuttingPath,
+        (from, to): (&AxisPosition, &AxisPosition),
+        parameter: f64,
+    ) -> Result<AxisPosition, Fault> {
+        let pose = path.segment.at(parameter);
         let mut guess = from.axes;
         let share = (parameter - path.at) / (1.0 - path.at);
         for (value, end) in guess.as_mut().iter_mut().zip(to.axes) {
@@ -351,47 +367,47 @@ impl Certifier<'_> {
             Some(branch) => solutions.iter().find(|solution| solution.branch == branch),
             None => solutions.iter().min_by_key(travel),
         };
-        let on_the_way = |fault: Fault| fault.context("on the way from the point before");
-        let Some(solution) = chosen else { return Err(on_the_way(refusal::unreachable(self.placer, &pose, &guess))) };
-        // Whole turns: between the ends, wherever near the pole most of the turning is done.
+        let in_between = |fault: Fault| fault.context("between the last point and this one");
+        let Some(solution) = chosen else { return Err(in_between(refusal::unreachable(self.placer, &pose, &guess))) };
+        // Whole turns are chosen near the middle of the ends, wherever near the pole most of the rotation takes place.
         let mut middle = from.axes;
         for (value, end) in middle.as_mut().iter_mut().zip(to.axes) {
             *value = 0.5 * (*value + end);
         }
-        self.beside(&pose, from, solution, &middle).map_err(on_the_way)
+        self.nearest_turn(&pose, from, solution, &middle).map_err(in_between)
     }
 
-    /// The place of a solution, in the turn nearest to some axis values.
-    fn beside(
+    /// Position of a solution, in the turn nearest to the axis values `near`.
+    fn nearest_turn(
         &self,
         pose: &Pose,
-        from: &Place,
+        from: &AxisPosition,
         solution: &Solution<AxisValues>,
         near: &AxisValues,
-    ) -> Result<Place, Fault> {
+    ) -> Result<AxisPosition, Fault> {
         let words = self.nearest_words(solution, near);
         for rotary in &self.placer.rotary.axes {
             let word = words[rotary.index];
-            if !rotary.holds(word) {
+            if !rotary.contains(word) {
                 return Err(refusal::outside_limits(self.placer, &[Some(OutOfLimits { rotary: *rotary, word }), None]));
             }
         }
-        let mut place = self.placer.at(pose, from, &words);
-        place.deviation = solution.deviation;
+        let mut place = self.placer.position_at(pose, from, &words);
+        place.deviation_rad = solution.deviation;
         place.branch = solution.branch;
         self.placer.hold_indexed(&mut place, from, self.allowed)?;
-        self.placer.set(place)
+        self.placer.solve_linear(place)
     }
 
-    fn spot(&self, start: &Place, target: &Place) -> Spot {
+    fn spot(&self, start: &AxisPosition, target: &AxisPosition) -> SpotRotation {
         let largest =
             self.placer.rotary.axes.iter().map(|rotary| target.words[rotary.index].abs_diff(start.words[rotary.index]));
         let units = largest.max().unwrap_or(0).max(1);
-        Spot { start: *start, target: *target, resolution: 1.0 / units as f64, at: 0.0, stride: 0.5 }
+        SpotRotation { start: *start, target: *target, resolution: 1.0 / units as f64, at: 0.0, stride: 0.5 }
     }
 
-    /// A place of a turn on the spot.
-    fn turned(&self, spot: &Spot, parameter: f64) -> Result<Place, Fault> {
+    /// Position at a parameter of a rotation on the spot.
+    fn rotated(&self, spot: &SpotRotation, parameter: f64) -> Result<AxisPosition, Fault> {
         let mut words = spot.start.words;
         for rotary in &self.placer.rotary.axes {
             let change = (spot.target.words[rotary.index] - words[rotary.index]) as f64;
@@ -399,34 +415,35 @@ impl Certifier<'_> {
         }
         let tip = spot.start.pose.tip + (spot.target.pose.tip - spot.start.pose.tip) * parameter;
         let pose = Pose { tip, axis: spot.target.pose.axis };
-        let mut place = self.placer.at(&pose, &spot.start, &words);
+        let mut place = self.placer.position_at(&pose, &spot.start, &words);
         let reached = self.placer.machine.forward_kinematics(&place.axes).axis;
-        place.deviation = (reached.into_inner() - pose.axis.into_inner()).norm();
-        self.placer.set(place)
+        place.deviation_rad = (reached.into_inner() - pose.axis.into_inner()).norm();
+        self.placer.solve_linear(place)
     }
 
-    /// Why a turn on the spot cannot be cut.
+    /// The fault that a rotation on the spot does not certify.
     #[cold]
-    fn uncertified(&self, from: &Place, to: &Place) -> Fault {
-        let turned = self
+    fn uncertified(&self, from: &AxisPosition, to: &AxisPosition) -> Fault {
+        let rotated = self
             .placer
             .rotary
             .axes
             .iter()
             .max_by_key(|rotary| from.words[rotary.index].abs_diff(to.words[rotary.index]));
-        let index = turned.map_or(0, |rotary| rotary.index);
-        let shown =
-            |place: &Place| turned.map_or(0.0, |rotary| rotary.shown(place.words[index], self.placer.rotary.scale));
+        let index = rotated.map_or(0, |rotary| rotary.index);
+        let shown = |place: &AxisPosition| {
+            rotated.map_or(0.0, |rotary| rotary.degrees_for_display(place.words[index], self.placer.rotary.scale))
+        };
         Fault::new(format_args!(
-            "on the way to this point {} has to turn from {}° to {}° on the spot, which takes the tool axis or the tip out \
-             of tolerance ({} mm, {:.4}°)",
+            "before this point {} would have to rotate from {}° to {}° on the spot, which moves the tool axis or the tip \
+             out of tolerance ({} mm, {:.4}°)",
             self.placer.chain()[index].letter,
             shown(from),
             shown(to),
-            self.allowed.tip,
-            self.allowed.axis.to_degrees(),
+            self.allowed.tip_mm,
+            self.allowed.axis_rad.to_degrees(),
         ))
-        .help("retract before this point and start a new operation, or keep clear of the pole")
+        .help("retract before this point and start a new operation, or keep the tool axis away from the pole")
     }
 }
 
@@ -439,25 +456,27 @@ mod tests {
     use crate::motion::machines::Cb;
     use crate::program::Units;
 
-    const TOLERANCE: Tolerance = Tolerance { tip: 0.01, axis: 0.001_745 };
+    const TOLERANCE: PathTolerance = PathTolerance { tip_mm: 0.01, axis_rad: 0.001_745 };
 
     fn placer() -> Placer {
         let config = Config::default();
         Placer::new(Box::new(config.set_up.machine::<Cb>().expect("valid")), config.policy(), Units::Millimetres)
     }
 
-    /// The place of rotary angles in degrees.
-    fn place(placer: &Placer, tip: [f64; 3], c: f64, b: f64) -> Place {
+    /// Position at rotary angles in degrees.
+    fn place(placer: &Placer, tip: [f64; 3], c: f64, b: f64) -> AxisPosition {
         let mut place = placer.zero();
         place.words[0] = placer.scale().word(c.to_radians());
         place.words[1] = placer.scale().word(b.to_radians());
         let axes = [c.to_radians(), b.to_radians(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
         let axis = placer.machine.forward_kinematics(&axes).axis;
         let words = place.words;
-        placer.set(placer.at(&Pose { tip: Point3::from(tip), axis }, &place, &words)).expect("a place")
+        placer
+            .solve_linear(placer.position_at(&Pose { tip: Point3::from(tip), axis }, &place, &words))
+            .expect("a place")
     }
 
-    fn pieces(placer: &Placer, from: &Place, to: &Place) -> Result<Vec<CertifiedPiece>, Fault> {
+    fn pieces(placer: &Placer, from: &AxisPosition, to: &AxisPosition) -> Result<Vec<CertifiedPiece>, Fault> {
         let mut pieces = Linearised::new(from, to, TOLERANCE);
         let mut list = Vec::new();
         while let Some(piece) = pieces.next(placer)? {
@@ -467,7 +486,7 @@ mod tests {
     }
 
     #[test]
-    fn a_free_axis_turns_at_the_pole_in_steps_of_its_value() {
+    fn a_free_axis_rotates_at_the_pole_in_steps_of_its_value() {
         let placer = placer();
         let tip = [40.0, 10.0, 3.0];
         let (from, to) = (place(&placer, tip, 0.0, 0.0), place(&placer, tip, 90.0, 0.0));
@@ -476,17 +495,17 @@ mod tests {
         assert!((36..40).contains(&pieces.len()), "{}", pieces.len());
         let mut last = from;
         for piece in &pieces {
-            assert!(piece.bound.tip <= TOLERANCE.tip && piece.bound.axis <= TOLERANCE.axis);
+            assert!(piece.bound.tip <= TOLERANCE.tip_mm && piece.bound.axis <= TOLERANCE.axis_rad);
             assert!(piece.place.words[0] > last.words[0] && piece.place.words[1] == 0);
             let tip = placer.machine.forward_kinematics(&piece.place.axes).tip;
-            assert!((tip - to.pose.tip).norm() <= piece.place.rounding + 1e-12);
+            assert!((tip - to.pose.tip).norm() <= piece.place.rounding_mm + 1e-12);
             last = piece.place;
         }
         assert_eq!(last, to);
     }
 
     #[test]
-    fn a_whole_turn_away_from_the_pole_is_no_turn_on_the_spot() {
+    fn a_revolution_away_from_the_pole_is_no_rotation_on_the_spot() {
         let placer = placer();
         let tip = [40.0, 10.0, 3.0];
         let (from, to) = (place(&placer, tip, 0.0, 20.0), place(&placer, tip, 360.0, 20.0));
@@ -507,8 +526,8 @@ mod tests {
             let along = (pose.tip - from.pose.tip).dot(&line) / line.norm_squared();
             assert!((from.pose.tip + line * along - pose.tip).norm() < 0.001);
             assert!(pose.axis.dot(&normal).abs() < 3e-6);
-            let turned = from.pose.axis.angle(&pose.axis) / from.pose.axis.angle(&to.pose.axis);
-            assert!((turned - along).abs() < 1e-4, "the axis turns evenly: {turned} at {along}");
+            let rotated = from.pose.axis.angle(&pose.axis) / from.pose.axis.angle(&to.pose.axis);
+            assert!((rotated - along).abs() < 1e-4, "the axis rotates evenly: {rotated} at {along}");
             assert!(along > before);
             before = along;
         }

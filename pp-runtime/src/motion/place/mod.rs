@@ -1,4 +1,4 @@
-//! A pose into the words of its block.
+//! Conversion of a pose to axis values and to the words of its block.
 //!
 //! Rounding comes first: the rotary words are rounded, then the linear axes are computed for the *rounded* angles, so
 //! that rounding an angle never moves the tip. Limits are compared with rounded values.
@@ -9,10 +9,10 @@ mod datum;
 mod frame;
 mod linearise;
 mod refusal;
+mod rotary_angles;
 mod tilted_plane;
 mod tip;
 mod travel;
-mod turn;
 
 use std::collections::BTreeMap;
 
@@ -21,14 +21,14 @@ use nalgebra::{Point3, UnitVector3, Vector3};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, AxisValues, Branch, Limits, Pose, Side};
 use crate::motion::fault::Fault;
 use crate::motion::options::{Mode, Policy, TcpWords};
-use crate::motion::rotary::{AngleScale, Metric, OutOfLimits, Rotary, TurnTarget, Turns, choose};
+use crate::motion::rotary::{AngleScale, OutOfLimits, Rotary, RotaryMetric, RotaryTarget, RotaryWords, choose};
 use crate::motion::step::{MAX_AXES, Standing, VECTOR_DECIMALS, Words};
 use crate::nc::whole_units;
 use crate::program::Units;
 use crate::set_up::LengthMode;
 
 pub use frame::{TipAbility, unsuited};
-pub(crate) use linearise::{Linearised, Tolerance};
+pub(crate) use linearise::{Linearised, PathTolerance};
 pub(crate) use refusal::limits_text;
 pub use tilted_plane::{PlaneAbility, PlaneAngles, PoseRule};
 
@@ -36,63 +36,63 @@ use axes::{AxisSpeeds, LinearAxes, Poles, RotaryAxes};
 pub(crate) use chain::rotaries as rotaries_of;
 use datum::Datum;
 use frame::WordFrame;
-use travel::Travel;
+use travel::TravelCheck;
 
-/// Where the machine stands: axis values and the words that put it there.
+/// Position of all axes: pose, axis values, and the words that move the machine there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Place {
-    /// The pose as programmed; near the pole with its axis.
+pub(crate) struct AxisPosition {
+    /// The programmed pose; near the pole its tool axis is replaced by the pole.
     pub(crate) pose: Pose,
-    /// Which answer of the inverse kinematics this is.
+    /// Branch of the inverse kinematics.
     pub(crate) branch: Branch,
-    /// Axis values that the words stand for, mm and rad.
+    /// Axis values of the rounded words, mm and rad.
     pub(crate) axes: AxisValues,
-    /// Whole units by position in the chain: words of linear axes, and axis values of rotary ones.
+    /// Whole units by position in the chain: words of linear axes, axis values of rotary axes.
     pub(crate) words: [i64; MAX_AXES],
-    /// Angle between the programmed axis and the one reached, rad.
-    pub(crate) deviation: f64,
-    /// The tool axis is parallel to the first rotary, which may turn freely.
-    pub(crate) pole: bool,
-    /// How far rounding of the linear words takes the tip at most, mm.
-    pub(crate) rounding: f64,
+    /// Angle between the programmed tool axis and the one reached.
+    pub(crate) deviation_rad: f64,
+    /// The tool axis is parallel to the first rotary axis, whose angle is therefore free.
+    pub(crate) at_pole: bool,
+    /// Largest displacement of the tip by rounding of the linear words.
+    pub(crate) rounding_mm: f64,
 }
 
-/// Puts poses into words for one machine, one set-up and the current tool.
+/// Converts poses to axis values and words for one machine, one set-up and the current tool.
 #[derive(Debug, Clone)]
 pub(crate) struct Placer {
     machine: Box<dyn AnyMachine>,
-    /// The axes of the machine.
+    /// Axes of the machine, from the workpiece to the tool.
     chain: &'static [Axis],
-    /// Values of the held axes, and zeros.
+    /// Values of the held axes; 0 for all others.
     held: AxisValues,
     part_origin: Vector3<f64>,
     rotary: RotaryAxes,
     poles: Poles,
     linear: LinearAxes,
     speeds: AxisSpeeds,
-    /// Words are below these, in units.
+    /// Exclusive bounds of the absolute words, in units.
     bounds: [i64; MAX_AXES],
-    /// What the words count from.
+    /// Zero of the written words.
     datum: Datum,
-    /// What the linear words count.
+    /// Frame of the linear words.
     frame: WordFrame,
     limits: Vec<Option<Limits>>,
-    travel: Travel,
-    /// Solved rotary axes are on the tool side.
+    travel: TravelCheck,
+    /// The tool side has solved rotary axes.
     head: bool,
     gauge_line: bool,
-    /// Blocks hold the tool axis in the place of rotary words.
+    /// Blocks contain the tool axis as a vector instead of rotary words.
     vectors: bool,
-    /// The control takes the length of the tool into account, whatever the rotaries do.
+    /// The control applies the tool length along the tool axis at any rotary angles.
     compensated: bool,
 }
 
 fn too_large(letter: char) -> Fault {
-    Fault::new(format_args!("{letter} is too large for a word of this control"))
-        .help("`[formats] linear_whole` and `rotary_whole` are the digits before the point")
+    Fault::new(format_args!("the value of {letter} is too large for its word"))
+        .help("`linear_whole` and `rotary_whole` in [formats] are the digits before the decimal point")
 }
 
-/// Bounds of the words in whole units.
+/// Exclusive bounds of the words in whole units.
 fn bounds(axes: &[Axis], policy: Policy<'_>, units: Units) -> [i64; MAX_AXES] {
     let formats = &policy.formats;
     let bound = |whole: u32, decimals: u32| 10_i64.saturating_pow(whole + decimals);
@@ -121,11 +121,11 @@ impl Placer {
             linear: LinearAxes::new(&*machine, policy, units, head),
             speeds: AxisSpeeds {
                 timed: options.feed.keep_speeds && speeds.iter().any(Option::is_some),
-                of_axes: speeds,
+                per_axis: speeds,
             },
             bounds: bounds(chain, policy, units),
             limits: policy.set_up.travel(chain).limits,
-            travel: Travel::new(&*machine, policy),
+            travel: TravelCheck::new(&*machine, policy),
             frame: WordFrame::new(&*machine, policy),
             datum,
             head,
@@ -149,24 +149,24 @@ impl Placer {
         self.chain
     }
 
-    /// Values of the held axes, and zeros.
+    /// Values of the held axes; 0 for all others.
     pub(crate) fn held(&self) -> &AxisValues {
         &self.held
     }
 
-    /// Measures turns of the rotary axes.
-    pub(crate) fn metric(&self) -> Metric {
+    /// Travel and cost of rotations of the rotary axes.
+    pub(crate) fn metric(&self) -> RotaryMetric {
         self.rotary.metric
     }
 
-    /// Tool axes within reach that leave the first rotary free.
+    /// Reachable tool axes at which the angle of the first rotary axis is free.
     pub(crate) fn poles(&self) -> &[UnitVector3<f64>] {
         &self.poles.axes
     }
 
-    /// Angle to a pole up to which the tool axis counts as being there, rad.
+    /// Largest angle to a pole at which the tool axis counts as being at the pole, rad.
     pub(crate) fn pole_tolerance(&self) -> f64 {
-        self.poles.tolerance
+        self.poles.tolerance_rad
     }
 
     /// The solved rotary axes.
@@ -174,76 +174,81 @@ impl Placer {
         &self.rotary.axes
     }
 
-    /// How rotary words count angles.
+    /// Resolution of the rotary words.
     pub(crate) fn scale(&self) -> AngleScale {
         self.rotary.scale
     }
 
-    /// Places of X Y Z in the chain, in whose words a control with a frame of its own counts.
+    /// Positions of X Y Z in the chain.
     pub(crate) fn frame_letters(&self) -> [usize; 3] {
         self.frame.letters()
     }
 
-    /// The machine at a place.
+    /// State of the machine at a position, for the sink of a step.
     #[inline]
-    pub(crate) fn standing_at<'p>(&self, place: &'p Place) -> Standing<'p> {
+    pub(crate) fn state_at<'p>(&self, place: &'p AxisPosition) -> Standing<'p> {
         let mask = self.linear.mask | self.rotary.mask;
         Standing { pose: Some(&place.pose), branch: place.branch, axes: &place.axes[..self.chain.len()], mask }
     }
 
-    /// Compares a place with the travel of the linear axes.
+    /// Compares a position with the travel of the linear axes.
     #[inline]
-    pub(crate) fn check_travel(&mut self, place: &Place) -> Result<(), Fault> {
+    pub(crate) fn check_travel(&mut self, place: &AxisPosition) -> Result<(), Fault> {
         self.travel.check(&place.axes)
     }
 
-    /// Linear axes whose limits could not be compared: letter and why.
+    /// Linear axes whose limits could not be compared: letter and reason.
     pub(crate) fn unchecked_axes(&self) -> Vec<(char, &'static str)> {
-        self.travel.axes().iter().filter_map(|axis| axis.unchecked().map(|why| (axis.letter(), why))).collect()
+        self.travel.axes().iter().filter_map(|axis| axis.unchecked_reason().map(|why| (axis.letter(), why))).collect()
     }
 
-    /// The tool axis in the part with these rotary words.
-    pub(crate) fn axis_at(&self, words: &Turns) -> UnitVector3<f64> {
-        self.machine.forward_kinematics(&self.standing(words).axes).axis
+    /// Tool axis in the workpiece frame at these rotary words.
+    pub(crate) fn axis_at(&self, words: &RotaryWords) -> UnitVector3<f64> {
+        self.machine.forward_kinematics(&self.position_at_words(words).axes).axis
     }
 
-    /// The place of a pose with these rotary words; limits are not compared.
-    pub(crate) fn with_turns(&self, pose: &Pose, from: &Place, words: &Turns) -> Result<Place, Fault> {
-        self.set(self.at(pose, from, &self.all_words(words)))
+    /// Position of a pose at these rotary words; limits are not compared.
+    pub(crate) fn with_rotary_words(
+        &self,
+        pose: &Pose,
+        from: &AxisPosition,
+        words: &RotaryWords,
+    ) -> Result<AxisPosition, Fault> {
+        self.solve_linear(self.position_at(pose, from, &self.all_words(words)))
     }
 
-    /// Solved rotary axes stand on the tool side: the tool's length moves the linear axes.
-    pub(crate) fn head(&self) -> bool {
+    /// Whether the tool side has solved rotary axes, so that the tool length moves the linear axes.
+    pub(crate) fn has_rotary_head(&self) -> bool {
         self.head
     }
 
-    /// Why the words depend on the length of the tool, if they do.
-    pub(crate) fn needs_length(&self) -> Option<&'static str> {
+    /// Reason why the words depend on the tool length; `None` if they do not.
+    pub(crate) fn needs_gauge_length(&self) -> Option<&'static str> {
         if self.head {
-            (!self.compensated).then_some("this machine turns the tool about its head")
+            (!self.compensated).then_some("this machine rotates the tool about its head")
         } else {
-            self.gauge_line.then_some("`length_mode = \"gauge\"` writes where its gauge line is")
+            self.gauge_line.then_some("`length_mode = \"gauge\"` writes positions of its gauge line")
         }
     }
 
-    /// The words say where the gauge line is: no length offset is to be active.
+    /// Whether the words are positions of the gauge line, so that no length offset may be active.
     pub(crate) fn gauge_line(&self) -> bool {
         self.gauge_line
     }
 
-    /// Solved rotary axes stand in the table.
-    pub(crate) fn turning_table(&self) -> bool {
+    /// Whether the workpiece side has solved rotary axes.
+    pub(crate) fn has_rotary_table(&self) -> bool {
         rotaries_of(self.chain, Side::Workpiece).next().is_some()
     }
 
-    /// Going out along the retract axis is going out along the tool axis, whatever the rotaries do.
-    pub(crate) fn straight(&self) -> bool {
-        self.linear.straight
+    /// Whether a retract along the retract axis is a retract along the tool axis at any rotary angles.
+    pub(crate) fn retracts_along_tool(&self) -> bool {
+        self.linear.retracts_along_tool
     }
 
-    /// The path length of the linear words is that of the tip while no rotary moves.
-    pub(crate) fn square(&self) -> bool {
-        self.linear.square || self.frame.counts_tip()
+    /// Whether the path length of the linear words equals that of the tip while no rotary axis moves.
+    pub(crate) fn keeps_path_length(&self) -> bool {
+        self.linear.keeps_path_length || self.frame.counts_tip()
     }
 
     pub(crate) fn retract_axis(&self) -> usize {
@@ -258,9 +263,9 @@ impl Placer {
         self.rotary.mask
     }
 
-    /// A length in mm and words of one unit.
+    /// Size of one unit of a linear word, mm.
     pub(crate) fn unit_mm(&self) -> f64 {
-        1.0 / self.linear.per_mm
+        1.0 / self.linear.units_per_mm
     }
 
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
@@ -269,23 +274,24 @@ impl Placer {
         self.travel.set_gauge_length(length);
     }
 
-    /// Largest turn of a rotary word, rad.
+    /// Largest travel of a rotary axis, rad.
     #[inline]
     pub(crate) fn rotary_travel(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> f64 {
         let largest = self.rotary.axes.iter().map(|rotary| (to[rotary.index] - from[rotary.index]).abs()).max();
         self.rotary.scale.angle(largest.unwrap_or(0))
     }
 
-    /// The rotary that turns furthest, and how far, rad; none if none turns.
+    /// Rotary axis with the largest travel, and this travel, rad; `None` if none moves.
     #[inline]
-    pub(crate) fn largest_turn(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
-        let turns = self.rotary.axes.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
-        let (index, turn) = turns.max_by_key(|(_, turn)| *turn).filter(|(_, turn)| *turn > 0)?;
-        Some((self.chain[index].letter, self.rotary.scale.angle(turn.cast_signed())))
+    pub(crate) fn largest_rotation(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES]) -> Option<(char, f64)> {
+        let travels =
+            self.rotary.axes.iter().map(|rotary| (rotary.index, to[rotary.index].abs_diff(from[rotary.index])));
+        let (index, travel) = travels.max_by_key(|(_, travel)| *travel).filter(|(_, travel)| *travel > 0)?;
+        Some((self.chain[index].letter, self.rotary.scale.angle(travel.cast_signed())))
     }
 
-    /// How far the linear axes go together, mm, and the rotary axes, degrees.
-    pub(crate) fn travelled(&self, from: &Place, to: &Place) -> (f64, f64) {
+    /// Path length of the linear axes together, mm, and of the rotary axes together, degrees.
+    pub(crate) fn path_lengths(&self, from: &AxisPosition, to: &AxisPosition) -> (f64, f64) {
         let length = |mask: u16| {
             let steps = from.axes.iter().zip(to.axes).enumerate();
             let steps = steps.filter(|(index, _)| mask & (1 << index) != 0).map(|(_, (from, to))| to - from);
@@ -294,23 +300,23 @@ impl Placer {
         (length(self.linear.mask), length(self.rotary.mask).to_degrees())
     }
 
-    /// Minutes that a block takes at the largest speeds of its axes: those without a known speed do not count.
+    /// Shortest time of a block at the largest speeds of its axes, min; axes of unknown speed do not count.
     #[inline]
-    pub(crate) fn least_minutes(&self, from: &Place, to: &Place) -> Option<f64> {
+    pub(crate) fn least_minutes(&self, from: &AxisPosition, to: &AxisPosition) -> Option<f64> {
         if !self.speeds.timed {
             return None;
         }
-        let times = self.speeds.of_axes.iter().enumerate().filter_map(|(index, speed)| {
+        let times = self.speeds.per_axis.iter().enumerate().filter_map(|(index, speed)| {
             let travel = (to.axes[index] - from.axes[index]).abs();
             speed.map(|speed| travel / speed)
         });
         times.reduce(f64::max)
     }
 
-    /// Minutes of a rapid of some axes; `None` if one of those that move has no known speed.
-    pub(crate) fn least_minutes_of(&self, from: &Place, to: &Place, mask: u16) -> Option<f64> {
+    /// Shortest time of a rapid of the axes in `mask`, min; `None` if one that moves has no known speed.
+    pub(crate) fn least_minutes_of(&self, from: &AxisPosition, to: &AxisPosition, mask: u16) -> Option<f64> {
         let mut least: f64 = 0.0;
-        for (index, speed) in self.speeds.of_axes.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
+        for (index, speed) in self.speeds.per_axis.iter().enumerate().filter(|(index, _)| mask & (1 << index) != 0) {
             let travel = (to.axes[index] - from.axes[index]).abs();
             if travel > 0.0 {
                 least = least.max(travel / (*speed)?);
@@ -319,15 +325,15 @@ impl Placer {
         Some(least)
     }
 
-    /// What is written for the words of a place, by position in the chain.
+    /// Written words of a position, by position in the chain.
     #[inline]
-    pub(crate) fn written(&self, place: &Place) -> [i64; MAX_AXES] {
+    pub(crate) fn written(&self, place: &AxisPosition) -> [i64; MAX_AXES] {
         self.datum.written(&place.words)
     }
 
-    /// The written words of the axes in a mask.
+    /// Written words of the axes in `mask`.
     #[inline]
-    pub(crate) fn words(&self, place: &Place, mask: u16) -> Words {
+    pub(crate) fn words(&self, place: &AxisPosition, mask: u16) -> Words {
         let units = self.written(place);
         let both = mask & self.linear.mask != 0 && mask & self.rotary.mask != 0;
         if !(self.vectors && both) {
@@ -339,70 +345,71 @@ impl Placer {
         Words { units, mask: mask & !self.rotary.mask, vector }
     }
 
-    /// Whether a block would turn rotary axes by more than an angle, rad, and could not say so: a tool axis as a vector is the
-    /// same before and behind a turn about it, or of whole turns. At the pole a control that turns the tool axis in the
-    /// plane of its ends needs no such turn.
-    pub(crate) fn hides_turn(&self, from: &Place, to: &Place, angle: f64) -> bool {
+    /// Whether a block rotates rotary axes by more than `angle_rad` although its tool vector does not change, so that
+    /// the block cannot program the rotation: about the tool axis, or by whole revolutions. At the pole a control that
+    /// moves the tool axis in the plane of its ends needs no such rotation.
+    pub(crate) fn rotation_is_unprogrammable(&self, from: &AxisPosition, to: &AxisPosition, angle_rad: f64) -> bool {
         let all = self.linear.mask | self.rotary.mask;
         self.vectors
-            && !(to.pole && self.frame.turns_in_plane())
-            && self.rotary_travel(&from.words, &to.words) > angle
+            && !(to.at_pole && self.frame.turns_in_plane())
+            && self.rotary_travel(&from.words, &to.words) > angle_rad
             && self.words(from, all).vector == self.words(to, all).vector
     }
 
-    /// The place of a pose; `from` says where the rotaries come from and how the held axes stand. `planned`: the words of
-    /// the rotaries where the course says so; an endless axis goes the short way to them.
+    /// Position of a pose, reached from the position `from`, which also gives the values of the held axes. `planned`:
+    /// rotary words of the course, if it sets them; an endless axis rotates to them by the shorter path.
     #[inline]
     pub(crate) fn place(
         &mut self,
         pose: &Pose,
-        from: &Place,
+        from: &AxisPosition,
         feed: bool,
-        planned: Option<TurnTarget>,
-    ) -> Result<Place, Fault> {
+        planned: Option<RotaryTarget>,
+    ) -> Result<AxisPosition, Fault> {
         let mut place = match planned {
-            Some(target) => self.planned(pose, from, &target)?,
-            None => self.turn(pose, from, feed)?,
+            Some(target) => self.follow_course(pose, from, &target)?,
+            None => self.choose_rotaries(pose, from, feed)?,
         };
         if !self.rotary.grid.is_empty() {
-            self.snap(&mut place, from, feed)?;
+            self.snap_to_index(&mut place, from, feed)?;
         }
-        self.finish(place)
+        self.solve_linear_in_travel(place)
     }
 
-    /// The place of another tip with the rotaries of `at`.
-    pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &Place) -> Result<Place, Fault> {
+    /// Position of another tip at the rotary angles of `at`.
+    pub(crate) fn shifted(&mut self, tip: Point3<f64>, at: &AxisPosition) -> Result<AxisPosition, Fault> {
         let mut place = *at;
         place.pose.tip = tip;
-        self.finish(place)
+        self.solve_linear_in_travel(place)
     }
 
+    /// The same as [`Placer::solve_linear`], and compares the travel.
     #[inline]
-    fn finish(&mut self, place: Place) -> Result<Place, Fault> {
-        let place = self.set(place)?;
+    fn solve_linear_in_travel(&mut self, place: AxisPosition) -> Result<AxisPosition, Fault> {
+        let place = self.solve_linear(place)?;
         self.travel.check(&place.axes)?;
         Ok(place)
     }
 
-    /// The linear words of a pose whose rotaries are known; the travel is not compared.
+    /// Computes the linear axes and words of a position whose rotary angles are known; the travel is not compared.
     #[inline]
-    pub(crate) fn set(&self, mut place: Place) -> Result<Place, Fault> {
+    pub(crate) fn solve_linear(&self, mut place: AxisPosition) -> Result<AxisPosition, Fault> {
         let Some(axes) = self.machine.linear_axes(&place.pose.tip, &place.axes) else {
             return Err(refusal::unreachable(self, &place.pose, &place.axes));
         };
         if let Some(map) = self.frame.map(&*self.machine, &place.axes) {
-            return self.set_tip(place, &map);
+            return self.solve_tip(place, &map);
         }
         place.axes = axes;
         let (mut sum, mut squares) = (0.0, 0.0);
         for (index, value) in place.axes.iter_mut().enumerate().take(MAX_AXES) {
             if self.linear.mask & (1 << index) != 0 {
-                let shift = self.datum.linear(index);
-                let Ok(units) = whole_units(*value + shift, self.linear.per_mm) else {
+                let shift = self.datum.linear_shift_mm(index);
+                let Ok(units) = whole_units(*value + shift, self.linear.units_per_mm) else {
                     return Err(too_large(self.chain[index].letter));
                 };
                 place.words[index] = units;
-                let written = units as f64 / self.linear.per_mm - shift;
+                let written = units as f64 / self.linear.units_per_mm - shift;
                 let off = written - *value;
                 *value = written;
                 sum += off.abs();
@@ -412,35 +419,35 @@ impl Placer {
         if let Some(index) = (0..self.chain.len()).find(|&index| place.words[index].abs() >= self.bounds[index]) {
             return Err(too_large(self.chain[index].letter));
         }
-        place.rounding = if self.linear.orthogonal { squares.sqrt() } else { sum };
+        place.rounding_mm = if self.linear.orthogonal { squares.sqrt() } else { sum };
         Ok(place)
     }
 
-    /// Whether offsets along two axes have more digits than their words.
+    /// Whether offsets along two axes have more digits than their words allow.
     pub(crate) fn too_large(&self, units: [i64; 2], axes: [usize; 2]) -> bool {
         units.iter().zip(axes).any(|(units, axis)| units.abs() >= self.bounds[axis])
     }
 
-    /// Minutes that the linear axes need while the tip travels so far, mm, in whatever direction, with the rotary axes
-    /// still; 0 where their speeds are not to be kept.
-    pub(crate) fn least_minutes_of_tip(&self, length: f64, at: &Place) -> f64 {
+    /// Shortest time of the linear axes, min, for a tip path of `length_mm` in any direction at constant rotary angles;
+    /// 0 if their speeds need not be kept.
+    pub(crate) fn least_minutes_of_tip(&self, length_mm: f64, at: &AxisPosition) -> f64 {
         let Some((solved, map)) = self.axis_map(at).filter(|_| self.speeds.timed) else { return 0.0 };
         let minutes = |(row, axis): (usize, usize)| {
-            self.speeds.of_axes[axis].map_or(0.0, |speed| length * map.row(row).norm() / speed)
+            self.speeds.per_axis[axis].map_or(0.0, |speed| length_mm * map.row(row).norm() / speed)
         };
         solved.into_iter().enumerate().map(minutes).fold(0.0, f64::max)
     }
 
-    /// How far rounding of the linear words can take the tip, mm.
+    /// Largest possible displacement of the tip by rounding of the linear words, mm.
     pub(crate) fn largest_rounding(&self) -> f64 {
         0.5 * self.unit_mm() * if self.linear.orthogonal { 3_f64.sqrt() } else { 3.0 }
     }
 
-    /// The rotaries of a pose that only says where motion counts from; `None` if it cannot be reached.
-    pub(crate) fn reference(&self, pose: &Pose, from: &Place) -> Option<Place> {
+    /// Position with the rotary angles of a pose from which motion starts (FROM); `None` if it cannot be reached.
+    pub(crate) fn reference(&self, pose: &Pose, from: &AxisPosition) -> Option<AxisPosition> {
         let solutions = self.machine.inverse_kinematics(pose, &from.axes);
         let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).ok()?;
-        let mut place = Place { branch: solutions[choice.solution].branch, ..*from };
+        let mut place = AxisPosition { branch: solutions[choice.solution].branch, ..*from };
         for rotary in &self.rotary.axes {
             place.words[rotary.index] = choice.words[rotary.index];
             place.axes[rotary.index] = rotary.angle(choice.words[rotary.index], self.rotary.scale);
@@ -448,25 +455,25 @@ impl Placer {
         Some(place)
     }
 
-    /// Every rotary at zero and held axes at their values.
-    pub(crate) fn zero(&self) -> Place {
+    /// Position with every rotary axis at zero and held axes at their values.
+    pub(crate) fn zero(&self) -> AxisPosition {
         let pose = Pose { tip: Point3::origin(), axis: self.machine.tool_axis() };
-        let zero = Place {
+        let zero = AxisPosition {
             pose,
             branch: Branch::First,
             axes: self.held,
             words: [0; MAX_AXES],
-            deviation: 0.0,
-            pole: false,
-            rounding: 0.0,
+            deviation_rad: 0.0,
+            at_pole: false,
+            rounding_mm: 0.0,
         };
-        self.at(&pose, &zero, &zero.words)
+        self.position_at(&pose, &zero, &zero.words)
     }
 
     /// Words of a linear axis at a machine coordinate.
-    pub(crate) fn machine_words(&self, index: usize, coordinate: f64) -> Result<Words, Fault> {
-        self.travel.check_machine(index, coordinate)?;
-        let units = whole_units(coordinate, self.linear.per_mm)
+    pub(crate) fn machine_words(&self, index: usize, coordinate_mm: f64) -> Result<Words, Fault> {
+        self.travel.check_machine(index, coordinate_mm)?;
+        let units = whole_units(coordinate_mm, self.linear.units_per_mm)
             .ok()
             .filter(|units| units.abs() < self.bounds[index])
             .ok_or_else(|| too_large(self.chain[index].letter))?;
@@ -475,27 +482,27 @@ impl Placer {
         Ok(words)
     }
 
-    /// Words of the machine retract. The end of the travel at the part is no place to retract to.
-    pub(crate) fn retract_words(&self, coordinate: f64) -> Result<Words, Fault> {
+    /// Words of the machine retract. Refuses a retract position at the end of the travel that is at the part.
+    pub(crate) fn retract_words(&self, coordinate_mm: f64) -> Result<Words, Fault> {
         let index = self.linear.retract_axis;
         let part_end = |limits: Limits| if self.linear.retract_share > 0.0 { limits.lower } else { limits.upper };
-        if self.limits[index].is_some_and(|limits| (coordinate - part_end(limits)).abs() < self.unit_mm()) {
+        if self.limits[index].is_some_and(|limits| (coordinate_mm - part_end(limits)).abs() < self.unit_mm()) {
             return Err(Fault::new(format_args!(
-                "the retract position {} = {coordinate} mm (machine coordinate) is the end of the travel at the part",
+                "the retract position {} = {coordinate_mm} mm (machine coordinate) is the end of the travel at the part",
                 self.chain[index].letter
             ))
-            .help("give `retract.position` in the configuration, the machine coordinate away from the part"));
+            .help("set `retract.position` in the configuration to a machine coordinate away from the part"));
         }
-        self.machine_words(index, coordinate)
+        self.machine_words(index, coordinate_mm)
     }
 
-    /// Whole units of a rotary at an angle, inside its limits.
-    pub(crate) fn rotary_word(&self, index: usize, angle: f64) -> Result<i64, Fault> {
+    /// Word of a rotary axis at an angle; refuses one outside its limits.
+    pub(crate) fn rotary_word(&self, index: usize, angle_rad: f64) -> Result<i64, Fault> {
         let rotary = self.rotary.axes.iter().find(|rotary| rotary.index == index);
         let Some(rotary) = rotary else { return Ok(0) };
         let mut words = [0; MAX_AXES];
-        words[index] = rotary.word(angle, self.rotary.scale);
-        if !rotary.holds(words[index]) {
+        words[index] = rotary.word(angle_rad, self.rotary.scale);
+        if !rotary.contains(words[index]) {
             return Err(refusal::outside_limits(
                 self,
                 &[Some(OutOfLimits { rotary: *rotary, word: words[index] }), None],
@@ -504,37 +511,37 @@ impl Placer {
         Ok(words[index])
     }
 
-    /// The place with its rotaries parked at these angles, and which of them are; one whose words are wrapped stands in
-    /// the turn nearest to where it stood. The linear axes stay as they are.
-    pub(crate) fn parked(&self, park: &BTreeMap<char, f64>, from: &Place) -> Result<(Place, u16), Fault> {
+    /// Position with the rotary axes parked at these angles, and the mask of the parked axes; one that rolls over parks
+    /// in the turn nearest to `from`. The linear axes are unchanged.
+    pub(crate) fn parked(&self, park: &BTreeMap<char, f64>, from: &AxisPosition) -> Result<(AxisPosition, u16), Fault> {
         let (mut words, mut mask) = (from.words, 0);
         for rotary in &self.rotary.axes {
             let index = rotary.index;
             let Some(&angle) = park.get(&self.chain[index].letter) else { continue };
             let word = self.rotary_word(index, angle)?;
-            let nearest = || rotary.nearest(word, words[index], self.rotary.scale.turn).unwrap_or(word);
+            let nearest = || rotary.nearest(word, words[index], self.rotary.scale.units_per_turn).unwrap_or(word);
             words[index] = if self.rotary.wrapped & (1 << index) != 0 { nearest() } else { word };
             mask |= 1 << index;
         }
-        Ok((self.at(&from.pose, from, &words), mask))
+        Ok((self.position_at(&from.pose, from, &words), mask))
     }
 
-    /// Whether a control that goes the short way would turn an axis the wrong way in this block.
+    /// Whether a control that rotates by the shorter path would rotate an axis in the wrong direction in this block.
     #[inline]
-    pub(crate) fn rolls_over(&self, from: &Place, to: &Place) -> bool {
-        let half_turn = |rotary: &Rotary| {
+    pub(crate) fn rolls_over(&self, from: &AxisPosition, to: &AxisPosition) -> bool {
+        let half_a_revolution = |rotary: &Rotary| {
             self.rotary.wrapped & (1 << rotary.index) != 0
                 && 2 * from.words[rotary.index].abs_diff(to.words[rotary.index])
-                    >= self.rotary.scale.turn.unsigned_abs()
+                    >= self.rotary.scale.units_per_turn.unsigned_abs()
         };
-        self.rotary.wrapped != 0 && self.rotary.axes.iter().any(half_turn)
+        self.rotary.wrapped != 0 && self.rotary.axes.iter().any(half_a_revolution)
     }
 
-    /// How far below the machine retract a place stands along the tool axis of the zero position, mm; `None` if that
-    /// cannot be known.
-    pub(crate) fn below_retract(&self, place: &Place, retract: f64) -> Option<f64> {
-        let there = self.travel.value_at(self.linear.retract_axis, retract)?;
-        Some((there - place.axes[self.linear.retract_axis]) * self.linear.retract_share.signum())
+    /// Distance of a position below the machine retract along the tool axis of the zero position, mm; `None` if it
+    /// cannot be known. `retract_mm`: machine coordinate.
+    pub(crate) fn below_retract(&self, place: &AxisPosition, retract_mm: f64) -> Option<f64> {
+        let retracted = self.travel.value_at(self.linear.retract_axis, retract_mm)?;
+        Some((retracted - place.axes[self.linear.retract_axis]) * self.linear.retract_share.signum())
     }
 }
 
@@ -559,8 +566,12 @@ mod tests {
     }
 
     #[test]
-    fn only_a_machine_without_a_rotary_in_the_head_retracts_straight() {
-        assert!(placer::<Cb>().straight() && placer::<Ay>().straight() && placer::<Xyz>().straight());
-        assert!(!placer::<Head>().straight() && placer::<Head>().head());
+    fn only_a_machine_without_a_rotary_in_the_head_retracts_along_the_tool() {
+        assert!(
+            placer::<Cb>().retracts_along_tool()
+                && placer::<Ay>().retracts_along_tool()
+                && placer::<Xyz>().retracts_along_tool()
+        );
+        assert!(!placer::<Head>().retracts_along_tool() && placer::<Head>().has_rotary_head());
     }
 }

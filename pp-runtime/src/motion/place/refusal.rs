@@ -1,4 +1,4 @@
-//! Why a pose has no place on the machine, in a machinist's words.
+//! Messages for poses that the machine cannot reach.
 
 use crate::kinematics::{AxisValues, Pose};
 
@@ -7,7 +7,7 @@ use crate::motion::fault::Fault;
 use crate::motion::rotary::{OutOfLimits, Rotary};
 use crate::motion::step::MAX_AXES;
 
-/// Limits of a rotary axis, in words.
+/// Limits of a rotary axis as text.
 pub(crate) fn limits_text(placer: &Placer, index: usize) -> String {
     placer.limits[index].map_or_else(
         || "none".to_owned(),
@@ -15,50 +15,51 @@ pub(crate) fn limits_text(placer: &Placer, index: usize) -> String {
     )
 }
 
-/// No whole turn brings an axis inside its limits.
+/// The fault that an axis is outside its limits in every whole turn.
 #[cold]
 pub(crate) fn outside_limits(placer: &Placer, outside: &[Option<OutOfLimits>; 2]) -> Fault {
     let mut text = String::new();
     for out in outside.iter().flatten() {
         let letter = placer.chain()[out.rotary.index].letter;
-        let value = out.rotary.shown(out.word, placer.rotary.scale);
+        let value = out.rotary.degrees_for_display(out.word, placer.rotary.scale);
         if text.is_empty() {
-            text = format!("{letter} would have to turn to {value}°");
+            text = format!("{letter} would have to rotate to {value}°");
         } else {
             text += &format!(", or {letter} to {value}°");
         }
         text += &format!(" (limits {})", limits_text(placer, out.rotary.index));
     }
-    Fault::new(text).help("turn the part on the table, or correct the limits in the configuration")
+    Fault::new(text).help("rotate the part on the table (`part_rotation`), or correct the limits in the configuration")
 }
 
-/// Only a swing of the tool in the cut would keep an axis inside its limits.
+/// The fault that only a swing of the tool in the cut would keep an axis inside its limits.
 #[cold]
 pub(crate) fn jump(placer: &Placer, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], nearest: &[i64; MAX_AXES]) -> Fault {
-    let outside = placer.rotary.axes.iter().find(|rotary| !rotary.holds(nearest[rotary.index]));
-    let turned = placer.rotary.axes.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
-    let (Some(limit), Some(turned)) = (outside, turned) else { return outside_limits(placer, &[None; 2]) };
-    let degrees = |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.shown(words[rotary.index], placer.rotary.scale);
+    let outside = placer.rotary.axes.iter().find(|rotary| !rotary.contains(nearest[rotary.index]));
+    let swung = placer.rotary.axes.iter().max_by_key(|rotary| from[rotary.index].abs_diff(to[rotary.index]));
+    let (Some(limit), Some(swung)) = (outside, swung) else { return outside_limits(placer, &[None; 2]) };
+    let degrees =
+        |rotary: &Rotary, words: &[i64; MAX_AXES]| rotary.degrees_for_display(words[rotary.index], placer.rotary.scale);
     Fault::new(format_args!(
-        "{} would have to turn on to {}°, outside its limits {}; turning {} from {}° to {}° instead would swing the \
+        "{} would have to continue to {}°, outside its limits {}; rotating {} from {}° to {}° instead would swing the \
          tool in the cut",
         placer.chain()[limit.index].letter,
         degrees(limit, nearest),
         limits_text(placer, limit.index),
-        placer.chain()[turned.index].letter,
-        degrees(turned, from),
-        degrees(turned, to),
+        placer.chain()[swung.index].letter,
+        degrees(swung, from),
+        degrees(swung, to),
     ))
-    .help("retract before this point and start a new operation, or turn the part on the table")
+    .help("retract before this point and start a new operation, or rotate the part on the table (`part_rotation`)")
 }
 
-/// The machine cannot hold a tool axis.
+/// The fault that the machine cannot reach a tool axis.
 #[cold]
 pub(crate) fn unreachable(placer: &Placer, pose: &Pose, held: &AxisValues) -> Fault {
     match placer.machine.reach(&pose.axis, held) {
         Err(reason) => Fault::new(reason),
         Ok(()) => Fault::new(format_args!(
-            "{} has no position for the tool axis ({:.7}, {:.7}, {:.7})",
+            "{} cannot reach the tool axis ({:.7}, {:.7}, {:.7})",
             placer.machine().name(),
             pose.axis.x,
             pose.axis.y,

@@ -1,8 +1,8 @@
-//! Tilted planes: three angles of a control for an orientation, and back.
+//! Tilted planes: conversion between an orientation and the three angles of a control.
 //!
-//! The columns of an orientation are the X, Y and Z of the plane in the frame that is tilted; Z is the tool axis. Angles are
-//! written in the resolution of the control, and everything that follows counts in the plane as the *control* will have it:
-//! in the orientation of the rounded angles.
+//! The columns of an orientation are the X, Y and Z of the plane in the frame that is tilted; Z is the tool axis. The
+//! angles are written in the resolution of the control, and all later coordinates are in the plane as the *control*
+//! computes it: in the orientation of the rounded angles.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
@@ -10,10 +10,10 @@ use crate::nc::Decimal;
 
 use crate::motion::geometry::angle_between;
 
-/// Two poses of a plane are one where the second rotary axis stands as far as this from where both meet, rad.
+/// Largest difference of the angle of the second rotary axis, rad, at which two poses of a plane count as one.
 const SAME_POSE: f64 = 1e-9;
 
-/// How a control describes the orientation of a plane by three angles.
+/// Convention of the three angles by which a control describes the orientation of a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlaneAngles {
     /// About Z, then about the new X, then about the new Z: `Rz(1)·Rx(2)·Rz(3)`.
@@ -30,16 +30,16 @@ impl PlaneAngles {
     pub fn orientation(self, [a, b, c]: [f64; 3]) -> Matrix3<f64> {
         let about = |axis: &nalgebra::UnitVector3<f64>, angle: f64| Rotation3::from_axis_angle(axis, angle);
         let (x, y, z) = (Vector3::x_axis(), Vector3::y_axis(), Vector3::z_axis());
-        let turned = match self {
+        let rotation = match self {
             Self::EulerZxz => about(&z, a) * about(&x, b) * about(&z, c),
             Self::MovingXyz => about(&x, a) * about(&y, b) * about(&z, c),
             Self::FixedXyz => about(&z, c) * about(&y, b) * about(&x, a),
         };
-        turned.into_inner()
+        rotation.into_inner()
     }
 
-    /// Angles of an orientation, rad. Where the middle angle leaves only the sum or the difference of the others, one of
-    /// them is zero.
+    /// Angles of an orientation, rad. If the middle angle determines only the sum or the difference of the other two,
+    /// one of these is zero.
     #[must_use]
     pub fn angles(self, r: &Matrix3<f64>) -> [f64; 3] {
         match self {
@@ -71,44 +71,44 @@ impl PlaneAngles {
     }
 }
 
-/// How a control chooses between the two poses of a plane.
+/// Rule by which a control chooses between the two poses of a plane.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PoseRule {
-    /// The one that turns the rotary axes least: they stand there already.
+    /// The pose with the least travel of the rotary axes, which are at their angles already.
     Nearest,
-    /// By the sign of the rotary axis nearest the tool; without a word the one that turns least.
+    /// By the sign of the rotary axis nearest the tool; if none is written, the pose with the least travel.
     Sign,
-    /// The lower or the higher value of the rotary axis nearest the tool.
+    /// By the lower or the higher value of the rotary axis nearest the tool.
     Side,
 }
 
-/// How a control tilts a plane.
+/// Abilities of a control for tilted planes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlaneAbility {
-    /// What its angles mean.
+    /// Convention of its angles.
     pub angles: PlaneAngles,
     /// Decimals of its angles in degrees.
     pub decimals: u32,
-    /// Which pose it takes.
+    /// Rule for the pose.
     pub pose: PoseRule,
-    /// The plane is given up behind the machine retract; else before it.
-    pub ends_behind_retract: bool,
+    /// The plane is cancelled after the machine retract; otherwise before it.
+    pub ends_after_retract: bool,
 }
 
-/// A plane in the words of a control.
+/// A tilted plane in the words of a control.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Tilt {
-    /// The words, degrees.
+pub struct TiltedPlane {
+    /// Angles, degrees.
     pub words: [Decimal; 3],
-    /// The orientation that these words mean.
+    /// Orientation of these rounded angles.
     pub orientation: Matrix3<f64>,
 }
 
 impl PlaneAbility {
-    /// The plane of an orientation; `None` if its words do not mean this orientation within three times half a unit of
-    /// each: then the convention and the orientation do not belong together.
+    /// The plane of an orientation; `None` if the orientation of its rounded words deviates by more than three times
+    /// half a unit of a word: then the matrix is no orientation of this convention.
     #[must_use]
-    pub fn tilt(&self, orientation: &Matrix3<f64>) -> Option<Tilt> {
+    pub fn tilt(&self, orientation: &Matrix3<f64>) -> Option<TiltedPlane> {
         let wanted = self.angles.angles(orientation);
         let mut words = [Decimal::default(); 3];
         for (word, angle) in words.iter_mut().zip(wanted) {
@@ -120,20 +120,20 @@ impl PlaneAbility {
             let [is, wanted]: [Vector3<f64>; 2] = [meant, *orientation].map(|r| r.column(column).into_owned());
             angle_between(&is, &wanted)
         });
-        (off.fold(0.0, f64::max) <= 3.0 * half_unit + SAME_POSE).then_some(Tilt { words, orientation: meant })
+        (off.fold(0.0, f64::max) <= 3.0 * half_unit + SAME_POSE).then_some(TiltedPlane { words, orientation: meant })
     }
 }
 
 impl PoseRule {
-    /// What says which pose it is: `true` for plus or higher, `None` where nothing is to be said, because the control takes
-    /// the pose in which the rotary axes stand already. `here` and `others`: the values of the rotary axis nearest the tool
-    /// in this pose and in the others.
+    /// Selector of this pose: `true` for positive or higher, `None` if none is written, because the control takes the
+    /// pose at which the rotary axes already are. `here` and `others`: values of the rotary axis nearest the tool in
+    /// this pose and in the others, rad.
     pub(crate) fn choose(self, here: f64, others: &[f64]) -> Option<bool> {
         let mut apart = others.iter().filter(|other| (*other - here).abs() > SAME_POSE).peekable();
         apart.peek()?;
         match self {
             Self::Nearest => None,
-            // Without a word the shortest way counts.
+            // Without a sign the control takes the pose with the least travel.
             Self::Sign => apart.all(|other| other * here < 0.0).then_some(here > 0.0),
             Self::Side => Some(apart.all(|other| *other < here)),
         }
@@ -146,7 +146,7 @@ mod tests {
 
     const ALL: [PlaneAngles; 3] = [PlaneAngles::EulerZxz, PlaneAngles::MovingXyz, PlaneAngles::FixedXyz];
 
-    /// Elementary matrices written out, sharing nothing with the library that turns above.
+    /// Elementary matrices written out; they share no code with the library that rotates above.
     fn about(axis: usize, degrees: f64) -> Matrix3<f64> {
         let (s, c) = degrees.to_radians().sin_cos();
         match axis {
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn each_convention_is_the_product_it_says() {
+    fn each_convention_is_the_product_of_its_name() {
         let [a, b, c] = [20.0, -35.0, 50.0];
         let products = [
             about(2, a) * about(0, b) * about(2, c),
@@ -191,7 +191,7 @@ mod tests {
             angles: PlaneAngles::EulerZxz,
             decimals: 3,
             pose: PoseRule::Nearest,
-            ends_behind_retract: true,
+            ends_after_retract: true,
         };
         for step in 0..400 {
             let t = f64::from(step);
@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pose_is_named_only_where_the_rule_tells_it_from_the_others() {
+    fn a_pose_is_named_only_if_the_rule_distinguishes_it_from_the_others() {
         assert_eq!(PoseRule::Nearest.choose(0.5, &[-0.5]), None);
         assert_eq!(PoseRule::Sign.choose(-0.5, &[0.5]), Some(false));
         assert_eq!(PoseRule::Sign.choose(0.5, &[1.5]), None);

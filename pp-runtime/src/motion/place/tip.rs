@@ -1,4 +1,4 @@
-//! Words of a tip that the control counts in a frame of its own, and the map from the workpiece to the words.
+//! Words that are coordinates of the tip in a frame of the control, and the map from the workpiece to the words.
 
 use std::f64::consts::TAU;
 
@@ -9,48 +9,49 @@ use crate::nc::whole_units;
 
 use super::frame::{WordMap, no_plane, orientation};
 use super::refusal;
-use super::tilted_plane::{PlaneAbility, PoseRule, Tilt};
-use super::{Place, Placer, too_large};
+use super::tilted_plane::{PlaneAbility, PoseRule, TiltedPlane};
+use super::{AxisPosition, Placer, too_large};
 use crate::motion::fault::Fault;
-use crate::motion::geometry::turn_between;
+use crate::motion::geometry::rotation_between;
 
-/// How far a map to the program may be off an orthogonal one: what the arithmetic of angles leaves.
+/// Largest deviation of a map from an orthogonal one: rounding of the arithmetic of angles.
 const ORTHOGONAL: f64 = 1e-9;
 
-/// Between two points of a block that are compared with the travel an axis leaves its chord by less than this, mm.
-const UNSEEN: f64 = 0.01;
+/// Largest deviation of an axis from its chord between two points of a block that are compared with the travel.
+const TRAVEL_SAMPLING_MM: f64 = 0.01;
 
-/// Most points of a block that are compared with the travel.
-const MOST_SEEN: f64 = 1000.0;
+/// Largest number of points of a block that are compared with the travel.
+const MAX_TRAVEL_SAMPLES: f64 = 1000.0;
 
 impl Placer {
-    /// The words of X Y Z, not rounded, that bring the tip to a point while the rotary axes stand as at a place, mm; `None`
-    /// where the program has no such words.
-    pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &Place) -> Option<Vector3<f64>> {
+    /// Words of X Y Z, not rounded, that move the tip to a point at the rotary angles of `at`, mm; `None` if the
+    /// program has no such words.
+    pub(crate) fn program_point(&self, tip: &Point3<f64>, at: &AxisPosition) -> Option<Vector3<f64>> {
         if let Some(map) = self.frame.map(&*self.machine, &at.axes) {
             return Some(map.words(tip));
         }
         let axes = self.machine.linear_axes(tip, &at.axes)?;
-        let word = |index: usize| axes[index] + self.datum.linear(index);
+        let word = |index: usize| axes[index] + self.datum.linear_shift_mm(index);
         Some(Vector3::from(self.linear.xyz?.map(word)))
     }
 
-    /// Places of X Y Z in the chain, and what their words change by with the tip while the rotary axes stand as at a
-    /// place: the rows belong to the words, the columns to the directions of the workpiece.
-    pub(crate) fn program_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
+    /// Positions of X Y Z in the chain, and the derivative of their words with respect to the tip at the rotary angles
+    /// of `at`: one row for each word, one column for each direction of the workpiece frame.
+    pub(crate) fn program_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         Some((self.linear.xyz?, differences(|tip| self.program_point(tip, at))?))
     }
 
-    /// The same where the words are square to each other and as long as the ways of the tip.
-    pub(crate) fn square_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
+    /// The same as [`Placer::program_map`], if it is orthogonal: the words keep angles and lengths of the tip path.
+    pub(crate) fn orthogonal_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         self.program_map(at).filter(|(_, map)| {
             let off = map.transpose() * map - Matrix3::identity();
             off.iter().all(|part| part.abs() <= ORTHOGONAL)
         })
     }
 
-    /// The linear axes that are solved, and what they move by with the tip while the rotary axes stand as at a place.
-    pub(crate) fn axis_map(&self, at: &Place) -> Option<([usize; 3], Matrix3<f64>)> {
+    /// Positions of the solved linear axes, and the derivative of their values with respect to the tip at the rotary
+    /// angles of `at`.
+    pub(crate) fn axis_map(&self, at: &AxisPosition) -> Option<([usize; 3], Matrix3<f64>)> {
         let mut linear = (0..self.chain.len()).filter(|index| self.linear.mask & (1 << index) != 0);
         let solved = [linear.next()?, linear.next()?, linear.next()?];
         let values = |tip: &Point3<f64>| {
@@ -60,63 +61,72 @@ impl Placer {
         Some((solved, differences(values)?))
     }
 
-    /// The words of a tip that the control counts in a frame of its own.
-    pub(crate) fn set_tip(&self, mut place: Place, map: &WordMap) -> Result<Place, Fault> {
+    /// Computes the linear axes and words of a position whose words are coordinates of the tip.
+    pub(crate) fn solve_tip(&self, mut place: AxisPosition, map: &WordMap) -> Result<AxisPosition, Fault> {
         let mut written = map.words(&place.pose.tip);
         let letters = self.frame.letters();
         for (index, value) in letters.into_iter().zip(written.iter_mut()) {
-            let units = whole_units(*value, self.linear.per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
+            let units =
+                whole_units(*value, self.linear.units_per_mm).ok().filter(|units| units.abs() < self.bounds[index]);
             let units = units.ok_or_else(|| too_large(self.chain[index].letter))?;
             place.words[index] = units;
-            *value = units as f64 / self.linear.per_mm;
+            *value = units as f64 / self.linear.units_per_mm;
         }
         let reached = map.tip(&written);
         let axes = self.machine.linear_axes(&reached, &place.axes);
         place.axes = axes.ok_or_else(|| refusal::unreachable(self, &place.pose, &place.axes))?;
-        place.rounding = (reached - place.pose.tip).norm();
+        place.rounding_mm = (reached - place.pose.tip).norm();
         Ok(place)
     }
 
-    /// The place in the frame of tip control, which may be that of the table once its rotaries have been turned.
-    pub(crate) fn in_tip_frame(&mut self, place: Place) -> Result<Place, Fault> {
-        if !self.frame.is_set_anew() {
+    /// Position in the frame of tip control, which may depend on the rotary angles at which tip control begins.
+    pub(crate) fn in_tip_frame(&mut self, place: AxisPosition) -> Result<AxisPosition, Fault> {
+        if !self.frame.is_set_at_angles() {
             return Ok(place);
         }
         self.frame.start(&*self.machine, &place.axes);
-        self.finish(place)
+        self.solve_linear_in_travel(place)
     }
 
-    /// The place in the plane whose Z is its tool axis, and that plane in the words of the control.
-    pub(crate) fn tilted(&mut self, place: Place, ability: &PlaneAbility) -> Result<(Place, Tilt), Fault> {
-        let stands = orientation(&*self.machine, &place.axes);
-        // The rotaries stand at rounded angles, the control computes its own: the plane is that of the tool axis.
-        let rounded = UnitVector3::new_normalize(stands * self.machine.tool_axis().into_inner());
-        let correction = turn_between(&rounded, &place.pose.axis);
-        let tilt = self.frame.tilt(ability, &(correction * stands)).ok_or_else(no_plane)?;
-        Ok((self.finish(place)?, tilt))
+    /// Position in the tilted plane whose Z is its tool axis, and that plane in the words of the control.
+    pub(crate) fn tilted(
+        &mut self,
+        place: AxisPosition,
+        ability: &PlaneAbility,
+    ) -> Result<(AxisPosition, TiltedPlane), Fault> {
+        let reached = orientation(&*self.machine, &place.axes);
+        // The rotary angles are rounded here, and the control computes its own: the plane is that of the tool axis.
+        let rounded = UnitVector3::new_normalize(reached * self.machine.tool_axis().into_inner());
+        let correction = rotation_between(&rounded, &place.pose.axis);
+        let tilt = self.frame.tilt(ability, &(correction * reached)).ok_or_else(no_plane)?;
+        Ok((self.solve_linear_in_travel(place)?, tilt))
     }
 
-    /// Which of the poses of a plane this is, in the words of a rule: see [`PoseRule::choose`].
-    pub(crate) fn pose_of_plane(&self, place: &Place, rule: PoseRule) -> Option<bool> {
+    /// Which of the possible poses of a plane this position is, according to a rule: see [`PoseRule::choose`].
+    pub(crate) fn pose_of_plane(&self, place: &AxisPosition, rule: PoseRule) -> Option<bool> {
         let rotary = self.rotary.axes.last()?;
-        let within_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
-        let value = |axes: &AxisValues| within_a_turn(axes[rotary.index]);
+        let within_half_a_turn = |angle: f64| angle - (angle / TAU).round() * TAU;
+        let value = |axes: &AxisValues| within_half_a_turn(axes[rotary.index]);
         let here = value(&place.axes);
         let solutions = self.machine.inverse_kinematics(&place.pose, &place.axes);
         let others = solutions.iter().map(|solution| value(&solution.axes));
-        // This pose is among them, rounded.
+        // Without this pose itself, which is among them, unrounded.
         let others: Vec<f64> =
-            others.filter(|other| within_a_turn(other - here).abs() > self.rotary.scale.angle(1)).collect();
+            others.filter(|other| within_half_a_turn(other - here).abs() > self.rotary.scale.angle(1)).collect();
         rule.choose(here, &others)
     }
 
-    /// Checks the travel inside a block in which the control moves the linear axes so that the tip keeps to its line.
-    pub(crate) fn check_between(&mut self, from: &Place, to: &Place) -> Result<(), Fault> {
+    /// Checks the travel inside a block in which the control moves the linear axes so that the tip stays on its line.
+    pub(crate) fn check_between(&mut self, from: &AxisPosition, to: &AxisPosition) -> Result<(), Fault> {
         if !self.frame.counts_tip() || !self.travel.limited() {
             return Ok(());
         }
-        // Between two of these points an axis leaves its chord by less than `UNSEEN`: deviations fall with the square.
-        let steps = (self.machine.motion(&from.axes, &to.axes).tip / UNSEEN).sqrt().ceil().clamp(1.0, MOST_SEEN);
+        // The deviation from the chord falls with the square of the step: it is below `TRAVEL_SAMPLING_MM` between
+        // points.
+        let steps = (self.machine.motion(&from.axes, &to.axes).tip / TRAVEL_SAMPLING_MM)
+            .sqrt()
+            .ceil()
+            .clamp(1.0, MAX_TRAVEL_SAMPLES);
         let mut step = 1.0;
         while step < steps {
             let part = step / steps;
@@ -134,11 +144,11 @@ impl Placer {
     }
 }
 
-/// What the values of an affine map change by with the point.
+/// Derivative of an affine map.
 fn differences(map: impl Fn(&Point3<f64>) -> Option<Vector3<f64>>) -> Option<Matrix3<f64>> {
-    // A wide step leaves no more than the rounding of the arithmetic.
-    const STEP: f64 = 1024.0;
+    // With a wide step the error is only the rounding of the arithmetic.
+    const STEP_MM: f64 = 1024.0;
     let origin = map(&Point3::origin())?;
-    let column = |direction: Vector3<f64>| Some((map(&Point3::from(direction * STEP))? - origin) / STEP);
+    let column = |direction: Vector3<f64>| Some((map(&Point3::from(direction * STEP_MM))? - origin) / STEP_MM);
     Some(Matrix3::from_columns(&[column(Vector3::x())?, column(Vector3::y())?, column(Vector3::z())?]))
 }

@@ -1,7 +1,8 @@
 //! Travel of the linear axes, compared after rounding.
 //!
-//! Limits are machine coordinates: `M = machine_zero + q + g`, where `g` is what the gauge length adds to the axis.
-//! Without `machine_zero` only the span of `q + g` over the program is compared with the travel.
+//! Limits are machine coordinates: `M = machine_zero + q + g`, where `q` is the axis value and `g` the share of the
+//! gauge length along the axis. Without `machine_zero` only the span of `q + g` over the program is compared with the
+//! travel.
 
 use crate::kinematics::{AnyMachine, AxisKind, Limits, Side};
 use crate::motion::options::Policy;
@@ -10,60 +11,60 @@ use super::chain::rotaries;
 use super::datum::along_axes;
 use crate::motion::fault::Fault;
 
-/// Noise of floating-point sums that must not turn an inclusive limit into an exclusive one, mm.
-const NOISE: f64 = 1e-6;
+/// Allowance for the noise of floating-point sums, so that limits remain inclusive.
+const NOISE_MM: f64 = 1e-6;
 
-/// A gauge length adds nothing to an axis whose share of it is smaller than this.
+/// Smallest share of the gauge length along an axis that counts.
 const NO_SHARE: f64 = 1e-12;
 
-/// One solved linear axis.
+/// Travel of one solved linear axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LinearTravel {
     /// Position in the chain.
     pub(crate) index: usize,
     letter: char,
     limits: Option<Limits>,
-    zero: Option<f64>,
-    /// `g` for a gauge length of 1.
+    machine_zero_mm: Option<f64>,
+    /// `g` for a gauge length of 1 mm.
     share: f64,
-    /// Smallest and largest `q + g` so far.
+    /// Smallest and largest `q + g` so far, mm.
     pub(crate) span: Option<(f64, f64)>,
-    /// A rotary axis of the head turns the tool: its length moves the axis, how far depends on the angles.
-    turned: bool,
-    /// Points that could not be compared because the gauge length is unknown.
+    /// The tool side has rotary axes: the tool length moves the axis by an amount that depends on their angles.
+    has_rotary_head: bool,
+    /// Some points could not be compared because the gauge length is unknown.
     pub(crate) unknown_length: bool,
 }
 
 /// The travel of all solved linear axes.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Travel {
+pub(crate) struct TravelCheck {
     axes: Vec<LinearTravel>,
-    /// Gauge length of the tool, if known, mm.
-    gauge_length: Option<f64>,
+    /// Gauge length of the tool, if known.
+    gauge_length_mm: Option<f64>,
 }
 
-impl Travel {
+impl TravelCheck {
     pub(crate) fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
         let limits = policy.set_up.travel(machine.axes()).limits;
         let solved: Vec<usize> = (0..machine.axes().len())
             .filter(|&i| machine.axes()[i].kind == AxisKind::Linear && !machine.axes()[i].held)
             .collect();
         let shares = along_axes(machine, &machine.tool_axis());
-        let turned = rotaries(machine.axes(), Side::Tool).next().is_some();
+        let has_rotary_head = rotaries(machine.axes(), Side::Tool).next().is_some();
         let axes = solved
             .iter()
             .map(|&index| LinearTravel {
                 index,
                 letter: machine.axes()[index].letter,
                 limits: limits[index],
-                zero: policy.set_up.machine_zero.get(&machine.axes()[index].letter).copied(),
+                machine_zero_mm: policy.set_up.machine_zero.get(&machine.axes()[index].letter).copied(),
                 share: shares[index],
                 span: None,
-                turned,
+                has_rotary_head,
                 unknown_length: false,
             })
             .collect();
-        Self { axes, gauge_length: None }
+        Self { axes, gauge_length_mm: None }
     }
 
     pub(crate) fn axes(&self) -> &[LinearTravel] {
@@ -71,19 +72,19 @@ impl Travel {
     }
 
     pub(crate) fn set_gauge_length(&mut self, length: Option<f64>) {
-        self.gauge_length = length;
+        self.gauge_length_mm = length;
     }
 
     /// Compares a point of the program with the limits; `values` are rounded axis values, mm.
     pub(crate) fn check(&mut self, values: &[f64]) -> Result<(), Fault> {
-        let length = self.gauge_length;
+        let length = self.gauge_length_mm;
         for axis in &mut self.axes {
             axis.check(values[axis.index], length)?;
         }
         Ok(())
     }
 
-    /// Whether the travel of an axis is declared.
+    /// Whether the travel of at least one axis is declared.
     pub(crate) fn limited(&self) -> bool {
         self.axes.iter().any(LinearTravel::limited)
     }
@@ -93,7 +94,7 @@ impl Travel {
         let Some(axis) = self.axes.iter().find(|axis| axis.index == index) else { return Ok(()) };
         match axis.limits {
             Some(limits) if !inside(limits, coordinate) => Err(Fault::new(format_args!(
-                "{} would have to go to machine coordinate {coordinate:.3} mm, its limits are {:.3} to {:.3} mm",
+                "{} would have to move to machine coordinate {coordinate:.3} mm, its limits are {:.3} to {:.3} mm",
                 axis.letter, limits.lower, limits.upper
             ))
             .help("correct `retract.position`, `park` or the limits in the configuration")),
@@ -101,19 +102,19 @@ impl Travel {
         }
     }
 
-    /// The axis value at a machine coordinate, if that can be known.
+    /// Axis value at a machine coordinate, mm; `None` if the machine zero or the gauge length is unknown.
     pub(crate) fn value_at(&self, index: usize, coordinate: f64) -> Option<f64> {
         let axis = self.axes.iter().find(|axis| axis.index == index)?;
-        Some(coordinate - axis.zero? - axis.gauge(self.gauge_length)?)
+        Some(coordinate - axis.machine_zero_mm? - axis.gauge(self.gauge_length_mm)?)
     }
 }
 
 impl LinearTravel {
-    /// Why its limits could not be compared; `None` if they were.
-    pub(crate) fn unchecked(&self) -> Option<&'static str> {
+    /// Reason why the limits could not be compared; `None` if they were.
+    pub(crate) fn unchecked_reason(&self) -> Option<&'static str> {
         if !self.limited() {
             Some("no travel declared")
-        } else if !self.placed() {
+        } else if !self.has_machine_zero() {
             Some("no machine_zero")
         } else if self.unknown_length {
             Some("gauge length unknown")
@@ -127,9 +128,9 @@ impl LinearTravel {
         self.limits.is_some()
     }
 
-    /// Whether machine coordinates are known.
-    pub(crate) fn placed(&self) -> bool {
-        self.zero.is_some()
+    /// Whether machine coordinates are known, from `machine_zero`.
+    pub(crate) fn has_machine_zero(&self) -> bool {
+        self.machine_zero_mm.is_some()
     }
 
     pub(crate) fn letter(&self) -> char {
@@ -137,7 +138,11 @@ impl LinearTravel {
     }
 
     fn gauge(&self, length: Option<f64>) -> Option<f64> {
-        if self.share.abs() < NO_SHARE && !self.turned { Some(0.0) } else { length.map(|length| length * self.share) }
+        if self.share.abs() < NO_SHARE && !self.has_rotary_head {
+            Some(0.0)
+        } else {
+            length.map(|length| length * self.share)
+        }
     }
 
     fn check(&mut self, value: f64, length: Option<f64>) -> Result<(), Fault> {
@@ -147,32 +152,32 @@ impl LinearTravel {
             return Ok(());
         };
         let letter = self.letter;
-        if let Some(zero) = self.zero {
+        if let Some(zero) = self.machine_zero_mm {
             let coordinate = zero + value + gauge;
             if inside(limits, coordinate) {
                 return Ok(());
             }
             return Err(Fault::new(format_args!(
-                "{letter} would have to go to {coordinate:.3} mm (machine coordinate), its limits are {:.3} to {:.3} mm",
+                "{letter} would have to move to {coordinate:.3} mm (machine coordinate), its limits are {:.3} to {:.3} mm",
                 limits.lower, limits.upper
             ))
-            .help("move the part in the machine (`part_origin`, `machine_zero`), or use another tool length"));
+            .help("set the part up elsewhere (`part_origin`, `machine_zero`), or use another tool length"));
         }
         let here = value + gauge;
         let (lowest, highest) = self.span.map_or((here, here), |(low, high)| (low.min(here), high.max(here)));
         self.span = Some((lowest, highest));
         let travel = limits.upper - limits.lower;
-        if highest - lowest <= travel + NOISE {
+        if highest - lowest <= travel + NOISE_MM {
             return Ok(());
         }
         Err(Fault::new(format_args!(
-            "from here on the program needs {:.3} mm of {letter} travel, the machine has {travel:.3} mm",
+            "up to this point the program needs {:.3} mm of {letter} travel, the machine has {travel:.3} mm",
             highest - lowest
         ))
-        .help("split the program, or place the part nearer the rotary centre lines"))
+        .help("split the program, or set the part up nearer to the rotary centre lines"))
     }
 }
 
 fn inside(limits: Limits, coordinate: f64) -> bool {
-    (limits.lower - NOISE..=limits.upper + NOISE).contains(&coordinate)
+    (limits.lower - NOISE_MM..=limits.upper + NOISE_MM).contains(&coordinate)
 }

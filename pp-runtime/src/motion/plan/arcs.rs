@@ -14,13 +14,13 @@ use crate::nalgebra::Vector3;
 use crate::program::{Arc, Move};
 
 use crate::motion::fault::{Fault, Halt, Planned};
-use crate::motion::geometry::Round;
-use crate::motion::geometry::{ArcPlane, Circle, Grid, Nominal, Off};
-use crate::motion::place::Place;
+use crate::motion::geometry::ArcGeometry;
+use crate::motion::geometry::{ArcPlane, Circle, CircleDeviation, NominalCircle, WordGrid};
+use crate::motion::place::AxisPosition;
 use crate::motion::plan::Planner;
 use crate::motion::plan::feed::Stroke;
 use crate::motion::plan::statistics::Statistics;
-use crate::motion::rotary::TurnTarget;
+use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::MotionIndex;
 use crate::motion::step::Why;
 use crate::motion::step::{FeedWord, Sink, Step, Words};
@@ -99,7 +99,7 @@ impl Cuts {
 struct Framed {
     plane: ArcPlane,
     chain: [usize; 3],
-    nominal: Nominal,
+    nominal: NominalCircle,
     /// How far the plane of the arc is off that of the program, over the arc, mm.
     lean: f64,
 }
@@ -107,7 +107,7 @@ struct Framed {
 /// An arc from where the tool is.
 #[cold]
 pub(crate) fn arc<S: Sink>(planner: &mut Planner<'_, S>, arc: &Arc, index: MotionIndex) -> Planned {
-    let round = Round::new(arc);
+    let round = ArcGeometry::new(arc);
     if planner.cutter.is_idle() {
         ArcRun { planner, arc, round }.run(index)
     } else {
@@ -119,7 +119,7 @@ pub(crate) fn arc<S: Sink>(planner: &mut Planner<'_, S>, arc: &Arc, index: Motio
 struct ArcRun<'p, 'a, 'r, S> {
     planner: &'p mut Planner<'a, S>,
     arc: &'r Arc,
-    round: Round<'r>,
+    round: ArcGeometry<'r>,
 }
 
 impl<S: Sink> ArcRun<'_, '_, '_, S> {
@@ -157,7 +157,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
     }
 
     /// Writes the arc as arcs of the control; nothing is written where one of them cannot be said.
-    fn trace(&mut self, end: &Place) -> Result<Result<(), NoArc>, Halt> {
+    fn trace(&mut self, end: &AxisPosition) -> Result<Result<(), NoArc>, Halt> {
         let framed = match self.framed(end) {
             Ok(framed) => framed,
             Err(why) => return Ok(Err(why)),
@@ -172,7 +172,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
     }
 
     /// The arc in the program's coordinates.
-    fn framed(&self, end: &Place) -> Result<Framed, NoArc> {
+    fn framed(&self, end: &AxisPosition) -> Result<Framed, NoArc> {
         let (arc, round) = (self.arc, &self.round);
         let (setup, placer) = (&self.planner.policy.options.arcs, self.planner.mover.placer());
         if setup.output == ArcOutput::Lines {
@@ -184,14 +184,14 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         if self.planner.mover.turns(end) {
             return Err(NoArc::Frame);
         }
-        let (chain, map) = placer.square_map(end).ok_or(NoArc::Frame)?;
+        let (chain, map) = placer.orthogonal_map(end).ok_or(NoArc::Frame)?;
         // Mirrored coordinates turn the other way round.
         let normal = map * arc.normal.into_inner() * map.determinant().signum();
         let square = normal.iamax();
-        let beside = ArcPlane::SQUARE_TO[square].axes();
+        let beside = ArcPlane::PERPENDICULAR_TO[square].axes();
         let lean = 2.0 * round.radius() * normal[beside[0]].hypot(normal[beside[1]]);
-        let plane = ArcPlane::SQUARE_TO[square];
-        if lean > self.planner.mover.tolerance().tip || !self.planner.abilities.arc_planes[square] {
+        let plane = ArcPlane::PERPENDICULAR_TO[square];
+        if lean > self.planner.mover.tolerance().tip_mm || !self.planner.abilities.arc_planes[square] {
             return Err(NoArc::Plane);
         }
         if !(setup.smallest_radius..=setup.largest_radius).contains(&round.radius()) {
@@ -199,11 +199,11 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
         }
         let centre = placer.program_point(&arc.centre, end).ok_or(NoArc::Frame)?;
         let [first, second, _] = plane.axes();
-        let nominal = Nominal {
-            centre: [centre[first], centre[second]],
-            radii: round.radii,
+        let nominal = NominalCircle {
+            centre_mm: [centre[first], centre[second]],
+            radii_mm: round.radii_mm,
             clockwise: normal[square] < 0.0,
-            sweep: arc.angle_rad,
+            sweep_rad: arc.angle_rad,
         };
         Ok(Framed { plane, chain, nominal, lean })
     }
@@ -222,27 +222,32 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
     }
 
     /// Where a part of the arc ends; the rotary axes are where they are.
-    fn piece_end(&mut self, part: f64) -> Result<Place, Fault> {
+    fn piece_end(&mut self, part: f64) -> Result<AxisPosition, Fault> {
         let here = *self.planner.mover.here();
         self.planner.mover.shifted(self.round.tip(part), &here)
     }
 
     /// The words of one piece, `share` of the arc, if they say it within tolerance.
-    fn circle(&self, framed: &Framed, share: f64, from: &Place, to: &Place) -> Option<Circle> {
-        let (placer, tolerance) = (self.planner.mover.placer(), self.planner.mover.tolerance().tip);
+    fn circle(&self, framed: &Framed, share: f64, from: &AxisPosition, to: &AxisPosition) -> Option<Circle> {
+        let (placer, tolerance) = (self.planner.mover.placer(), self.planner.mover.tolerance().tip_mm);
         let (from, to) = (placer.written(from), placer.written(to));
         let Framed { plane, chain, nominal, lean } = *framed;
         let [first, second, square] = plane.axes().map(|axis| chain[axis]);
         let (start, end) = ([from[first], from[second]], [to[first], to[second]]);
         let unit = placer.unit_mm();
-        let grid = Grid { per_mm: 1.0 / unit, radius_tolerance: self.planner.abilities.arc_radius_tolerance };
-        let nominal = Nominal { sweep: nominal.sweep * share, ..nominal };
+        let grid =
+            WordGrid { units_per_mm: 1.0 / unit, radius_tolerance_mm: self.planner.abilities.arc_radius_tolerance };
+        let nominal = NominalCircle { sweep_rad: nominal.sweep_rad * share, ..nominal };
         let fit = nominal.fit(start, end, grid)?;
         // Height goes with the angle. Seen from the nominal centre a point leads by what the centre is off, and by as much
         // more because the ends do not, and by the rounding of these; heights are rounded themselves.
-        let height = |off: Off| lean + 0.5 * unit + self.round.slope().abs() * (2.0 * off.centre + ROUNDED * unit);
-        let within = |off: Off| off.plane.hypot(height(off)) <= tolerance;
-        if !within(fit.off) || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second]) {
+        let height = |off: CircleDeviation| {
+            lean + 0.5 * unit + self.round.slope().abs() * (2.0 * off.centre_mm + ROUNDED * unit)
+        };
+        let within = |off: CircleDeviation| off.plane_mm.hypot(height(off)) <= tolerance;
+        if !within(fit.deviation)
+            || placer.too_large([fit.centre[0] - start[0], fit.centre[1] - start[1]], [first, second])
+        {
             return None;
         }
         let radius = match self.planner.policy.options.arcs.form {
@@ -256,7 +261,7 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
             start,
             centre: fit.centre,
             radius: radius.map(|(units, _)| units),
-            sweep: fit.sweep,
+            sweep_rad: fit.sweep_rad,
             rise: to[square] - from[square],
         })
     }
@@ -299,9 +304,9 @@ impl<S: Sink> ArcRun<'_, '_, '_, S> {
     }
 
     /// Writes the arc as chords that leave it by no more than the tolerance.
-    fn write_chords(&mut self, planned: Option<TurnTarget>) -> Planned {
+    fn write_chords(&mut self, planned: Option<RotaryTarget>) -> Planned {
         self.planner.mover.output_mut().because(Why::Chord);
-        let chords = self.round.chords(self.planner.mover.tolerance().tip)?;
+        let chords = self.round.chords(self.planner.mover.tolerance().tip_mm)?;
         for index in 1..=chords {
             let tip = self.round.tip(f64::from(index) / f64::from(chords));
             let pose = Pose { tip, axis: self.arc.end.axis };

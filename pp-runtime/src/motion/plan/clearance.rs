@@ -3,7 +3,7 @@
 use crate::kinematics::Pose;
 use crate::program::{Clearance, ClearancePlane};
 
-use crate::motion::geometry::way_out;
+use crate::motion::geometry::distance_to_clear;
 
 /// The clearance geometry in force.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +29,6 @@ impl ClearanceGeometry {
 
     /// mm along the tool axis until the tool is outside; `None` without geometry, or where the axis never leaves it.
     pub(crate) fn way_out(&self, from: &Pose) -> Option<f64> {
-        self.in_force.and_then(|clearance| way_out(&clearance, &from.tip, &from.axis))
+        self.in_force.and_then(|clearance| distance_to_clear(&clearance, &from.tip, &from.axis))
     }
 }

@@ -15,7 +15,7 @@ use crate::program::{Arc, Compensation, CutterSide, Event, Move};
 
 use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
-use crate::motion::place::Place;
+use crate::motion::place::AxisPosition;
 use crate::motion::plan::{Ahead, Planner};
 use crate::motion::source::MotionIndex;
 use crate::motion::step::{Sink, Step};
@@ -255,12 +255,12 @@ pub(crate) fn arc<'a, S: Sink>(
 }
 
 /// A motion in the coordinates of the program, mm; the tool has to be along its Z.
-fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &Place, motion: &Move) -> Result<Vector3<f64>, Fault> {
+fn in_program<S: Sink>(planner: &Planner<'_, S>, from: &AxisPosition, motion: &Move) -> Result<Vector3<f64>, Fault> {
     let tilted = || {
         Fault::new("cutter compensation works in the plane of X and Y, and the tool axis is not Z of the program here")
             .help("post this program with mode plane, or leave CUTCOM out")
     };
-    let (_, map) = planner.mover.placer().square_map(from).ok_or_else(tilted)?;
+    let (_, map) = planner.mover.placer().orthogonal_map(from).ok_or_else(tilted)?;
     let along = map * motion.pose.axis.into_inner();
     if along.z < 0.0 || along.x.hypot(along.y) > SAME_AXIS {
         return Err(tilted());
@@ -287,7 +287,7 @@ fn check_length<S: Sink>(planner: &Planner<'_, S>, length: f64) -> Result<(), Fa
 fn switch<S: Sink>(planner: &mut Planner<'_, S>, on: bool) -> Planned {
     let register = radius_register(planner)?;
     let mover = &mut planner.mover;
-    let mirrored = mover.placer().square_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);
+    let mirrored = mover.placer().orthogonal_map(mover.here()).is_some_and(|(_, map)| map.determinant() < 0.0);
     let left = (planner.cutter.side == Some(CutterSide::Left)) != mirrored;
     mover.output_mut().step(&Step::Beside { left: on.then_some(left), register })?;
     planner.cutter.state = if on { Compensating::On } else { Compensating::Off };

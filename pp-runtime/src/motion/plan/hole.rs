@@ -11,7 +11,7 @@ use crate::nc::Decimal;
 use crate::program::{Drilling, Feed as Programmed, Hole, Move, Rotation};
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::place::Place;
+use crate::motion::place::AxisPosition;
 use crate::motion::plan::feed::{Feeds, Stroke};
 use crate::motion::plan::{Ahead, Planner, records};
 use crate::motion::source::{Begins, MotionIndex, Next};
@@ -32,7 +32,7 @@ const PITCH: f64 = 2e-4;
 const THREAD_FEED: f64 = 1e-4;
 
 /// A cycle, and where the tool stands behind it.
-type Found = (CannedCycle, Place);
+type Found = (CannedCycle, AxisPosition);
 
 /// Why there is no cycle.
 type NoCycle = &'static str;
@@ -192,7 +192,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
         }
         let here = *self.planner.mover.here();
         let placer = self.planner.mover.placer();
-        let Some((chain, map)) = placer.square_map(&here) else {
+        let Some((chain, map)) = placer.orthogonal_map(&here) else {
             return Ok(Err("the program has no square coordinates here"));
         };
         let along = map * hole.top.axis.into_inner();
@@ -305,7 +305,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     }
 
     /// F of a cycle.
-    fn feed(&self, kind: CannedKind, over: &Place) -> Result<Decimal, Fault> {
+    fn feed(&self, kind: CannedKind, over: &AxisPosition) -> Result<Decimal, Fault> {
         let (hole, feeds) = (self.hole, self.planner.mover.feeds());
         let per_minute = match kind {
             CannedKind::Tap { pitch, speed, .. } => pitch.value() * feeds.length_unit() * speed.value(),
@@ -335,7 +335,7 @@ impl<S: Sink> HoleRun<'_, '_, S> {
     }
 
     /// Writes the hole by its cycle.
-    fn run_cycle(&mut self, cycle: &CannedCycle, back: Place) -> Planned {
+    fn run_cycle(&mut self, cycle: &CannedCycle, back: AxisPosition) -> Planned {
         let hole = self.hole;
         let can = self.planner.abilities.cycles;
         let here = self.planner.mover.placer().written(self.planner.mover.here());

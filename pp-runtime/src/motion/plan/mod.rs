@@ -37,11 +37,11 @@ use crate::motion::options::{Policy, Transition};
 use crate::program::Units;
 use crate::program::{self, Location, Move};
 
-use crate::motion::course::{Change, Course, Follower, How};
+use crate::motion::course::{Course, CourseAction, CourseChange, CourseFollower};
 use crate::motion::fault::{Fault, Halt, Planned, Stop};
-use crate::motion::geometry::Way;
-use crate::motion::rotary::{TurnTarget, Turns};
-use crate::motion::source::{Action, Begins, Item, LinePart, MotionIndex, Next, Stage};
+use crate::motion::geometry::PathSegment;
+use crate::motion::rotary::{RotaryTarget, RotaryWords};
+use crate::motion::source::{Begins, ItemAction, LinePart, MotionIndex, Next, ProgramItem, Stage};
 use crate::motion::step::Sink;
 use crate::motion::step::Why;
 
@@ -73,7 +73,7 @@ pub struct Planner<'a, S> {
     spindle: SpindleState,
     coolant: CoolantState,
     clearance: ClearanceGeometry,
-    course: Follower,
+    course: CourseFollower,
     cutter: CutterCompensation,
     selection: Selection,
 }
@@ -105,7 +105,7 @@ impl<'a, S: Sink> Planner<'a, S> {
             spindle: SpindleState::default(),
             coolant: CoolantState::default(),
             clearance: ClearanceGeometry::new(policy.options.retract.clearance),
-            course: Follower::default(),
+            course: CourseFollower::default(),
             cutter: CutterCompensation::default(),
             selection: Selection::default(),
         }
@@ -114,7 +114,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     /// Follows the course that [`Navigator`](crate::motion::Navigator) has found.
     #[must_use]
     pub fn with_course(mut self, course: Course) -> Self {
-        self.course = Follower::new(course);
+        self.course = CourseFollower::new(course);
         self
     }
 
@@ -246,7 +246,7 @@ impl<'a, S: Sink> Planner<'a, S> {
     }
 
     fn check_without_tool(&self, motion: &Move) -> Result<(), Fault> {
-        if self.mover.placer().head() {
+        if self.mover.placer().has_rotary_head() {
             return Err(Fault::new("a motion before the first tool, and this machine turns the tool about its head")
                 .help("call the tool first: LOADTL/1,LENGTH,120"));
         }
@@ -274,7 +274,7 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// A motion inside an operation of which the course has been asked.
     #[inline]
-    fn go(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+    fn go(&mut self, ahead: Ahead<'_>, planned: Option<RotaryTarget>) -> Planned {
         let motion = ahead.motion;
         if !motion.rapid && self.spindle.take_stopped_by_cycle() {
             self.turn_spindle(true)?;
@@ -300,28 +300,28 @@ impl<'a, S: Sink> Planner<'a, S> {
 
     /// Does what the course has before a motion begins, and gives the words in which it ends if the course has these, too.
     #[inline]
-    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<TurnTarget>, Halt> {
-        let (from, towards, mut planned) = (self.mover.position().pose(), self.course.take_towards(), None);
-        while let Some(Change { how, words, .. }) = self.course.change(index.motion) {
-            match how {
-                How::Take => planned = Some(TurnTarget { words, towards }),
-                How::Rewind => rewind::rewind(self, motion, words)?,
-                How::Turn => self.cut_to(motion, self.mover.position().pose(), words)?,
-                How::Via(part) => {
-                    let Some(way) = Way::new(&from, &motion.pose) else { continue };
+    fn changes(&mut self, motion: &Move, index: MotionIndex) -> Result<Option<RotaryTarget>, Halt> {
+        let (from, sense, mut planned) = (self.mover.position().pose(), self.course.take_sense(), None);
+        while let Some(CourseChange { action, words, .. }) = self.course.change(index.motion) {
+            match action {
+                CourseAction::EndWith => planned = Some(RotaryTarget { words, sense }),
+                CourseAction::Rewind => rewind::rewind(self, motion, words)?,
+                CourseAction::RotateAtPole => self.cut_to(motion, self.mover.position().pose(), words)?,
+                CourseAction::SplitAt(part) => {
+                    let Some(way) = PathSegment::new(&from, &motion.pose) else { continue };
                     self.cut_to(motion, way.at(part), words)?;
                 }
             }
         }
-        if towards.is_some() && planned.is_none() {
+        if sense.is_some() && planned.is_none() {
             return Err(no_way_round(motion.rapid || index.begins != Begins::Nothing).into());
         }
         Ok(planned)
     }
 
     /// A cut on the path of a motion, to a pose that the CL data does not name.
-    fn cut_to(&mut self, motion: &Move, pose: Pose, words: Turns) -> Planned {
-        let place = self.mover.place(&pose, true, Some(TurnTarget { words, towards: None }))?;
+    fn cut_to(&mut self, motion: &Move, pose: Pose, words: RotaryWords) -> Planned {
+        let place = self.mover.place(&pose, true, Some(RotaryTarget { words, sense: None }))?;
         let turned = place.words != self.mover.here().words;
         self.mover.output_mut().statistics_mut().inserted += u64::from(turned);
         self.mover.output_mut().because(Why::Course);
@@ -364,27 +364,27 @@ impl<S: Sink> Stage for Planner<'_, S> {
 
     /// Plans one item; nothing may be planned after an error.
     #[inline]
-    fn take(&mut self, item: &Item<'_>) -> Result<(), Stop> {
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Stop> {
         if self.selection.is_over() {
             return Ok(());
         }
         let at = item.at;
         let planned = match item.action {
-            Action::Line { motion, index, next, part } => {
+            ItemAction::Line { motion, index, next, part } => {
                 let why = if part == LinePart::Whole { Why::Record } else { Why::Curve };
                 self.mover.output_mut().serve(at, why);
                 let suits = if part == LinePart::CurveStart { self.cutter.check_curve() } else { Ok(()) };
                 suits.map_err(Halt::from).and_then(|()| self.line(Ahead { motion, next }, index))
             }
-            Action::Arc { arc, index } => {
+            ItemAction::Arc { arc, index } => {
                 self.mover.output_mut().serve(at, Why::Record);
                 arcs::arc(self, arc, index)
             }
-            Action::Hole { hole, index } => {
+            ItemAction::Hole { hole, index } => {
                 self.mover.output_mut().serve(at, Why::Hole);
                 hole::hole(self, hole, index)
             }
-            Action::Record { event, between } => {
+            ItemAction::Record { event, between } => {
                 self.mover.output_mut().serve(at, Why::Record);
                 records::record(self, event, between)
             }

@@ -6,7 +6,7 @@ use crate::diag::{Diagnostic, Severity};
 use crate::program::Location;
 
 use crate::motion::fault::Fault;
-use crate::motion::place::Place;
+use crate::motion::place::AxisPosition;
 use crate::motion::plan::feed::Pace;
 use crate::motion::plan::machining_time::Times;
 use crate::motion::plan::statistics::Statistics;
@@ -124,9 +124,9 @@ impl<S: Sink> Output<S> {
 
     /// How far a place is from the tool axis of the CL data.
     #[inline]
-    pub(crate) fn count_deviation(&mut self, place: &Place) {
-        if place.deviation > NO_DEVIATION {
-            self.statistics.deviates(place.deviation, place.pole);
+    pub(crate) fn count_deviation(&mut self, place: &AxisPosition) {
+        if place.deviation_rad > NO_DEVIATION {
+            self.statistics.deviates(place.deviation_rad, place.at_pole);
         }
     }
 

@@ -6,7 +6,7 @@
 use crate::kinematics::Pose;
 
 use crate::motion::geometry::SAME_AXIS;
-use crate::motion::place::Place;
+use crate::motion::place::AxisPosition;
 use crate::motion::plan::lead_out::LeadOut;
 
 /// A rapid this much below the lowest cut is remarked on, mm.
@@ -16,7 +16,7 @@ const PLUNGE: f64 = 0.001;
 #[derive(Debug, Clone)]
 pub(crate) struct Position {
     /// Where the rotary axes are or are taken to be; held axes at their values.
-    place: Place,
+    place: AxisPosition,
     /// Something has moved: `place` is more than a reference.
     moved: bool,
     /// The tool is at `place`.
@@ -34,7 +34,7 @@ pub(crate) struct Position {
 
 impl Position {
     /// Nothing has moved; the rotary axes count from here.
-    pub(crate) fn new(reference: Place) -> Self {
+    pub(crate) fn new(reference: AxisPosition) -> Self {
         Self {
             place: reference,
             moved: false,
@@ -49,7 +49,7 @@ impl Position {
 
     /// Where the axes are, or were when that was known last.
     #[inline]
-    pub(crate) fn place(&self) -> &Place {
+    pub(crate) fn place(&self) -> &AxisPosition {
         &self.place
     }
 
@@ -80,7 +80,7 @@ impl Position {
     }
 
     /// FROM: as long as nothing has moved, the rotary axes count from here.
-    pub(crate) fn count_from(&mut self, reference: impl FnOnce(&Place) -> Option<Place>) {
+    pub(crate) fn count_from(&mut self, reference: impl FnOnce(&AxisPosition) -> Option<AxisPosition>) {
         if !self.moved
             && let Some(place) = reference(&self.place)
         {
@@ -90,7 +90,7 @@ impl Position {
 
     /// A motion of the CL data has ended here.
     #[inline]
-    pub(crate) fn arrive(&mut self, place: Place) {
+    pub(crate) fn arrive(&mut self, place: AxisPosition) {
         self.place = place;
         self.moved = true;
         self.known = true;
@@ -99,12 +99,12 @@ impl Position {
 
     /// A block has ended here, within a motion or between two.
     #[inline]
-    pub(crate) fn go_to(&mut self, place: Place) {
+    pub(crate) fn go_to(&mut self, place: AxisPosition) {
         self.place = place;
     }
 
     /// The rotary axes are parked here; the next turn counts from there.
-    pub(crate) fn park(&mut self, place: Place) {
+    pub(crate) fn park(&mut self, place: AxisPosition) {
         self.place = place;
         self.moved = true;
     }

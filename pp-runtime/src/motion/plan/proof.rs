@@ -10,10 +10,10 @@ use crate::kinematics::{Pose, Side};
 use crate::program::{Event, Feed, Location, Move, Rotation, Spindle, ToolCall};
 
 use crate::motion::fault::{Fault, Halt, Planned, Stop};
-use crate::motion::place::Tolerance;
+use crate::motion::place::PathTolerance;
 use crate::motion::plan::{Ahead, Planner, records};
 use crate::motion::rotary::Rotary;
-use crate::motion::rotary::{TurnTarget, Turns};
+use crate::motion::rotary::{RotaryTarget, RotaryWords};
 use crate::motion::source::Next;
 use crate::motion::step::Why;
 use crate::motion::step::{Sink, Step};
@@ -29,7 +29,7 @@ const SPEED: f64 = 1.0;
 pub struct Sweep {
     /// What turns, and where the other axis stands.
     pub name: String,
-    stops: Vec<Turns>,
+    stops: Vec<RotaryWords>,
 }
 
 /// Plans the proof program of a machine.
@@ -62,7 +62,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
             let ends = self.ends(second, rest[1])?;
             // A turn ends where it began: half of it is as far as it goes.
             let far = match second.endless() {
-                true => rest[1] + self.planner.mover.placer().scale().turn / 2,
+                true => rest[1] + self.planner.mover.placer().scale().units_per_turn / 2,
                 false => ends.into_iter().max_by_key(|end| (end - rest[1]).abs()).unwrap_or(rest[1]),
             };
             sweeps.push(self.sweep(0, [rest[0], far])?);
@@ -70,11 +70,12 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         Ok(sweeps)
     }
 
-    fn sweep(&self, axis: usize, rest: Turns) -> Result<Sweep, Stop> {
+    fn sweep(&self, axis: usize, rest: RotaryWords) -> Result<Sweep, Stop> {
         let rotaries = self.planner.mover.placer().rotaries();
         let letter = |axis: usize| self.planner.mover.placer().chain()[rotaries[axis].index].letter;
         let ends = self.ends(rotaries[axis], rest[axis])?;
-        let shown = |axis: usize, word: i64| rotaries[axis].shown(word, self.planner.mover.placer().scale());
+        let shown =
+            |axis: usize, word: i64| rotaries[axis].degrees_for_display(word, self.planner.mover.placer().scale());
         let from = if let [_] = ends[..] { rest[axis] } else { ends[0] };
         let last = ends[ends.len() - 1];
         let mut name = format!("{} from {} to {} degrees", letter(axis), shown(axis, from), shown(axis, last));
@@ -107,7 +108,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
                 let fault = Fault::new(format_args!("the travel of {letter}, which turns the head, is not known"));
                 refused(fault.help(format_args!("give it in the configuration: `[limits] {letter} = [-90, 90]`")))
             }
-            _ => Ok(vec![rest + self.planner.mover.placer().scale().turn]),
+            _ => Ok(vec![rest + self.planner.mover.placer().scale().units_per_turn]),
         }
     }
 
@@ -132,7 +133,7 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
         };
         let axis = planner.mover.placer().axis_at(&words);
         let motion = Move { pose: Pose { tip, axis }, rapid: false, feed: Some(Feed::PerMinute(FEED)) };
-        let target = TurnTarget { words, towards: None };
+        let target = RotaryTarget { words, sense: None };
         planner.start(Ahead { motion: &motion, next: Next::None }, 1, Some(target))?;
         for sweep in sweeps {
             let name = format!("SWEEP {}", sweep.name);
@@ -146,10 +147,10 @@ impl<'p, 'a, S: Sink> ProofProgram<'p, 'a, S> {
     }
 
     /// Turns to some words with the tip in place. As in a rewind the tool swings about it: its axis is not held to a path.
-    fn sweep_to(&mut self, words: &Turns) -> Planned {
+    fn sweep_to(&mut self, words: &RotaryWords) -> Planned {
         let mover = &mut self.planner.mover;
-        let place = mover.placer().with_turns(&mover.position().pose(), mover.here(), words)?;
-        let swinging = Tolerance { axis: f64::INFINITY, ..mover.tolerance() };
+        let place = mover.placer().with_rotary_words(&mover.position().pose(), mover.here(), words)?;
+        let swinging = PathTolerance { axis_rad: f64::INFINITY, ..mover.tolerance() };
         mover.feed_in_pieces(&place, FEED, swinging)?;
         mover.position_mut().go_to(place);
         Ok(())

@@ -135,7 +135,7 @@ impl<S: Sink> Records<'_, '_, S> {
     fn resolve(&mut self, call: &ToolCall) -> Result<LoadedTool, Fault> {
         let planner = &mut *self.planner;
         let before = planner.tooling.called_before(call.number);
-        let needed = planner.mover.placer().needs_length();
+        let needed = planner.mover.placer().needs_gauge_length();
         let mut remarks = Vec::new();
         let registers = planner.abilities.registers;
         let tool = LoadedTool::resolve(call, &before.unwrap_or_default(), planner.policy, needed, registers, |fault| {
@@ -154,7 +154,7 @@ impl<S: Sink> Records<'_, '_, S> {
         let planner = &mut *self.planner;
         let retract = planner.policy.options.stop_retract;
         // After the stop the retract axis goes up from wherever the tool is: a tilted tool is led out before.
-        if retract || !planner.mover.placer().straight() {
+        if retract || !planner.mover.placer().retracts_along_tool() {
             planner.leave()?;
         }
         planner.mover.output_mut().because(Why::Record);
@@ -185,9 +185,9 @@ impl<S: Sink> Records<'_, '_, S> {
 
     /// ROTABL.
     fn turn_towards(&mut self, turning: RotaryDirection) -> Planned {
-        let towards = self.planner.mover.placer().towards(turning);
-        self.planner.course.set_towards(towards);
-        if towards.is_none() && turning != RotaryDirection::Shortest {
+        let sense = self.planner.mover.placer().rotation_sense(turning);
+        self.planner.course.set_sense(sense);
+        if sense.is_none() && turning != RotaryDirection::Shortest {
             let fault = Fault::new("ROTABL/NEXT turns the table, and no rotary axis stands in the table here");
             return Err(fault.help("leave it out").into());
         }
@@ -236,7 +236,7 @@ impl<S: Sink> Records<'_, '_, S> {
     /// A frame with a work offset of its own.
     fn change_frame(&mut self, number: u32) -> Planned {
         let policy = self.planner.policy;
-        if self.planner.mover.placer().turning_table() {
+        if self.planner.mover.placer().has_rotary_table() {
             let fault = Fault::new("the part origin of another frame on a table that turns is not known");
             return Err(fault.help("`--frames main` maps every frame into the first").into());
         }

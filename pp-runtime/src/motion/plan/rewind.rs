@@ -5,15 +5,15 @@ use crate::motion::options::Rewind;
 use crate::program::Move;
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::place::Tolerance;
+use crate::motion::place::PathTolerance;
 use crate::motion::plan::Planner;
-use crate::motion::rotary::{TurnTarget, Turns};
+use crate::motion::rotary::{RotaryTarget, RotaryWords};
 use crate::motion::step::Sink;
 use crate::motion::step::Why;
 
 /// Rewinds as the configuration says, before a motion.
 #[cold]
-pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns) -> Planned {
+pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: RotaryWords) -> Planned {
     let why = reason(planner);
     planner.mover.output_mut().because(Why::Rewind);
     let how = match planner.policy.options.retract.rewind {
@@ -34,7 +34,7 @@ pub(crate) fn rewind<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words
 }
 
 /// Out along the tool axis, machine retract, rotaries, back along the tool axis, and at feed to where the tool was.
-fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns, why: &str) -> Planned {
+fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: RotaryWords, why: &str) -> Planned {
     let here = *planner.mover.here();
     let out = planner.clearance.way_out(&here.pose);
     let Some(distance) = planner.policy.options.retract.distance.or(out) else {
@@ -42,7 +42,7 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
         let help = "give `retract.distance` or `retract.clearance` in the configuration, or CLEARP in the CL data";
         return Err(Fault::new(text).help(help).into());
     };
-    let turned = planner.mover.place(&here.pose, false, Some(TurnTarget { words, towards: None }))?;
+    let turned = planner.mover.place(&here.pose, false, Some(RotaryTarget { words, sense: None }))?;
     let tip = here.pose.tip + here.pose.axis.into_inner() * distance;
     let context = |fault: Fault| fault.context(format_args!("the retract of {distance} mm to rewind"));
     let out = planner.mover.shifted(tip, &here).map_err(context)?;
@@ -67,11 +67,11 @@ fn rewind_out_of_part<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, word
 }
 
 /// The rotary axes turn while the linear axes follow: the tip stays where it is, and the tool swings about it.
-fn rewind_in_place<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: Turns) -> Planned {
+fn rewind_in_place<S: Sink>(planner: &mut Planner<'_, S>, motion: &Move, words: RotaryWords) -> Planned {
     let pose = planner.mover.position().pose();
-    let turned = planner.mover.place(&pose, false, Some(TurnTarget { words, towards: None }))?;
+    let turned = planner.mover.place(&pose, false, Some(RotaryTarget { words, sense: None }))?;
     planner.mover.note_turns(&turned);
-    let swinging = Tolerance { axis: f64::INFINITY, ..planner.mover.tolerance() };
+    let swinging = PathTolerance { axis_rad: f64::INFINITY, ..planner.mover.tolerance() };
     planner.mover.feed_in_pieces(&turned, planner.rate(motion.feed)?, swinging)?;
     planner.mover.position_mut().go_to(turned);
     Ok(())
@@ -90,7 +90,7 @@ fn reason<S: Sink>(planner: &Planner<'_, S>) -> String {
             )
         })
         .collect();
-    let how = match (planner.policy.options.course.greedy, placer.wide()) {
+    let how = match (planner.policy.options.course.greedy, placer.has_many_turns()) {
         (true, _) => "not planned ahead",
         (false, true) => "not avoided by the turns that were looked at",
         (false, false) => "unavoidable",

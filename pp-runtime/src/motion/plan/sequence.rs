@@ -20,7 +20,7 @@ use crate::motion::fault::{Fault, Planned};
 use crate::motion::geometry::SAME_AXIS;
 use crate::motion::plan::tool::LoadedTool;
 use crate::motion::plan::{Ahead, Planner};
-use crate::motion::rotary::TurnTarget;
+use crate::motion::rotary::RotaryTarget;
 use crate::motion::source::Next;
 use crate::motion::step::Why;
 use crate::motion::step::{Sink, Step};
@@ -58,7 +58,7 @@ impl<S: Sink> Planner<'_, S> {
                 self.mover.position_mut().go_to(out);
             }
             Some(_) => {}
-            None if self.mover.placer().straight() => {}
+            None if self.mover.placer().retracts_along_tool() => {}
             None if led_out > ENOUGH => self.compare_lead_out(led_out),
             None => {
                 return Err(Fault::new(
@@ -108,7 +108,7 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// The first motion of an operation, with everything before it.
-    pub(crate) fn start(&mut self, ahead: Ahead<'_>, operation: u64, planned: Option<TurnTarget>) -> Planned {
+    pub(crate) fn start(&mut self, ahead: Ahead<'_>, operation: u64, planned: Option<RotaryTarget>) -> Planned {
         let opens = self.begin_operation(operation)?;
         if self.selection.is_over() {
             return Ok(());
@@ -164,7 +164,8 @@ impl<S: Sink> Planner<'_, S> {
             return Ok(());
         }
         self.mover.output_mut().step(&Step::Length { offset: tool.offset })?;
-        let guarded = self.policy.options.guards.length_guard.unwrap_or(self.mover.placer().needs_length().is_some());
+        let guarded =
+            self.policy.options.guards.length_guard.unwrap_or(self.mover.placer().needs_gauge_length().is_some());
         let label = self.mover.restarts();
         if let Some(length) = tool.length.filter(|_| guarded) {
             let (tolerance, offset, tool) = (self.policy.options.guards.length_tolerance, tool.offset, tool.number);
@@ -183,7 +184,7 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// An operation that goes on where the last one ended, because the configuration wants it so.
-    fn start_directly(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+    fn start_directly(&mut self, ahead: Ahead<'_>, planned: Option<RotaryTarget>) -> Planned {
         let first = ahead.motion;
         let place = self.mover.place(&first.pose, !first.rapid, planned)?;
         if self.mover.leaves_plane(&place) {
@@ -204,7 +205,7 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// A rapid that turns the table or the head.
-    pub(crate) fn index(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+    pub(crate) fn index(&mut self, ahead: Ahead<'_>, planned: Option<RotaryTarget>) -> Planned {
         self.leave()?;
         self.mover.output_mut().because(Why::Approach);
         self.mover.machine_retract()?;
@@ -213,7 +214,7 @@ impl<S: Sink> Planner<'_, S> {
     }
 
     /// Steps 4 to 8.
-    fn approach(&mut self, ahead: Ahead<'_>, planned: Option<TurnTarget>) -> Planned {
+    fn approach(&mut self, ahead: Ahead<'_>, planned: Option<RotaryTarget>) -> Planned {
         let first = ahead.motion;
         self.mover.begin_approach();
         let place = self.mover.place(&first.pose, false, planned)?;
@@ -275,7 +276,7 @@ fn is_straight_down(first: &Pose, next: Next) -> Result<bool, Fault> {
     let next = match next {
         Next::Motion(next) => next,
         Next::None => return Ok(false),
-        Next::TooFar => {
+        Next::Unknown => {
             return Err(Fault::new("too many records stand between the first motion of an operation and the next")
                 .help("the approach to a first point depends on the second: move these records behind both"));
         }

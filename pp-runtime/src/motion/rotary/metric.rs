@@ -1,115 +1,117 @@
-//! How far and how long rotary axes turn between two places, and what that costs.
+//! Travel and time of the rotary axes between two positions, and their cost.
 
 use super::nearest_turn::{AngleScale, Rotary};
 
-/// Words of the solved rotary axes in the order of the chain; a machine without the second has zero there.
-pub(crate) type Turns = [i64; 2];
+/// Words of the solved rotary axes in the order of the chain; 0 for an axis that the machine does not have.
+pub(crate) type RotaryWords = [i64; 2];
 
-/// A sense in which an axis has to turn.
+/// Programmed sense of rotation of an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Towards {
-    /// Which of the solved rotaries.
+pub(crate) struct RotationSense {
+    /// Index among the solved rotary axes.
     pub(crate) axis: usize,
-    /// Its word grows.
+    /// Its word increases.
     pub(crate) positive: bool,
 }
 
-/// Rotary words that a motion is to end in.
+/// Rotary words at the end of a motion, as planned.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct TurnTarget {
-    pub(crate) words: Turns,
-    /// Which way round an endless axis goes there; else the short way.
-    pub(crate) towards: Option<Towards>,
+pub(crate) struct RotaryTarget {
+    pub(crate) words: RotaryWords,
+    /// Sense in which an endless axis rotates; without it by the shorter path.
+    pub(crate) sense: Option<RotationSense>,
 }
 
-/// What a way costs: the fewest rewinds first, then wishes of the user that are not met, then time, then travel.
+/// Cost of a course. Compared in this order: rewinds, starts against the preference of the user, time, travel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub struct Cost {
-    /// Times that the tool has to leave the part to turn.
+    /// Number of rewinds: the tool leaves the part while a rotary axis unwinds.
     pub rewinds: u32,
-    /// Starts that are not as the user prefers.
-    pub unwished: u32,
-    /// Nanoseconds that the rotary axes take at their largest speeds; 0 where these are not known.
-    pub time: u64,
-    /// Travel of all rotary axes together, in whole units of their words.
-    pub travel: u64,
+    /// Number of starts that are not as the user prefers.
+    pub against_preference: u32,
+    /// Time of the rotary axes at their largest speeds; 0 where these are unknown.
+    pub time_ns: u64,
+    /// Total travel of all rotary axes, in whole units of their words.
+    pub travel_units: u64,
 }
 
 impl Cost {
     pub(crate) fn plus(self, other: Self) -> Self {
         Self {
             rewinds: self.rewinds + other.rewinds,
-            unwished: self.unwished + other.unwished,
-            time: self.time + other.time,
-            travel: self.travel + other.travel,
+            against_preference: self.against_preference + other.against_preference,
+            time_ns: self.time_ns + other.time_ns,
+            travel_units: self.travel_units + other.travel_units,
         }
     }
 
-    pub(crate) const REWIND: Self = Self { rewinds: 1, unwished: 0, time: 0, travel: 0 };
-    pub(crate) const UNWISHED: Self = Self { rewinds: 0, unwished: 1, time: 0, travel: 0 };
+    pub(crate) const REWIND: Self = Self { rewinds: 1, against_preference: 0, time_ns: 0, travel_units: 0 };
+    pub(crate) const AGAINST_PREFERENCE: Self = Self { rewinds: 0, against_preference: 1, time_ns: 0, travel_units: 0 };
 }
 
-/// Measures turns.
+/// Travel and cost of rotations.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Metric {
-    /// Nanoseconds for one unit of a word; 0 for an axis whose speed is not known.
-    per_unit: [f64; 2],
+pub(crate) struct RotaryMetric {
+    /// Time for one unit of a word; 0 for an axis of unknown speed.
+    ns_per_unit: [f64; 2],
     endless: [bool; 2],
-    turn: i64,
+    units_per_turn: i64,
 }
 
-impl Metric {
-    /// For axes with speeds in rad/min.
+impl RotaryMetric {
+    /// Creates the metric of these axes; speeds in rad/min.
     pub(crate) fn new(rotaries: &[Rotary], speeds: [Option<f64>; 2], scale: AngleScale) -> Self {
-        const NANOSECONDS: f64 = 60e9;
+        const NS_PER_MIN: f64 = 60e9;
         Self {
-            per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NANOSECONDS * scale.angle(1) / speed)),
+            ns_per_unit: speeds.map(|speed| speed.map_or(0.0, |speed| NS_PER_MIN * scale.angle(1) / speed)),
             endless: [0, 1].map(|axis| rotaries.get(axis).is_some_and(|rotary| rotary.endless())),
-            turn: scale.turn,
+            units_per_turn: scale.units_per_turn,
         }
     }
 
-    /// Signed travel of one axis; an endless one takes the short way.
+    /// Signed travel of one axis; an endless axis takes the shorter path.
     pub(crate) fn change(&self, axis: usize, from: i64, to: i64) -> i64 {
         let change = to - from;
         if !self.endless[axis] {
             return change;
         }
-        let short = change.rem_euclid(self.turn);
-        if 2 * short > self.turn { short - self.turn } else { short }
+        let short = change.rem_euclid(self.units_per_turn);
+        if 2 * short > self.units_per_turn { short - self.units_per_turn } else { short }
     }
 
-    /// Signed travel of one axis in a sense that was asked for; `None` if that sense does not lead there.
-    pub(crate) fn change_towards(&self, axis: usize, from: i64, to: i64, towards: Option<Towards>) -> Option<i64> {
+    /// Signed travel of one axis in a programmed sense; `None` if a limited axis cannot rotate in that sense to the
+    /// target.
+    pub(crate) fn change_in_sense(&self, axis: usize, from: i64, to: i64, sense: Option<RotationSense>) -> Option<i64> {
         let change = self.change(axis, from, to);
-        match towards.filter(|towards| towards.axis == axis) {
+        match sense.filter(|sense| sense.axis == axis) {
             None => Some(change),
-            Some(Towards { positive, .. }) if (change >= 0) == positive || change == 0 => Some(change),
-            Some(Towards { positive, .. }) if self.endless[axis] => {
-                Some(if positive { change + self.turn } else { change - self.turn })
+            Some(RotationSense { positive, .. }) if (change >= 0) == positive || change == 0 => Some(change),
+            Some(RotationSense { positive, .. }) if self.endless[axis] => {
+                Some(if positive { change + self.units_per_turn } else { change - self.units_per_turn })
             }
             Some(_) => None,
         }
     }
 
-    /// Cost of turning all axes together.
-    pub(crate) fn cost(&self, from: &Turns, to: &Turns) -> Cost {
+    /// Cost of rotating all axes together.
+    pub(crate) fn cost(&self, from: &RotaryWords, to: &RotaryWords) -> Cost {
         self.cost_of([0, 1].map(|axis| self.change(axis, from[axis], to[axis])))
     }
 
+    /// Cost of these signed travels.
     pub(crate) fn cost_of(&self, changes: [i64; 2]) -> Cost {
         let travel = changes.map(i64::unsigned_abs);
-        let time = (0..2).map(|axis| (travel[axis] as f64 * self.per_unit[axis]).round() as u64).max();
-        Cost { time: time.unwrap_or(0), travel: travel[0] + travel[1], ..Cost::default() }
+        let time_ns = (0..2).map(|axis| (travel[axis] as f64 * self.ns_per_unit[axis]).round() as u64).max();
+        Cost { time_ns: time_ns.unwrap_or(0), travel_units: travel[0] + travel[1], ..Cost::default() }
     }
 
-    /// Whether no axis turns by more than half a turn: what a cut can do without a rewind.
-    pub(crate) fn short(&self, from: &Turns, to: &Turns) -> bool {
-        (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() <= self.turn)
+    /// Whether no axis rotates by more than 180°: the limit of a cut without a rewind.
+    pub(crate) fn short(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
+        (0..2).all(|axis| 2 * self.change(axis, from[axis], to[axis]).abs() <= self.units_per_turn)
     }
 
-    /// Whether every axis turns by less than a quarter of a turn.
-    pub(crate) fn plain(&self, from: &Turns, to: &Turns) -> bool {
-        (0..2).all(|axis| 4 * self.change(axis, from[axis], to[axis]).abs() < self.turn)
+    /// Whether every axis rotates by less than 90°.
+    pub(crate) fn plain(&self, from: &RotaryWords, to: &RotaryWords) -> bool {
+        (0..2).all(|axis| 4 * self.change(axis, from[axis], to[axis]).abs() < self.units_per_turn)
     }
 }

@@ -1,12 +1,12 @@
-//! Words of rotary axes: which whole turn, at what cost, and how many turns a written word shows.
+//! Words of rotary axes: choice of the whole turn, cost of a rotation, and rollover of written words.
 //!
-//! Everything here counts whole units of the words, so that limits hold for what is written and turns are exact.
+//! All angles are whole units of the words, so that limits hold for the written values and whole turns are exact.
 
 mod metric;
 mod nearest_turn;
 mod rollover;
 
 pub use metric::Cost;
-pub(crate) use metric::{Metric, Towards, TurnTarget, Turns};
-pub(crate) use nearest_turn::{AngleScale, MOST_TURNS, OutOfLimits, Rotary, choose};
-pub(crate) use rollover::Speller;
+pub(crate) use metric::{RotaryMetric, RotaryTarget, RotaryWords, RotationSense};
+pub(crate) use nearest_turn::{AngleScale, MAX_TURNS, OutOfLimits, Rotary, choose};
+pub(crate) use rollover::Rollover;

@@ -1,32 +1,32 @@
-//! Which branch, and how many whole turns: the least turning of all rotary axes together.
+//! Choice of branch and whole turns with the least total travel of the rotary axes.
 //!
-//! Works on whole units of the rotary words, so that limits hold for what is written, ties are ties, and turns are
-//! exact. Nothing looks ahead: the choice is made pose by pose.
+//! Computes in whole units of the rotary words, so that limits hold for the written values, ties are exact, and turns
+//! are exact. The choice is made pose by pose, without look-ahead.
 
 use crate::kinematics::{AxisValues, Solution};
 
 use crate::motion::step::MAX_AXES;
 
-/// Turns of one axis that are looked at for one pose, nearest to zero first. Of a wider axis those at its ends and those in
-/// which the course stands are looked at besides.
-pub(crate) const MOST_TURNS: i64 = 24;
+/// Most turns of one axis that are tried for one pose, nearest to zero first. Of an axis with a wider range the turns
+/// at its ends and those near the current course are tried in addition.
+pub(crate) const MAX_TURNS: i64 = 24;
 
-/// A solved rotary axis and the words it may have.
+/// A solved rotary axis and the range of its words.
 ///
-/// Words here count axis values: what the written words count from is taken away when they are written.
+/// The words are axis values; the zero of the written words is applied when they are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rotary {
     /// Position in the chain.
     pub(crate) index: usize,
-    /// Smallest word, inclusive; `None` is endless.
+    /// Smallest word, inclusive; `None` for an endless axis.
     pub(crate) lower: Option<i64>,
-    /// Largest word, inclusive; `None` is endless.
+    /// Largest word, inclusive; `None` for an endless axis.
     pub(crate) upper: Option<i64>,
-    /// The axis value at word 0, degrees: what is left of an offset that whole units do not hold.
-    pub(crate) rest: f64,
+    /// Axis value at word 0: the part of a rotary offset that is smaller than one unit.
+    pub(crate) rest_deg: f64,
 }
 
-/// A rotary axis that no whole turn brings inside its limits.
+/// A rotary axis that is outside its limits in every whole turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct OutOfLimits {
     /// The axis.
@@ -35,114 +35,114 @@ pub(crate) struct OutOfLimits {
     pub(crate) word: i64,
 }
 
-/// The words of one choice.
+/// A chosen solution with its words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Choice {
-    /// Which of the solutions.
+    /// Index of the solution.
     pub(crate) solution: usize,
     /// Words of the rotary axes, by position in the chain.
     pub(crate) words: [i64; MAX_AXES],
 }
 
-/// Counts angles in words.
+/// Resolution of rotary words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct AngleScale {
     /// Units in one degree.
-    pub(crate) per_degree: f64,
-    /// Units in a whole turn.
-    pub(crate) turn: i64,
+    pub(crate) units_per_degree: f64,
+    /// Units in one revolution.
+    pub(crate) units_per_turn: i64,
 }
 
 impl AngleScale {
     pub(crate) fn new(decimals: u32) -> Self {
-        let per_degree = 10_i64.pow(decimals);
-        Self { per_degree: per_degree as f64, turn: 360 * per_degree }
+        let units_per_degree = 10_i64.pow(decimals);
+        Self { units_per_degree: units_per_degree as f64, units_per_turn: 360 * units_per_degree }
     }
 
-    /// The nearest word.
-    pub(crate) fn word(self, angle: f64) -> i64 {
-        (angle.to_degrees() * self.per_degree).round() as i64
+    /// The word nearest to an angle, rad.
+    pub(crate) fn word(self, angle_rad: f64) -> i64 {
+        (angle_rad.to_degrees() * self.units_per_degree).round() as i64
     }
 
-    /// The angle between words, rad.
+    /// Angle of a word or of a difference of words, rad.
     pub(crate) fn angle(self, word: i64) -> f64 {
         self.degrees(word).to_radians()
     }
 
-    /// The same in degrees.
+    /// Angle of a word or of a difference of words, degrees.
     pub(crate) fn degrees(self, word: i64) -> f64 {
-        word as f64 / self.per_degree
+        word as f64 / self.units_per_degree
     }
 }
 
 impl Rotary {
-    /// The word nearest to an axis value.
-    pub(crate) fn word(self, angle: f64, scale: AngleScale) -> i64 {
-        ((angle.to_degrees() - self.rest) * scale.per_degree).round() as i64
+    /// The word nearest to an axis value, rad.
+    pub(crate) fn word(self, angle_rad: f64, scale: AngleScale) -> i64 {
+        ((angle_rad.to_degrees() - self.rest_deg) * scale.units_per_degree).round() as i64
     }
 
-    /// The axis value of a word, rad.
+    /// Axis value of a word, rad.
     pub(crate) fn angle(self, word: i64, scale: AngleScale) -> f64 {
         self.degrees(word, scale).to_radians()
     }
 
-    /// The axis value of a word for people, degrees.
-    pub(crate) fn shown(self, word: i64, scale: AngleScale) -> f64 {
+    /// Axis value of a word for messages, degrees.
+    pub(crate) fn degrees_for_display(self, word: i64, scale: AngleScale) -> f64 {
         (self.degrees(word, scale) * 1e9).round() / 1e9
     }
 
-    /// The axis value of a word, degrees.
+    /// Axis value of a word, degrees.
     fn degrees(self, word: i64, scale: AngleScale) -> f64 {
-        scale.degrees(word) + self.rest
+        scale.degrees(word) + self.rest_deg
     }
 
-    /// Whether whole turns are free.
+    /// Whether the axis has no limits, so that any whole turn is allowed.
     pub(crate) fn endless(self) -> bool {
         self.lower.is_none() || self.upper.is_none()
     }
 
-    /// The same axis as if it had no limits.
+    /// The same axis without its limits.
     pub(crate) fn without_limits(self) -> Self {
         Self { lower: None, upper: None, ..self }
     }
 
-    /// Whether a word lies inside the limits.
-    pub(crate) fn holds(self, word: i64) -> bool {
+    /// Whether a word is inside the limits.
+    pub(crate) fn contains(self, word: i64) -> bool {
         self.lower.is_none_or(|lower| word >= lower) && self.upper.is_none_or(|upper| word <= upper)
     }
 
-    /// The smallest word, 0 of an endless axis.
+    /// Smallest word; 0 for an endless axis.
     pub(crate) fn lower_end(self) -> i64 {
         self.lower.unwrap_or_default()
     }
 
-    /// The largest word, 0 of an endless axis.
+    /// Largest word; 0 for an endless axis.
     pub(crate) fn upper_end(self) -> i64 {
         self.upper.unwrap_or_default()
     }
 
-    /// The word inside the limits that is nearest to this one, whatever the turn.
+    /// The word inside the limits that is nearest to this one; not only by whole turns.
     pub(crate) fn clamped(self, word: i64) -> i64 {
         let word = self.upper.map_or(word, |upper| word.min(upper));
         self.lower.map_or(word, |lower| word.max(lower))
     }
 
-    /// Every word inside the limits that is `word` modulo a turn, nearest to zero first, at most `most` of them; of an
-    /// endless axis the one nearest to zero.
+    /// Words inside the limits that equal `word` modulo one revolution, nearest to zero first, at most `most` of them;
+    /// for an endless axis only the one nearest to zero. `turn`: units in one revolution.
     pub(crate) fn turns(self, word: i64, turn: i64, most: i64) -> impl Iterator<Item = i64> {
         let nearest = self.without_limits().nearest(word, 0, turn).unwrap_or(word);
         let count = if self.endless() { 1 } else { most };
-        let towards = if nearest > 0 { -turn } else { turn };
-        // nearest, one turn towards zero and past it, one away, two towards, ...
-        let all =
-            (0..count).map(move |step| nearest + towards * if step % 2 == 1 { (step + 1) / 2 } else { -step / 2 });
-        all.filter(move |&word| self.holds(word))
+        let step_towards_zero = if nearest > 0 { -turn } else { turn };
+        // The nearest, one turn towards zero and past it, one turn away, two turns towards zero, ...
+        let all = (0..count)
+            .map(move |step| nearest + step_towards_zero * if step % 2 == 1 { (step + 1) / 2 } else { -step / 2 });
+        all.filter(move |&word| self.contains(word))
     }
 
-    /// The word that is `word` modulo a turn, inside the limits and nearest to `previous`; at equal distance the one of
-    /// smaller absolute value, then the positive one.
+    /// The word inside the limits that equals `word` modulo one revolution and is nearest to `previous`; at equal
+    /// distance the one of smaller absolute value, then the positive one. `turn`: units in one revolution.
     pub(crate) fn nearest(self, word: i64, previous: i64, turn: i64) -> Result<i64, OutOfLimits> {
-        // Words at or below and above the previous one.
+        // The candidates next to the previous word: at or below it, and above it.
         let below = word + (previous - word).div_euclid(turn) * turn;
         let above = below + turn;
         let near = if (previous - below, below.abs(), -below) <= (above - previous, above.abs(), -above) {
@@ -162,15 +162,15 @@ impl Rotary {
         {
             choice += (lower - choice + turn - 1).div_euclid(turn) * turn;
         }
-        // Both words next to the previous one may be inside on their own side only: the nearer one won above.
-        if self.holds(choice) { Ok(choice) } else { Err(out) }
+        // Each candidate may be inside at its own limit only: the nearer one has been chosen above.
+        if self.contains(choice) { Ok(choice) } else { Err(out) }
     }
 }
 
-/// The solution and turns with the least sum of rotary travel from `previous`; ties go to the first branch.
+/// Solution and turns with the least total rotary travel from `previous`; ties go to the first branch.
 ///
 /// # Errors
-/// For each solution the rotary that cannot be brought inside its limits.
+/// For each solution the rotary axis that no whole turn brings inside its limits.
 pub(crate) fn choose(
     solutions: &[Solution<AxisValues>],
     rotaries: &[Rotary],
@@ -185,14 +185,14 @@ pub(crate) fn choose(
         let mut fits = true;
         for rotary in rotaries {
             let index = rotary.index;
-            match rotary.nearest(rotary.word(solution.axes[index], scale), previous[index], scale.turn) {
+            match rotary.nearest(rotary.word(solution.axes[index], scale), previous[index], scale.units_per_turn) {
                 Ok(word) => {
                     travel += (word - previous[index]).abs();
                     words[index] = word;
                 }
                 Err(out) => {
-                    if let Some(place) = outside.get_mut(number) {
-                        *place = Some(out);
+                    if let Some(entry) = outside.get_mut(number) {
+                        *entry = Some(out);
                     }
                     fits = false;
                     break;
@@ -213,7 +213,7 @@ mod tests {
     use super::*;
     use crate::kinematics::Branch;
 
-    const SCALE: AngleScale = AngleScale { per_degree: 10_000.0, turn: 3_600_000 };
+    const SCALE: AngleScale = AngleScale { units_per_degree: 10_000.0, units_per_turn: 3_600_000 };
 
     fn solution(degrees: [f64; 2]) -> Solution<AxisValues> {
         let mut axes = [0.0; MAX_AXES];
@@ -227,7 +227,7 @@ mod tests {
             index,
             lower: limits.map(|(lower, _)| word(lower)),
             upper: limits.map(|(_, upper)| word(upper)),
-            rest: 0.0,
+            rest_deg: 0.0,
         }
     }
 
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn the_branch_that_turns_least_is_taken() {
+    fn the_branch_with_the_least_travel_is_taken() {
         let branches = [[10.0, 30.0], [-170.0, -30.0]];
         assert_eq!(chosen(&branches, [None, None], [0.0, 0.0]), Some((0, [10.0, 30.0])));
         assert_eq!(chosen(&branches, [None, None], [180.0, -20.0]), Some((1, [190.0, -30.0])));
@@ -304,7 +304,7 @@ mod tests {
             for (number, &(a, b)) in angles.iter().enumerate() {
                 for i in -5..=5 {
                     for j in -5..=5 {
-                        let words = [a * 1000 + i * SCALE.turn, b * 1000 + j * SCALE.turn];
+                        let words = [a * 1000 + i * SCALE.units_per_turn, b * 1000 + j * SCALE.units_per_turn];
                         let inside = (0..2).all(|axis| {
                             rotaries[axis].lower.is_none_or(|lower| words[axis] >= lower)
                                 && rotaries[axis].upper.is_none_or(|upper| words[axis] <= upper)

@@ -1,55 +1,55 @@
-//! How many turns a written angle shows: as many as there are, or none.
+//! Rollover of written rotary words: all whole turns, or a value within one revolution.
 //!
-//! Planning counts turns without end. Where the control's axis rolls over, words stay within a turn, and the control goes
-//! there the short way, or the way that the sign says.
+//! Planning uses angles beyond 360°. Where an axis of the control rolls over, the words stay within one revolution, and
+//! the control rotates by the shorter path, or in the direction given by the sign.
 
 use crate::kinematics::Axis;
-use crate::motion::options::Policy;
-use crate::motion::options::Wrap;
+use crate::motion::options::{Policy, Wrap};
 
 use crate::motion::rotary::Rotary;
 use crate::motion::step::{MAX_AXES, Words};
 
-/// One axis whose words stay within a turn.
+/// An axis whose words stay within one revolution.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Wrapped {
+struct RolloverAxis {
     /// Position in the chain.
     index: usize,
     wrap: Wrap,
-    /// The word written last, while the axis has not moved since.
+    /// The word written last.
     last: Option<i64>,
 }
 
-/// Words of a program as they are written.
+/// Axes of a program that roll over.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Speller {
-    axes: Vec<Wrapped>,
-    turn: i64,
+pub(crate) struct Rollover {
+    axes: Vec<RolloverAxis>,
+    units_per_turn: i64,
 }
 
-impl Speller {
-    pub(crate) fn new(chain: &[Axis], policy: Policy<'_>, rotaries: &[Rotary], turn: i64) -> Self {
+impl Rollover {
+    pub(crate) fn new(chain: &[Axis], policy: Policy<'_>, rotaries: &[Rotary], units_per_turn: i64) -> Self {
         let wrapped = |rotary: &Rotary| {
             let wrap = *policy.options.rotaries.wrap.get(&chain[rotary.index].letter)?;
-            Some(Wrapped { index: rotary.index, wrap, last: None })
+            Some(RolloverAxis { index: rotary.index, wrap, last: None })
         };
-        Self { axes: rotaries.iter().filter_map(wrapped).collect(), turn }
+        Self { axes: rotaries.iter().filter_map(wrapped).collect(), units_per_turn }
     }
 
-    /// Blocks into which a motion of some axes has to be cut, so that the control turns each of them the way that is meant.
+    /// Number of blocks into which a motion of the axes in `mask` must be split so that the control rotates each of
+    /// them in the planned direction.
     pub(crate) fn pieces(&self, from: &[i64; MAX_AXES], to: &[i64; MAX_AXES], mask: u16) -> i64 {
-        let pieces = |axis: &Wrapped| {
+        let pieces = |axis: &RolloverAxis| {
             let travel = (to[axis.index] - from[axis.index]).abs();
             match axis.wrap {
-                // The short way is less than half a turn.
-                Wrap::Positive | Wrap::Symmetric => 2 * travel / self.turn + 1,
-                Wrap::Sign => travel / self.turn + 1,
+                // A rotation by the shorter path is less than 180°.
+                Wrap::Positive | Wrap::Symmetric => 2 * travel / self.units_per_turn + 1,
+                Wrap::Sign => travel / self.units_per_turn + 1,
             }
         };
         self.axes.iter().filter(|axis| mask & (1 << axis.index) != 0).map(pieces).max().unwrap_or(1)
     }
 
-    /// The words of a block from where the axes stand.
+    /// Words to write for a block that starts at the words `from`.
     #[inline]
     pub(crate) fn spell(&mut self, from: &[i64; MAX_AXES], words: Words) -> Words {
         if self.axes.is_empty() { words } else { self.wrapped(from, words) }
@@ -57,7 +57,7 @@ impl Speller {
 
     #[cold]
     fn wrapped(&mut self, from: &[i64; MAX_AXES], words: Words) -> Words {
-        let (turn, mut written) = (self.turn, words);
+        let (turn, mut written) = (self.units_per_turn, words);
         for axis in self.axes.iter_mut().filter(|axis| words.has(axis.index)) {
             let (before, to) = (from[axis.index], words.units[axis.index]);
             let within = to.rem_euclid(turn);
@@ -68,7 +68,7 @@ impl Speller {
                 Wrap::Sign if to == before && axis.last.is_some_and(|last| last.abs() % turn == within) => {
                     axis.last.unwrap_or(within)
                 }
-                // Zero has no sign, a whole turn has.
+                // Zero has no sign: a whole revolution is written instead.
                 Wrap::Sign if to < before && within == 0 => -turn,
                 Wrap::Sign if to < before => -within,
                 Wrap::Sign => within,
@@ -87,12 +87,12 @@ mod tests {
     use crate::kinematics::Machine;
     use crate::motion::machines::Cb;
 
-    /// The words of C for a row of positions in degrees.
+    /// The written words of C for a list of positions in degrees.
     fn spelled(wrap: Wrap, degrees: &[i64]) -> Vec<i64> {
         let mut config = Config::default();
         config.motion.rotaries.wrap.insert('C', wrap);
-        let rotary = Rotary { index: 0, lower: None, upper: None, rest: 0.0 };
-        let mut speller = Speller::new(Cb::AXES, config.policy(), &[rotary], 360);
+        let rotary = Rotary { index: 0, lower: None, upper: None, rest_deg: 0.0 };
+        let mut speller = Rollover::new(Cb::AXES, config.policy(), &[rotary], 360);
         let mut from = [0; MAX_AXES];
         degrees
             .iter()
@@ -107,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn words_stay_within_a_turn() {
+    fn words_stay_within_one_revolution() {
         let path = [0, 90, 180, 350, 360, 370, 725, 700, 360, 0, -10];
         assert_eq!(spelled(Wrap::Positive, &path), [0, 90, 180, 350, 0, 10, 5, 340, 0, 0, 350]);
         assert_eq!(spelled(Wrap::Symmetric, &path), [0, 90, 180, -10, 0, 10, 5, -20, 0, 0, -10]);
@@ -116,12 +116,12 @@ mod tests {
     }
 
     #[test]
-    fn the_short_way_is_less_than_half_a_turn() {
+    fn a_rotation_by_the_shorter_path_is_less_than_half_a_revolution() {
         let pieces = |wrap, travel: i64| {
-            let axes = vec![Wrapped { index: 0, wrap, last: None }];
+            let axes = vec![RolloverAxis { index: 0, wrap, last: None }];
             let mut to = [0; MAX_AXES];
             to[0] = travel;
-            Speller { axes, turn: 360 }.pieces(&[0; MAX_AXES], &to, 1)
+            Rollover { axes, units_per_turn: 360 }.pieces(&[0; MAX_AXES], &to, 1)
         };
         assert_eq!(
             [0, 179, 180, -180, 359, 360, 720].map(|travel| pieces(Wrap::Positive, travel)),

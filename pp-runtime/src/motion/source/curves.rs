@@ -1,7 +1,7 @@
-//! Curves into straight motions.
+//! NURBS curves into straight motions.
 //!
-//! Chords leave a curve by no more than the tolerance; its ends are exact. Arcs and holes stay one motion: the tool axis is
-//! held, and whether the control makes them is decided by the planner.
+//! The chords deviate from a curve by no more than the tolerance; its ends are exact. Arcs and holes stay one motion
+//! each: their tool axis is constant, and the planner decides whether the control interpolates them.
 
 use crate::kinematics::Pose;
 use crate::motion::options::Policy;
@@ -10,48 +10,48 @@ use crate::program::{Move, Spline};
 
 use crate::motion::fault::Fault;
 
-/// More chords than this in one piece of a curve are a fault of the file.
-const MOST_CHORDS: f64 = 1e6;
+/// Most chords in one span of a curve; more indicate a fault in the file.
+const MAX_CHORDS: f64 = 1e6;
 
 /// The chord tolerance in force.
 #[derive(Debug, Clone)]
 pub(crate) struct Curves {
-    /// Of the configuration, mm.
-    configured: f64,
-    /// Of LINTOL, mm.
-    stated: Option<f64>,
-    /// LINTOL may be wider than the configuration.
+    /// Tolerance of the configuration.
+    configured_mm: f64,
+    /// Tolerance of LINTOL.
+    stated_mm: Option<f64>,
+    /// LINTOL may exceed the tolerance of the configuration.
     may_widen: bool,
 }
 
 impl Curves {
     pub(crate) fn new(policy: Policy<'_>) -> Self {
-        Self { configured: policy.options.tolerance, stated: None, may_widen: policy.options.allow_lintol }
+        Self { configured_mm: policy.options.tolerance, stated_mm: None, may_widen: policy.options.allow_lintol }
     }
 
     /// The tolerance in force, mm.
     pub(crate) fn tolerance(&self) -> f64 {
-        self.stated.unwrap_or(self.configured)
+        self.stated_mm.unwrap_or(self.configured_mm)
     }
 
-    /// LINTOL.
+    /// Takes the tolerance of LINTOL, mm.
     ///
     /// # Errors
-    /// A remark if it is wider than may be: then that of the configuration stays in force.
+    /// A warning if it is wider than allowed: then the tolerance of the configuration stays in force.
     pub(crate) fn state_tolerance(&mut self, tolerance: Option<f64>) -> Result<(), Fault> {
-        self.stated = tolerance.filter(|stated| self.may_widen || *stated <= self.configured);
+        self.stated_mm = tolerance.filter(|stated| self.may_widen || *stated <= self.configured_mm);
         match tolerance {
-            Some(stated) if self.stated.is_none() => Err(Fault::new(format_args!(
-                "LINTOL/{stated} mm is more than the tolerance of {} mm, which stays in force",
-                self.configured
+            Some(stated) if self.stated_mm.is_none() => Err(Fault::new(format_args!(
+                "LINTOL/{stated} mm exceeds the tolerance of {} mm in the configuration, which stays in force",
+                self.configured_mm
             ))
-            .help("give `--allow-lintol` if the CL data may widen the tolerance")),
+            .help("use `--allow-lintol` to let the CL data widen the tolerance")),
             Some(_) | None => Ok(()),
         }
     }
 }
 
-/// The motion to where a curve begins; `None` if it has no points.
+/// Motion to the start of a curve; `None` if it has no points.
 pub(crate) fn start(spline: &Spline<'_>) -> Option<Move> {
     spline.points.first().map(|first| to_point(*first, spline))
 }
@@ -60,7 +60,8 @@ fn to_point(tip: Point3<f64>, spline: &Spline<'_>) -> Move {
     Move { pose: Pose { tip, axis: spline.axis }, rapid: false, feed: spline.feed }
 }
 
-/// Hands on the chords of a curve, from its start to its end, and a fault where it cannot be cut into chords.
+/// Hands on the chords of a curve from its start to its end, or a fault if it cannot be cut into chords; `tolerance` in
+/// mm.
 pub(crate) fn chords<E>(
     spline: &Spline<'_>,
     tolerance: f64,
@@ -75,18 +76,21 @@ pub(crate) fn chords<E>(
         }
         let piece = [[from; 3], [from, from, to], [from, to, to], [to; 3]].map(|at| blossom(knots, points, span, at));
         let [a, b, c, d] = piece;
-        // A chord over 1/n of the parameter is off by at most |f''| / (8 n²), and f'' by 6 times these differences.
+        // A chord over 1/n of the parameter deviates by at most |f''| / (8 n²), and |f''| is at most 6 times the larger
+        // of these differences.
         let bend = (a - b * 2.0 + c).norm().max((b - c * 2.0 + d).norm());
         let chords = (6.0 * bend / (8.0 * tolerance)).sqrt().ceil().max(1.0);
-        if chords.is_nan() || chords > MOST_CHORDS {
-            return out(Err(Fault::new("this curve cannot be cut into chords").help("check its knots and LINTOL")));
+        if chords.is_nan() || chords > MAX_CHORDS {
+            return out(Err(
+                Fault::new("this curve cannot be cut into chords").help("check its knots, its points and LINTOL")
+            ));
         }
         let mut index = 1.0;
         while index <= chords {
             let t = index / chords;
             let s = 1.0 - t;
             let tip = a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t);
-            // The last point is written below, as the file has it.
+            // The last point is handed on below, exactly as in the file.
             if index < chords || span + 1 < points.len() {
                 out(Ok(to_point(Point3::from(tip), spline)))?;
             }
@@ -96,7 +100,7 @@ pub(crate) fn chords<E>(
     out(Ok(to_point(last, spline)))
 }
 
-/// The polar form of a cubic B-spline over one span of its knots.
+/// Polar form (blossom) of a cubic B-spline over one span of its knots, at three parameters.
 fn blossom(knots: &[f64], points: &[Point3<f64>], span: usize, at: [f64; 3]) -> Vector3<f64> {
     let mut d = [0, 1, 2, 3].map(|index| points[span - 3 + index].coords);
     for (round, u) in at.into_iter().enumerate() {
@@ -115,7 +119,7 @@ mod tests {
     use crate::config::Config;
     use crate::diag::Diagnostic;
     use crate::motion::machines::Xyz;
-    use crate::motion::source::{Action, Item, Source, Stage};
+    use crate::motion::source::{ItemAction, ProgramItem, Source, Stage};
     use crate::program::{Arc, Event, Location, ToolCall};
 
     const AT: Location = Location { line: 1, column: 1 };
@@ -127,7 +131,7 @@ mod tests {
     /// Tip and rapid.
     type Motion = ([f64; 3], bool);
 
-    /// The motions of some events, and every other event.
+    /// Motions of some events, and every other item as text.
     fn expanded(config: &Config, events: &[Event<'_>]) -> Result<(Vec<Motion>, Vec<String>), Diagnostic> {
         let mut source = Source::new(&Xyz::default(), config.policy());
         let mut seen = Seen::default();
@@ -138,7 +142,7 @@ mod tests {
         Ok((seen.motions, seen.others))
     }
 
-    /// What has been handed on.
+    /// Items that have been handed on.
     #[derive(Default)]
     struct Seen {
         motions: Vec<Motion>,
@@ -148,9 +152,9 @@ mod tests {
     impl Stage for Seen {
         type Stop = Diagnostic;
 
-        fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
+        fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
             match item.action {
-                Action::Line { motion, .. } => self.motions.push((motion.pose.tip.into(), motion.rapid)),
+                ItemAction::Line { motion, .. } => self.motions.push((motion.pose.tip.into(), motion.rapid)),
                 other => self.others.push(format!("{other:?}")),
             }
             Ok(())
@@ -181,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn chords_leave_a_curve_by_the_tolerance_at_most() {
+    fn chords_deviate_from_a_curve_by_the_tolerance_at_most() {
         let points: Vec<Point3<f64>> = [[0.0, 0.0], [5.0, 12.0], [14.0, -8.0], [20.0, 9.0], [31.0, 2.0]]
             .iter()
             .map(|p| Point3::new(p[0], p[1], 1.0))
@@ -214,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn an_arc_after_a_stop_begins_with_the_way_back_to_its_start() {
+    fn an_arc_after_a_stop_begins_with_the_motion_back_to_its_start() {
         let events = [go([20.0, 0.0, 0.0]), Event::Stop, arc([20.0, 0.0, 0.0], [0.0, 20.0, 0.0], 1.57)];
         let (motions, _) = expanded(&Config::default(), &events).expect("faithful");
         assert_eq!(motions[1..], [([20.0, 0.0, 0.0], false)], "the arc itself is no straight motion");

@@ -1,8 +1,8 @@
-//! One motion ahead: the approach to the first point of an operation, and to where a rapid turns the rotary axes, depends
-//! on the point after it.
+//! Look-ahead of one motion: the approach to the first point of an operation, and to the end of a rapid that moves
+//! rotary axes, depends on the point after it.
 //!
-//! Such a motion waits for the next, and the records between the two wait with it, so that everything is handed on in the
-//! order of the CL data. A feed motion inside an operation never waits.
+//! Such a motion is held back until the next one, and the records between the two with it, so that the order of the CL
+//! data is kept. A feed motion inside an operation is never held back.
 
 use std::ops::Range;
 
@@ -10,35 +10,35 @@ use crate::kinematics::Pose;
 use crate::program::{Arc, Event, Hole, Location, Move};
 
 use crate::motion::source::operations::{Begins, MotionIndex};
-use crate::motion::source::{Action, Item, LinePart, Stage};
+use crate::motion::source::{ItemAction, LinePart, ProgramItem, Stage};
 
-/// More records than this between two motions are no habit of a CAM system; it bounds the memory.
-const MOST_RECORDS: usize = 10_000;
+/// Most records held back after one motion; bounds the memory. No CAM system writes as many between two motions.
+const MAX_RECORDS: usize = 10_000;
 
-/// Bytes of text that are kept while records wait.
-const MOST_TEXT: usize = 1 << 20;
+/// Most bytes of text held back with the records.
+const MAX_TEXT_BYTES: usize = 1 << 20;
 
-/// What comes after a motion.
+/// The motion after a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Next {
-    /// A straight motion, or the rapid over to a hole, to this pose.
+    /// A straight motion to this pose, or the rapid to this pose above a hole.
     Motion(Pose),
-    /// Nothing that the approach to it depends on.
+    /// No motion on which the approach depends.
     None,
-    /// Unknown: more records than are kept come before it.
-    TooFar,
+    /// Unknown: before it come more records than are held back.
+    Unknown,
 }
 
-/// A motion that waits.
+/// A motion that is held back.
 #[derive(Debug, Clone, Copy)]
-struct Waiting {
+struct WaitingMotion {
     at: Location,
     motion: Move,
     index: MotionIndex,
     part: LinePart,
 }
 
-/// A record that waits; texts are kept together.
+/// A record that is held back. Texts are ranges of [`Lookahead::texts`].
 #[derive(Debug, Clone)]
 enum WaitingRecord {
     Plain(Event<'static>),
@@ -47,16 +47,16 @@ enum WaitingRecord {
     Message(Range<usize>),
 }
 
-/// The motion that waits, and the records after it.
+/// The motion that is held back, and the records after it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lookahead {
-    motion: Option<Waiting>,
+    motion: Option<WaitingMotion>,
     records: Vec<(Location, WaitingRecord, bool)>,
     texts: Vec<u8>,
 }
 
 impl Lookahead {
-    /// A straight motion; it waits if its approach may depend on the next.
+    /// Takes a straight motion; holds it back if its approach may depend on the next.
     #[inline]
     pub(crate) fn line<S: Stage>(
         &mut self,
@@ -70,10 +70,10 @@ impl Lookahead {
             self.release(Next::Motion(motion.pose), to)?;
         }
         if index.begins != Begins::Nothing || motion.rapid {
-            self.motion = Some(Waiting { at, motion: *motion, index, part });
+            self.motion = Some(WaitingMotion { at, motion: *motion, index, part });
             return Ok(());
         }
-        to.take(&Item { at, action: Action::Line { motion, index, next: Next::None, part } })
+        to.take(&ProgramItem { at, action: ItemAction::Line { motion, index, next: Next::None, part } })
     }
 
     pub(crate) fn arc<S: Stage>(
@@ -84,7 +84,7 @@ impl Lookahead {
         to: &mut S,
     ) -> Result<(), S::Stop> {
         self.release(Next::None, to)?;
-        to.take(&Item { at, action: Action::Arc { arc, index } })
+        to.take(&ProgramItem { at, action: ItemAction::Arc { arc, index } })
     }
 
     pub(crate) fn hole<S: Stage>(
@@ -95,16 +95,16 @@ impl Lookahead {
         to: &mut S,
     ) -> Result<(), S::Stop> {
         self.release(Next::Motion(hole.level(hole.clearance_mm)), to)?;
-        to.take(&Item { at, action: Action::Hole { hole, index } })
+        to.take(&ProgramItem { at, action: ItemAction::Hole { hole, index } })
     }
 
-    /// A record after which another operation begins.
+    /// Takes a record after which another operation begins.
     pub(crate) fn boundary<S: Stage>(&mut self, at: Location, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
         self.release(Next::None, to)?;
-        to.take(&Item { at, action: Action::Record { event, between: true } })
+        to.take(&ProgramItem { at, action: ItemAction::Record { event, between: true } })
     }
 
-    /// A record that belongs to the motions around it; `between`: to the operation that comes.
+    /// Takes a record that belongs to the motions around it, or with `between` to the next operation.
     pub(crate) fn record<S: Stage>(
         &mut self,
         at: Location,
@@ -113,8 +113,8 @@ impl Lookahead {
         to: &mut S,
     ) -> Result<(), S::Stop> {
         if self.motion.is_some() {
-            if self.records.len() >= MOST_RECORDS || self.texts.len() >= MOST_TEXT {
-                self.release(Next::TooFar, to)?;
+            if self.records.len() >= MAX_RECORDS || self.texts.len() >= MAX_TEXT_BYTES {
+                self.release(Next::Unknown, to)?;
             } else if let Some(kept) = self.keep(event) {
                 self.records.push((at, kept, between));
                 return Ok(());
@@ -122,15 +122,15 @@ impl Lookahead {
                 self.release(Next::None, to)?;
             }
         }
-        to.take(&Item { at, action: Action::Record { event, between } })
+        to.take(&ProgramItem { at, action: ItemAction::Record { event, between } })
     }
 
-    /// Whether the first motion of an operation waits.
+    /// Whether the first motion of an operation is held back.
     pub(crate) fn awaits_second_motion(&self) -> bool {
         self.motion.is_some_and(|waiting| waiting.index.begins != Begins::Nothing)
     }
 
-    /// Hands on what waits, now that it is known what comes after it.
+    /// Hands on the motion that is held back and its records; `next` is the motion after it.
     #[inline]
     pub(crate) fn release<S: Stage>(&mut self, next: Next, to: &mut S) -> Result<(), S::Stop> {
         match self.motion.take() {
@@ -139,9 +139,9 @@ impl Lookahead {
         }
     }
 
-    fn release_waiting<S: Stage>(&mut self, waiting: Waiting, next: Next, to: &mut S) -> Result<(), S::Stop> {
-        let Waiting { at, ref motion, index, part } = waiting;
-        to.take(&Item { at, action: Action::Line { motion, index, next, part } })?;
+    fn release_waiting<S: Stage>(&mut self, waiting: WaitingMotion, next: Next, to: &mut S) -> Result<(), S::Stop> {
+        let WaitingMotion { at, ref motion, index, part } = waiting;
+        to.take(&ProgramItem { at, action: ItemAction::Line { motion, index, next, part } })?;
         for (at, kept, between) in self.records.drain(..) {
             let text = |range: Range<usize>| &self.texts[range];
             let event = match kept {
@@ -150,13 +150,13 @@ impl Lookahead {
                 WaitingRecord::MachineName(range) => Event::MachineName(text(range)),
                 WaitingRecord::Message(range) => Event::Message(text(range)),
             };
-            to.take(&Item { at, action: Action::Record { event: &event, between } })?;
+            to.take(&ProgramItem { at, action: ItemAction::Record { event: &event, between } })?;
         }
         self.texts.clear();
         Ok(())
     }
 
-    /// The record by itself; `None` of a motion or of what begins an operation.
+    /// Copies a record to hold it back; `None` for a motion and for a record that ends an operation.
     fn keep(&mut self, event: &Event<'_>) -> Option<WaitingRecord> {
         let mut keep = |text: &[u8]| {
             let start = self.texts.len();

@@ -1,16 +1,16 @@
-//! The program as it is run, one item at a time: what every pass over the CL data sees.
+//! The program as it is run, one item at a time: the common input of every pass over the CL data.
 //!
 //! ```text
-//! event → setting     as the part lies on the table, `part_rotation` and the dry run's lift applied
+//! event → setting     `part_rotation` (how the part lies on the table) and the lift of a dry run applied
 //!       → curves      splines become chords; an arc after an interruption gets a line to its start
-//!       → operations  the assumed tool called; a rapid before the first tool is FROM; motions numbered
-//!       → lookahead   a first motion or a rapid waits for the motion after it
+//!       → operations  assumed tool called; a rapid before the first tool becomes FROM; motions numbered
+//!       → lookahead   the first motion of an operation, and a rapid, wait for the motion after them
 //!       → item
 //! ```
 //!
-//! Survey, course and planner take the items of the same source, so what they count is the same. An operation begins with
-//! the first motion after TOOL PATH, a tool record, or whatever leaves the position of the machine unknown. It is split
-//! into stretches where the tool axis changes in the air.
+//! Survey, course and planner take the items of the same source, so their numbers of motions and operations agree. An
+//! operation begins with the first motion after TOOL PATH, after a tool record, or after any record that leaves the
+//! position of the machine unknown. It is split into stretches at each change of the tool axis in the air.
 
 mod curves;
 mod lookahead;
@@ -34,81 +34,81 @@ use curves::Curves;
 use lookahead::Lookahead;
 use operations::MotionCounter;
 
-/// One thing that the program does, with the record of the CL data that asks for it.
+/// One action of the program, with the CL record that programs it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Item<'e> {
-    /// The record.
+pub struct ProgramItem<'e> {
+    /// Location of the CL record.
     pub at: Location,
-    /// What it does.
-    pub action: Action<'e>,
+    /// The action.
+    pub action: ItemAction<'e>,
 }
 
-/// What an item does.
+/// Action of an item.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Action<'e> {
+pub enum ItemAction<'e> {
     /// A straight motion.
     Line {
-        /// Where to, and how fast.
+        /// End point and feed.
         motion: &'e Move,
-        /// Where in the program.
+        /// Number of the motion, its operation and its stretch.
         index: MotionIndex,
-        /// The motion after it, where the approach may depend on that.
+        /// The motion after it, if the approach may depend on that.
         next: Next,
-        /// What it is of its record.
+        /// Share of its CL record.
         part: LinePart,
     },
     /// An arc; the tool is at its start.
     Arc {
         /// The arc.
         arc: &'e Arc,
-        /// Where in the program.
+        /// Number of the motion, its operation and its stretch.
         index: MotionIndex,
     },
     /// A hole.
     Hole {
         /// The hole.
         hole: &'e Hole,
-        /// Where in the program.
+        /// Number of the motion, its operation and its stretch.
         index: MotionIndex,
     },
-    /// Anything that is no motion.
+    /// Any record that is not a motion.
     Record {
-        /// The record, never a motion; the tolerance is the one in force.
+        /// The event, never a motion; of LINTOL the tolerance that is then in force.
         event: &'e Event<'e>,
-        /// It comes between two operations and speaks of the second.
+        /// The record comes between two operations and belongs to the second.
         between: bool,
     },
 }
 
-/// What a straight motion is of its record.
+/// Share of its CL record that a straight motion is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LinePart {
-    /// All of it.
+    /// The whole record.
     Whole,
-    /// The first motion of a curve: to its start, or its first chord.
+    /// First motion of a curve: the line to its start, or its first chord.
     CurveStart,
     /// A later chord of a curve.
     Chord,
 }
 
-/// Takes the items of a program.
+/// Receiver of the items of a program.
 pub trait Stage {
-    /// Why it takes no more.
+    /// Reason why the stage takes no further item.
     type Stop: From<Diagnostic>;
 
     /// Takes the next item.
     ///
     /// # Errors
-    /// Its own.
-    fn take(&mut self, item: &Item<'_>) -> Result<(), Self::Stop>;
+    /// Those of the stage.
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Self::Stop>;
 
-    /// Takes a remark on the CL data.
+    /// Takes a warning about the CL data.
     fn remark(&mut self, remark: Diagnostic) {
         let _ = remark;
     }
 }
 
-/// Turns the events of the CL data into items.
+/// Converts the events of the CL data into items.
 #[derive(Debug, Clone)]
 pub struct Source {
     setting: Setting,
@@ -118,7 +118,7 @@ pub struct Source {
 }
 
 impl Source {
-    /// The source of a program for a machine.
+    /// Creates the source of one program.
     #[must_use]
     pub fn new(machine: &dyn AnyMachine, policy: Policy<'_>) -> Self {
         Self {
@@ -129,15 +129,15 @@ impl Source {
         }
     }
 
-    /// Hands on what an event of the CL data means.
+    /// Hands the items of one event of the CL data to a stage.
     ///
     /// # Errors
-    /// Those of the stage, and what cannot be expanded faithfully.
+    /// Those of the stage, and a curve that cannot be cut into chords.
     #[inline]
     pub fn event<S: Stage>(&mut self, at: Location, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
         let Self { setting, operations, curves, lookahead } = self;
-        let turned = setting.event(event);
-        let event = turned.as_ref().unwrap_or(event);
+        let set = setting.event(event);
+        let event = set.as_ref().unwrap_or(event);
         if let Event::Move(motion) = event
             && let Some(index) = operations.cut(motion)
         {
@@ -146,13 +146,13 @@ impl Source {
         Expansion { at, operations, curves, lookahead }.event(event, to)
     }
 
-    /// Whether the first motion of an operation waits for the next.
+    /// Whether the first motion of an operation is held back until the next motion.
     #[must_use]
     pub fn awaits_second_motion(&self) -> bool {
         self.lookahead.awaits_second_motion()
     }
 
-    /// Hands on what still waits for the next motion: there is none.
+    /// Hands on the items that are still held back: there is no next motion.
     ///
     /// # Errors
     /// Those of the stage.
@@ -161,7 +161,7 @@ impl Source {
     }
 }
 
-/// An event on its way through curves and operations to the look-ahead.
+/// Converts one event: through curves and operations to the look-ahead.
 struct Expansion<'s> {
     at: Location,
     operations: &'s mut MotionCounter,
@@ -170,7 +170,7 @@ struct Expansion<'s> {
 }
 
 impl Expansion<'_> {
-    /// The one place that decides what an event is to the passes over a program.
+    /// Decides what an event means to the passes over a program; no other function does.
     #[cold]
     fn event<S: Stage>(&mut self, event: &Event<'_>, to: &mut S) -> Result<(), S::Stop> {
         match event {
@@ -231,7 +231,7 @@ impl Expansion<'_> {
         }
     }
 
-    /// A straight motion; before the first tool a rapid only says where the rotary axes count from.
+    /// Hands on a straight motion. A rapid before the first tool only sets the start angles of the rotary axes.
     fn line<S: Stage>(&mut self, motion: &Move, part: LinePart, to: &mut S) -> Result<(), S::Stop> {
         if self.operations.passes_over(motion) {
             if self.operations.first_passed_over() {
@@ -245,7 +245,7 @@ impl Expansion<'_> {
         self.lookahead.line(self.at, motion, index, part, to)
     }
 
-    /// A curve, chord by chord.
+    /// Hands on a curve, chord by chord.
     fn curve<S: Stage>(&mut self, spline: &Spline<'_>, to: &mut S) -> Result<(), S::Stop> {
         let Some(start) = curves::start(spline) else { return Ok(()) };
         let led = self.lead_to(start, LinePart::CurveStart, to)?;
@@ -260,16 +260,17 @@ impl Expansion<'_> {
         })
     }
 
-    /// After a tool change or a stop the tool first comes back to where the path goes on; whether it does.
+    /// Hands on the motion back to the start of the path if a tool change or a stop came before. Returns whether it
+    /// did.
     fn lead_to<S: Stage>(&mut self, start: Move, part: LinePart, to: &mut S) -> Result<bool, S::Stop> {
-        let leads = self.operations.between();
-        if leads {
+        let interrupted = self.operations.between();
+        if interrupted {
             self.line(&start, part, to)?;
         }
-        Ok(leads)
+        Ok(interrupted)
     }
 
-    /// Calls the tool of the configuration before the first motion of a program that calls none.
+    /// Calls the tool of the configuration before the first motion of a program without a tool record.
     fn call_assumed_tool<S: Stage>(&mut self, to: &mut S) -> Result<(), S::Stop> {
         match self.operations.take_assumed_tool() {
             Some(number) => self.boundary(&Event::Tool(ToolCall { number, ..ToolCall::default() }), to),

@@ -1,10 +1,9 @@
-//! How the part lies on the table, and how far from it a dry run stays: the program as the CL data has it into the program
-//! as it is run.
+//! Set-up of the part: rotates the CL data by `part_rotation` and lifts it for a dry run.
 //!
-//! Tips, axes and every other direction and point are multiplied by `part_rotation` here and nowhere else. After it the
-//! frame of the part is along the table's directions. What the configuration says of the part (`floor`,
-//! `retract.clearance`) counts in that frame, too; what the CL data says (CLEARP) is turned with it. A dry run moves every
-//! point out along its tool axis; the clearance geometry stays where the part is.
+//! Tips, tool axes and every other point and direction are multiplied by `part_rotation` here and nowhere else. The
+//! result is in a part frame whose axes are parallel to those of the table. Positions in the configuration (`floor`,
+//! `retract.clearance`) are in that frame, too; those of the CL data (CLEARP) are rotated with it. A dry run moves
+//! every point outwards along its tool axis; the clearance geometry stays at the part.
 
 use nalgebra::{Point3, Rotation3, UnitVector3};
 
@@ -13,37 +12,37 @@ use crate::program::{Arc, ClearancePlane, Event, Hole, Move, Spline};
 
 use crate::motion::options::Policy;
 
-/// Turns the events of a program.
+/// Rotates and lifts the events of a program.
 #[derive(Debug, Clone)]
 pub(crate) struct Setting {
     rotation: Rotation3<f64>,
-    /// mm along the tool axis.
-    lift: f64,
-    /// Nothing is changed.
+    /// Lift of a dry run along the tool axis.
+    lift_mm: f64,
+    /// Neither rotation nor lift.
     plain: bool,
-    /// Control points of the curve that is handed on.
+    /// Control points of the curve at hand, rotated and lifted.
     points: Vec<Point3<f64>>,
 }
 
 impl Setting {
     pub(crate) fn new(policy: Policy<'_>) -> Self {
         let rotation = policy.set_up.part_rotation;
-        let lift = policy.options.lift.unwrap_or(0.0);
+        let lift_mm = policy.options.lift.unwrap_or(0.0);
         Self {
             rotation,
-            lift,
+            lift_mm,
             plain: rotation == Rotation3::identity() && policy.options.lift.is_none(),
             points: Vec::new(),
         }
     }
 
-    /// An event of the CL data as it is run; `None` if nothing changes.
+    /// Returns an event rotated and lifted; `None` if nothing changes.
     #[inline]
     pub(crate) fn event<'s>(&'s mut self, event: &Event<'s>) -> Option<Event<'s>> {
-        if self.plain { None } else { Some(self.turned(event)) }
+        if self.plain { None } else { Some(self.rotated(event)) }
     }
 
-    fn turned<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
+    fn rotated<'s>(&'s mut self, event: &Event<'s>) -> Event<'s> {
         match *event {
             Event::Move(motion) => Event::Move(Move { pose: self.pose(&motion.pose), ..motion }),
             Event::From(pose) => Event::From(self.pose(&pose)),
@@ -65,7 +64,7 @@ impl Setting {
             Event::ClearancePlane(plane) => {
                 Event::ClearancePlane(ClearancePlane { normal: self.direction(&plane.normal), ..plane })
             }
-            // No point and no direction is in these.
+            // These contain no point and no direction.
             Event::Name(_)
             | Event::MachineName(_)
             | Event::Operation(_)
@@ -93,7 +92,7 @@ impl Setting {
     }
 
     fn tip(&self, tip: &Point3<f64>, axis: &UnitVector3<f64>) -> Point3<f64> {
-        self.rotation * (tip + axis.into_inner() * self.lift)
+        self.rotation * (tip + axis.into_inner() * self.lift_mm)
     }
 
     fn direction(&self, direction: &UnitVector3<f64>) -> UnitVector3<f64> {
@@ -113,7 +112,7 @@ mod tests {
         Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(Vector3::from(axis)) }
     }
 
-    /// X to Y, Y to Z, Z to X.
+    /// A rotation that takes X to Y, Y to Z and Z to X.
     fn setting() -> Setting {
         let rotation = Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(0., 0., 1., 1., 0., 0., 0., 1., 0.));
         let mut config = Config::default();
@@ -122,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn every_point_and_direction_of_an_event_is_turned() {
+    fn every_point_and_direction_of_an_event_is_rotated() {
         let (here, there) = (pose([1., 2., 3.], [0., 0., 1.]), pose([3., 1., 2.], [1., 0., 0.]));
         let motion = |pose| Event::Move(Move { pose, rapid: false, feed: None });
         assert_eq!(setting().event(&motion(here)), Some(motion(there)));
@@ -131,8 +130,8 @@ mod tests {
             let (centre, angle) = (Point3::from(centre), 1.0);
             Event::Arc(Arc { start: pose, end: pose, centre, normal, angle_rad: angle, feed: None })
         };
-        let turned = arc(there, [6., 4., 5.], Vector3::y_axis());
-        assert_eq!(setting().event(&arc(here, [4., 5., 6.], Vector3::x_axis())), Some(turned));
+        let rotated = arc(there, [6., 4., 5.], Vector3::y_axis());
+        assert_eq!(setting().event(&arc(here, [4., 5., 6.], Vector3::x_axis())), Some(rotated));
         let hole = |top| {
             let drilling = Drilling::Drill;
             let (depth, clearance, back_to) = (5.0, 1.0, 2.0);

@@ -1,4 +1,4 @@
-//! What every pass sees of a program: its order, its numbers, and what is decided once for all of them.
+//! Tests of the items of a program: their order, their numbers, and the decisions made once for every pass.
 
 use nalgebra::{Point3, UnitVector3, Vector3};
 
@@ -35,7 +35,7 @@ fn tool(number: u32) -> Event<'static> {
     Event::Tool(ToolCall { number, ..ToolCall::default() })
 }
 
-/// Items in words, and the indices of motions.
+/// Items as text, and the indices of motions.
 #[derive(Default)]
 struct Seen {
     items: Vec<String>,
@@ -46,27 +46,27 @@ struct Seen {
 impl Stage for Seen {
     type Stop = Diagnostic;
 
-    fn take(&mut self, item: &Item<'_>) -> Result<(), Diagnostic> {
+    fn take(&mut self, item: &ProgramItem<'_>) -> Result<(), Diagnostic> {
         let x = |pose: &Pose| pose.tip.x;
         self.items.push(match item.action {
-            Action::Line { motion, index, next, .. } => {
+            ItemAction::Line { motion, index, next, .. } => {
                 self.indices.push(index);
                 let next = match next {
                     Next::Motion(next) => format!("{}", x(&next)),
                     Next::None => "-".to_owned(),
-                    Next::TooFar => "?".to_owned(),
+                    Next::Unknown => "?".to_owned(),
                 };
                 format!("to {} next {next}", x(&motion.pose))
             }
-            Action::Arc { .. } => "arc".to_owned(),
-            Action::Hole { hole, index } => {
+            ItemAction::Arc { .. } => "arc".to_owned(),
+            ItemAction::Hole { hole, index } => {
                 self.indices.push(index);
                 format!("hole at {}", x(&hole.top))
             }
-            Action::Record { event: Event::Message(text), .. } => String::from_utf8_lossy(text).into_owned(),
-            Action::Record { event: Event::Tool(call), .. } => format!("T{}", call.number),
-            Action::Record { event: Event::From(pose), .. } => format!("from {}", x(pose)),
-            Action::Record { between, .. } => if between { "between" } else { "within" }.to_owned(),
+            ItemAction::Record { event: Event::Message(text), .. } => String::from_utf8_lossy(text).into_owned(),
+            ItemAction::Record { event: Event::Tool(call), .. } => format!("T{}", call.number),
+            ItemAction::Record { event: Event::From(pose), .. } => format!("from {}", x(pose)),
+            ItemAction::Record { between, .. } => if between { "between" } else { "within" }.to_owned(),
         });
         Ok(())
     }
@@ -113,7 +113,7 @@ fn the_motion_after_a_first_one_may_be_the_rapid_over_to_a_hole() {
 }
 
 #[test]
-fn more_records_than_are_kept_are_handed_on_and_the_next_motion_is_unknown() {
+fn more_records_than_can_be_held_back_are_handed_on_and_the_next_motion_is_unknown() {
     let mut events = vec![tool(1), rapid(1.0, UP)];
     events.extend(std::iter::repeat_n(Event::Message(b"M"), 20_000));
     events.push(feed(2.0, UP));
@@ -162,10 +162,10 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
         tool(1),
         rapid(1.0, UP),
         feed(2.0, UP),
-        // In the air: another stretch.
+        // A change of the tool axis in the air: another stretch.
         rapid(3.0, TILTED),
         feed(4.0, TILTED),
-        // At feed: the same one, and it turns.
+        // A change at feed: the same stretch, and `rotates_axis` is set.
         feed(5.0, UP),
         rapid(6.0, UP),
         hole(7.0, TILTED),
@@ -174,18 +174,21 @@ fn a_stretch_ends_where_the_tool_axis_changes_in_the_air() {
         feed(9.0, TILTED),
     ];
     let indices = seen::<Xyz>(&Config::default(), &events).indices;
-    let stretches: Vec<_> = indices.iter().map(|index| (index.stretch, index.turns)).collect();
+    let stretches: Vec<_> = indices.iter().map(|index| (index.stretch, index.rotates_axis)).collect();
     let held = |stretch| (stretch, false);
     assert_eq!(stretches, [held(1), held(1), held(2), held(2), (2, true), held(2), held(3), held(3), held(4)],);
 }
 
 #[test]
-fn a_linked_operation_that_begins_with_a_turn_at_feed_turns() {
+fn a_linked_operation_that_begins_with_a_rotation_at_feed_is_marked() {
     let mut config = Config::default();
     config.motion.rapids.transition = Transition::Direct;
     let events = [tool(1), feed(1.0, UP), Event::Operation(b"A"), feed(2.0, TILTED)];
     let indices = seen::<Xyz>(&config, &events).indices;
-    assert_eq!(indices.iter().map(|index| (index.stretch, index.turns)).collect::<Vec<_>>(), [(1, false), (2, true)]);
+    assert_eq!(
+        indices.iter().map(|index| (index.stretch, index.rotates_axis)).collect::<Vec<_>>(),
+        [(1, false), (2, true)]
+    );
 }
 
 #[test]

@@ -108,9 +108,9 @@ fn what_cannot_be_certified_is_an_error_with_its_reason() {
         (run.error().location.line, run.error().text.clone())
     };
     let (line, opposite) = error(&config(), cb(0.0, 90.0), cb(180.0, 90.0));
-    assert!(line == 4 && opposite.contains("turns by 180° in one motion"), "{opposite}");
+    assert!(line == 4 && opposite.contains("rotates by 180° in one motion"), "{opposite}");
     let (_, limit) = error(&config(), cb(0.0, 105.0), cb(120.0, 105.0));
-    assert!(limit.contains("on the way from the point before") && limit.contains("limits -5"), "{limit}");
+    assert!(limit.contains("between the last point and this one") && limit.contains("limits -5"), "{limit}");
     let mut fine = config();
     fine.motion.tolerance = 0.0005;
     let (_, coarse) = error(&fine, cb(0.0, 30.0), cb(90.0, 30.0));
@@ -131,7 +131,7 @@ fn an_axis_out_of_reach_between_two_points_is_an_error() {
     config.motion.retract.distance = Some(20.0);
     let run = run::<Leaning>(&config, &events);
     assert_eq!(run.error().location.line, 4);
-    assert!(run.error().text.starts_with("on the way from the point before: "), "{}", run.error().text);
+    assert!(run.error().text.starts_with("between the last point and this one: "), "{}", run.error().text);
     let beside = [tool(1), spindle(), feed([9.0, 0.0, 0.0], cb(0.0, 50.0)), feed([9.0, 5.0, 0.0], cb(50.0, 50.0))];
     assert_eq!(self::run::<Leaning>(&config, &beside).diagnostics, []);
 }
@@ -332,7 +332,7 @@ fn a_branch_is_changed_at_the_vertical_only() {
     limited.set_up.limits.insert('C', Some(crate::kinematics::Limits { lower: limit(-60.0), upper: limit(60.0) }));
     let past = [cb(-50.0, 20.0), cb(-70.0, 20.0)].map(|axis| feed([0.0; 3], axis));
     let past = run::<Cb>(&limited, &[tool(1), spindle(), past[0], past[1]]);
-    assert!(past.error().text.contains("C would have to turn to -70°"), "{:?}", past.error());
+    assert!(past.error().text.contains("C would have to rotate to -70°"), "{:?}", past.error());
 }
 
 #[test]
@@ -385,7 +385,11 @@ fn an_indexed_axis_stands_on_its_steps_and_never_turns_in_a_cut() {
     let rounded = with(&config, &[cb(35.000_03, 30.0)]);
     assert!(rounded.diagnostics.is_empty() && rounded.lines.contains(&"G0 B30 C35".to_owned()), "{}", rounded.text());
     let between = with(&config, &[cb(36.0, 30.0)]);
-    assert!(between.error().text.contains("36°, between the steps of 5°"), "{:?}", between.error());
+    assert!(
+        between.error().text.contains("36°, which is not a multiple of its indexing step of 5°"),
+        "{:?}",
+        between.error()
+    );
     let turning = with(&config, &[cb(35.0, 30.0), cb(40.0, 30.0)]);
     assert!(turning.error().text.contains("from 35° to 40° in the cut"), "{:?}", turning.error());
     config.motion.course.axis_tolerance = 1_f64.to_radians();
@@ -406,7 +410,7 @@ fn an_indexed_axis_stays_where_it_is_while_another_turns() {
     assert_eq!(near.diagnostics, []);
     assert!(near.statistics.inserted > 0, "{}", near.text());
     assert_eq!(near.lines.iter().filter(|line| line.contains('B')).count(), 1, "{}", near.text());
-    assert!(around(20.0).error().text.contains("in the cut, and it is indexed"));
+    assert!(around(20.0).error().text.contains("in the cut, but it is an indexed axis"));
 }
 
 #[test]

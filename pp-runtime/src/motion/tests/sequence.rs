@@ -322,7 +322,7 @@ fn points_of_the_sequence_keep_the_limits_too() {
     config.set_up.machine_zero.insert('Z', -300.0);
     let up = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
     assert!(
-        up.error().text.contains("`retract.distance` = 500 mm: Z would have to go to 300.000 mm"),
+        up.error().text.contains("`retract.distance` = 500 mm: Z would have to move to 300.000 mm"),
         "{:?}",
         up.error()
     );
@@ -333,7 +333,7 @@ fn points_of_the_sequence_keep_the_limits_too() {
     config.motion.retract.position = Some(0.0);
     config.motion.park.insert('B', 2.0);
     let parked = run::<Cb>(&config, &[tool(1), spindle(), feed([0.0; 3], UP)]);
-    assert!(parked.error().text.contains("B would have to turn to 114.5916°"), "{:?}", parked.error());
+    assert!(parked.error().text.contains("B would have to rotate to 114.5916°"), "{:?}", parked.error());
 }
 
 #[test]

@@ -98,12 +98,12 @@ impl ModalWriter<'_> {
             self.writer.word(word, Decimal { units, decimals }, self.numerals);
         }
         self.end()?;
-        if circle.rise == 0 && (known || circle.sweep < NEARLY_WHOLE) {
+        if circle.rise == 0 && (known || circle.sweep_rad < NEARLY_WHOLE) {
             self.writer.code("C");
             self.axis_words(words, false);
         } else {
             self.writer.code("CP");
-            let degrees = if circle.clockwise { -circle.sweep } else { circle.sweep }.to_degrees();
+            let degrees = if circle.clockwise { -circle.sweep_rad } else { circle.sweep_rad }.to_degrees();
             // An angle of at most one revolution fits into six decimals.
             let angle = Decimal::fixed(degrees, POLAR_DECIMALS).unwrap_or_default();
             self.word("IPA", angle);

@@ -310,7 +310,7 @@ fn an_arc_that_bulges_over_a_limit_is_refused_although_its_ends_are_inside() {
     let run = run::<Xyz>(&set_up(zero), &wide.events());
     let fault = run.error();
     assert!(
-        fault.text.contains("X would have to go to 202.000") && fault.location.line == 5,
+        fault.text.contains("X would have to move to 202.000") && fault.location.line == 5,
         "{fault:?} {:?}",
         wide.tip(0.5)
     );

@@ -14,14 +14,14 @@ use crate::program::Move;
 use crate::program::Units;
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::place::{Linearised, Tolerance};
-use crate::motion::place::{Place, Placer};
+use crate::motion::place::{AxisPosition, Placer};
+use crate::motion::place::{Linearised, PathTolerance};
 use crate::motion::plan::abilities::Abilities;
 use crate::motion::plan::clamps::{Clamps, MovingAxes};
 use crate::motion::plan::feed::{Feeds, Pace, Stroke};
 use crate::motion::plan::output::Output;
 use crate::motion::plan::position::Position;
-use crate::motion::rotary::{Speller, TurnTarget};
+use crate::motion::rotary::{Rollover, RotaryTarget};
 use crate::motion::step::{MAX_AXES, Sink, Step};
 use crate::motion::step::{Standing, Why};
 
@@ -31,10 +31,10 @@ pub(crate) struct Mover<'a, S> {
     abilities: &'a Abilities,
     placer: Placer,
     feeds: Feeds,
-    speller: Speller,
+    speller: Rollover,
     clamps: Clamps,
     /// How far feed motions may be left.
-    tolerance: Tolerance,
+    tolerance: PathTolerance,
     position: Position,
     output: Output<S>,
     /// Safety lines so far.
@@ -52,9 +52,9 @@ impl<'a, S: Sink> Mover<'a, S> {
         let placer = Placer::new(machine, policy, units);
         Self {
             feeds: Feeds::new(policy, units, placer.unit_mm(), abilities),
-            speller: Speller::new(placer.chain(), policy, placer.rotaries(), placer.scale().turn),
+            speller: Rollover::new(placer.chain(), policy, placer.rotaries(), placer.scale().units_per_turn),
             clamps: Clamps::new(placer.chain(), policy, placer.rotaries()),
-            tolerance: Tolerance { tip: policy.options.tolerance, axis: policy.options.axis_tolerance_path },
+            tolerance: PathTolerance { tip_mm: policy.options.tolerance, axis_rad: policy.options.axis_tolerance_path },
             position: Position::new(placer.zero()),
             policy,
             abilities,
@@ -76,13 +76,13 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// How far feed motions may be left.
-    pub(crate) fn tolerance(&self) -> Tolerance {
+    pub(crate) fn tolerance(&self) -> PathTolerance {
         self.tolerance
     }
 
     /// LINTOL: how far the tip may leave its path, mm.
     pub(crate) fn set_tip_tolerance(&mut self, tip: f64) {
-        self.tolerance.tip = tip;
+        self.tolerance.tip_mm = tip;
     }
 
     /// Where the axes are.
@@ -98,7 +98,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// The place of the axes.
     #[inline]
-    pub(crate) fn here(&self) -> &Place {
+    pub(crate) fn here(&self) -> &AxisPosition {
         self.position.place()
     }
 
@@ -140,12 +140,21 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// The place of a pose from where the axes are: see [`Placer::place`].
     #[inline]
-    pub(crate) fn place(&mut self, pose: &Pose, feed: bool, planned: Option<TurnTarget>) -> Result<Place, Fault> {
+    pub(crate) fn place(
+        &mut self,
+        pose: &Pose,
+        feed: bool,
+        planned: Option<RotaryTarget>,
+    ) -> Result<AxisPosition, Fault> {
         self.placer.place(pose, self.position.place(), feed, planned)
     }
 
     /// The place of another tip with the rotary axes of `at`.
-    pub(crate) fn shifted(&mut self, tip: crate::nalgebra::Point3<f64>, at: &Place) -> Result<Place, Fault> {
+    pub(crate) fn shifted(
+        &mut self,
+        tip: crate::nalgebra::Point3<f64>,
+        at: &AxisPosition,
+    ) -> Result<AxisPosition, Fault> {
         self.placer.shifted(tip, at)
     }
 
@@ -158,36 +167,36 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// Whether any rotary axis turns on the way to a place.
     #[inline]
-    pub(crate) fn turns(&self, to: &Place) -> bool {
+    pub(crate) fn turns(&self, to: &AxisPosition) -> bool {
         self.placer.rotary_travel(&self.here().words, &to.words) > 0.0
     }
 
     /// Whether a motion turns a rotary axis by more than the index angle.
-    pub(crate) fn indexes(&self, to: &Place) -> bool {
+    pub(crate) fn indexes(&self, to: &AxisPosition) -> bool {
         self.placer.rotary_travel(&self.here().words, &to.words) > self.policy.options.rapids.index_angle + 1e-9
     }
 
     /// Whether rotary axes would turn while the plane is tilted.
     #[inline]
-    pub(crate) fn leaves_plane(&self, to: &Place) -> bool {
+    pub(crate) fn leaves_plane(&self, to: &AxisPosition) -> bool {
         self.policy.options.mode == Mode::Plane && self.turns(to)
     }
 
     /// A block of an operation goes from here to a place: clamps of axes that turn have to be off.
     #[inline]
-    pub(crate) fn note_turns(&mut self, to: &Place) {
+    pub(crate) fn note_turns(&mut self, to: &AxisPosition) {
         self.clamps.note(&self.position.place().words, &to.words);
     }
 
     /// How fast a motion at `rate` mm/min runs from here to a place.
     #[inline]
-    fn pace(&self, rate: f64, to: &Place) -> Result<Pace, Fault> {
+    fn pace(&self, rate: f64, to: &AxisPosition) -> Result<Pace, Fault> {
         let from = self.here();
-        let (linear, degrees) = if self.feeds.counts_path() { self.placer.travelled(from, to) } else { (0.0, 0.0) };
+        let (linear, degrees) = if self.feeds.counts_path() { self.placer.path_lengths(from, to) } else { (0.0, 0.0) };
         let stroke = Stroke {
             length: (to.pose.tip - from.pose.tip).norm(),
             turn: self.placer.rotary_travel(&from.words, &to.words),
-            square: self.placer.square(),
+            square: self.placer.keeps_path_length(),
             linear,
             degrees,
             least: self.placer.least_minutes(from, to).unwrap_or(0.0),
@@ -197,7 +206,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// A feed motion from here at `rate` mm/min; where it ends is left to the caller.
     #[inline]
-    pub(crate) fn feed_to(&mut self, place: &Place, rate: f64) -> Planned {
+    pub(crate) fn feed_to(&mut self, place: &AxisPosition, rate: f64) -> Planned {
         if !self.turns(place) {
             return self.feed_block(place, rate);
         }
@@ -209,13 +218,13 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// A feed motion in one block.
     #[inline]
-    pub(crate) fn feed_block(&mut self, place: &Place, rate: f64) -> Planned {
+    pub(crate) fn feed_block(&mut self, place: &AxisPosition, rate: f64) -> Planned {
         let pace = self.pace(rate, place)?;
         self.write_feed(place, &pace, None)
     }
 
     /// A feed motion that turns a rotary axis: as many blocks as it takes for tip and tool axis to stay within tolerance.
-    pub(crate) fn feed_in_pieces(&mut self, place: &Place, rate: f64, tolerance: Tolerance) -> Planned {
+    pub(crate) fn feed_in_pieces(&mut self, place: &AxisPosition, rate: f64, tolerance: PathTolerance) -> Planned {
         let mut pieces = Linearised::new(self.here(), place, tolerance);
         let mut blocks = 0;
         while let Some(piece) = pieces.next(&self.placer)? {
@@ -226,35 +235,35 @@ impl<'a, S: Sink> Mover<'a, S> {
             let inserted = (piece.place.words != place.words).then_some(Why::Tolerance);
             self.write_feed(&piece.place, &pace, inserted)?;
             self.position.go_to(piece.place);
-            self.output.statistics_mut().certified(&piece.bound, tolerance.axis.is_finite());
+            self.output.statistics_mut().certified(&piece.bound, tolerance.axis_rad.is_finite());
         }
         self.output.statistics_mut().inserted += blocks.max(1) - 1;
         Ok(())
     }
 
     #[inline]
-    fn write_feed(&mut self, place: &Place, pace: &Pace, inserted: Option<Why>) -> Planned {
+    fn write_feed(&mut self, place: &AxisPosition, pace: &Pace, inserted: Option<Why>) -> Planned {
         if place.words == self.here().words {
             return Ok(());
         }
         self.check_hidden_turn(place)?;
         self.note_turns(place);
-        self.output.feed(pace, self.placer.largest_turn(&self.here().words, &place.words));
+        self.output.feed(pace, self.placer.largest_rotation(&self.here().words, &place.words));
         let words = self.placer.words(place, self.all());
         let words = self.speller.spell(&self.placer.written(self.position.place()), words);
-        let standing = self.placer.standing_at(place);
+        let standing = self.placer.state_at(place);
         Ok(self.output.move_step(&Step::Feed { words, feed: pace.feed }, standing, inserted)?)
     }
 
     /// Writes a step that the control turns into a motion at a pace, and that ends at a place.
-    pub(crate) fn write_motion(&mut self, step: &Step<'_>, place: &Place) -> io::Result<()> {
-        let standing = self.placer.standing_at(place);
+    pub(crate) fn write_motion(&mut self, step: &Step<'_>, place: &AxisPosition) -> io::Result<()> {
+        let standing = self.placer.state_at(place);
         self.output.move_step(step, standing, None)
     }
 
     /// A rapid inside an operation, as the configuration wants it written; one that turns a rotary axis by more than the
     /// index angle is no such rapid, and no path leads to where the course turns it.
-    pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &Place) -> Planned {
+    pub(crate) fn rapid_as_configured(&mut self, motion: &Move, place: &AxisPosition) -> Planned {
         self.note_turns(place);
         match (self.policy.options.rapids.rapid, self.policy.options.rapids.rapid_feed) {
             _ if self.indexes(place) => {}
@@ -269,7 +278,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// The first leg of a rapid in two: along the tool axis out, or across before it goes in.
-    fn split_rapid(&mut self, motion: &Move, place: &Place) -> Planned {
+    fn split_rapid(&mut self, motion: &Move, place: &AxisPosition) -> Planned {
         let here = *self.here();
         let step = motion.pose.tip - here.pose.tip;
         let axis = motion.pose.axis.into_inner();
@@ -281,29 +290,29 @@ impl<'a, S: Sink> Mover<'a, S> {
         let (corner, rotaries) = if out { (here.pose.tip + along, here) } else { (motion.pose.tip - along, *place) };
         let corner = self.placer.shifted(corner, &rotaries)?;
         self.output.cancel_inverse_time()?;
-        let standing = self.placer.standing_at(&corner);
+        let standing = self.placer.state_at(&corner);
         self.rapid_words(&corner, self.all(), standing, Some(Why::Corner))?;
         self.position.go_to(corner);
         Ok(())
     }
 
     /// A rapid to a place; the axes that are not in the mask are there.
-    pub(crate) fn rapid(&mut self, to: &Place, mask: u16) -> Planned {
-        self.rapid_words(to, mask, self.placer.standing_at(to), None)
+    pub(crate) fn rapid(&mut self, to: &AxisPosition, mask: u16) -> Planned {
+        self.rapid_words(to, mask, self.placer.state_at(to), None)
     }
 
     /// A rapid of some axes alone.
-    pub(crate) fn rapid_alone(&mut self, to: &Place, mask: u16) -> Planned {
-        self.rapid_words(to, mask, Standing { pose: None, mask, ..self.placer.standing_at(to) }, None)
+    pub(crate) fn rapid_alone(&mut self, to: &AxisPosition, mask: u16) -> Planned {
+        self.rapid_words(to, mask, Standing { pose: None, mask, ..self.placer.state_at(to) }, None)
     }
 
     /// A rapid of the linear axes to a place, which is left to the caller.
-    pub(crate) fn rapid_linear(&mut self, to: &Place) -> Planned {
+    pub(crate) fn rapid_linear(&mut self, to: &AxisPosition) -> Planned {
         self.rapid(to, self.placer.linear_mask())
     }
 
     /// A rapid to the words of a place in some axes, in as many blocks as words within a turn take.
-    fn rapid_words(&mut self, to: &Place, mask: u16, standing: Standing<'_>, inserted: Option<Why>) -> Planned {
+    fn rapid_words(&mut self, to: &AxisPosition, mask: u16, standing: Standing<'_>, inserted: Option<Why>) -> Planned {
         let from = self.position.place();
         self.output.times_mut().rapid(self.placer.least_minutes_of(from, to, mask));
         let (start, end) = (self.placer.written(from), self.placer.written(to));
@@ -327,11 +336,11 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// What a block does has to be in it: the control would go on with rotary axes that are elsewhere.
-    fn check_hidden_turn(&self, to: &Place) -> Result<(), Fault> {
-        if !self.placer.hides_turn(self.here(), to, self.policy.options.axis_tolerance_path) {
+    fn check_hidden_turn(&self, to: &AxisPosition) -> Result<(), Fault> {
+        if !self.placer.rotation_is_unprogrammable(self.here(), to, self.policy.options.axis_tolerance_path) {
             return Ok(());
         }
-        let (letter, turn) = self.placer.largest_turn(&self.here().words, &to.words).unwrap_or_default();
+        let (letter, turn) = self.placer.largest_rotation(&self.here().words, &to.words).unwrap_or_default();
         Err(Fault::new(format_args!(
             "here {letter} has to turn by {:.3}° while the tool axis stays, and a tool axis as a vector cannot say that",
             turn.to_degrees()
@@ -349,7 +358,7 @@ impl<'a, S: Sink> Mover<'a, S> {
     }
 
     /// A cut has come to a place that the CL data does not name.
-    pub(crate) fn pass(&mut self, pose: &Pose, place: Place) {
+    pub(crate) fn pass(&mut self, pose: &Pose, place: AxisPosition) {
         self.position.cut(pose);
         self.output.count_deviation(&place);
         self.position.go_to(place);
@@ -357,7 +366,7 @@ impl<'a, S: Sink> Mover<'a, S> {
 
     /// A motion of the CL data has ended at a place.
     #[inline]
-    pub(crate) fn arrive(&mut self, place: Place) {
+    pub(crate) fn arrive(&mut self, place: AxisPosition) {
         self.output.statistics_mut().motions += 1;
         self.output.count_deviation(&place);
         self.position.arrive(place);

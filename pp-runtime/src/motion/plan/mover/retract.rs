@@ -4,7 +4,7 @@ use crate::kinematics::AxisKind;
 use crate::motion::options::Mode;
 
 use crate::motion::fault::{Fault, Planned};
-use crate::motion::place::Place;
+use crate::motion::place::AxisPosition;
 use crate::motion::plan::mover::Mover;
 use crate::motion::step::{Sink, Step, Words};
 
@@ -29,7 +29,7 @@ impl<S: Sink> Mover<'_, S> {
         let words = self.placer.retract_words(self.policy.options.retract.position())?;
         let off = match (self.policy.options.mode, self.abilities.plane) {
             _ if !self.position.is_in_frame() => None,
-            (Mode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_behind_retract)),
+            (Mode::Plane, Some(plane)) => Some((Step::PlaneOff, plane.ends_after_retract)),
             (Mode::Plane, None) | (Mode::Tcp | Mode::Axes, _) => Some((Step::TipControl { on: false }, false)),
         };
         if let Some((off, false)) = off {
@@ -44,7 +44,7 @@ impl<S: Sink> Mover<'_, S> {
     }
 
     /// A place in the frame of what follows, where that depends on how the rotary axes are there; nothing has moved yet.
-    pub(crate) fn framed_at(&mut self, place: Place) -> Result<(Place, Option<Step<'static>>), Fault> {
+    pub(crate) fn framed_at(&mut self, place: AxisPosition) -> Result<(AxisPosition, Option<Step<'static>>), Fault> {
         match (self.policy.options.mode, self.abilities.plane) {
             (Mode::Axes, _) | (Mode::Plane, None) => Ok((place, None)),
             (Mode::Tcp, _) => Ok((self.placer.in_tip_frame(place)?, Some(Step::TipControl { on: true }))),
@@ -63,7 +63,7 @@ impl<S: Sink> Mover<'_, S> {
 
     /// From the machine retract to the approach point: the rotary axes alone, between their clamps; tip control or the
     /// plane; the other linear axes; the retract axis. The caller says that the machine is there.
-    pub(crate) fn come_in(&mut self, above: &Place, frame: Option<Step<'static>>) -> Planned {
+    pub(crate) fn come_in(&mut self, above: &AxisPosition, frame: Option<Step<'static>>) -> Planned {
         self.check_below_retract(above)?;
         let (linear, rotary) = (self.placer.linear_mask(), self.placer.rotary_mask());
         self.clamps.open(&self.position.place().words, &above.words, &mut self.output)?;
@@ -84,7 +84,7 @@ impl<S: Sink> Mover<'_, S> {
         self.rapid(above, last)
     }
 
-    fn check_below_retract(&self, above: &Place) -> Result<(), Fault> {
+    fn check_below_retract(&self, above: &AxisPosition) -> Result<(), Fault> {
         let retract = self.policy.options.retract.position();
         match self.placer.below_retract(above, retract) {
             Some(below) if below < -self.placer.unit_mm() => {

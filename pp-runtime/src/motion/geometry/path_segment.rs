@@ -1,0 +1,112 @@
+//! The motion that CL data programs between two points: a straight tip path, and a tool axis that rotates evenly in the
+//! plane of the tool axes at both ends.
+
+use nalgebra::{Rotation3, UnitVector3, Vector3};
+
+use crate::kinematics::{Pose, REACH_TOLERANCE};
+
+/// Tool axes within this angle are the same, rad: CL data has seven digits.
+pub(crate) const SAME_AXIS: f64 = 1e-6;
+
+/// Angle between two unit vectors, rad; equally exact for small and large angles.
+pub(crate) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
+    a.cross(b).norm().atan2(a.dot(b))
+}
+
+/// Smallest rotation that takes `a` to `b`; the two must not be opposite. Uses no arc cosine: the cosine of two axes
+/// that differ by rounding only may exceed 1.
+pub(crate) fn rotation_between(a: &UnitVector3<f64>, b: &UnitVector3<f64>) -> Rotation3<f64> {
+    let normal = UnitVector3::try_new(a.cross(b), 0.0);
+    normal.map_or_else(Rotation3::identity, |normal| Rotation3::from_axis_angle(&normal, angle_between(a, b)))
+}
+
+/// Straight path from one pose to another, with evenly rotating tool axis.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PathSegment {
+    start: Pose,
+    step: Vector3<f64>,
+    /// Unit vector in the plane of both tool axes, perpendicular to the first; zero if the two are the same.
+    perpendicular: Vector3<f64>,
+    /// Angle between the tool axes at the ends.
+    angle_rad: f64,
+}
+
+impl PathSegment {
+    /// Creates the path; `None` if the tool axes are opposite: then the plane of rotation is undefined.
+    pub(crate) fn new(from: &Pose, to: &Pose) -> Option<Self> {
+        let (a, b) = (from.axis.into_inner(), to.axis.into_inner());
+        let angle_rad = angle_between(&a, &b);
+        let perpendicular = a.cross(&b).cross(&a).try_normalize(0.0).unwrap_or_else(Vector3::zeros);
+        let step = to.tip - from.tip;
+        (angle_rad <= std::f64::consts::PI - REACH_TOLERANCE).then_some(Self {
+            start: *from,
+            step,
+            perpendicular,
+            angle_rad,
+        })
+    }
+
+    /// Length of the tip path, mm.
+    pub(crate) fn length(&self) -> f64 {
+        self.step.norm()
+    }
+
+    /// Angle between the tool axes at the ends, rad.
+    pub(crate) fn angle(&self) -> f64 {
+        self.angle_rad
+    }
+
+    /// Pose at a fraction of the path, 0 at its start and 1 at its end.
+    pub(crate) fn at(&self, fraction: f64) -> Pose {
+        let (sine, cosine) = (fraction * self.angle_rad).sin_cos();
+        let axis = self.start.axis.into_inner() * cosine + self.perpendicular * sine;
+        Pose { tip: self.start.tip + self.step * fraction, axis: UnitVector3::new_normalize(axis) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Point3;
+
+    use super::*;
+
+    fn pose(tip: [f64; 3], axis: [f64; 3]) -> Pose {
+        Pose { tip: Point3::from(tip), axis: UnitVector3::new_normalize(Vector3::from(axis)) }
+    }
+
+    #[test]
+    fn the_tip_moves_straight_and_the_axis_rotates_evenly() {
+        let segment = PathSegment::new(&pose([0.0; 3], [0.0, 0.0, 1.0]), &pose([4.0, 0.0, 8.0], [1.0, 0.0, 0.0]))
+            .expect("a segment");
+        let third = segment.at(1.0 / 3.0);
+        let expected = pose([4.0 / 3.0, 0.0, 8.0 / 3.0], [0.5, 0.0, 3_f64.sqrt() / 2.0]);
+        assert!((third.tip - expected.tip).norm() < 1e-12 && (third.axis.dot(&expected.axis) - 1.0).abs() < 1e-12);
+        assert!(
+            (segment.angle() - std::f64::consts::FRAC_PI_2).abs() < 1e-12
+                && (segment.length() - 80_f64.sqrt()).abs() < 1e-12
+        );
+    }
+
+    #[test]
+    fn a_rotation_takes_one_axis_to_another_however_near_they_are() {
+        for tilt in [1.0, 30.0, 55.5, 89.0] {
+            for off in [0.0, 1e-17, 1.2e-16, 1e-12, 1e-9, 1e-4, 0.5, 3.0] {
+                for step in 0..100 {
+                    let (sine, cosine) = (tilt + f64::from(step) * 0.01_f64).to_radians().sin_cos();
+                    let a = UnitVector3::new_unchecked(Vector3::new(0.0, -sine, cosine));
+                    let b = UnitVector3::new_normalize(Vector3::new(off * 0.7, off - sine, cosine));
+                    let rotated = rotation_between(&a, &b) * a.into_inner();
+                    assert!((rotated - b.into_inner()).norm() < 1e-15 * 4.0, "{tilt} {off}: {rotated}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn opposite_axes_have_no_path() {
+        assert!(PathSegment::new(&pose([0.0; 3], [0.0, 0.0, 1.0]), &pose([1.0; 3], [1e-8, 0.0, -1.0])).is_none());
+        let still =
+            PathSegment::new(&pose([0.0; 3], [0.0, 0.6, 0.8]), &pose([1.0; 3], [0.0, 0.6, 0.8])).expect("a segment");
+        assert_eq!(still.at(0.7).axis, still.at(0.0).axis);
+    }
+}

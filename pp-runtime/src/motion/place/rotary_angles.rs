@@ -1,0 +1,275 @@
+//! Rotary angles of a pose: branch and turn, the pole, indexed axes, and the angles of the course.
+
+use nalgebra::UnitVector3;
+
+use crate::kinematics::{AxisValues, Pose, REACH_TOLERANCE, Side, Solution};
+use crate::program::{RotaryDirection, Rotation};
+
+use super::linearise::PathTolerance;
+use super::refusal;
+use super::{AxisPosition, Placer};
+use crate::motion::fault::Fault;
+use crate::motion::geometry::angle_between;
+use crate::motion::rotary::{MAX_TURNS, Rotary, RotaryTarget, RotaryWords, RotationSense, choose};
+use crate::motion::step::MAX_AXES;
+
+/// Largest travel of a rotary axis, rad, in a feed motion whose turn is forced by limits; more would swing the tool in
+/// the cut.
+const MAX_LIMIT_SWING: f64 = 1_f64.to_radians();
+
+impl Placer {
+    /// Sense of ROTABL/NEXT for the rotary axis of the table, if there are two for the one nearest the workpiece. Seen
+    /// against its axis a table rotates clockwise while its word increases, unless the word runs backwards.
+    pub(crate) fn rotation_sense(&self, turning: RotaryDirection) -> Option<RotationSense> {
+        let RotaryDirection::Towards(rotation) = turning else { return None };
+        let table = |rotary: &Rotary| self.chain[rotary.index].side == Side::Workpiece;
+        let axis = self.rotary.axes.iter().position(table)?;
+        let forwards = self.machine.joint(self.rotary.axes[axis].index).sign > 0.0;
+        Some(RotationSense { axis, positive: (rotation == Rotation::Clockwise) == forwards })
+    }
+
+    /// Moves indexed axes to the nearest of their steps; refuses an angle between steps, and an indexed rotation in a
+    /// cut.
+    #[cold]
+    pub(crate) fn snap_to_index(&self, place: &mut AxisPosition, from: &AxisPosition, feed: bool) -> Result<(), Fault> {
+        for &(rotary, step) in &self.rotary.grid {
+            let index = rotary.index;
+            let word = place.words[index];
+            let snapped = (2 * word + step).div_euclid(2 * step) * step;
+            let (letter, degrees) =
+                (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
+            place.words[index] = snapped;
+            place.axes[index] = rotary.angle(snapped, self.rotary.scale);
+            let reached = self.machine.forward_kinematics(&place.axes).axis;
+            let deviation = angle_between(&reached, &place.pose.axis);
+            if deviation > self.poles.tolerance_rad + 2.0 * self.rotary.scale.angle(1) || !rotary.contains(snapped) {
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to rotate to {}°, which is not a multiple of its indexing step of {}°",
+                    degrees(word),
+                    self.rotary.scale.degrees(step)
+                ))
+                .help(
+                    "move the tool axis of the operation to a step in CAM, or increase `axis_tolerance` in [course]",
+                ));
+            }
+            place.deviation_rad = place.deviation_rad.max(deviation);
+            if feed && snapped != from.words[index] {
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to rotate from {}° to {}° in the cut, but it is an indexed axis",
+                    degrees(from.words[index]),
+                    degrees(snapped)
+                ))
+                .help("program this operation with a fixed tool axis"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Keeps indexed axes at their angles inside a cut; refuses a deviation of the tool axis beyond the tolerance.
+    #[inline]
+    pub(crate) fn hold_indexed(
+        &self,
+        place: &mut AxisPosition,
+        from: &AxisPosition,
+        allowed: PathTolerance,
+    ) -> Result<(), Fault> {
+        for &(rotary, step) in &self.rotary.grid {
+            let index = rotary.index;
+            let (wanted, held) = (place.words[index], from.words[index]);
+            place.words[index] = held;
+            place.axes[index] = from.axes[index];
+            let reached = self.machine.forward_kinematics(&place.axes).axis;
+            place.deviation_rad = place.deviation_rad.max(angle_between(&reached, &place.pose.axis));
+            // The deviation of an end counts twice: see `axis_off` in `linearise`.
+            if 2.0 * place.deviation_rad >= allowed.axis_rad {
+                let (letter, degrees) =
+                    (self.chain[index].letter, |word| rotary.degrees_for_display(word, self.rotary.scale));
+                return Err(Fault::new(format_args!(
+                    "{letter} would have to rotate from {}° to {}° in the cut, but it is an indexed axis with steps of {}°",
+                    degrees(held),
+                    degrees(wanted),
+                    self.rotary.scale.degrees(step)
+                ))
+                .help("program this operation with a fixed tool axis, or with points closer together"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Pole to which a tool axis is parallel, within the tolerance.
+    #[inline]
+    pub(crate) fn pole(&self, axis: &UnitVector3<f64>) -> Option<UnitVector3<f64>> {
+        let near = |pole: &&UnitVector3<f64>| {
+            (pole.into_inner() - axis.into_inner()).norm_squared()
+                <= self.poles.tolerance_rad * self.poles.tolerance_rad
+        };
+        self.poles.axes.iter().find(near).copied()
+    }
+
+    /// Chooses the rotary angles of a pose from the present ones: a feed motion stays on its branch, a rapid takes the
+    /// least travel. Refuses a feed motion in which limits force another turn than the nearest: the tool is in the cut.
+    #[inline]
+    pub(crate) fn choose_rotaries(&self, pose: &Pose, from: &AxisPosition, feed: bool) -> Result<AxisPosition, Fault> {
+        if let Some(pole) = self.pole(&pose.axis) {
+            return self.rotaries_at_pole(pose, pole, from);
+        }
+        let solutions = self.machine.inverse_kinematics(pose, &from.axes);
+        if solutions.is_empty() {
+            return Err(refusal::unreachable(self, pose, &from.axes));
+        }
+        let same = solutions.iter().position(|solution| solution.branch == from.branch && feed && !from.at_pole);
+        let branch = same.map_or(&*solutions, |same| &solutions[same..=same]);
+        let choice = choose(branch, &self.rotary.axes, &from.words, self.rotary.scale).map_err(|outside| {
+            choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale).map_or_else(
+                |outside| refusal::outside_limits(self, &outside),
+                |_| refusal::outside_limits(self, &outside),
+            )
+        })?;
+        let solution = &branch[choice.solution];
+        let mut place = self.position_at(pose, from, &choice.words);
+        place.axes = merged(solution.axes, &place.axes, self.rotary.mask);
+        place.deviation_rad = solution.deviation;
+        place.branch = solution.branch;
+        if feed && self.rotary.limited && self.rotary_travel(&from.words, &place.words) > MAX_LIMIT_SWING {
+            let nearest = choose(branch, &self.rotary.endless, &from.words, self.rotary.scale);
+            if let Ok(nearest) = nearest
+                && nearest.words != choice.words
+            {
+                return Err(refusal::jump(self, &from.words, &choice.words, &nearest.words));
+            }
+        }
+        Ok(place)
+    }
+
+    /// Rotary angles at the pole, where the first rotary axis keeps its value: the direction that CL data gives there
+    /// is only rounding.
+    pub(crate) fn rotaries_at_pole(
+        &self,
+        pose: &Pose,
+        pole: UnitVector3<f64>,
+        from: &AxisPosition,
+    ) -> Result<AxisPosition, Fault> {
+        let pose_at_pole = Pose { axis: pole, ..*pose };
+        let solutions = self.machine.inverse_kinematics(&pose_at_pole, &from.axes);
+        if solutions.is_empty() {
+            return Err(refusal::unreachable(self, &pose_at_pole, &from.axes));
+        }
+        // In the solutions the free rotary axis has its previous value.
+        let choice = choose(&solutions, &self.rotary.axes, &from.words, self.rotary.scale)
+            .map_err(|outside| refusal::outside_limits(self, &outside))?;
+        let mut place = self.position_at(&pose_at_pole, from, &choice.words);
+        place.branch = from.branch;
+        place.at_pole = true;
+        place.deviation_rad = angle_between(&pole, &pose.axis);
+        Ok(place)
+    }
+
+    /// Position of a pose at these rotary words; the linear axes are not computed.
+    #[inline]
+    pub(crate) fn position_at(&self, pose: &Pose, from: &AxisPosition, words: &[i64; MAX_AXES]) -> AxisPosition {
+        let mut place = AxisPosition {
+            pose: *pose,
+            branch: from.branch,
+            axes: from.axes,
+            words: *words,
+            deviation_rad: 0.0,
+            at_pole: false,
+            rounding_mm: 0.0,
+        };
+        for rotary in &self.rotary.axes {
+            place.axes[rotary.index] = rotary.angle(words[rotary.index], self.rotary.scale);
+        }
+        place
+    }
+
+    /// Position of a pose at the rotary words of the course; the linear axes are not computed.
+    pub(crate) fn follow_course(
+        &self,
+        pose: &Pose,
+        from: &AxisPosition,
+        target: &RotaryTarget,
+    ) -> Result<AxisPosition, Fault> {
+        let pole = self.pole(&pose.axis);
+        let target_pose = Pose { axis: pole.unwrap_or(pose.axis), ..*pose };
+        let mut words = self.all_words(&target.words);
+        for (axis, rotary) in self.rotary.axes.iter().enumerate().filter(|(_, rotary)| rotary.endless()) {
+            let (word, before) = (&mut words[rotary.index], from.words[rotary.index]);
+            *word = rotary.nearest(*word, before, self.rotary.scale.units_per_turn).unwrap_or(*word);
+            if let Some(RotationSense { positive, .. }) = target.sense.filter(|sense| sense.axis == axis) {
+                match *word - before {
+                    change if change > 0 && !positive => *word -= self.rotary.scale.units_per_turn,
+                    change if change < 0 && positive => *word += self.rotary.scale.units_per_turn,
+                    _ => {}
+                }
+            }
+        }
+        let mut place = self.position_at(&target_pose, from, &words);
+        let reached = self.machine.forward_kinematics(&place.axes).axis;
+        if angle_between(&reached, &target_pose.axis) > 2.0 * self.rotary.scale.angle(1) + REACH_TOLERANCE {
+            return Err(Fault::new("the planned rotary angles do not give the tool axis of this point")
+                .help("this is a fault of the postprocessor, not of the CL data"));
+        }
+        let solutions = self.machine.inverse_kinematics(&target_pose, &place.axes);
+        let off = |solution: &Solution<AxisValues>| -> f64 {
+            let difference = |rotary: &Rotary| solution.axes[rotary.index] - place.axes[rotary.index];
+            self.rotary.axes.iter().map(|rotary| 1.0 - difference(rotary).cos()).sum()
+        };
+        let nearest = solutions.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        place.branch = nearest.map_or(from.branch, |solution| solution.branch);
+        place.at_pole = pole.is_some();
+        place.deviation_rad = match pole {
+            Some(pole) => angle_between(&pole, &pose.axis),
+            None => nearest.map_or(0.0, |solution| solution.deviation),
+        };
+        Ok(place)
+    }
+
+    /// Words of all axes from those of the solved rotary axes; 0 for the others.
+    pub(crate) fn all_words(&self, words: &RotaryWords) -> [i64; MAX_AXES] {
+        let mut all = [0; MAX_AXES];
+        for (rotary, word) in self.rotary.axes.iter().zip(words) {
+            all[rotary.index] = *word;
+        }
+        all
+    }
+
+    /// Words of the solved rotary axes.
+    pub(crate) fn rotary_words_of(&self, words: &[i64; MAX_AXES]) -> RotaryWords {
+        let mut rotary_words = [0; 2];
+        for (word, rotary) in rotary_words.iter_mut().zip(&self.rotary.axes) {
+            *word = words[rotary.index];
+        }
+        rotary_words
+    }
+
+    /// Position of which only the rotary words are known.
+    pub(crate) fn position_at_words(&self, words: &RotaryWords) -> AxisPosition {
+        AxisPosition { words: self.all_words(words), axes: self.axes_of(words), ..self.zero() }
+    }
+
+    /// Axis values of rotary words, with held axes at their values.
+    pub(crate) fn axes_of(&self, words: &RotaryWords) -> AxisValues {
+        let mut axes = self.held;
+        for (rotary, word) in self.rotary.axes.iter().zip(words) {
+            axes[rotary.index] = rotary.angle(*word, self.rotary.scale);
+        }
+        axes
+    }
+
+    /// Whether an axis has more turns inside its limits than [`MAX_TURNS`].
+    pub(crate) fn has_many_turns(&self) -> bool {
+        let turns = |rotary: &Rotary| Some((rotary.upper? - rotary.lower?) / self.rotary.scale.units_per_turn);
+        self.rotary.axes.iter().filter_map(turns).any(|turns| turns >= MAX_TURNS)
+    }
+}
+
+/// Axis values of `base`, with those of `mask` from `chosen`.
+#[inline]
+fn merged(mut base: AxisValues, chosen: &AxisValues, mask: u16) -> AxisValues {
+    for (index, value) in base.iter_mut().enumerate() {
+        if mask & (1 << index) != 0 {
+            *value = chosen[index];
+        }
+    }
+    base
+}
