@@ -155,9 +155,9 @@ impl<'a, R: Read> Checker<'a, R> {
         let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, pole: pole + in_plane, angle };
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
-        tally.outcome.tolerance = config.motion.tolerance;
+        tally.outcome.tolerance_mm = config.motion.tolerance;
         let travel = Travel::new(&*machine, config, &words);
-        tally.outcome.limited = travel.limited();
+        tally.outcome.limits_declared = travel.limited();
         Self {
             law: FeedLaw::new(&*machine, config, family, units, masks, (unit, angle)),
             travel,

@@ -230,8 +230,8 @@ impl<R: Read> Checker<'_, R> {
         let on = segment.at(share);
         let outcome = &mut self.tally.outcome;
         if !motion.rapid || share >= 1.0 {
-            outcome.tip = outcome.tip.max((end.tip - on.tip).norm());
-            outcome.axis = outcome.axis.max(angle_between(&end.axis, &on.axis));
+            outcome.tip_mm = outcome.tip_mm.max((end.tip - on.tip).norm());
+            outcome.axis_rad = outcome.axis_rad.max(angle_between(&end.axis, &on.axis));
         }
         self.state_at_path(block, &wanted, shown);
         let feeds = block.action != Action::Rapid;
@@ -342,7 +342,7 @@ impl<R: Read> Checker<'_, R> {
             place += 1.0;
         }
         let outcome = &mut self.tally.outcome;
-        outcome.path = outcome.path.max(tip);
+        outcome.path_mm = outcome.path_mm.max(tip);
         let swings = self.config.motion.retract.rewind == Rewind::Follow;
         let largest = wanted.tolerance + self.slack.tip;
         if tip > largest {

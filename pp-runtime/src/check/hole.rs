@@ -225,7 +225,7 @@ impl<R: Read> Checker<'_, R> {
             self.found(shown, &format!("the cycle {what} a place that is {off:.4} mm off that of the CL data"));
         }
         let outcome = &mut self.tally.outcome;
-        outcome.tip = outcome.tip.max((at.tip - wanted.tip).norm());
+        outcome.tip_mm = outcome.tip_mm.max((at.tip - wanted.tip).norm());
         self.limits(&Block { values, ..block.clone() }, shown);
     }
 

@@ -89,7 +89,7 @@ impl<R: Read> Checker<'_, R> {
             return Ok(());
         }
         if let Some(text) = self.travel.check_machine(self.words.retract, block.values[self.words.retract]) {
-            self.tally.outcome.limits += 1;
+            self.tally.outcome.outside_limits += 1;
             self.found(shown, &text);
         }
         self.broken_off(shown);
@@ -229,8 +229,8 @@ impl<R: Read> Checker<'_, R> {
             );
         } else {
             let outcome = &mut self.tally.outcome;
-            outcome.tip = outcome.tip.max((end.tip - above.tip).norm());
-            outcome.axis = outcome.axis.max(angle_between(&end.axis, &above.axis));
+            outcome.tip_mm = outcome.tip_mm.max((end.tip - above.tip).norm());
+            outcome.axis_rad = outcome.axis_rad.max(angle_between(&end.axis, &above.axis));
         }
         self.approached = true;
         self.reached = Some(above);

@@ -258,7 +258,7 @@ impl<R: Read> Checker<'_, R> {
                 if ends.iter().all(|end| farthest > side * end[axis.index] + NOISE)
                     && let Some(text) = axis.judge(side * farthest, &self.words, slack)
                 {
-                    self.tally.outcome.limits += 1;
+                    self.tally.outcome.outside_limits += 1;
                     self.tally.found(self.served, shown, &format!("{place}{text}"), None);
                 }
             }
@@ -319,7 +319,7 @@ impl<R: Read> Checker<'_, R> {
         let values = turned.and_then(|words| self.words.axes_turned(&words, &block.state));
         let Some(values) = values else { return };
         let Some(text) = self.travel.check(&self.words, &values, block.known, NOISE) else { return };
-        self.tally.outcome.limits += 1;
+        self.tally.outcome.outside_limits += 1;
         self.tally.found(self.served, shown, &text, None);
     }
 }

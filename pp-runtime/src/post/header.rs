@@ -1,4 +1,6 @@
-//! The head of a program: what it is for, what it was made from, and what was assumed.
+//! The header of a program: comments that state machine, set-up, CL file, tools, axis directions and assumptions.
+//!
+//! Part of it is shown in the summary as well: `assumptions`, `set_up`, `reading` and `unchecked_limits`.
 
 use std::io::{self, Write};
 
@@ -15,16 +17,16 @@ use crate::set_up::{LengthMode, ProgramZero, Stock};
 use super::Job;
 use super::survey::{Survey, ToolUse};
 
-/// A blank thinner than this is none, mm.
-const THINNEST: f64 = 0.1;
+/// Smallest thickness of a blank that is written, mm.
+const MIN_BLANK_MM: f64 = 0.1;
 
-/// Everything the header tells.
+/// The header and the data that it is written from.
 pub(crate) struct Header<'a> {
     pub(crate) job: &'a Job<'a>,
     pub(crate) survey: &'a Survey,
     pub(crate) units: Units,
     pub(crate) machine: &'a dyn AnyMachine,
-    /// Linear axes whose limits are not checked, and why.
+    /// Linear axes whose limits are not checked, with the reason.
     pub(crate) unchecked: Vec<(char, &'static str)>,
 }
 
@@ -32,14 +34,14 @@ fn rotaries(machine: &dyn AnyMachine, side: Side) -> impl Iterator<Item = &'stat
     machine.axes().iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
 }
 
-/// The work offset as the control names it.
+/// Name of the work offset, as the control writes it.
 pub(crate) fn work_offset(control: &dyn Control, config: &Config) -> String {
     let word = &config.set_up.work_offset;
     let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
     format!("{}{spelled}", control.spellings().offset_title)
 }
 
-/// What the program takes for granted because nothing was given, one sentence each.
+/// Settings that were assumed because they were not given, one sentence each.
 pub(crate) fn assumptions(
     machine: &dyn AnyMachine,
     control: &dyn Control,
@@ -51,10 +53,10 @@ pub(crate) fn assumptions(
         let unit = survey.file.units.map_or("", Units::name);
         list.push(format!("the unit of the CL data, which does not state one, is {unit} as given with the job"));
     }
-    if !survey.file.framed {
+    if !survey.file.states_frame {
         list.push("the points of the CL data count from the part zero".to_owned());
     }
-    // A control that counts the tip in the frame of the part knows where the part lies.
+    // A control that takes tip coordinates in the frame of the part needs no part origin: the work offset holds it.
     let known = config.motion.mode != Mode::Axes
         && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
     if !known && rotaries(machine, Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
@@ -94,18 +96,18 @@ pub(crate) fn assumptions(
     }
     for tool in &survey.tools {
         let number = tool.call.number;
-        if length(tool, config).is_none() {
+        if gauge_length_mm(tool, config).is_none() {
             list.push(format!("the gauge length of T{number} is unknown: its offset must hold the true one"));
         }
     }
     list
 }
 
-/// How the part is set up where that is not the plain case, one sentence each.
+/// Settings of the set-up that differ from the plain case, one sentence each.
 pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
-    if let Some(Ok(wanted)) = &survey.wanted {
-        let (first, last, all) = (wanted.start(), wanted.end(), survey.operations);
+    if let Some(Ok(selected)) = &survey.selected {
+        let (first, last, all) = (selected.start(), selected.end(), survey.operations);
         list.push(format!("operations {first} to {last} of {all} only, entered as at their restart points"));
     }
     let [x, y, z] = config.set_up.part_angles();
@@ -128,8 +130,8 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     list
 }
 
-/// What the rotary entries of the work offset must hold: those of the table always, those of the head where any of them
-/// is used.
+/// Required rotary entries of the work offset: those of the table always, those of the head only where `rotary_offset` is
+/// used.
 fn rotary_entries(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Vec<String> {
     let entries_of = work_offset(control, config);
     let used = !config.set_up.rotary_offset.is_empty();
@@ -147,17 +149,17 @@ fn rotary_entries(machine: &dyn AnyMachine, control: &dyn Control, config: &Conf
         }
     }
     if !zero.is_empty() {
-        list.push(format!("the entries of {} in {entries_of} must be zero", spaced(&zero)));
+        list.push(format!("the entries of {} in {entries_of} must be zero", joined_by_and(&zero)));
     }
     list
 }
 
-/// Without the noise of the last binary digits.
+/// An angle in degrees without the rounding error of its conversion from radians.
 fn rounded(degrees: f64) -> f64 {
     (degrees * 1e9).round() / 1e9 + 0.0
 }
 
-/// How the CL data was read, one sentence each.
+/// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.
 pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     let given = if config.cl.dialect.is_some() { "as given" } else { "by its own evidence" };
     let mut list = vec![format!("CL data of {}, {given}", survey.file.dialect.title())];
@@ -193,12 +195,13 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     list
 }
 
-pub(crate) fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
+/// Gauge length of a tool, from the configuration, else from the CL data.
+fn gauge_length_mm(tool: &ToolUse, config: &Config) -> Option<f64> {
     config.set_up.tools.get(&tool.call.number).and_then(|given| given.length).or(tool.call.length)
 }
 
-/// One sentence for each reason why limits were not checked.
-pub(crate) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
+/// One sentence for each reason why limits of linear axes were not checked, with the axes.
+pub(crate) fn unchecked_limits(axes: &[(char, &'static str)]) -> Vec<String> {
     let mut lines: Vec<(&str, String)> = Vec::new();
     for &(letter, why) in axes {
         match lines.iter_mut().find(|(reason, _)| *reason == why) {
@@ -238,15 +241,16 @@ impl Header<'_> {
             CutterPath::Contour => "CUTTER COMPENSATION of the contour: D holds the radius".to_owned(),
         }));
         lines.extend(reading(config, self.survey));
-        let turns = rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
-        let kept = (turns && config.motion.mode != Mode::Plane).then(|| {
+        let has_rotaries =
+            rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
+        let tolerances = (has_rotaries && config.motion.mode != Mode::Plane).then(|| {
             format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
                 self.length(config.motion.tolerance),
                 (config.motion.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
             )
         });
-        lines.extend(self.machine_lines(kept));
+        lines.extend(self.machine_lines(tolerances));
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
         for line in lines {
             encoder.comment(line.as_bytes())?;
@@ -254,8 +258,8 @@ impl Header<'_> {
         encoder.start()
     }
 
-    /// The box around the blank as words count, mm: that of the configuration, or else one around all cuts and their tools.
-    /// None around cuts in one plane, and none where words count to the gauge line.
+    /// Box of the blank in the coordinates of the program, mm: that of the configuration, or else one around all cuts and the
+    /// tool's radius. None where all cuts lie in one plane, and none in length mode `gauge`.
     fn blank(&self) -> Option<Stock> {
         let config = self.job.config;
         let mut blank = config.set_up.stock.or_else(|| self.around_cuts())?;
@@ -265,17 +269,18 @@ impl Header<'_> {
                 blank.upper[index] += origin;
             }
         }
-        let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < THINNEST);
+        let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < MIN_BLANK_MM);
         Some(blank).filter(|_| !flat && config.set_up.length_mode == LengthMode::Tip)
     }
 
+    /// Box around all cuts, widened in X and Y by the radius of each tool, mm.
     fn around_cuts(&self) -> Option<Stock> {
         let boxes = self.survey.tools.iter().filter_map(|tool| {
             let given = self.job.config.set_up.tools.get(&tool.call.number).and_then(|given| given.diameter);
             let radius = given.or(tool.call.diameter).unwrap_or(0.0) / 2.0;
-            let [lower, upper] = tool.cuts?;
-            let aside = [radius, radius, 0.0];
-            Some((std::array::from_fn(|i| lower[i] - aside[i]), std::array::from_fn(|i| upper[i] + aside[i])))
+            let [lower, upper] = tool.cuts_mm?;
+            let margin = [radius, radius, 0.0];
+            Some((std::array::from_fn(|i| lower[i] - margin[i]), std::array::from_fn(|i| upper[i] + margin[i])))
         });
         let around = |one: ([f64; 3], [f64; 3]), other: ([f64; 3], [f64; 3])| {
             (std::array::from_fn(|i| one.0[i].min(other.0[i])), std::array::from_fn(|i| one.1[i].max(other.1[i])))
@@ -283,14 +288,14 @@ impl Header<'_> {
         boxes.reduce(around).map(|(lower, upper)| Stock { lower, upper })
     }
 
-    /// What the program takes for granted about axes, set-up and tools; `kept`: what holds while a rotary axis moves.
-    pub(crate) fn machine_lines(&self, kept: Option<String>) -> Vec<String> {
+    /// Lines about axes, limits, work offset and tools. `tolerances`: the line about motions with rotary axes.
+    pub(crate) fn machine_lines(&self, tolerances: Option<String>) -> Vec<String> {
         let config = self.job.config;
-        let mut lines: Vec<String> = (0..self.machine.axes().len()).map(|index| self.sign(index)).collect();
-        lines.extend(kept);
+        let mut lines: Vec<String> = (0..self.machine.axes().len()).map(|index| self.axis_line(index)).collect();
+        lines.extend(tolerances);
         lines.extend(self.rotary_words());
-        lines.extend(framed(self.job.control, config));
-        lines.extend(unchecked(&self.unchecked));
+        lines.extend(mode_lines(self.job.control, config));
+        lines.extend(unchecked_limits(&self.unchecked));
         if config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Workpiece).next().is_some() {
             lines.push(format!(
                 "valid only for part origin {} from the table reference; do not touch off again",
@@ -298,11 +303,12 @@ impl Header<'_> {
             ));
         }
         lines.extend(rotary_entries(self.machine, self.job.control, config));
-        lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
+        lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool_lines(tool)));
         lines
     }
 
-    /// What words beyond a turn take for granted; nothing where every rotary axis rolls over, or has no words.
+    /// Required setting of the control for rotary words beyond 360; none where every rotary axis rolls over, or none has
+    /// words.
     fn rotary_words(&self) -> Option<String> {
         let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
         let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
@@ -310,7 +316,7 @@ impl Header<'_> {
         if letters.is_empty() || self.job.config.motion.mode == Mode::Plane {
             return None;
         }
-        let of = if wrap.is_empty() { String::new() } else { format!(" of {}", spaced(&letters)) };
+        let of = if wrap.is_empty() { String::new() } else { format!(" of {}", joined_by_and(&letters)) };
         let shortest = codes.turning[1];
         let note = match wrap.values().any(|wrap| *wrap != Wrap::Sign) && !shortest.is_empty() {
             true => format!("{shortest} is in force, so they must not be shown within a turn"),
@@ -319,21 +325,22 @@ impl Header<'_> {
         Some(format!("ROTARY WORDS{of} are absolute and count on past 360: {note}"))
     }
 
-    pub(crate) fn point(&self, point: [f64; 3]) -> String {
-        let [x, y, z] = point.map(|value| self.length(value));
+    /// A point in the unit of the program.
+    pub(crate) fn point(&self, point_mm: [f64; 3]) -> String {
+        let [x, y, z] = point_mm.map(|value| self.length(value));
         format!("X{x} Y{y} Z{z}")
     }
 
     /// A length in the unit of the program.
-    pub(crate) fn length(&self, mm: f64) -> String {
+    pub(crate) fn length(&self, length_mm: f64) -> String {
         let decimals = self.job.config.formats.linear(self.units);
         let mut text = Vec::new();
-        write_decimal(&mut text, Decimal::fixed(mm / self.units.in_mm(), decimals).unwrap_or_default());
+        write_decimal(&mut text, Decimal::fixed(length_mm / self.units.in_mm(), decimals).unwrap_or_default());
         String::from_utf8_lossy(&text).into_owned()
     }
 
-    /// The sign of an axis in words.
-    fn sign(&self, index: usize) -> String {
+    /// Positive direction of an axis in words; for a held axis its required position.
+    fn axis_line(&self, index: usize) -> String {
         let axis = &self.machine.axes()[index];
         let letter = axis.letter;
         if axis.held {
@@ -363,14 +370,19 @@ impl Header<'_> {
         format!("AXIS {letter} {moves}: {word}")
     }
 
-    /// Whether the control can compare the length of a tool with its own.
-    fn compares(&self, tool: u32, offset: Option<u32>, length: f64) -> bool {
+    /// Whether the program can compare the tool length in the control's offset with the posted one (`length_guard`).
+    fn can_guard_length(&self, tool: u32, offset: Option<u32>, length_mm: f64) -> bool {
         let Some(offset) = self.job.control.spellings().length.registers.of_tool(tool, offset) else { return false };
         let (tolerance, units) = (self.job.config.motion.guards.length_tolerance, self.units);
-        !self.job.control.length_guard(&LengthGuard { label: 1, tool, offset, length, tolerance, units }).is_empty()
+        !self
+            .job
+            .control
+            .length_guard(&LengthGuard { label: 1, tool, offset, length: length_mm, tolerance, units })
+            .is_empty()
     }
 
-    fn tool(&self, tool: &ToolUse) -> Vec<String> {
+    /// Data and use of a tool; a second line where the program is valid for its posted length only.
+    fn tool_lines(&self, tool: &ToolUse) -> Vec<String> {
         let config = self.job.config;
         let number = tool.call.number;
         let given = config.set_up.tools.get(&number);
@@ -384,7 +396,7 @@ impl Header<'_> {
         if let Some(radius) = tool.call.corner_radius {
             text += &format!(" R{}", self.length(radius));
         }
-        let length = length(tool, config);
+        let length = gauge_length_mm(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
         let registers = &self.job.control.spellings().length;
         let offset = given.and_then(|given| given.offset).or(tool.call.offset);
@@ -396,7 +408,7 @@ impl Header<'_> {
             text += &format!(" {register}");
         }
         text += &format!(", {}", super::counted(tool.operations, "operation"));
-        if let Some((low, high)) = tool.tip {
+        if let Some((low, high)) = tool.tip_z_mm {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
         let mut lines = vec![text];
@@ -405,7 +417,7 @@ impl Header<'_> {
             && (gauge_line || config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Tool).next().is_some())
         {
             let mut held = format!("{register} must hold exactly this");
-            if config.motion.guards.length_guard != Some(false) && !self.compares(number, offset, length) {
+            if config.motion.guards.length_guard != Some(false) && !self.can_guard_length(number, offset, length) {
                 held += ", and nothing compares it";
             }
             let length = self.length(length);
@@ -416,8 +428,8 @@ impl Header<'_> {
     }
 }
 
-/// What the words count in a mode in which the control moves the tip, and what it takes for granted.
-fn framed(control: &dyn Control, config: &Config) -> Vec<String> {
+/// Frame of the linear words in modes `tcp` and `plane`, and required settings of the control.
+fn mode_lines(control: &dyn Control, config: &Config) -> Vec<String> {
     let codes = control.spellings();
     let note = |note: &str| {
         (!note.is_empty()).then(|| format!("MODE {} takes for granted: {note}", config.motion.mode.name()))
@@ -444,6 +456,7 @@ fn framed(control: &dyn Control, config: &Config) -> Vec<String> {
     }
 }
 
+/// The point of the tool that the CL data describes.
 fn programmed_point(config: &Config) -> String {
     let name = |point: ClPoint| match point {
         ClPoint::Tip => "tool tip",
@@ -456,12 +469,13 @@ fn programmed_point(config: &Config) -> String {
     text
 }
 
-fn spaced(letters: &str) -> String {
+/// `C and B`.
+fn joined_by_and(letters: &str) -> String {
     let letters: Vec<String> = letters.chars().map(String::from).collect();
     letters.join(" and ")
 }
 
-/// `+Z`, or the components where it is no coordinate direction.
+/// Name of a direction: `+Z`, or its components where it is not along a coordinate axis.
 fn direction_name(direction: [f64; 3]) -> String {
     for (index, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
         if (direction[index].abs() - 1.0).abs() < 1e-12 {

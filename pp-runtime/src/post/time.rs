@@ -1,11 +1,11 @@
-//! Machining times in words.
+//! Machining times as text, for the summary and the end of the program.
 
 use crate::motion::{OperationTime, Times};
 
-/// Operations whose times are listed.
+/// Largest number of operations whose times are listed.
 const MOST_LISTED: usize = 20;
 
-/// `1 h 02 min`, `12 min 05 s`, `3.2 s`.
+/// A time in readable units: `1 h 02 min`, `12 min 05 s`, `3.2 s`.
 fn duration(minutes: f64) -> String {
     let seconds = minutes * 60.0;
     if seconds < 60.0 {
@@ -18,7 +18,7 @@ fn duration(minutes: f64) -> String {
     }
 }
 
-/// The lines of the summary.
+/// The lines about machining times: total, operations, fastest rotary axis in a cut, blocks slowed down.
 pub(crate) fn lines(times: &Times) -> Vec<String> {
     if times.total() <= 0.0 {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! The words of the command line.
+//! Commands, arguments and options of the command line, with their help texts.
 
 mod values;
 
@@ -17,7 +17,7 @@ use crate::motion::{CourseOptions, Mode, Operations};
 pub(crate) use values::{BlockName, MessageFormat};
 use values::{
     BranchName, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName, axis_tolerance, block_name,
-    control_name, control_names, inert, lift, map_file, named, operations, point, pole_tolerance, tolerance,
+    control_name, control_named, control_names, inert, lift, map_file, operations, point, pole_tolerance, tolerance,
 };
 
 /// Turns CL data (APT/CLS) into a program for one machine.
@@ -28,7 +28,7 @@ pub(crate) struct Cli {
     pub(crate) command: Command,
 }
 
-/// What to do.
+/// The command.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Post CL data: write the program for this machine
@@ -55,9 +55,9 @@ pub(crate) struct ConfigArgs {
 }
 
 impl ConfigArgs {
-    /// The control that was asked for.
+    /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        named(&self.control)
+        control_named(&self.control)
     }
 }
 
@@ -77,7 +77,7 @@ pub(crate) struct ExplainArgs {
     pub(crate) proof: ProofArgs,
 }
 
-/// What a proof program is written for.
+/// Arguments of `explain --proof-program`.
 #[derive(Debug, Args)]
 pub(crate) struct ProofArgs {
     /// Control that will run the proof program
@@ -87,17 +87,23 @@ pub(crate) struct ProofArgs {
     #[arg(long, value_name = "FILE.toml", requires = "proof_program")]
     pub(crate) config: Option<PathBuf>,
     /// Where the tip stands in the part, mm; without it at the part zero
-    #[arg(long, value_name = "X,Y,Z", requires = "proof_program", value_parser = point, allow_hyphen_values = true)]
-    pub(crate) point: Option<[f64; 3]>,
+    #[arg(
+        long = "point",
+        value_name = "X,Y,Z",
+        requires = "proof_program",
+        value_parser = point,
+        allow_hyphen_values = true
+    )]
+    pub(crate) point_mm: Option<[f64; 3]>,
     /// Tool in the spindle; without it that of the configuration, or 1
     #[arg(long, value_name = "N", requires = "proof_program", value_parser = clap::value_parser!(u32).range(1..=99_999))]
     pub(crate) tool: Option<u32>,
 }
 
 impl ProofArgs {
-    /// The control that was asked for.
+    /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        named(&self.control)
+        control_named(&self.control)
     }
 }
 
@@ -137,7 +143,7 @@ pub(crate) struct CheckArgs {
 }
 
 impl CheckArgs {
-    /// How messages are written.
+    /// Format of the messages.
     pub(crate) fn format(&self) -> MessageFormat {
         if self.json { MessageFormat::Json } else { self.set_up.message_format }
     }
@@ -156,7 +162,7 @@ pub(crate) struct ExplainBlockArgs {
     pub(crate) set_up: SetUpArgs,
 }
 
-/// How CL data becomes a program: what posting and checking have to agree on.
+/// Options that determine the program, for `post`, `check` and `explain-block` alike.
 #[derive(Debug, Args)]
 pub(crate) struct SetUpArgs {
     /// Control that will run the program
@@ -172,11 +178,11 @@ pub(crate) struct SetUpArgs {
     #[arg(long, value_enum)]
     pub(crate) output_units: Option<UnitsName>,
     /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves, mm
-    #[arg(long, value_name = "MM", value_parser = tolerance)]
-    pub(crate) tolerance: Option<f64>,
+    #[arg(long = "tolerance", value_name = "MM", value_parser = tolerance)]
+    pub(crate) tolerance_mm: Option<f64>,
     /// How far the tool axis may leave its even turn from one point to the next, degrees
-    #[arg(long, value_name = "DEG", value_parser = axis_tolerance)]
-    axis_tolerance_path: Option<f64>,
+    #[arg(long = "axis-tolerance-path", value_name = "DEG", value_parser = axis_tolerance)]
+    axis_tolerance_path_rad: Option<f64>,
     /// LINTOL of the CL data may be wider than the tolerance
     #[arg(long)]
     allow_lintol: bool,
@@ -214,14 +220,14 @@ pub(crate) struct SetUpArgs {
     #[arg(long)]
     greedy: bool,
     /// Angle to the pole within which the tool axis is put there, degrees
-    #[arg(long, value_name = "DEGREES", value_parser = pole_tolerance)]
-    pub(crate) axis_tolerance: Option<f64>,
+    #[arg(long = "axis-tolerance", value_name = "DEGREES", value_parser = pole_tolerance)]
+    pub(crate) pole_tolerance_rad: Option<f64>,
     /// What the words of a motion say: axis values, tip coordinates, or coordinates in a tilted plane
     #[arg(long, value_name = "MODE", value_parser = PossibleValuesParser::new(Mode::NAMES.map(|(name, _)| name)))]
     mode: Option<String>,
     /// Dry run: move every point out along the tool axis by so many mm, with the spindle off
-    #[arg(long, value_name = "MM", value_parser = lift)]
-    pub(crate) lift: Option<f64>,
+    #[arg(long = "lift", value_name = "MM", value_parser = lift)]
+    pub(crate) lift_mm: Option<f64>,
     /// Post these operations only: `3..5`, `3..` or `3`
     #[arg(long, value_name = "M..N", value_parser = operations)]
     pub(crate) ops: Option<Operations>,
@@ -237,15 +243,15 @@ pub(crate) struct SetUpArgs {
 }
 
 impl SetUpArgs {
-    /// The control that was asked for.
+    /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        named(&self.control)
+        control_named(&self.control)
     }
 
-    /// Puts the arguments on top of the configuration file.
+    /// Sets the given options in the configuration; they take precedence over the file.
     ///
     /// # Errors
-    /// A sentence about an argument that does not fit the machine.
+    /// A sentence about an option that does not suit the machine.
     pub(crate) fn apply(&self, machine: &dyn AnyMachine, config: &mut Config) -> Result<(), String> {
         if let Some(units) = self.units {
             config.cl_units = Some(units.into());
@@ -255,12 +261,12 @@ impl SetUpArgs {
             config.output_units = Some(units.into());
             config.given.insert("output_units");
         }
-        if let Some(tolerance) = self.tolerance {
-            config.motion.tolerance = tolerance;
+        if let Some(tolerance_mm) = self.tolerance_mm {
+            config.motion.tolerance = tolerance_mm;
             config.given.insert("tolerance");
         }
-        if let Some(tolerance) = self.axis_tolerance_path {
-            config.motion.axis_tolerance_path = tolerance.to_radians();
+        if let Some(tolerance_rad) = self.axis_tolerance_path_rad {
+            config.motion.axis_tolerance_path = tolerance_rad;
             config.given.insert("axis_tolerance_path");
         }
         config.motion.allow_lintol |= self.allow_lintol;
@@ -275,14 +281,14 @@ impl SetUpArgs {
             config.motion.course.prefer = Some(CourseOptions::preference(machine.axes(), text).ok_or_else(help)?);
         }
         config.motion.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
-        let named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);
-        if let Some(mode) = self.mode.as_ref().and_then(named) {
+        let mode_named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);
+        if let Some(mode) = self.mode.as_ref().and_then(mode_named) {
             config.motion.mode = mode;
             config.given.insert("mode");
         }
-        config.motion.lift = self.lift.or(config.motion.lift);
+        config.motion.lift = self.lift_mm.or(config.motion.lift);
         config.motion.course.greedy |= self.greedy;
-        config.motion.course.axis_tolerance = self.axis_tolerance.unwrap_or(config.motion.course.axis_tolerance);
+        config.motion.course.axis_tolerance = self.pole_tolerance_rad.unwrap_or(config.motion.course.axis_tolerance);
         let cl = &mut config.cl;
         cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
         cl.columns = self.columns.or(cl.columns);
@@ -303,7 +309,7 @@ impl SetUpArgs {
     }
 }
 
-/// Parses the command line; the command goes by the name of its file.
+/// Parses the command line. Help and errors call the command by the name of its file.
 pub(crate) fn parse(machine: &str, args: &[OsString]) -> Result<Cli, clap::Error> {
     let stem =
         args.first().and_then(|name| Path::new(name).file_stem()).map(|stem| stem.to_string_lossy().into_owned());

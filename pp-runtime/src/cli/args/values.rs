@@ -1,4 +1,4 @@
-//! Values on the command line: their names, and what is wrong with them.
+//! Values of options: their names, their parsers, and the messages for values that are refused.
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -12,8 +12,8 @@ use crate::kinematics::Branch;
 use crate::motion::{Operations, Options};
 use crate::program::Units;
 
-/// The control of a name that the parser has let pass.
-pub(crate) fn named(name: &str) -> &'static dyn Control {
+/// The control of a name that the parser has accepted.
+pub(crate) fn control_named(name: &str) -> &'static dyn Control {
     control::by_name(name).unwrap_or(CONTROLS[0])
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn control_names() -> PossibleValuesParser {
     PossibleValuesParser::new(CONTROLS.iter().map(|control| control_name(*control)))
 }
 
-/// A word that may be declared inert.
+/// A word of CL data to be ignored, in capitals; refuses a word that must not be ignored.
 pub(crate) fn inert(word: &str) -> Result<String, String> {
     match not_inert(word) {
         Some(why) => Err(why),
@@ -33,7 +33,7 @@ pub(crate) fn inert(word: &str) -> Result<String, String> {
     }
 }
 
-/// An angle to the pole in degrees, in rad.
+/// Parses an angle to the pole in degrees; returns it in rad.
 pub(crate) fn pole_tolerance(text: &str) -> Result<f64, String> {
     let degrees: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
     match (0.0..=5.0).contains(&degrees) {
@@ -42,7 +42,7 @@ pub(crate) fn pole_tolerance(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A range of operations, both ends included.
+/// Parses a range of operation numbers, both ends included.
 pub(crate) fn operations(text: &str) -> Result<Operations, String> {
     let number = |text: &str| {
         let number = text.trim().parse().ok().filter(|number| *number > 0);
@@ -59,7 +59,7 @@ pub(crate) fn operations(text: &str) -> Result<Operations, String> {
     }
 }
 
-/// How far a dry run stays away, mm.
+/// Parses the distance of a dry run from the part, mm.
 pub(crate) fn lift(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
     match (1.0..=10_000.0).contains(&value) {
@@ -68,7 +68,7 @@ pub(crate) fn lift(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A point, mm.
+/// Parses a point, mm.
 pub(crate) fn point(text: &str) -> Result<[f64; 3], String> {
     let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.abs() <= 1e5);
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
@@ -76,14 +76,14 @@ pub(crate) fn point(text: &str) -> Result<[f64; 3], String> {
     point.ok_or_else(|| "three numbers are needed: 60,0,120".to_owned())
 }
 
-/// A tolerance in mm.
+/// Parses a tolerance, mm.
 pub(crate) fn tolerance(text: &str) -> Result<f64, String> {
     within(text, &Options::TOLERANCE, "mm")
 }
 
-/// A tolerance in degrees.
+/// Parses a tolerance in degrees; returns it in rad.
 pub(crate) fn axis_tolerance(text: &str) -> Result<f64, String> {
-    within(text, &Options::AXIS_TOLERANCE, "degrees")
+    within(text, &Options::AXIS_TOLERANCE, "degrees").map(f64::to_radians)
 }
 
 fn within(text: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {
@@ -95,7 +95,7 @@ fn within(text: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, St
     }
 }
 
-/// CAM systems on the command line.
+/// CAM system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum DialectName {
     /// Siemens NX
@@ -122,7 +122,7 @@ impl From<DialectName> for Dialect {
     }
 }
 
-/// What becomes of a second frame.
+/// Treatment of a coordinate frame that differs from the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FramesName {
     /// Mapped into the first
@@ -158,7 +158,7 @@ impl From<SenseName> for Sense {
     }
 }
 
-/// A branch, as `explain` numbers them.
+/// Branch of the inverse kinematics, as `explain` numbers them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum BranchName {
     /// The first
@@ -176,21 +176,21 @@ impl From<BranchName> for Branch {
     }
 }
 
-/// What becomes of INSERT.
+/// Treatment of INSERT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum InsertName {
     /// Written as a comment
     Comment,
 }
 
-/// What becomes of FROM.
+/// Treatment of FROM.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FromName {
     /// Written as the first approach
     Move,
 }
 
-/// Unit of length on the command line.
+/// Unit of length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum UnitsName {
     /// Millimetres
@@ -208,7 +208,7 @@ impl From<UnitsName> for Units {
     }
 }
 
-/// How messages are written.
+/// Format of the messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub(crate) enum MessageFormat {
     /// Text with the line it speaks of
@@ -218,21 +218,21 @@ pub(crate) enum MessageFormat {
     Json,
 }
 
-/// Which block is meant.
+/// A block, as the user names it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BlockName {
     /// By its block number.
     Number(u32),
-    /// By its place in the program, from 1.
+    /// By its line in the program, from 1.
     Line(u64),
 }
 
-/// The file of a map.
+/// Parses the name of the map file.
 pub(crate) fn map_file(text: &str) -> Result<PathBuf, String> {
     if text == "-" { Err("the name of a file is needed".to_owned()) } else { Ok(text.into()) }
 }
 
-/// `N1230` or `57`.
+/// Parses a block: `N1230` (block number) or `57` (line).
 pub(crate) fn block_name(text: &str) -> Result<BlockName, String> {
     let number = text.strip_prefix(['N', 'n']).map(|number| number.parse().map(BlockName::Number).ok());
     let name = number.unwrap_or_else(|| text.parse().ok().filter(|line| *line > 0).map(BlockName::Line));
