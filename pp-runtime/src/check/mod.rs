@@ -145,7 +145,7 @@ pub fn blocks_for(
 
 fn family(job: &Job<'_>) -> Result<Family, CheckError> {
     Family::of_control(job.control.spellings().name)
-        .ok_or_else(|| CheckError::Impossible("programs of this control cannot be read back".to_owned()))
+        .ok_or_else(|| CheckError::Impossible("the check cannot read programs of this control".to_owned()))
 }
 
 #[cfg(test)]

@@ -43,11 +43,11 @@ fn a_program_that_passes_its_check_is_reported_as_checked() {
 #[test]
 fn a_program_that_does_not_pass_its_check_is_rejected() {
     for (from, to, what) in [
-        ("X40", "X41", "serves no motion"),
-        ("M3", "M4", "the other way round"),
+        ("X40", "X41", "matches no motion"),
+        ("M3", "M4", "wrong direction"),
         ("F500", "F5000", "F is 5000"),
         ("M8\n", "", "coolant"),
-        ("G53 G0 Z0\nG43", "G43", "without having come there by the approach"),
+        ("G53 G0 Z0\nG43", "G43", "without an approach before it"),
     ] {
         let shop = Shop::new();
         let outcome = posted(&shop, &tampered(from, to));
