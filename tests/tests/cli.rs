@@ -331,7 +331,7 @@ fn a_table_that_tilts_one_way_cuts_through_the_vertical_by_turning_there() {
     assert!(run.errors.contains("motion by motion: "), "{}", run.errors);
     let run = Shop::new().run_on("dmu-70e", &["post", &example("concave_4axis.cls")]);
     assert_eq!(run.status, 0, "{}", run.errors);
-    assert!(run.errors.contains("blocks inserted; while a rotary axis moves at feed the tip"), "{}", run.errors);
+    assert!(run.errors.contains("blocks inserted; while a rotary axis moves at feed, the tip"), "{}", run.errors);
 }
 
 #[test]

@@ -69,7 +69,7 @@ impl ClSource {
         match (&self.spooled, &self.watched) {
             (Some(spooled), _) => spooled.reopen(),
             (None, Some((path, _))) => File::open(path),
-            (None, None) => Err(io::Error::other("it cannot be read twice at once")),
+            (None, None) => Err(io::Error::other("it cannot be opened a second time")),
         }
     }
 
@@ -100,7 +100,7 @@ impl ClSource {
         match fs::metadata(path) {
             Ok(now) if FileState::of(&now) == *state => None,
             Ok(_) => Some("changed while it was read"),
-            Err(_) => Some("vanished while it was read"),
+            Err(_) => Some("was removed while it was read"),
         }
     }
 }

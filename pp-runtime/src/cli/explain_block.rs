@@ -82,8 +82,8 @@ impl BlockSearch {
             BlockName::Line(line) => format!("there is no line {line}: {has}"),
             BlockName::Number(number) if self.numbered => format!("there is no block N{number}: {has}"),
             BlockName::Number(number) => format!(
-                "there is no block N{number}: {has}, and only its restart points have numbers; was it posted \
-                 with --line-numbers? A line is asked for by its number alone"
+                "there is no block N{number}: {has}, and only its restart points have block numbers; was it posted \
+                 with --line-numbers? A line of the program is given as a number alone: `57`"
             ),
         }
     }
@@ -159,8 +159,9 @@ fn explanation(origin: &LineOrigin<'_>, axes: &[Axis], block: &str, record: Opti
     }
     let Some(position) = &origin.position_after else { return text };
     if let Some(Pose { tip, axis }) = position.pose {
-        let _ = writeln!(text, "tip {:.4} {:.4} {:.4} mm in the workpiece", tip.x + 0.0, tip.y + 0.0, tip.z + 0.0);
-        let _ = writeln!(text, "tool axis {:.7} {:.7} {:.7}", axis.x + 0.0, axis.y + 0.0, axis.z + 0.0);
+        let _ =
+            writeln!(text, "tip X {:.4}, Y {:.4}, Z {:.4} mm in the workpiece", tip.x + 0.0, tip.y + 0.0, tip.z + 0.0);
+        let _ = writeln!(text, "tool axis I {:.7}, J {:.7}, K {:.7}", axis.x + 0.0, axis.y + 0.0, axis.z + 0.0);
     }
     let unit = |letter: char| {
         let rotary = axes.iter().any(|axis| axis.letter == letter && axis.kind == AxisKind::Rotary);
@@ -168,8 +169,8 @@ fn explanation(origin: &LineOrigin<'_>, axes: &[Axis], block: &str, record: Opti
     };
     let values: Vec<String> =
         axis_values(axes, position).map(|(letter, value)| format!("{letter} {value:.4}{}", unit(letter))).collect();
-    let alone = if position.pose.is_none() { " (these axes alone)" } else { "" };
-    let _ = writeln!(text, "axis values {}{alone}", values.join(", "));
+    let note = if position.pose.is_none() { " (only these axes are in position)" } else { "" };
+    let _ = writeln!(text, "axis values {}{note}", values.join(", "));
     if axes.iter().any(|axis| axis.kind == AxisKind::Rotary) {
         let _ = writeln!(text, "branch {} of the inverse kinematics", branch_number(position.branch));
     }

@@ -130,7 +130,7 @@ impl<W: Write> LineMap for MapWriter<'_, W> {
         }
         self.begun = true;
         let written = serde_json::to_writer(&mut self.out, &MapEntry::new(origin, self.axes)).map_err(io::Error::from);
-        written.map_err(|error| io::Error::new(error.kind(), format!("its map: {error}")))
+        written.map_err(|error| io::Error::new(error.kind(), format!("map of the program: {error}")))
     }
 }
 

@@ -52,7 +52,7 @@ impl OutputFile {
         let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
         let path = match is_link {
             true => fs::canonicalize(path).map_err(|error| {
-                io::Error::new(error.kind(), format!("it is a link to where nothing stands: {error}"))
+                io::Error::new(error.kind(), format!("it is a symbolic link to a file that does not exist: {error}"))
             })?,
             false => path.to_owned(),
         };

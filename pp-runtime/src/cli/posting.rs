@@ -195,17 +195,17 @@ fn reject(
     messages: &mut Messages<'_>,
 ) -> Result<(), Failure> {
     let Some(target) = target else {
-        messages.note("rejected: the program on standard output is not complete and must not be run");
+        messages.note("rejected: the program on standard output is incomplete and must not be run");
         return Ok(());
     };
     let first = comments(args.set_up.control(), &format!("{REJECTED}{reason}")).join(&b'\n');
     let rejected = target.reject(&first).map_err(|error| Failure::unwritable(&args.output, error))?;
     let out = args.output.display();
     messages.note(&match rejected {
-        Rejected { path: None, .. } => format!("rejected: the program on {out} is not complete and must not be run"),
+        Rejected { path: None, .. } => format!("rejected: the program on {out} is incomplete and must not be run"),
         Rejected { path: Some(path), removed } => {
             let earlier = if removed { format!("; the earlier {out} was removed") } else { String::new() };
-            format!("rejected: {out} was not written, what could be posted stands in {}{earlier}", path.display())
+            format!("rejected: {out} was not written; the incomplete program is in {}{earlier}", path.display())
         }
     });
     Ok(())

@@ -70,7 +70,9 @@ impl SelfCheck {
         drop(self.sender);
         self.thread.join().unwrap_or_else(|_| {
             Err(CheckError::Impossible(
-                "the check of the program ended by itself: this is a fault of the program that checks".to_owned(),
+                "the check of the program stopped unexpectedly: this is a bug of the postprocessor, not an error in the CL \
+                 data; post with --no-check to do without it"
+                    .to_owned(),
             ))
         })
     }
@@ -90,7 +92,7 @@ pub(crate) fn rejection(
         messages.diagnostics(name, source, &found);
     }
     messages.note(&checked.outcome.summary());
-    Some(format!("the program does not do what the CL data asks for: {}", headline(name, first)))
+    Some(format!("the program differs from the CL data: {}", headline(name, first)))
 }
 
 /// Reads the pieces as a stream.

@@ -174,7 +174,7 @@ fn an_error_in_the_cl_data_leaves_only_a_rejected_program() {
         format!(
             "{input}:2:6: error: GOTO needs 3 or 6 numbers (found 1)\n  |\n2 | GOTO/1.0\n  |      ^^^\n  |\n  = \
              help: write X, Y and Z\n{input}: 1 error\n\
-             rejected: {output} was not written, what could be posted stands in {output}.rejected; \
+             rejected: {output} was not written; the incomplete program is in {output}.rejected; \
              the earlier {output} was removed\n"
         )
     );

@@ -134,7 +134,7 @@ impl Report {
             location: Location::default(),
             length: 1,
             count: 1,
-            text: format!("{} cannot be posted for: {invalid}", machine.name()),
+            text: format!("the dimensions of {} are not valid: {invalid}", machine.name()),
             help: Some("correct the dimensions in the configuration".to_owned()),
         });
     }
@@ -143,7 +143,7 @@ impl Report {
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
         let mut lines = vec![format!(
-            "{}, {}, {}, {}, {} in inverse time",
+            "{}, {}, {}, {}, {} with inverse-time feed",
             counted(self.statistics.motions, "motion"),
             counted(self.tools.len() as u64, "tool"),
             counted(self.blocks, "block"),
@@ -159,21 +159,23 @@ impl Report {
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {
             lines.push(format!(
-                "tool axes outside what the machine reaches: {}, by up to {:.2e} rad; the nearest one was used",
-                self.statistics.deviations, self.statistics.largest_deviation
+                "tool axes out of reach of the machine: {}, by at most {:.1e}°; the nearest one within reach was used",
+                self.statistics.deviations,
+                self.statistics.largest_deviation.to_degrees()
             ));
         }
         if self.statistics.near_pole > 0 {
             lines.push(format!(
-                "tool axes near the pole that were put there: {}, by up to {:.2e} rad; the first rotary kept its value",
-                self.statistics.near_pole, self.statistics.largest_at_pole
+                "tool axes set to the pole: {}, by at most {:.1e}°; the first rotary axis kept its value",
+                self.statistics.near_pole,
+                self.statistics.largest_at_pole.to_degrees()
             ));
         }
         let statistics = &self.statistics;
         if statistics.largest_tip_bound > 0.0 {
             lines.push(format!(
-                "linearised: {} inserted; while a rotary axis moves at feed the tip leaves its line by at most {:.4} mm, \
-                 the tool axis its even turn by at most {:.4}°",
+                "linearised: {} inserted; while a rotary axis moves at feed, the tip deviates from its line by at most \
+                 {:.4} mm, the tool axis from its even rotation by at most {:.4}°",
                 counted(statistics.inserted, "block"),
                 statistics.largest_tip_bound,
                 statistics.largest_axis_bound.to_degrees(),
@@ -181,7 +183,7 @@ impl Report {
         }
         lines.extend(arcs_text(statistics));
         if statistics.cycles > 0 {
-            lines.push(format!("holes by cycles of the control: {}", statistics.cycles));
+            lines.push(format!("holes made with canned cycles: {}", statistics.cycles));
         }
         lines.push("rapids are not linearised".to_owned());
         lines
@@ -197,16 +199,16 @@ impl Report {
 fn arcs_text(statistics: &Statistics) -> Option<String> {
     let Chorded { frame, plane, radius, rounding } = statistics.chorded;
     let reasons = [
-        (frame, "rotary axes turn in them, or the linear axes are not square"),
-        (plane, "in no plane in which the control has arcs"),
-        (radius, "their radius is outside `[arcs]`"),
-        (rounding, "rounded words do not say them within tolerance"),
+        (frame, "in which a rotary axis moves, or the linear axes are not perpendicular"),
+        (plane, "outside the planes in which the control has arcs"),
+        (radius, "with a radius outside the limits of `[arcs]`"),
+        (rounding, "that rounded words do not hold within the tolerance"),
     ];
     let total: u64 = reasons.iter().map(|(count, _)| count).sum();
     if statistics.arcs + total == 0 {
         return None;
     }
-    let traced = format!("arcs: {} by the control", statistics.arcs);
+    let traced = format!("arcs: {} as arcs of the control", statistics.arcs);
     let why: Vec<String> =
         reasons.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{count} {why}")).collect();
     Some(if why.is_empty() { traced } else { format!("{traced}, {total} as lines: {}", why.join("; ")) })
@@ -225,9 +227,9 @@ fn course_text(course: &Course, config: &Config) -> String {
     let planned = format!("rotary axes: {}", cost(&course.cost));
     match &course.greedy {
         _ if config.motion.course.greedy => format!("{planned}, chosen motion by motion"),
-        None => format!("{planned}; motion by motion there would be no way through"),
+        None => format!("{planned}; chosen motion by motion there would be no solution"),
         Some(greedy) if *greedy == course.cost => planned,
-        Some(greedy) => format!("{planned}; motion by motion: {}", cost(greedy)),
+        Some(greedy) => format!("{planned}; chosen motion by motion: {}", cost(greedy)),
     }
 }
 

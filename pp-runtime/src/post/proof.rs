@@ -46,8 +46,8 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
         machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece);
     if proof.point_mm.is_none() && table && !given.is_given("part_origin") {
         return Err(
-            "the tip would stand on the table, at its reference point: give `part_origin` in the configuration, \
-                    or a point above the table, --point 60,0,120"
+            "the tip would be on the table, at its reference point: set `part_origin` in the configuration, or give a \
+                    point above the table (--point 60,0,120)"
                 .to_owned(),
         );
     }
@@ -62,7 +62,7 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let machine = config
         .set_up
         .machine_for(machine)
-        .map_err(|invalid| format!("{} cannot be built like this: {invalid}", machine.name()))?;
+        .map_err(|invalid| format!("the dimensions of {} are not valid: {invalid}", machine.name()))?;
     let abilities = control::abilities(proof.control, config.demands());
     let mut out = Vec::new();
     let layout = Layout::new(&*machine, config.demands(), units, b"PROOF");
@@ -117,15 +117,15 @@ fn head<W: Write>(
     encoder.open(None)?;
     let (config, control) = (header.job.config, header.job.control);
     let mut lines = vec![
-        "PROOF OF THE KINEMATICS: nothing is cut, the spindle stands".to_owned(),
+        "PROOF OF THE KINEMATICS: no cutting, spindle off".to_owned(),
         format!("MACHINE {}, CONTROL {}, MODE axes", header.machine.name(), control.spellings().title),
         format!("UNITS {}, WORK OFFSET {}", header.units.name(), work_offset(control, config)),
         format!("PART ORIGIN {} from the table reference", header.point(config.set_up.part_origin)),
-        format!("THE TIP STANDS AT {} of the part while the rotary axes turn", header.point((*point).into())),
-        "WHAT MUST BE SEEN: an indicator that stands on the table and touches a ball at the tip stays still".to_owned(),
-        "touch it along X, then Y, then Z of the table, and run the program for each".to_owned(),
-        "a small drift means a pivot or a length that is off, a large one a sign".to_owned(),
-        "before the first run: without the indicator, at low feed override, a hand at the stop".to_owned(),
+        format!("THE TIP STAYS AT {} of the part while the rotary axes move", header.point((*point).into())),
+        "EXPECTED: an indicator that is fixed to the table and touches a ball at the tip does not move".to_owned(),
+        "touch the ball along X, then Y, then Z of the table, and run the program once for each".to_owned(),
+        "a small movement means that a pivot or a length is off, a large one that a sign is wrong".to_owned(),
+        "first run: without the indicator, at low feed override, ready to press feed hold".to_owned(),
     ];
     let number = |index: usize, sweep: &Sweep| format!("SWEEP {}: {}", index + 1, sweep.name);
     lines.extend(sweeps.iter().enumerate().map(|(index, sweep)| number(index, sweep)));

@@ -117,7 +117,7 @@ impl Stretches {
     /// The line of the summary.
     pub(crate) fn summary(self) -> String {
         let (held, turning) = (super::counted(self.held, "stretch"), super::counted(self.turning, "stretch"));
-        format!("tool axis: held in {held}, turning at feed in {turning}")
+        format!("tool axis: held in {held}, rotating at feed in {turning}")
     }
 }
 

@@ -139,7 +139,7 @@ fn a_device_is_written_and_not_replaced() {
 fn cl_data_that_changes_or_vanishes_meanwhile_is_status_2() {
     let changes: [fn(&Path); 2] =
         [|path| fs::write(path, "GOTO/9,9,9,9\n").expect("writable"), |path| fs::remove_file(path).expect("there")];
-    for (change, words) in changes.into_iter().zip(["changed while it was read", "vanished while it was read"]) {
+    for (change, words) in changes.into_iter().zip(["changed while it was read", "was removed while it was read"]) {
         let shop = Shop::new();
         shop.write("part.ngc", "yesterday");
         let outcome = shop.post(&[], &|job, source, sink, line_map| {
