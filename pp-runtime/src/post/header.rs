@@ -4,7 +4,7 @@
 
 use std::io::{self, Write};
 
-use crate::cl::{ArcVote, ClPoint, Frames, Insert};
+use crate::cl::{ArcVote, ClPoint, Dialect, Frames, Insert};
 use crate::config::Config;
 use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
@@ -51,16 +51,16 @@ pub(crate) fn assumptions(
     let mut list = Vec::new();
     if survey.file.units_only_given {
         let unit = survey.file.units.map_or("", Units::name);
-        list.push(format!("the unit of the CL data, which does not state one, is {unit} as given with the job"));
+        list.push(format!("unit of the CL data is {unit}, as given; the CL file states none"));
     }
     if !survey.file.states_frame {
-        list.push("the points of the CL data count from the part zero".to_owned());
+        list.push("points of the CL data are coordinates from the part zero".to_owned());
     }
     // A control that takes tip coordinates in the frame of the part needs no part origin: the work offset holds it.
     let known = config.motion.mode != Mode::Axes
         && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
     if !known && rotaries(machine, Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
-        list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
+        list.push("part_origin 0, 0, 0: the part zero is the reference point of the table".to_owned());
     }
     if !config.is_given("work_offset") {
         list.push(format!("work offset {}", work_offset(control, config)));
@@ -69,7 +69,7 @@ pub(crate) fn assumptions(
         list.push(format!("retract to machine coordinate {} mm", config.motion.retract.position()));
     }
     if !config.is_given("approach.distance") {
-        list.push(format!("approach from {} mm along the tool axis", config.motion.approach.distance));
+        list.push(format!("approach distance {} mm along the tool axis", config.motion.approach.distance));
     }
     for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
         let number = tool.call.number;
@@ -82,22 +82,24 @@ pub(crate) fn assumptions(
                 Rotation::CounterClockwise => "CCLW",
             };
             list.push(format!(
-                "spindle of T{number} from the configuration where the CL data gives none: S{speed} {sense}"
+                "spindle of T{number} from the configuration where the CL data has none: S{speed} {sense}"
             ));
         }
     }
     for (letter, wrap) in &config.motion.rotaries.wrap {
         match wrap {
             Wrap::Positive | Wrap::Symmetric => {
-                list.push(format!("{letter} rolls over, and the control turns it the short way to every angle"));
+                list.push(format!("{letter} rolls over, and the control moves it to every angle by the shortest path"));
             }
-            Wrap::Sign => list.push(format!("{letter} rolls over, and the control turns it in the sense of the sign")),
+            Wrap::Sign => {
+                list.push(format!("{letter} rolls over, and the control rotates it in the direction of the sign"))
+            }
         }
     }
     for tool in &survey.tools {
         let number = tool.call.number;
         if gauge_length_mm(tool, config).is_none() {
-            list.push(format!("the gauge length of T{number} is unknown: its offset must hold the true one"));
+            list.push(format!("gauge length of T{number} unknown: its length offset must hold the true length"));
         }
     }
     list
@@ -108,23 +110,25 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
     if let Some(Ok(selected)) = &survey.selected {
         let (first, last, all) = (selected.start(), selected.end(), survey.operations);
-        list.push(format!("operations {first} to {last} of {all} only, entered as at their restart points"));
+        list.push(format!("operations {first} to {last} of {all} only, each started as at its restart point"));
     }
     let [x, y, z] = config.set_up.part_angles();
     if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
         list.push(format!(
-            "part rotation {x}, {y}, {z}: the CL data is turned by these degrees about X, then Y, then Z of the table"
+            "part rotation {x}, {y}, {z}: the CL data is rotated by these degrees about X, then Y, then Z of the table"
         ));
     }
     if let Some(lift) = config.motion.lift {
-        list.push(format!("DRY RUN: every point {lift} mm out along the tool axis, spindle and coolant off"));
+        list.push(format!(
+            "DRY RUN: every point is {lift} mm further out along the tool axis, spindle and coolant off"
+        ));
     }
     if config.set_up.program_zero == ProgramZero::Table {
-        list.push("program zero: linear words count from the reference point of the table".to_owned());
+        list.push("program zero: linear words are coordinates from the reference point of the table".to_owned());
     }
     if config.set_up.length_mode == LengthMode::Gauge {
         list.push(
-            "length mode: linear words are coordinates of the gauge line, no length offset may be active".to_owned(),
+            "length mode: linear words are coordinates of the gauge line; no length offset may be active".to_owned(),
         );
     }
     list
@@ -161,33 +165,39 @@ fn rounded(degrees: f64) -> f64 {
 
 /// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.
 pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
-    let given = if config.cl.dialect.is_some() { "as given" } else { "by its own evidence" };
-    let mut list = vec![format!("CL data of {}, {given}", survey.file.dialect.title())];
+    let how = match (config.cl.dialect, survey.file.dialect) {
+        (Some(_), _) => ", as given",
+        (None, Dialect::Generic) => "",
+        (None, _) => ", recognised from the file",
+    };
+    let mut list = vec![format!("CL data of {}{how}", survey.file.dialect.title())];
     let ArcVote { arcs, agree, against, given } = survey.file.arcs;
     let decided = agree + against;
     if arcs > 0 {
         let arcs = super::counted(arcs, "arc");
         list.push(match (given, decided) {
-            (true, _) => format!("{arcs}, their sense as given"),
-            (false, 0) => format!("{arcs}, sense by form only, 0 arcs confirmed"),
-            (false, decided) => format!("{arcs}, {agree} of {decided} decided arcs agree with their form"),
+            (true, _) => format!("{arcs}, sense as given"),
+            (false, 0) => format!("{arcs}, sense by form, not confirmed by a neighbouring line"),
+            (false, decided) => {
+                format!("{arcs}, sense by form, confirmed by {agree} of {decided} neighbouring lines")
+            }
         });
     }
     if survey.file.frames > 1 {
         list.push(match config.cl.frames {
             Frames::Offset => format!("{} frames, each with a work offset of its own", survey.file.frames),
-            Frames::Main | Frames::Refuse => format!("{} frames, mapped into the first", survey.file.frames),
+            Frames::Main | Frames::Refuse => format!("{} frames, transformed into the first", survey.file.frames),
         });
     }
     if survey.file.setup_changes > 0 {
         let times = super::counted(survey.file.setup_changes, "time");
-        list.push(format!("CSYS changes {times}: its points stay in one common frame"));
+        list.push(format!("CSYS changes {times}: all points are read in one common frame"));
     }
     if !config.cl.inert.is_empty() {
-        list.push(format!("words passed over as inert: {}", config.cl.inert.join(" ")));
+        list.push(format!("words ignored as inert: {}", config.cl.inert.join(" ")));
     }
     if config.cl.insert == Insert::Write {
-        list.push("INSERT written as it stands: nobody has checked it".to_owned());
+        list.push("the text of INSERT is written without a check".to_owned());
     }
     if survey.file.inverse_time {
         list.push("the CL data asks for inverse-time feed: written wherever a rotary axis moves".to_owned());
@@ -231,14 +241,14 @@ impl Header<'_> {
                 config.motion.mode.name()
             ),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
-            format!("PART ORIGIN {} from the table reference", self.point(config.set_up.part_origin)),
+            format!("PART ORIGIN {} from the reference point of the table", self.point(config.set_up.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
-            format!("ARCS AND CURVES left by at most {}", self.length(config.motion.tolerance)),
+            format!("TOLERANCE {} for arcs and curves", self.length(config.motion.tolerance)),
         ];
         lines.extend(set_up(config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
-            CutterPath::Centre => "CUTTER COMPENSATION of the path of the tool's centre: D holds wear only".to_owned(),
-            CutterPath::Contour => "CUTTER COMPENSATION of the contour: D holds the radius".to_owned(),
+            CutterPath::Centre => "CUTTER COMPENSATION of the centre path: D must hold wear only".to_owned(),
+            CutterPath::Contour => "CUTTER COMPENSATION of the contour: D must hold the radius".to_owned(),
         }));
         lines.extend(reading(config, self.survey));
         let has_rotaries =
@@ -298,7 +308,7 @@ impl Header<'_> {
         lines.extend(unchecked_limits(&self.unchecked));
         if config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Workpiece).next().is_some() {
             lines.push(format!(
-                "valid only for part origin {} from the table reference; do not touch off again",
+                "valid only for part origin {} from the reference point of the table; do not touch off again",
                 self.point(config.set_up.part_origin)
             ));
         }
@@ -319,10 +329,10 @@ impl Header<'_> {
         let of = if wrap.is_empty() { String::new() } else { format!(" of {}", joined_by_and(&letters)) };
         let shortest = codes.turning[1];
         let note = match wrap.values().any(|wrap| *wrap != Wrap::Sign) && !shortest.is_empty() {
-            true => format!("{shortest} is in force, so they must not be shown within a turn"),
+            true => format!("{shortest} is active, so these axes must not be displayed within one revolution"),
             false => codes.rotary_note.to_owned(),
         };
-        Some(format!("ROTARY WORDS{of} are absolute and count on past 360: {note}"))
+        Some(format!("ROTARY WORDS{of} are absolute and go beyond 360: {note}"))
     }
 
     /// A point in the unit of the program.
@@ -346,28 +356,28 @@ impl Header<'_> {
         if axis.held {
             let value = self.machine.held()[index];
             let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { value / self.units.in_mm() };
-            return format!("AXIS {letter} is not moved and must stand at {value}");
+            return format!("AXIS {letter} is not moved and must be at {value}");
         }
         let direction = direction_name(self.machine.joint(index).direction.into_inner().into());
         let word = match axis.sign {
-            Sign::Plus => "word as in ISO 841",
-            Sign::Minus => "word backwards",
+            Sign::Plus => "as in ISO 841",
+            Sign::Minus => "opposite to ISO 841",
         };
         let moves = match (axis.kind, axis.side, axis.sign) {
             (AxisKind::Linear, Side::Tool, Sign::Plus) => format!("+ moves the tool along {direction}"),
             (AxisKind::Linear, Side::Tool, Sign::Minus) => format!("+ moves the tool against {direction}"),
             (AxisKind::Linear, Side::Workpiece, Sign::Plus) => format!("+ moves the table against {direction}"),
             (AxisKind::Linear, Side::Workpiece, Sign::Minus) => format!("+ moves the table along {direction}"),
-            (AxisKind::Rotary, Side::Tool, Sign::Plus) => format!("+ turns the tool right-handed about {direction}"),
-            (AxisKind::Rotary, Side::Tool, Sign::Minus) => format!("+ turns the tool left-handed about {direction}"),
+            (AxisKind::Rotary, Side::Tool, Sign::Plus) => format!("+ rotates the tool right-handed about {direction}"),
+            (AxisKind::Rotary, Side::Tool, Sign::Minus) => format!("+ rotates the tool left-handed about {direction}"),
             (AxisKind::Rotary, Side::Workpiece, Sign::Plus) => {
-                format!("+ turns the table left-handed about {direction}")
+                format!("+ rotates the table left-handed about {direction}")
             }
             (AxisKind::Rotary, Side::Workpiece, Sign::Minus) => {
-                format!("+ turns the table right-handed about {direction}")
+                format!("+ rotates the table right-handed about {direction}")
             }
         };
-        format!("AXIS {letter} {moves}: {word}")
+        format!("AXIS {letter}{moves}, {word}")
     }
 
     /// Whether the program can compare the tool length in the control's offset with the posted one (`length_guard`).
@@ -418,7 +428,7 @@ impl Header<'_> {
         {
             let mut held = format!("{register} must hold exactly this");
             if config.motion.guards.length_guard != Some(false) && !self.can_guard_length(number, offset, length) {
-                held += ", and nothing compares it";
+                held += ", which the program does not check";
             }
             let length = self.length(length);
             let who = if gauge_line { "the tool must be exactly this long" } else { &held };
@@ -431,26 +441,28 @@ impl Header<'_> {
 /// Frame of the linear words in modes `tcp` and `plane`, and required settings of the control.
 fn mode_lines(control: &dyn Control, config: &Config) -> Vec<String> {
     let codes = control.spellings();
-    let note = |note: &str| {
-        (!note.is_empty()).then(|| format!("MODE {} takes for granted: {note}", config.motion.mode.name()))
-    };
+    let note = |note: &str| (!note.is_empty()).then(|| format!("MODE {}: {note}", config.motion.mode.name()));
     match config.motion.mode {
         Mode::Axes => Vec::new(),
         Mode::Tcp => {
             let frame = match config.motion.tip.tcp_frame {
-                None | Some(TcpFrame::TableAtZero) => "fixed to the table as it stands with its rotary axes at zero",
-                Some(TcpFrame::TableAtStart) => "fixed to the table as it stands where tip control begins",
-                Some(TcpFrame::NotTurning) => "standing still while the table turns",
+                None | Some(TcpFrame::TableAtZero) => {
+                    "fixed to the table, aligned with the machine axes when its rotary axes are at zero"
+                }
+                Some(TcpFrame::TableAtStart) => {
+                    "fixed to the table, aligned with the machine axes at the start of tip control"
+                }
+                Some(TcpFrame::NotTurning) => "that does not rotate with the table",
             };
             let posture = match config.motion.tip.tool_posture {
                 ToolPosture::Axes => "rotary axes move evenly",
-                ToolPosture::Plane => "the tool axis turns in the plane of its ends",
+                ToolPosture::Plane => "the tool axis rotates in the plane of its start and end",
             };
-            let words = format!("LINEAR WORDS are coordinates of the tip in a frame {frame}; {posture}");
+            let words = format!("LINEAR WORDS are tip coordinates in a frame {frame}; {posture}");
             std::iter::once(words).chain(codes.tip.as_ref().and_then(|tip| note(tip.note))).collect()
         }
         Mode::Plane => {
-            let words = "LINEAR WORDS are coordinates of the tip in the tilted plane, about the same zero".to_owned();
+            let words = "LINEAR WORDS are tip coordinates in the tilted plane, from the same zero".to_owned();
             std::iter::once(words).chain(codes.plane.as_ref().and_then(|plane| note(plane.note))).collect()
         }
     }
@@ -464,7 +476,7 @@ fn programmed_point(config: &Config) -> String {
     };
     let mut text = name(config.cl.cl_point).to_owned();
     for (tool, point) in &config.cl.cl_point_of {
-        text += &format!(", of T{tool} {}", name(*point));
+        text += &format!(", for T{tool} {}", name(*point));
     }
     text
 }

@@ -120,7 +120,7 @@ fn head<W: Write>(
         "PROOF OF THE KINEMATICS: no cutting, spindle off".to_owned(),
         format!("MACHINE {}, CONTROL {}, MODE axes", header.machine.name(), control.spellings().title),
         format!("UNITS {}, WORK OFFSET {}", header.units.name(), work_offset(control, config)),
-        format!("PART ORIGIN {} from the table reference", header.point(config.set_up.part_origin)),
+        format!("PART ORIGIN {} from the reference point of the table", header.point(config.set_up.part_origin)),
         format!("THE TIP STAYS AT {} of the part while the rotary axes move", header.point((*point).into())),
         "EXPECTED: an indicator that is fixed to the table and touches a ball at the tip does not move".to_owned(),
         "touch the ball along X, then Y, then Z of the table, and run the program once for each".to_owned(),

@@ -151,13 +151,18 @@ fn only_axes_that_do_not_roll_over_have_words_beyond_a_revolution() {
         let text = String::from_utf8(out).expect("ASCII");
         text.lines().find_map(|line| Some(line[line.find("ROTARY WORDS")?..].to_owned()))
     };
-    let counts = "are absolute and count on past 360";
+    let counts = "are absolute and go beyond 360";
     let none = line(&Heidenhain, "", Wrap::Positive).expect("a line");
     assert_eq!(none, format!("ROTARY WORDS {counts}: M127 is in force, the axes take no shorter way"));
     let both = [Wrap::Positive, Wrap::Sign].map(|wrap| line(&Heidenhain, "BC", wrap));
     assert_eq!(both, [None, None]);
     let one = line(&Heidenhain, "C", Wrap::Positive).expect("a line");
-    assert_eq!(one, format!("ROTARY WORDS of B {counts}: M126 is in force, so they must not be shown within a turn"));
+    assert_eq!(
+        one,
+        format!(
+            "ROTARY WORDS of B {counts}: M126 is active, so these axes must not be displayed within one revolution"
+        )
+    );
     let linuxcnc = line(&LinuxCnc, "C", Wrap::Positive).expect("a line");
     assert_eq!(linuxcnc, format!("ROTARY WORDS of B {counts}: the axes must not be wrapped)"));
 }
@@ -177,12 +182,12 @@ fn the_header_states_the_set_up_that_the_program_is_valid_for() {
         "(CL FILE bracket.cls)",
         "(MACHINE Cb, CONTROL LinuxCNC, MODE axes)",
         "(UNITS mm, WORK OFFSET G54)",
-        "(PART ORIGIN X1 Y2 Z50.25 from the table reference)",
+        "(PART ORIGIN X1 Y2 Z50.25 from the reference point of the table)",
         "(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)",
-        "(AXIS C + turns the table left-handed about +Z: word as in ISO 841)",
-        "(AXIS X + moves the tool along +X: word as in ISO 841)",
+        "(AXIS C+ rotates the table left-handed about +Z, as in ISO 841)",
+        "(AXIS X+ moves the tool along +X, as in ISO 841)",
         "(linear limits not checked: no machine_zero [X Y Z])",
-        "(valid only for part origin X1 Y2 Z50.25 from the table reference; do not touch off again)",
+        "(valid only for part origin X1 Y2 Z50.25 from the reference point of the table; do not touch off again)",
         "(T1 END MILL D10 R0.5 L80 H21, 2 operations, tip Z -3 to 20)",
         "(ASSUMED work offset G54)",
     ] {
@@ -386,7 +391,7 @@ fn part_rotation_turns_a_part_that_was_programmed_upside_down_before_any_other_s
     let (text, report) = posted::<Cb>(&config, &overturned(&upright));
     assert!(!report.failed, "{report:?}");
     assert_eq!(blocks(&text), blocks(&expected));
-    let said = "part rotation 180, 0, 0: the CL data is turned by these degrees about X, then Y, then Z of the table";
+    let said = "part rotation 180, 0, 0: the CL data is rotated by these degrees about X, then Y, then Z of the table";
     assert_eq!(report.set_up, [said]);
     assert!(text.lines().any(|line| line == format!("({said})")), "{text}");
     assert!(text.contains("tip Z -3 to 20"), "{text}");
@@ -411,7 +416,7 @@ fn a_dry_run_is_named_in_the_header_and_runs_the_same_path_further_out() {
     config.motion.lift = Some(50.0);
     let (text, dry) = posted::<Cb>(&config, PART);
     assert!(!dry.failed && dry.statistics.motions == report.statistics.motions, "{dry:?}");
-    let said = "DRY RUN: every point 50 mm out along the tool axis, spindle and coolant off";
+    let said = "DRY RUN: every point is 50 mm further out along the tool axis, spindle and coolant off";
     assert!(dry.set_up == [said] && text.contains(said), "{text}");
     assert!(text.contains("\nG1 Z47 F800\nX25\n"), "{text}");
     assert!(!text.contains("M3\n") && !text.contains("M8\n"), "{text}");
