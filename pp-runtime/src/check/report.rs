@@ -47,11 +47,15 @@ impl Outcome {
             count => format!(", {} findings", grouped(count)),
         };
         let limits = match self.limits_declared {
-            true => format!("{} outside limits", grouped(self.outside_limits)),
+            true => match self.outside_limits {
+                1 => "1 point outside limits".to_owned(),
+                count => format!("{} points outside limits", grouped(count)),
+            },
             false => "no limits declared".to_owned(),
         };
         format!(
-            "checked: {} moving blocks, tip {} µm, axis {:.4}°, path {} µm of {}, {limits}{found}",
+            "checked: {} motion blocks, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} allowed, \
+             {limits}{found}",
             grouped(self.blocks),
             short(self.tip_mm * 1e3),
             self.axis_rad.to_degrees(),

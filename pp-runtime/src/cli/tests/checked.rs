@@ -33,7 +33,7 @@ fn a_program_that_passes_its_check_is_reported_as_checked() {
     let outcome = posted(&shop, &tampered("", ""));
     assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
     assert!(
-        outcome.errors.contains("\nchecked: ") && outcome.errors.contains("0 outside limits\n"),
+        outcome.errors.contains("\nchecked: ") && outcome.errors.contains(" 0 points outside limits\n"),
         "{}",
         outcome.errors
     );
