@@ -423,7 +423,8 @@ impl<R: Read> Checker<'_, R> {
         if known & rotary == rotary && self.words.rotary_way(&before, &block.values) > 1.5 * self.slack.angle {
             self.found(
                 shown,
-                "the rotary axes rotate on the way back to the part: a rewind rotates them at the retract position only",
+                "the rotary axes rotate on the way back to the part: a rewind rotates them at the retract position \
+                 only",
             );
         }
         let item = self.expect.get(0).map(|item| (item.wanted, item.kind.clone()));
@@ -476,12 +477,12 @@ impl<R: Read> Checker<'_, R> {
                 let off = segment.distance(end, self.along);
                 let turn = angle_between(&end.axis, &motion.to.axis).to_degrees();
                 match off <= self.slack.tip && turn.to_radians() <= self.slack.axis {
-                    true => "this block ends on the next motion of the CL data but does not follow it: wrong path, or rapid \
-                             instead of feed"
+                    true => "this block ends on the next motion of the CL data but does not follow it: wrong path, or \
+                             rapid instead of feed"
                         .to_owned(),
                     false => format!(
-                        "this block matches no motion of the CL data: it ends {off:.4} mm from the next motion, its tool \
-                         axis {turn:.4}° off"
+                        "this block matches no motion of the CL data: it ends {off:.4} mm from the next motion, its \
+                         tool axis {turn:.4}° off"
                     ),
                 }
             }

@@ -1,11 +1,11 @@
-//! The check of a program: reads the program back, computes tip and tool axis of each block, and compares them with the CL
-//! data.
+//! The check of a program: reads the program back, computes tip and tool axis of each block, and compares them with the
+//! CL data.
 //!
-//! `read` turns the text of a program into blocks; it knows the control and nothing else. `chain` and `words` compute tip and
-//! tool axis from the axis words with matrices at run time, not with the generated functions. `expect` reads from the CL data
-//! what the program has to do, `path` gives the position of the tool along a motion, `feed` its feed. `compare` compares the
-//! two: with `follow` and `steps` in cuts, `sequence` and `out` between cuts, and `state` for modal codes. Memory does not
-//! grow with the length of the program.
+//! `read` turns the text of a program into blocks; it knows the control and nothing else. `chain` and `words` compute
+//! tip and tool axis from the axis words with matrices at run time, not with the generated functions. `expect` reads
+//! from the CL data what the program has to do, `path` gives the position of the tool along a motion, `feed` its feed.
+//! `compare` compares the two: with `follow` and `steps` in cuts, `sequence` and `out` between cuts, and `state` for
+//! modal codes. Memory does not grow with the length of the program.
 
 mod chain;
 mod compare;

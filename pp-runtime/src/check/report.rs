@@ -54,8 +54,8 @@ impl Outcome {
             false => "no limits declared".to_owned(),
         };
         format!(
-            "checked: {} motion blocks, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} allowed, \
-             {limits}{found}",
+            "checked: {} motion blocks, largest deviation of tip {} µm, of tool axis {:.4}°, of path {} µm of {} \
+             allowed, {limits}{found}",
             grouped(self.blocks),
             short(self.tip_mm * 1e3),
             self.axis_rad.to_degrees(),

@@ -1,4 +1,5 @@
-//! The CL data: a file, or a stream copied to a temporary file. It can be read several times and must not change meanwhile.
+//! The CL data: a file, or a stream copied to a temporary file. It can be read several times and must not change
+//! meanwhile.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Seek, SeekFrom};

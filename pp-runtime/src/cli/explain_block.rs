@@ -1,5 +1,5 @@
-//! `explain-block IN.cls N1230`: the CL record that a block of the program comes from, why the block was written, and the
-//! position of the machine after it.
+//! `explain-block IN.cls N1230`: the CL record that a block of the program comes from, why the block was written, and
+//! the position of the machine after it.
 //!
 //! The CL data is posted once more with the same set-up, to a temporary file: the same data gives the same program.
 

@@ -14,7 +14,8 @@ use super::cl_source::ClSource;
 use super::messages::Messages;
 use super::outcome::{Failure, is_standard};
 
-/// The configuration of a run: defaults of the control, then the file, then the command line; the later takes precedence.
+/// The configuration of a run: defaults of the control, then the file, then the command line; the later takes
+/// precedence.
 pub(crate) fn read_config(
     machine: &dyn AnyMachine,
     args: &SetUpArgs,

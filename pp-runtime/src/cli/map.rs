@@ -134,8 +134,8 @@ impl<W: Write> LineMap for MapWriter<'_, W> {
     }
 }
 
-/// Holds back the last lines of a line map: before them the comment about the check may be inserted, which is written after
-/// posting.
+/// Holds back the last lines of a line map: before them the comment about the check may be inserted, which is written
+/// after posting.
 pub(crate) struct EndBuffer<'a> {
     line_map: &'a mut dyn LineMap,
     end: Vec<LineOrigin<'static>>,
@@ -146,8 +146,8 @@ impl<'a> EndBuffer<'a> {
         Self { line_map, end: Vec::new() }
     }
 
-    /// Hands the lines on. `inserted`: number of lines inserted before the `last` ones; `counted`: every line has a line
-    /// number (Heidenhain).
+    /// Hands the lines on. `inserted`: number of lines inserted before the `last` ones; `counted`: every line has a
+    /// line number (Heidenhain).
     pub(crate) fn end(self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
         let Self { line_map, end } = self;
         let later = |origin: &LineOrigin<'static>, lines: u32| LineOrigin {

@@ -183,8 +183,8 @@ fn name(severity: Severity) -> &'static str {
     }
 }
 
-/// Number of characters to mark. A diagnostic about a whole statement points at its first byte; then the word that begins
-/// there is marked.
+/// Number of characters to mark. A diagnostic about a whole statement points at its first byte; then the word that
+/// begins there is marked.
 fn marked_as_word(text: &str, indent: usize, marked: usize, length: u32) -> usize {
     let mut characters = text.chars();
     if length > 1 || !characters.by_ref().take(indent).all(char::is_whitespace) {

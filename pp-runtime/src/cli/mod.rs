@@ -1,7 +1,7 @@
 //! The command line of a machine's binary: arguments, files, streams and exit status.
 //!
-//! Exit status 0: done. 1: the CL data has errors or a check has findings; there is no file of the final name. 2: the run
-//! was not possible; a closed pipe is status 2 without a message. The program goes to standard output or to a file,
+//! Exit status 0: done. 1: the CL data has errors or a check has findings; there is no file of the final name. 2: the
+//! run was not possible; a closed pipe is status 2 without a message. The program goes to standard output or to a file,
 //! messages go to standard error.
 
 mod args;

@@ -1,8 +1,8 @@
 //! The file of the program: its final name holds a complete program, or does not exist.
 //!
-//! The program is written to a temporary file in the same folder and renamed when it is complete. An incomplete program goes
-//! to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is removed: otherwise an old program
-//! could be run in place of the one that failed.
+//! The program is written to a temporary file in the same folder and renamed when it is complete. An incomplete program
+//! goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is removed: otherwise an old
+//! program could be run in place of the one that failed.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -68,8 +68,8 @@ impl OutputFile {
         }
     }
 
-    /// Gives the program its final name. Removes a rejected program of an earlier run, and returns whether there was one;
-    /// `is_rejected` recognises it by its first line.
+    /// Gives the program its final name. Removes a rejected program of an earlier run, and returns whether there was
+    /// one; `is_rejected` recognises it by its first line.
     pub(crate) fn finish(self, is_rejected: impl Fn(&[u8]) -> bool) -> io::Result<bool> {
         let Destination::Renamed(file) = self.destination else { return Ok(false) };
         persist(file, &self.path)?;

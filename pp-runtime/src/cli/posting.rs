@@ -1,4 +1,5 @@
-//! `post IN.cls -o OUT`: posts CL data, checks the program, and gives program and map their final names, or rejects both.
+//! `post IN.cls -o OUT`: posts CL data, checks the program, and gives program and map their final names, or rejects
+//! both.
 
 use std::io::{BufWriter, Seek as _, Write};
 use std::path::Path;

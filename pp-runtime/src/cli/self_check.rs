@@ -1,8 +1,9 @@
-//! The check of the program that is being posted: it reads the program back while it is written, in a thread of its own.
+//! The check of the program that is being posted: it reads the program back while it is written, in a thread of its
+//! own.
 //!
-//! The bytes go to the output and, in pieces over a bounded channel, to the check, which reads the CL data itself. The last
-//! lines, with the end code, are held back until the check is done: a program with findings gets no end code, and one
-//! without may state the figures of the check before the end code.
+//! The bytes go to the output and, in pieces over a bounded channel, to the check, which reads the CL data itself. The
+//! last lines, with the end code, are held back until the check is done: a program with findings gets no end code, and
+//! one without may state the figures of the check before the end code.
 
 use std::io::{self, Read, Seek as _, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -70,8 +71,8 @@ impl SelfCheck {
         drop(self.sender);
         self.thread.join().unwrap_or_else(|_| {
             Err(CheckError::Impossible(
-                "the check of the program stopped unexpectedly: this is a bug of the postprocessor, not an error in the CL \
-                 data; post with --no-check to do without it"
+                "the check of the program stopped unexpectedly: this is a bug of the postprocessor, not an error in the \
+                 CL data; post with --no-check to do without it"
                     .to_owned(),
             ))
         })
@@ -150,7 +151,8 @@ impl<'a> CheckedOutput<'a> {
         self.out.flush()
     }
 
-    /// Writes comments before the end. `counted`: every line begins with its line number, which goes up by one (Heidenhain).
+    /// Writes comments before the end. `counted`: every line begins with its line number, which goes up by one
+    /// (Heidenhain).
     pub(crate) fn close_before_end(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
         let kept = self.bytes_before_end();
         self.out.write_all(&self.held[..kept])?;

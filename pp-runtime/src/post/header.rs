@@ -134,8 +134,8 @@ pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     list
 }
 
-/// Required rotary entries of the work offset: those of the table always, those of the head only where `rotary_offset` is
-/// used.
+/// Required rotary entries of the work offset: those of the table always, those of the head only where `rotary_offset`
+/// is used.
 fn rotary_entries(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Vec<String> {
     let entries_of = work_offset(control, config);
     let used = !config.set_up.rotary_offset.is_empty();
@@ -268,8 +268,8 @@ impl Header<'_> {
         encoder.start()
     }
 
-    /// Box of the blank in the coordinates of the program, mm: that of the configuration, or else one around all cuts and the
-    /// tool's radius. None where all cuts lie in one plane, and none in length mode `gauge`.
+    /// Box of the blank in the coordinates of the program, mm: that of the configuration, or else one around all cuts
+    /// and the tool's radius. None where all cuts lie in one plane, and none in length mode `gauge`.
     fn blank(&self) -> Option<Stock> {
         let config = self.job.config;
         let mut blank = config.set_up.stock.or_else(|| self.around_cuts())?;
@@ -317,8 +317,8 @@ impl Header<'_> {
         lines
     }
 
-    /// Required setting of the control for rotary words beyond 360; none where every rotary axis rolls over, or none has
-    /// words.
+    /// Required setting of the control for rotary words beyond 360; none where every rotary axis rolls over, or none
+    /// has words.
     fn rotary_words(&self) -> Option<String> {
         let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
         let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);

@@ -1,5 +1,5 @@
-//! The line map of a program: for each of its lines the CL record that it comes from, why it was written, and the position
-//! of the machine after it.
+//! The line map of a program: for each of its lines the CL record that it comes from, why it was written, and the
+//! position of the machine after it.
 
 use std::io::{self, Write};
 

@@ -2,9 +2,9 @@
 //!
 //! The CL text is read twice, and a third time where rotary axes have clamps:
 //!
-//! 1. `survey` collects what the header needs and what is known only at the end of the text: all diagnostics of the reader,
-//!    the tools with their operations and Z range, whether all tool axes point into the table, and the course (branch and
-//!    turns of the rotary axes).
+//! 1. `survey` collects what the header needs and what is known only at the end of the text: all diagnostics of the
+//!    reader, the tools with their operations and Z range, whether all tool axes point into the table, and the course
+//!    (branch and turns of the rotary axes).
 //! 2. With clamps only: a rehearsal plans the program without writing it, to find where a rotary axis can stay clamped.
 //! 3. The last pass plans and writes motion by motion, in constant memory.
 //!
@@ -61,7 +61,8 @@ pub enum PostError {
     /// The program cannot be written.
     #[error("cannot write the program: {0}")]
     Output(#[source] io::Error),
-    /// The control cannot do what the configuration asks for, or the machine does not suit the mode. One sentence per line.
+    /// The control cannot do what the configuration asks for, or the machine does not suit the mode. One sentence per
+    /// line.
     #[error("{0}")]
     Unfit(String),
     /// The selected operations are not in the CL data.
@@ -90,8 +91,8 @@ pub struct Report {
     pub set_up: Vec<String>,
     /// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.
     pub reading: Vec<String>,
-    /// Rewinds and travel of the rotary axes, as planned and as they would be chosen motion by motion; empty without rotary
-    /// axes.
+    /// Rewinds and travel of the rotary axes, as planned and as they would be chosen motion by motion; empty without
+    /// rotary axes.
     pub course: String,
     /// Assumptions: settings that were not given, one sentence each.
     pub assumptions: Vec<String>,
@@ -235,8 +236,8 @@ fn course_text(course: &Course, config: &Config) -> String {
 
 /// Posts CL data for a machine.
 ///
-/// Errors of the CL data are reported in [`Report::diagnostics`]. The program is then written up to the first of them and
-/// ends with an error comment instead of the end code.
+/// Errors of the CL data are reported in [`Report::diagnostics`]. The program is then written up to the first of them
+/// and ends with an error comment instead of the end code.
 ///
 /// # Errors
 /// [`PostError`] if the configuration does not suit control or machine, the selected operations do not exist, the input

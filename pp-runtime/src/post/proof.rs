@@ -1,7 +1,8 @@
-//! The proof program: a program that shows at the machine whether the declared kinematics are right, before anything is cut.
+//! The proof program: a program that shows at the machine whether the declared kinematics are right, before anything is
+//! cut.
 //!
-//! The tip stays on one point while each rotary axis runs through its travel. Planned and written as every program is; its
-//! head tells the operator how to run it and what an indicator must show.
+//! The tip stays on one point while each rotary axis runs through its travel. Planned and written as every program is;
+//! its head tells the operator how to run it and what an indicator must show.
 
 use std::io::{self, Write};
 
@@ -51,8 +52,8 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
                 .to_owned(),
         );
     }
-    // A dry run with a distance of 0: no spindle, no coolant. Mode `axes`, because the declaration of the machine is to be
-    // shown, not the control's own tip control or tilted plane.
+    // A dry run with a distance of 0: no spindle, no coolant. Mode `axes`, because the declaration of the machine is to
+    // be shown, not the control's own tip control or tilted plane.
     let slow = given.motion.rapids.reorient_speed.min(MAX_ROTARY_SPEED_RAD_PER_MIN);
     let mut config = given.clone();
     config.motion.lift = Some(0.0);

@@ -1,4 +1,5 @@
-//! The survey: first pass over the CL text. Collects what the header needs and what is known only at the end of the text.
+//! The survey: first pass over the CL text. Collects what the header needs and what is known only at the end of the
+//! text.
 //!
 //! Plans the course of the rotary axes in the same pass, where a machine is given. Writes nothing.
 

@@ -49,8 +49,8 @@ pub(crate) fn lines(times: &Times) -> Vec<String> {
     }
     if times.slowed > 0 {
         lines.push(format!(
-            "slower than programmed because of axis speeds or limits of the control: {} blocks from CL line {} on, by {} in \
-             all",
+            "slower than programmed because of axis speeds or limits of the control: {} blocks from CL line {} on, \
+             by {} in all",
             times.slowed,
             times.slowed_first.line,
             duration(times.slowed_by)

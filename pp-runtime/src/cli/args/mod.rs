@@ -116,7 +116,7 @@ pub(crate) struct PostArgs {
     /// NC program to write; `-` is standard output
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     pub(crate) output: PathBuf,
-    /// Also write a map: the CL record of each line of the program, why it was written, and the machine position after it
+    /// Also write a map: for each line of the program its CL record, its reason, and the machine position after it
     #[arg(long, value_name = "FILE.json", value_parser = map_file)]
     pub(crate) map: Option<PathBuf>,
     /// Do not check the program against the CL data
@@ -177,7 +177,7 @@ pub(crate) struct SetUpArgs {
     /// Unit of the program; without it the unit of the CL data
     #[arg(long, value_enum)]
     pub(crate) output_units: Option<UnitsName>,
-    /// Largest deviation from arcs and curves of the CL data, and of the tip from its line while a rotary axis moves, mm
+    /// Largest deviation from arcs and curves, and of the tip from its line while a rotary axis moves, mm
     #[arg(long = "tolerance", value_name = "MM", value_parser = tolerance)]
     pub(crate) tolerance_mm: Option<f64>,
     /// Largest deviation of the tool axis from its even rotation between two points, degrees
