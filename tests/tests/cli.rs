@@ -334,7 +334,7 @@ fn a_table_that_tilts_one_way_cuts_through_the_vertical_by_turning_there() {
     assert!(run.errors.contains("motion by motion: "), "{}", run.errors);
     let run = Shop::new().run_on("dmu-70e", &["post", &example("concave_4axis.cls")]);
     assert_eq!(run.status, 0, "{}", run.errors);
-    assert!(run.errors.contains("blocks inserted; while a rotary axis moves at feed the tip"), "{}", run.errors);
+    assert!(run.errors.contains("blocks inserted; while a rotary axis moves at feed, the tip"), "{}", run.errors);
 }
 
 #[test]
@@ -436,12 +436,9 @@ fn options_say_how_the_cl_data_is_read() {
     let run = shop.run(&[&["post", "part.cls", "-o", "part.nc"], &all[..]].concat());
     assert_eq!(run.status, 0, "{}", run.errors);
     let program = String::from_utf8(shop.read("part.nc")).expect("ASCII");
-    for line in [
-        "(words passed over as inert: AICC)",
-        "(STOCK X1)",
-        "(CL data of ISO 4343, as given)",
-        "(1 arc, their sense as given)",
-    ] {
+    for line in
+        ["(words ignored as inert: AICC)", "(STOCK X1)", "(CL data of ISO 4343, as given)", "(1 arc, sense as given)"]
+    {
         assert!(program.contains(line), "{line} is missing in\n{program}");
     }
     let run = shop.run(&["post", "part.cls", "--inert", "LOOP"]);

@@ -221,7 +221,9 @@ fn midway<M: Machine>(config: &Config, blocks: &[Block], index: usize) -> bool {
     let alike = [block, behind].iter().all(|block| block.action == Action::Feed && block.state.vector.is_some());
     let same = state(&block.state, &behind.state).is_none() && block.state.feed == behind.state.feed;
     let [(from, first), (tip, axis), (to, last)] = [before, block, behind].map(|block| pose::<M>(config, block));
-    let stays = block.action == before.action && state(&before.state, &block.state).is_none();
+    // With M8 between two blocks it is the next one that has the same state; a state that is lost differs there.
+    let states = [(&before.state, &block.state), (&block.state, &behind.state)];
+    let stays = block.action == before.action && states.iter().any(|(one, other)| state(one, other).is_none());
     let stays = stays && (tip - from).norm() <= UNITS * 1e-3 && (axis - first).norm() <= 1e-5;
     let between = distance_to_line(&tip.into(), &from.into(), &to.into()) <= UNITS * 1e-3;
     stays || (alike && same && between && angle_to_arc(&axis, &first, &last) <= 1e-5)

@@ -65,9 +65,9 @@ fn under_tip_control_the_way_of_a_rapid_stays_within_the_limits_too() {
         let farthest = steps.map(|share| 40.0 * (1.0 - share) * (PI * share).sin()).fold(0.0, f64::max);
         assert_eq!(found(control, linear, 30.0), "", "{control}");
         let text = found(control, linear, 15.0);
-        assert!(text.starts_with(&format!("on its way Y goes to -{farthest:.4},")), "{control}: {text}");
+        assert!(text.starts_with(&format!("within this block Y moves to -{farthest:.4},")), "{control}: {text}");
         let text = found(control, apart, 30.0);
-        let wanted = "where each axis of this rapid runs on its own, Y goes to -40.0000,";
+        let wanted = "if each axis of this rapid moves on its own, Y moves to -40.0000,";
         assert!(text.starts_with(wanted), "{control}: {text}");
         assert_eq!(found(control, apart, 41.0), "", "{control}");
         assert_eq!(found(control, "", 30.0), found(control, usual, 30.0), "{control}");
@@ -91,14 +91,14 @@ fn an_arc_that_bulges_over_a_limit_is_found_although_its_ends_are_inside() {
             starting_point(control).read_over(&SpinnerU5620::default(), &within(19.0)).expect("a configuration");
         let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..wide };
         let found = narrow.findings(&narrow.program);
-        assert!(found.len() == 1 && found[0].text.contains("on its way Y goes to"), "{found:?}");
+        assert!(found.len() == 1 && found[0].text.contains("within this block Y moves to"), "{found:?}");
         assert_eq!(found[0].location.line, 10, "the line that the arc serves: {found:?}");
     }
 }
 
 /// Coordinates that a finding tells: where an axis goes.
 fn told(found: &Diagnostic) -> f64 {
-    let behind = found.text.split(" goes to ").nth(1).expect("a place");
+    let behind = found.text.split(" moves to ").nth(1).expect("a place");
     behind.split(',').next().and_then(|number| number.parse().ok()).expect("a number")
 }
 
@@ -129,7 +129,7 @@ fn the_furthest_place_of_an_arc_is_told_and_none_is_passed_over() {
         let narrow = Posted { config: Config { output_units: Some(Units::Millimetres), ..narrow }, ..posted };
         let found = narrow.findings(&narrow.program);
         let over = radius > limit + narrow.config.motion.tolerance + 0.002;
-        let on_way: Vec<_> = found.iter().filter(|found| found.text.starts_with("on its way Y")).collect();
+        let on_way: Vec<_> = found.iter().filter(|found| found.text.starts_with("within this block Y")).collect();
         assert_eq!(on_way.len(), usize::from(over), "{turn}: {found:?}");
         // The words of the ends and of the centre are rounded to a thousandth.
         assert!(on_way.iter().all(|found| (told(found) - radius).abs() < 2.5e-3), "{turn}: {found:?}");
@@ -189,7 +189,10 @@ fn where_the_control_turns_the_tool_axis_in_a_plane_its_axes_are_followed() {
         };
         assert_eq!(narrowed(low - 0.001), [], "{control} {words}");
         let found = narrowed(low + 0.1);
-        assert!(found.len() == 1 && found[0].text.starts_with("on its way Y goes to"), "{control} {words}: {found:?}");
+        assert!(
+            found.len() == 1 && found[0].text.starts_with("within this block Y moves to"),
+            "{control} {words}: {found:?}"
+        );
         assert!((told(&found[0]) - low).abs() < 2e-3, "{control} {words}: {low} {found:?}");
     }
 }
@@ -213,7 +216,7 @@ fn where_an_axis_would_leave_its_travel_the_control_takes_the_other_position() {
         let narrow = Posted { config, ..posted };
         let found = narrow.findings(&narrow.program);
         // Now neither position is inside.
-        let outside = |found: &Diagnostic| found.text.starts_with("B goes to -17.45");
+        let outside = |found: &Diagnostic| found.text.starts_with("B moves to -17.45");
         assert!(!found.is_empty() && found.iter().all(outside), "{control}: {found:?}");
     }
 }
@@ -267,7 +270,7 @@ fn without(program: &str, lost: usize) -> String {
 
 #[test]
 fn what_a_lost_line_should_have_done_is_named_with_its_line_of_the_cl_data() {
-    const LOST: &str = "no block in front of this one does what line";
+    const LOST: &str = "has no block before this one: missing or out of order";
     for control in ["linuxcnc", "fanuc", "siemens", "heidenhain", "haas"] {
         let posted = Posted::new(control, "[retract]\ndistance = 20\n[cl]\ndialect = 'nx'\n", TWO);
         assert!(posted.findings(&posted.program).is_empty());
@@ -281,9 +284,9 @@ fn what_a_lost_line_should_have_done_is_named_with_its_line_of_the_cl_data() {
             let first = found.first().unwrap_or_else(|| panic!("{control} {word}: nothing is found"));
             assert_eq!(first.location.line.to_string(), line, "{control} {word}: {found:?}");
             if word == change {
-                assert!(first.text.starts_with("T1 is in the spindle, it is to be T2"), "{control}: {found:?}");
+                assert!(first.text.starts_with("T1 is in the spindle, expected T2"), "{control}: {found:?}");
             } else {
-                assert!(first.text.starts_with(&format!("{LOST} {line} of")), "{control} {word}: {found:?}");
+                assert!(first.text.starts_with(&format!("CL line {line} {LOST}")), "{control} {word}: {found:?}");
                 assert_eq!(found.len(), 1, "{control} {word}: {found:?}");
             }
         }
@@ -296,7 +299,7 @@ fn lines_that_are_lost_together_are_named_together() {
     let at = posted.program.lines().position(|line| line == "X11 Y4").expect("it is there");
     let found = posted.findings(&without(&without(&posted.program, at), at));
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].text.contains("what lines 8 to 9 of the CL data ask for"), "{found:?}");
+    assert!(found[0].text.contains("CL lines 8 to 9 have no block before this one"), "{found:?}");
 }
 
 #[test]
@@ -310,7 +313,10 @@ fn what_a_subprogram_should_have_done_is_named_with_the_line_that_is_next() {
     let lost: Vec<&str> =
         lines.iter().enumerate().filter(|(at, _)| *at != first && *at != first + 1).map(|(_, line)| *line).collect();
     let found = posted.findings(&lost.join("\n"));
-    assert!(found.iter().any(|found| found.text.contains("line 15 of the CL data and what it calls ask")), "{found:?}");
+    assert!(
+        found.iter().any(|found| found.text.contains("CL line 15 and the subprogram that it calls have no block")),
+        "{found:?}"
+    );
 }
 
 #[test]
@@ -323,10 +329,10 @@ fn findings_speak_as_people_at_the_machine_do() {
         found.into_iter().map(|found| found.text).collect::<Vec<String>>().join("; ")
     };
     for (from, to, told) in [
-        ("G54", "G55", "the work offset is G55, it is to be G54"),
-        ("S1000", "S1500", "S is 1500, it is to be 1000"),
-        ("G43 H1", "G43 H7", "the length compensation is that of register 7, it is to be that of register 1"),
-        ("X11.", "/X11.", "whether this block runs depends on a switch of the control (block delete)"),
+        ("G54", "G55", "work offset is G55, expected G54"),
+        ("S1000", "S1500", "S is 1500, expected 1000"),
+        ("G43 H1", "G43 H7", "length compensation is register 7, expected register 1"),
+        ("X11.", "/X11.", "a switch of the control decides whether this block is executed (block delete)"),
     ] {
         let found = edited(from, to);
         assert!(found.contains(told) && !found.contains("Some("), "{from} {to}: {found}");
@@ -358,5 +364,5 @@ fn a_program_that_breaks_off_is_told_from_one_without_an_end_code() {
     assert!(text.contains("no end code"), "{text}");
     let last = without_end.find("G1 ").expect("the cut");
     let [(7, text)] = &said(&without_end[..last])[..] else { panic!("{:?}", said(&without_end[..last])) };
-    assert!(text.contains("breaks off before the CL data ends"), "{text}");
+    assert!(text.contains("breaks off before the end of the CL data"), "{text}");
 }

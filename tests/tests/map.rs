@@ -200,8 +200,8 @@ line 37 of the program (feed):
 this record asks for it
 examples/cl/two_tools.cls, line 17:
     GOTO/-0.3923,-28.0000,6.0000
-tip -0.3923 -28.0000 6.0000 mm in the workpiece
-tool axis 0.5000000 0.0000000 0.8660254
+tip X -0.3923, Y -28.0000, Z 6.0000 mm in the workpiece
+tool axis I 0.5000000, J 0.0000000, K 0.8660254
 axis values C 0.0000°, B 30.0000°, X 71.6600, Y -28.0000, Z 25.0960
 branch 1 of the inverse kinematics
 ";
@@ -224,8 +224,8 @@ fn a_block_that_is_not_there_is_said_to_be_missing() {
     missing("N77", &["--line-numbers"], "there is no block N77: the program has 75 lines");
     missing("N120", &[], "was it posted with --line-numbers?");
     missing("9999", &[], "there is no line 9999");
-    missing("0", &[], "`N1230`, a block number, or `57`, a line of the program, is needed");
-    missing("X12", &[], "is needed");
+    missing("0", &[], "expected a block number such as `N1230`, or a line of the program such as `57`");
+    missing("X12", &[], "expected a block number");
 }
 
 #[test]

@@ -158,8 +158,8 @@ fn the_tip_stays_while_each_rotary_sweeps_its_travel_on_every_control() {
 fn the_header_says_what_must_be_seen_and_the_spindle_stands() {
     let program = proof(&LOLA, "linuxcnc", &[]).expect("a program");
     for line in [
-        "PROOF OF THE KINEMATICS: nothing is cut, the spindle stands",
-        "an indicator that stands on the table and touches a ball at the tip stays still",
+        "PROOF OF THE KINEMATICS: no cutting, spindle off",
+        "an indicator that is fixed to the table and touches a ball at the tip does not move",
         "SWEEP 1: B from -90 to 90 degrees, A at 0",
         "SWEEP 2: A from -60 to 45 degrees, B at 0",
         "SWEEP 3: B from -90 to 90 degrees, A at -60",

@@ -155,9 +155,9 @@ impl<'a, R: Read> Checker<'a, R> {
         let slack = Slack { unit, tip, axis: rotary + in_plane, rotary, pole: pole + in_plane, angle };
         let masks = (words.linear_mask, words.rotary_mask);
         let mut tally = Tally::default();
-        tally.outcome.tolerance = config.motion.tolerance;
+        tally.outcome.tolerance_mm = config.motion.tolerance;
         let travel = Travel::new(&*machine, config, &words);
-        tally.outcome.limited = travel.limited();
+        tally.outcome.limits_declared = travel.limited();
         Self {
             law: FeedLaw::new(&*machine, config, family, units, masks, (unit, angle)),
             travel,
@@ -216,7 +216,7 @@ impl<'a, R: Read> Checker<'a, R> {
             self.tally.found(self.location(), shown, &fault.text, None);
         }
         if self.ended && block.action != Action::Nothing {
-            self.tally.found(self.location(), shown, "a block behind the end of the program", None);
+            self.tally.found(self.location(), shown, "block after the end code of the program", None);
             return Ok(());
         }
         if block.restart {
@@ -244,8 +244,11 @@ impl<'a, R: Read> Checker<'a, R> {
     pub(super) fn conclude(mut self, lines: u64) -> Checked {
         if !self.ended {
             let cut = self.expect.get(0).is_some_and(|item| matches!(item.kind, Kind::Motion(_)));
-            let text =
-                if cut { "the program breaks off before the CL data ends" } else { "the program has no end code" };
+            let text = if cut {
+                "the program breaks off before the end of the CL data"
+            } else {
+                "the program has no end code"
+            };
             self.found(Shown { line: lines, text: b"" }, text);
         }
         self.tally.outcome.lines = lines;
@@ -288,7 +291,7 @@ impl<'a, R: Read> Checker<'a, R> {
     /// The control turns the rotary axes into a tilted plane.
     fn orient(&mut self, shown: Shown<'_>) {
         if self.config.motion.mode != Mode::Plane || !matches!(self.phase, Phase::Clear(_)) {
-            self.found(shown, "the control turns the rotary axes into a plane where nothing asks for it");
+            self.found(shown, "the control positions the rotary axes to a tilted plane where none is expected");
         }
     }
 
@@ -317,14 +320,14 @@ impl<'a, R: Read> Checker<'a, R> {
     fn part(&mut self, block: &Block, shown: Shown<'_>) -> io::Result<()> {
         let solved = self.solved(block);
         if block.known & solved != solved {
-            self.found(shown, "where the axes stand is not known here");
+            self.found(shown, "the position of an axis is unknown at this block");
             return Ok(());
         }
         let end = self.words.place(&block.values, &block.state);
         if matches!(self.phase, Phase::Unknown | Phase::Clear(_) | Phase::Out) {
             let text = match self.phase {
-                Phase::Out => "the tool has been led out, and the machine retract does not follow",
-                _ => "the tool moves at the part without having come there by the approach",
+                Phase::Out => "machine retract expected after the retract along the tool axis",
+                _ => "motion at the part without an approach before it",
             };
             self.found(shown, text);
             self.phase = Phase::Path;

@@ -246,7 +246,7 @@ impl FeedLaw {
         let largest = self.reorient.to_degrees() * f64::from(self.rotary_mask.count_ones()).sqrt();
         let feed = state.feed.unwrap_or(0.0);
         (feed <= 0.0 || feed > largest + self.step()).then(|| {
-            format!("F is {feed} a minute, and only the tool axis turns: at most {largest:.6} degrees are allowed")
+            format!("F is {feed} per minute where only the tool axis rotates, allowed at most {largest:.6} degrees")
         })
     }
 
@@ -255,7 +255,7 @@ impl FeedLaw {
         let most = self.expected(&Stroke { change: [0.0; MAX_AXES], ..*stroke })?;
         let feed = state.feed.unwrap_or(0.0);
         (state.feed_mode != Some(most.mode) || feed <= 0.0 || feed > most.high)
-            .then(|| format!("F is {feed} a minute, it is to be at most {:.6}", most.value))
+            .then(|| format!("F is {feed} per minute, allowed at most {:.6}", most.value))
     }
 
     /// Whether a block runs as it should: `None`, or what it should be.
@@ -273,15 +273,15 @@ impl FeedLaw {
             return None;
         }
         let (name, unit) = match expected.mode {
-            FeedMode::InverseTime => ("inverse time", "1/min"),
-            _ => ("feed per minute", "a minute"),
+            FeedMode::InverseTime => ("inverse-time feed", "1/min"),
+            _ => ("feed per minute", "per minute"),
         };
         Some(match state.feed {
             _ if state.feed_mode != Some(expected.mode) => {
-                format!("F is to be {:.6} {unit} in {name}, and that is not in force", expected.value)
+                format!("{name} is not active: expected F {:.6} {unit}", expected.value)
             }
-            None => format!("there is no F, it is to be {:.6} {unit}", expected.value),
-            Some(written) => format!("F is {written} {unit}, it is to be {:.6}", expected.value),
+            None => format!("F is missing, expected {:.6} {unit}", expected.value),
+            Some(written) => format!("F is {written} {unit}, expected {:.6}", expected.value),
         })
     }
 }

@@ -54,7 +54,7 @@ impl<R: Read> Checker<'_, R> {
             let motion = match item.kind {
                 Kind::Motion(motion) => motion,
                 Kind::Dwell(seconds) => {
-                    self.found(shown, &format!("the wait of {seconds} s before this block is missing"));
+                    self.found(shown, &format!("the dwell of {seconds} s before this block is missing"));
                     self.expect.pop();
                     continue;
                 }
@@ -230,8 +230,8 @@ impl<R: Read> Checker<'_, R> {
         let on = segment.at(share);
         let outcome = &mut self.tally.outcome;
         if !motion.rapid || share >= 1.0 {
-            outcome.tip = outcome.tip.max((end.tip - on.tip).norm());
-            outcome.axis = outcome.axis.max(angle_between(&end.axis, &on.axis));
+            outcome.tip_mm = outcome.tip_mm.max((end.tip - on.tip).norm());
+            outcome.axis_rad = outcome.axis_rad.max(angle_between(&end.axis, &on.axis));
         }
         self.state_at_path(block, &wanted, shown);
         let feeds = block.action != Action::Rapid;
@@ -240,8 +240,10 @@ impl<R: Read> Checker<'_, R> {
         let as_feed = !motion.rapid
             || (self.config.motion.rapids.rapid == Rapid::Feed && !approaches && (feeds || !self.in_thread()));
         if feeds != as_feed {
-            let text =
-                if feeds { "a rapid of the CL data is run at feed" } else { "a cut of the CL data is run at rapid" };
+            let text = match feeds {
+                true => "this motion is a rapid in the CL data and is programmed at feed",
+                false => "this motion is a feed motion in the CL data and is programmed as a rapid",
+            };
             self.found(shown, text);
         } else if feeds {
             self.way(block, segment, &wanted, shown);
@@ -286,7 +288,7 @@ impl<R: Read> Checker<'_, R> {
     /// Says that a rapid turns the rotary axes where it must not.
     pub(super) fn turned_at_part(&mut self, block: &Block, shown: Shown<'_>) {
         if self.turns_at_part(block) {
-            self.found(shown, "a rapid turns the rotary axes at the part: the retract before it is missing");
+            self.found(shown, "this rapid rotates the rotary axes near the part: the retract before it is missing");
         }
     }
 
@@ -342,18 +344,20 @@ impl<R: Read> Checker<'_, R> {
             place += 1.0;
         }
         let outcome = &mut self.tally.outcome;
-        outcome.path = outcome.path.max(tip);
+        outcome.path_mm = outcome.path_mm.max(tip);
         let swings = self.config.motion.retract.rewind == Rewind::Follow;
         let largest = wanted.tolerance + self.slack.tip;
         if tip > largest {
-            let text = format!("along this block the tip leaves its path by {tip:.4} mm, {largest:.4} mm are allowed");
+            let text =
+                format!("within this block the tip deviates from its path by {tip:.4} mm, allowed {largest:.4} mm");
             self.found(shown, &text);
         }
         let largest = self.config.motion.axis_tolerance_path + self.slack.pole;
         if axis > largest && !swings {
             let (axis, largest) = (axis.to_degrees(), largest.to_degrees());
-            let text =
-                format!("along this block the tool axis leaves its turn by {axis:.4}°, {largest:.4}° are allowed");
+            let text = format!(
+                "within this block the tool axis deviates from its even rotation by {axis:.4}°, allowed {largest:.4}°"
+            );
             self.found(shown, &text);
         }
     }
@@ -419,7 +423,8 @@ impl<R: Read> Checker<'_, R> {
         if known & rotary == rotary && self.words.rotary_way(&before, &block.values) > 1.5 * self.slack.angle {
             self.found(
                 shown,
-                "the rotary axes turn on the way back: they are to be rewound where the machine has retracted",
+                "the rotary axes rotate on the way back to the part: a rewind rotates them at the retract position \
+                 only",
             );
         }
         let item = self.expect.get(0).map(|item| (item.wanted, item.kind.clone()));
@@ -472,19 +477,19 @@ impl<R: Read> Checker<'_, R> {
                 let off = segment.distance(end, self.along);
                 let turn = angle_between(&end.axis, &motion.to.axis).to_degrees();
                 match off <= self.slack.tip && turn.to_radians() <= self.slack.axis {
-                    true => "this block ends on the next motion of the CL data and is not that motion: it goes there another \
-                             way, or at rapid in the place of feed"
+                    true => "this block ends on the next motion of the CL data but does not follow it: wrong path, or \
+                             rapid instead of feed"
                         .to_owned(),
                     false => format!(
-                        "this block serves no motion of the CL data: its end is {off:.4} mm off the next one and {turn:.4}° \
-                         off its axis"
+                        "this block matches no motion of the CL data: it ends {off:.4} mm from the next motion, its \
+                         tool axis {turn:.4}° off"
                     ),
                 }
             }
-            Some(Kind::Stop { .. }) => "the program moves on before the stop of the CL data".to_owned(),
-            Some(Kind::Raw(_)) => "the program moves on before the block that INSERT asks for".to_owned(),
-            Some(Kind::Home) => "the program moves on before GOHOME".to_owned(),
-            Some(Kind::Dwell(_)) | None => "this block serves no motion of the CL data".to_owned(),
+            Some(Kind::Stop { .. }) => "the stop of the CL data (STOP, OPSTOP) is missing before this block".to_owned(),
+            Some(Kind::Raw(_)) => "the block of INSERT is missing before this block".to_owned(),
+            Some(Kind::Home) => "the retract of GOHOME is missing before this block".to_owned(),
+            Some(Kind::Dwell(_)) | None => "this block matches no motion of the CL data".to_owned(),
         }
     }
 
@@ -495,12 +500,12 @@ impl<R: Read> Checker<'_, R> {
         if let Some(first) = lines.next() {
             let last = lines.next_back().unwrap_or(first);
             let which = match last.line.cmp(&first.line) {
-                Ordering::Equal => format!("line {} of the CL data asks", first.line),
-                Ordering::Greater => format!("lines {} to {} of the CL data ask", first.line, last.line),
+                Ordering::Equal => format!("CL line {} has", first.line),
+                Ordering::Greater => format!("CL lines {} to {} have", first.line, last.line),
                 // What a subprogram asks stands where it is defined.
-                Ordering::Less => format!("line {} of the CL data and what it calls ask", first.line),
+                Ordering::Less => format!("CL line {} and the subprogram that it calls have", first.line),
             };
-            let text = format!("no block in front of this one does what {which} for: lost, or elsewhere");
+            let text = format!("{which} no block before this one: missing or out of order");
             self.tally.found(first, shown, &text, None);
         }
         (0..count).for_each(|_| self.pass());

@@ -113,12 +113,12 @@ impl<R: Read> Checker<'_, R> {
             .and_then(|item| Some((item.hole?, item.wanted, matches!(item.kind, Kind::Motion(m) if m.starts))));
         let ends = |checker: &Self, level: f64| checker.at_level(block, level);
         let Some((wanted, state, starts)) = front else {
-            self.found(shown, "a cycle, and the CL data asks for no hole here");
+            self.found(shown, "cycle, but the CL data has no hole here");
             self.here = ends(self, cycle.back_to);
             return Ok(());
         };
         if !matches!(self.phase, Phase::Path) || (starts && !self.approached) {
-            self.found(shown, "a cycle where the tool has not come by the approach");
+            self.found(shown, "cycle without an approach before it");
             self.phase = Phase::Path;
         }
         self.state_at_path(block, &state, shown);
@@ -127,7 +127,7 @@ impl<R: Read> Checker<'_, R> {
             placed(&Pose { tip: hole.top.tip + hole.top.axis.into_inner() * height, axis: hole.top.axis })
         };
         let levels =
-            [("comes down to", cycle.reference, hole.clearance_mm), ("ends its cut at", cycle.bottom, -hole.depth_mm)];
+            [("clearance point", cycle.reference, hole.clearance_mm), ("bottom", cycle.bottom, -hole.depth_mm)];
         for (what, level, height) in levels {
             self.level_is(block, level, (&placed_at(height), height - hole.clearance_mm), what, shown);
         }
@@ -137,7 +137,7 @@ impl<R: Read> Checker<'_, R> {
         let short = matches!(cycle.kind, CycleKind::Tap(_)) && end.is_some_and(|end| self.is_at(&end, &clearance));
         let stays = short && hole.return_mm - hole.clearance_mm > SAME_LEVEL;
         let (back, above) = if stays { (clearance, 0.0) } else { (back, hole.return_mm - hole.clearance_mm) };
-        self.level_is(block, cycle.back_to, (&back, above), "ends at", shown);
+        self.level_is(block, cycle.back_to, (&back, above), "return point", shown);
         self.kind_is(cycle, &hole, state.spindle, shown);
         self.cycle_feed_is(block, cycle, &hole, state.spindle.map(|(speed, _)| speed), shown);
         self.cycle_wait_is(cycle, &hole, state.spindle.map(|(speed, _)| speed), shown);
@@ -216,17 +216,17 @@ impl<R: Read> Checker<'_, R> {
     fn level_is(&mut self, block: &Block, level: f64, wanted: (&Placed, f64), what: &str, shown: Shown<'_>) {
         let (wanted, above) = wanted;
         let Some(values) = self.words_at(block, level) else {
-            return self.found(shown, "a cycle, and in which plane is not known");
+            return self.found(shown, "cycle without a known working plane");
         };
         let at = self.words.place(&values, &block.state);
         let turn = angle_between(&at.axis, &wanted.axis);
         let largest = self.slack.tip + above.abs() * turn;
         let off = (at.tip - wanted.tip).norm();
         if off > largest || turn > self.axis_slack(&wanted.axis) {
-            self.found(shown, &format!("the cycle {what} a place that is {off:.4} mm off that of the CL data"));
+            self.found(shown, &format!("{what} of the cycle is {off:.4} mm from that of the CL data"));
         }
         let outcome = &mut self.tally.outcome;
-        outcome.tip = outcome.tip.max((at.tip - wanted.tip).norm());
+        outcome.tip_mm = outcome.tip_mm.max((at.tip - wanted.tip).norm());
         self.limits(&Block { values, ..block.clone() }, shown);
     }
 
@@ -251,7 +251,7 @@ impl<R: Read> Checker<'_, R> {
             _ => false,
         };
         if !same {
-            let text = format!("the cycle makes {}, the CL data wants {}", cycle.kind, made(hole));
+            let text = format!("the cycle makes {}, expected {}", cycle.kind, made(hole));
             self.found(shown, &text);
         }
     }
@@ -287,7 +287,7 @@ impl<R: Read> Checker<'_, R> {
             (Some(Dwell::Revolutions(_)), None) | (None, _) => 0.0,
         };
         if (cycle.dwell - seconds).abs() > WAIT {
-            self.found(shown, &format!("the cycle waits {} s at the bottom, the CL data {seconds} s", cycle.dwell));
+            self.found(shown, &format!("the cycle dwells for {} s at the bottom, expected {seconds} s", cycle.dwell));
         }
     }
 

@@ -1,9 +1,11 @@
-//! Programs checked before anyone cuts: read back, put through the chain of the machine, compared with the CL data.
+//! The check of a program: reads the program back, computes tip and tool axis of each block, and compares them with the
+//! CL data.
 //!
-//! `read` makes blocks of a program, knowing the control and nothing else. `chain` and `words` make tip and tool axis of
-//! them: matrices at run time, not the generated functions. `expect` says what the CL data asks for, `path` where the tool
-//! is on its way, `feed` how fast. `compare` brings the two together, with `follow` and `steps` at the part, `sequence` and
-//! `out` between cuts, and `state` for everything modal. Memory is constant in the length of the program.
+//! `read` turns the text of a program into blocks; it knows the control and nothing else. `chain` and `words` compute
+//! tip and tool axis from the axis words with matrices at run time, not with the generated functions. `expect` reads
+//! from the CL data what the program has to do, `path` gives the position of the tool along a motion, `feed` its feed.
+//! `compare` compares the two: with `follow` and `steps` in cuts, `sequence` and `out` between cuts, and `state` for
+//! modal codes. Memory does not grow with the length of the program.
 
 mod chain;
 mod compare;
@@ -36,18 +38,18 @@ use crate::program::Units;
 use compare::Checker;
 use read::{Family, Reader};
 
-/// What a program is compared with.
+/// A check: the set-up and the control of the program.
 #[derive(Clone, Copy)]
 pub struct Job<'a> {
-    /// The set-up it was posted with.
+    /// The set-up that the program was posted with.
     pub config: &'a Config,
-    /// The control that reads it.
+    /// The control that runs the program.
     pub control: &'a dyn Control,
-    /// Unit of the CL data where it does not say so itself.
+    /// Unit of CL data that states none.
     pub units: Option<Units>,
 }
 
-/// Why a program could not be compared.
+/// The reason why a program could not be checked.
 #[derive(Debug, thiserror::Error)]
 pub enum CheckError {
     /// The CL data cannot be read.
@@ -56,24 +58,24 @@ pub enum CheckError {
     /// The program cannot be read.
     #[error("cannot read the program: {0}")]
     Program(#[source] io::Error),
-    /// Nothing is known of this control or machine, or the configuration does not fit the two.
+    /// Programs of this control cannot be read back, or the configuration does not suit control or machine.
     #[error("{0}")]
     Impossible(String),
 }
 
-/// What a comparison gives.
+/// Result of a check.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Checked {
-    /// The program beside the CL data.
+    /// Figures and findings of the program.
     pub outcome: Outcome,
-    /// The first error of the CL data itself.
+    /// First error of the CL data itself.
     pub fault: Option<Diagnostic>,
 }
 
 /// Compares a program with the CL data it was posted from.
 ///
 /// # Errors
-/// [`CheckError`] if there is nothing to compare; what is wrong with the program is in the outcome.
+/// [`CheckError`] if the program cannot be compared. Errors of the program are findings of the outcome.
 pub fn check<M: Machine>(
     job: &Job<'_>,
     mut input: impl Read + Seek,
@@ -82,7 +84,7 @@ pub fn check<M: Machine>(
     check_for(&M::default(), job, &mut input, &mut program)
 }
 
-/// [`check()`] for a machine whose type is not known.
+/// [`check()`] for a machine whose type is known at run time only.
 ///
 /// # Errors
 /// Those of [`check()`].
@@ -114,15 +116,15 @@ pub fn check_for(
     Ok(checker.conclude(reader.lines()))
 }
 
-/// The blocks of a program as a control of this set-up reads them, comments left out.
+/// The blocks of a program as its control reads them, without comments.
 ///
 /// # Errors
-/// [`CheckError`] if the control is not known or the program cannot be read.
+/// [`CheckError`] if programs of the control cannot be read back, or the program cannot be read.
 pub fn blocks<M: Machine>(job: &Job<'_>, mut program: impl Read) -> Result<Vec<read::Block>, CheckError> {
     blocks_for(&M::default(), job, &mut program)
 }
 
-/// [`blocks`] for a machine whose type is not known.
+/// [`blocks`] for a machine whose type is known at run time only.
 ///
 /// # Errors
 /// Those of [`blocks`].
@@ -143,7 +145,7 @@ pub fn blocks_for(
 
 fn family(job: &Job<'_>) -> Result<Family, CheckError> {
     Family::of_control(job.control.spellings().name)
-        .ok_or_else(|| CheckError::Impossible("programs of this control cannot be read back".to_owned()))
+        .ok_or_else(|| CheckError::Impossible("the check cannot read programs of this control".to_owned()))
 }
 
 #[cfg(test)]

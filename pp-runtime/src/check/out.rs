@@ -28,7 +28,7 @@ impl<R: Read> Checker<'_, R> {
         // Along an axis that hardly leads to a plane the rounding of a place is a long way: the CL data has come there.
         let on_path = self.here_on_path().filter(|place| self.here.is_some_and(|here| self.is_at(&here, place)));
         if !self.here.into_iter().chain(on_path).any(enough) {
-            self.found(shown, "the machine retract does not begin with the way out along the tool axis");
+            self.found(shown, "the retract along the tool axis before this machine retract is missing or too short");
         }
     }
 

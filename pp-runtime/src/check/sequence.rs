@@ -65,7 +65,7 @@ impl<R: Read> Checker<'_, R> {
     /// An approach that has begun has to end at the approach point.
     fn broken_off(&mut self, shown: Shown<'_>) {
         if matches!(self.phase, Phase::Clear(1..)) && !self.parks {
-            self.found(shown, "an approach has begun before this block and does not end at an approach point");
+            self.found(shown, "the approach before this block does not end at an approach point");
         }
     }
 
@@ -83,13 +83,13 @@ impl<R: Read> Checker<'_, R> {
             if !parked {
                 self.found(
                     shown,
-                    &format!("machine coordinates are not those of the retract, {position} mm of its axis alone"),
+                    &format!("machine coordinates: expected those of the retract, {position} mm of its axis alone"),
                 );
             }
             return Ok(());
         }
         if let Some(text) = self.travel.check_machine(self.words.retract, block.values[self.words.retract]) {
-            self.tally.outcome.limits += 1;
+            self.tally.outcome.outside_limits += 1;
             self.found(shown, &text);
         }
         self.broken_off(shown);
@@ -151,7 +151,7 @@ impl<R: Read> Checker<'_, R> {
         {
             self.found(
                 shown,
-                "from the retract the rotary axes turn first, then the other linear axes move, the retract axis last",
+                "order of the approach: expected rotary axes first, then the other linear axes, the retract axis last",
             );
         }
         self.state_at_approach(block, step, shown);
@@ -160,7 +160,7 @@ impl<R: Read> Checker<'_, R> {
         if step == 3 || step == 0 && block.written & retract != 0 {
             let solved = self.solved(block);
             if block.known & solved != solved {
-                self.found(shown, "where the axes stand at the approach point is not known");
+                self.found(shown, "the position of an axis is unknown at the approach point");
                 self.phase = Phase::Path;
                 self.lost = true;
                 return Ok(());
@@ -180,19 +180,19 @@ impl<R: Read> Checker<'_, R> {
         let twist = self.words.twist(&block.values, &tilt.rotation);
         if twist > 2.0 * self.slack.axis {
             let twist = twist.to_degrees();
-            self.found(shown, &format!("the plane is turned by {twist:.4}° against where the rotary axes stand"));
+            self.found(shown, &format!("the tilted plane is rotated by {twist:.4}° against that of the rotary axes"));
         }
         let stands = self.words.chain.place(&self.words.values(&block.values)).axis;
         let off = angle_between(&stands, &end.axis);
         if off > self.axis_slack(&end.axis) {
             let off = off.to_degrees();
-            self.found(shown, &format!("the rotary axes stand {off:.4}° off the plane that the control tilts"));
+            self.found(shown, &format!("the rotary axes are {off:.4}° off the tilted plane"));
         } else if let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) {
             let off = angle_between(&stands, &motion.to.axis);
             let at_pole = self.axis_slack(&motion.to.axis) > self.slack.axis;
             if off > if at_pole { self.slack.pole } else { self.slack.rotary } {
                 let off = off.to_degrees();
-                self.found(shown, &format!("the rotary axes stand {off:.4}° off the tool axis of the CL data"));
+                self.found(shown, &format!("the rotary axes are {off:.4}° off the tool axis of the CL data"));
             }
         }
     }
@@ -211,7 +211,7 @@ impl<R: Read> Checker<'_, R> {
         }
         self.take_back(block, Some(end));
         let Some(Item { kind: Kind::Motion(motion), .. }) = self.expect.get(0) else {
-            self.found(shown, "an approach, and the CL data has no motion here");
+            self.found(shown, "approach, but the CL data has no motion here");
             return;
         };
         if motion.starts {
@@ -225,12 +225,12 @@ impl<R: Read> Checker<'_, R> {
             let (off, turn) = ((end.tip - above.tip).norm(), angle_between(&end.axis, &above.axis).to_degrees());
             self.found(
                 shown,
-                &format!("the approach ends {off:.4} mm from the approach point, its tool axis {turn:.4}° off"),
+                &format!("the approach ends {off:.4} mm from the approach point, the tool axis is {turn:.4}° off"),
             );
         } else {
             let outcome = &mut self.tally.outcome;
-            outcome.tip = outcome.tip.max((end.tip - above.tip).norm());
-            outcome.axis = outcome.axis.max(angle_between(&end.axis, &above.axis));
+            outcome.tip_mm = outcome.tip_mm.max((end.tip - above.tip).norm());
+            outcome.axis_rad = outcome.axis_rad.max(angle_between(&end.axis, &above.axis));
         }
         self.approached = true;
         self.reached = Some(above);
@@ -272,7 +272,7 @@ impl<R: Read> Checker<'_, R> {
         let back = over.iter().find(|(along, above)| *along >= -self.slack.tip && self.is_far_out(end, above, *along));
         let (_, above) = *back.unwrap_or(&over[0]);
         if back.is_none() || angle_between(&pose.axis, &end.axis) > self.axis_slack(&pose.axis) {
-            self.found(shown, "behind a rewind the tool does not come back above the place that it left");
+            self.found(shown, "after the rewind the tool does not return above the point that it left");
         }
         self.back = Some(Segment { from: above, to: pose, shape: Shape::Line });
         self.led_out = 0.0;
@@ -314,21 +314,20 @@ impl<R: Read> Checker<'_, R> {
             needed |= stated::SPINDLE;
         }
         let missing = needed & !block.stated;
-        for (bit, what) in
-            [(stated::COOLANT, "coolant"), (stated::OFFSET, "the work offset"), (stated::SPINDLE, "the spindle")]
+        for (bit, what) in [(stated::COOLANT, "coolant"), (stated::OFFSET, "work offset"), (stated::SPINDLE, "spindle")]
         {
             if missing & bit != 0 {
                 self.found(
                     shown,
-                    &format!("an operation begins here, and {what} has not been stated since its first block"),
+                    &format!("operation starts without its {what}, which must be programmed after its restart point"),
                 );
             }
         }
         if self.config.control.safety.is_none() && !self.restarted {
-            self.found(shown, "an operation begins here without the blocks that state everything");
+            self.found(shown, "operation starts without a restart point, the block that sets all modal codes");
         }
         if !self.retracted {
-            self.found(shown, "an operation begins here without the machine retract behind its first block");
+            self.found(shown, "operation starts without the machine retract after its restart point");
         }
     }
 
@@ -337,7 +336,7 @@ impl<R: Read> Checker<'_, R> {
         self.state_at_park(block, shown);
         self.parks = true;
         if !self.parks_rotary(block) {
-            self.found(shown, "the CL data has no motion here, and this is no parking place of the configuration");
+            self.found(shown, "the CL data has no motion here, and this is no parking position of the configuration");
         }
     }
 
@@ -378,7 +377,7 @@ impl<R: Read> Checker<'_, R> {
             self.find_again(|item| item.wanted.tool == tool, shown)?;
         }
         if !matches!(self.phase, Phase::Clear(_)) || !self.retracted {
-            self.found(shown, "the tool is changed where the machine has not retracted");
+            self.found(shown, "tool change before the machine has retracted");
         }
         self.broken_off(shown);
         self.forget();
@@ -409,7 +408,7 @@ impl<R: Read> Checker<'_, R> {
         }
         let spindle = self.config.motion.spindle_dwell;
         if spindle <= 0.0 || (spindle - seconds).abs() > WAIT {
-            self.found(shown, &format!("a wait of {seconds} s that nothing asks for"));
+            self.found(shown, &format!("dwell of {seconds} s, which neither CL data nor configuration asks for"));
         }
         Ok(())
     }
@@ -423,10 +422,10 @@ impl<R: Read> Checker<'_, R> {
             Some(item) if is_it(item) => {
                 self.expect.pop();
             }
-            _ => self.found(shown, "a stop that the CL data does not ask for here"),
+            _ => self.found(shown, "stop without STOP or OPSTOP in the CL data"),
         }
         if self.config.motion.stop_retract && !matches!(self.phase, Phase::Clear(_)) {
-            self.found(shown, "the program stops where the tool has not been retracted");
+            self.found(shown, "program stop before the machine has retracted");
         }
         if self.config.motion.stop_retract {
             self.state_at_end(block, shown);
@@ -442,10 +441,10 @@ impl<R: Read> Checker<'_, R> {
         self.expect.fill(1)?;
         self.pass_needless()?;
         if self.expect.get(0).is_some() {
-            self.found(shown, "the program ends before the CL data does");
+            self.found(shown, "end code before the end of the CL data");
         }
         if !matches!(self.phase, Phase::Clear(_)) {
-            self.found(shown, "the program ends where the tool has not been retracted");
+            self.found(shown, "end code before the machine has retracted");
         }
         self.state_at_end(block, shown);
         self.broken_off(shown);
@@ -464,7 +463,7 @@ impl<R: Read> Checker<'_, R> {
             let retracted =
                 index == self.words.retract && (place - self.config.motion.retract.position()).abs() < self.slack.unit;
             if !turned && !retracted && self.parked & (1 << index) == 0 {
-                self.found(shown, &format!("{} has not been parked", axis.letter));
+                self.found(shown, &format!("{} is not at its parking position", axis.letter));
             }
         }
     }
@@ -477,7 +476,10 @@ impl<R: Read> Checker<'_, R> {
         let at_part = matches!(self.phase, Phase::Path | Phase::Out);
         let changed = matches!(before, Some(Length::Register(_))) && before != block.state.length;
         if moves && at_part && changed && block.action != Action::Machine {
-            self.found(shown, "the length compensation is given up where the machine has not retracted: the tool may move by its length");
+            self.found(
+                shown,
+                "length compensation is switched off before the machine has retracted: the tool may move by its length",
+            );
         }
     }
 
@@ -487,7 +489,7 @@ impl<R: Read> Checker<'_, R> {
         let before = std::mem::replace(&mut self.tilted, block.state.tilt.is_some());
         let at_part = matches!(self.phase, Phase::Path | Phase::Out) && self.family != Family::Heidenhain;
         if before && !self.tilted && at_part {
-            self.found(shown, "the tilted plane is given up where the machine has not retracted");
+            self.found(shown, "the tilted plane is switched off before the machine has retracted");
         }
     }
 
@@ -499,7 +501,10 @@ impl<R: Read> Checker<'_, R> {
         if let Some(wanted) = wanted
             && (wanted - length).abs() > 1e-3
         {
-            self.found(shown, &format!("the guard compares with {length} mm, the tool is {wanted} mm long"));
+            self.found(
+                shown,
+                &format!("the length guard compares with {length} mm, but the tool length is {wanted} mm"),
+            );
         }
     }
 }

@@ -90,12 +90,12 @@ impl<R: Read> Checker<'_, R> {
     /// In machine coordinates; `tilts`: a plane may be tilted yet.
     pub(super) fn state_at_retract(&mut self, block: &Block, dry: bool, tilts: bool, shown: Shown<'_>) {
         let state = &block.state;
-        let tips =
-            (state.tip_control != TipControl::Off).then(|| "machine coordinates while tip control is on".to_owned());
+        let tips = (state.tip_control != TipControl::Off)
+            .then(|| "machine coordinates are programmed while tip control is on".to_owned());
         // Where the block itself takes the length away.
         let ends = matches!(self.family, Family::Fanuc | Family::Haas | Family::Siemens);
         let length = (ends && state.length != Some(Length::Off))
-            .then(|| "machine coordinates, and the length compensation has not been switched off".to_owned());
+            .then(|| "machine coordinates are programmed before length compensation is switched off".to_owned());
         let turns = self.turns_on(state);
         let found = self
             .everywhere(state, Side::None)
@@ -139,17 +139,20 @@ impl<R: Read> Checker<'_, R> {
             return self.say(found, shown);
         }
         let name = |tool: Option<u32>| tool.map_or("no tool".to_owned(), |number| format!("T{number}"));
-        let text = format!("{} is in the spindle, it is to be {}", name(state.tool), name(wanted.tool));
+        let text = format!("{} is in the spindle, expected {}", name(state.tool), name(wanted.tool));
         self.tally.found(wanted.called.unwrap_or_else(|| self.location()), shown, &text, None);
     }
 
     /// What holds for every block that moves.
     fn everywhere(&self, state: &State, side: Side) -> Option<String> {
         if state.units != Some(self.units) {
-            return Some(format!("lengths are not in {} here", self.units.name()));
+            return Some(format!(
+                "the program is not in {}: the unit code before this block is missing or wrong",
+                self.units.name()
+            ));
         }
         if state.incremental != Some(false) {
-            return Some("words are distances here, or nobody has said that they are places".to_owned());
+            return Some("incremental mode (G91) is active, or G90 has not been programmed".to_owned());
         }
         // Heidenhain says the plane with the tool.
         let unsaid = self.family == Family::Heidenhain && state.plane.is_none() && self.phase == Phase::Unknown;
@@ -158,20 +161,20 @@ impl<R: Read> Checker<'_, R> {
             && state.plane.is_some()
             && state.plane == self.arc_plane;
         if state.plane != Some(WorkPlane::Xy) && !unsaid && !of_arc {
-            return Some("the plane is not that of X and Y".to_owned());
+            return Some("the working plane is not XY (G17)".to_owned());
         }
         if state.side.unwrap_or_default() != side {
             return Some(format!(
-                "the cutter runs {} its path here, it is to run {} it",
-                state.side.unwrap_or_default().told(),
-                side.told()
+                "cutter compensation is {}, expected {}",
+                state.side.unwrap_or_default().name(),
+                side.name()
             ));
         }
         if state.shortest && self.config.motion.rotaries.wrap.is_empty() {
-            return Some("rotary axes take the shorter way here, and their words count on past a turn".to_owned());
+            return Some("shortest-path rotary mode is active, but angles are programmed beyond 360".to_owned());
         }
         if state.feed_mode == Some(FeedMode::PerRevolution) || state.feed_mode.is_none() {
-            return Some("F does not count a minute here".to_owned());
+            return Some("feed mode is not per minute (G94)".to_owned());
         }
         None
     }
@@ -181,16 +184,18 @@ impl<R: Read> Checker<'_, R> {
         let tips = state.tip_control != TipControl::Off;
         let tilted = state.tilt.is_some();
         match (self.config.motion.mode, framed) {
-            (Mode::Tcp, true) if !tips => Some("tip control is off, and the words are those of the tip".to_owned()),
-            (Mode::Plane, true) if !tilted => Some("no plane is tilted, and the words count in one".to_owned()),
+            (Mode::Tcp, true) if !tips => Some("tip control is off, but linear words are tip coordinates".to_owned()),
+            (Mode::Plane, true) if !tilted => {
+                Some("no tilted plane is active, but linear words are coordinates in one".to_owned())
+            }
             (Mode::Plane, true) if state.tilt.is_some_and(|tilt| !tilt.oriented) => {
-                Some("the plane is tilted, and the rotary axes have not been told to follow".to_owned())
+                Some("a tilted plane is active, but the rotary axes have not been positioned to it".to_owned())
             }
             (mode, framed) if tips && !(framed && mode == Mode::Tcp) => {
-                Some("tip control is on, and the words are axis positions".to_owned())
+                Some("tip control is on, but words are axis positions".to_owned())
             }
             (mode, framed) if tilted && !(framed && mode == Mode::Plane) => {
-                Some("a plane is tilted, and the words are axis positions".to_owned())
+                Some("a tilted plane is active, but words are axis positions".to_owned())
             }
             (Mode::Tcp, true) => self.turning(state),
             _ => None,
@@ -206,12 +211,16 @@ impl<R: Read> Checker<'_, R> {
         let in_workpiece = in_plane || self.config.motion.tip.tcp_words == TcpWords::Vectors;
         let chosen = matches!(self.family, Family::Siemens | Family::Heidenhain | Family::Fanuc);
         if chosen && state.in_plane != Some(in_plane) {
-            let way = if in_plane { "in the plane of its ends" } else { "with rotary axes that move evenly" };
-            return Some(format!("the tool axis is to turn {way}, and the program does not say so"));
+            let expected = if in_plane {
+                "the plane through the first and the last tool axis"
+            } else {
+                "even motion of the rotary axes"
+            };
+            return Some(format!("interpolation of the tool axis: expected {expected}, which is not programmed"));
         }
         (self.family == Family::Siemens && state.in_workpiece != Some(in_workpiece)).then(|| {
             let frame = if in_workpiece { "workpiece" } else { "machine" };
-            format!("tool axes are to count in the {frame}, and the program does not say so")
+            format!("tool axis: expected interpolation in the {frame} frame, which is not programmed")
         })
     }
 
@@ -219,7 +228,7 @@ impl<R: Read> Checker<'_, R> {
     fn offsets(&self, state: &State, wanted: &Wanted, length: bool) -> Option<String> {
         let offset = self.offsets.iter().find(|(frame, _)| *frame == wanted.frame).map(|(_, offset)| *offset);
         if state.work_offset != offset {
-            return Some(format!("the work offset is {}, it is to be {}", told(state.work_offset), told(offset)));
+            return Some(format!("work offset is {}, expected {}", told(state.work_offset), told(offset)));
         }
         if !length {
             return None;
@@ -230,7 +239,7 @@ impl<R: Read> Checker<'_, R> {
             (LengthMode::Tip, None) => return None,
         };
         if state.length.unwrap_or(Length::Off) != register {
-            return Some(format!("the length compensation is {}, it is to be {register}", told(state.length)));
+            return Some(format!("length compensation is {}, expected {register}", told(state.length)));
         }
         None
     }
@@ -240,36 +249,36 @@ impl<R: Read> Checker<'_, R> {
         let apart = matches!(self.family, Family::LinuxCnc | Family::Fanuc | Family::Haas);
         (apart && state.diameter != Some(wanted.radius)).then(|| {
             let register = state.diameter.map(|register| format!("D{register}"));
-            format!("the register of the radius is {}, it is to be D{}", told(register), wanted.radius)
+            format!("radius register is {}, expected D{}", told(register), wanted.radius)
         })
     }
 }
 
 /// What is in force, for people.
 fn told<T: Display>(value: Option<T>) -> String {
-    value.map_or_else(|| "not said".to_owned(), |value| value.to_string())
+    value.map_or_else(|| "not programmed".to_owned(), |value| value.to_string())
 }
 
 fn tilted(state: &State) -> Option<String> {
-    state.tilt.map(|_| "a plane is still tilted where the machine has retracted".to_owned())
+    state.tilt.map(|_| "a tilted plane is still active at the retract position".to_owned())
 }
 
 /// Inverse time belongs to feed blocks.
 fn inverse(state: &State) -> Option<String> {
-    (state.feed_mode == Some(FeedMode::InverseTime)).then(|| "a rapid while F is inverse time".to_owned())
+    (state.feed_mode == Some(FeedMode::InverseTime)).then(|| "rapid while inverse-time feed (G93) is active".to_owned())
 }
 
 fn spindle(state: &State, wanted: Option<(f64, Rotation)>) -> Option<String> {
     let turns = state.spindle.flatten();
     match wanted {
-        None => turns.map(|_| "the spindle turns, and it is to stand".to_owned()),
+        None => turns.map(|_| "spindle is on, expected off".to_owned()),
         Some((_, sense)) if turns != Some(sense) => Some(match turns {
-            None => "the spindle stands, and it is to turn".to_owned(),
-            Some(_) => "the spindle turns the other way round".to_owned(),
+            None => "spindle is off, expected on".to_owned(),
+            Some(_) => "spindle rotates in the wrong direction".to_owned(),
         }),
         Some((speed, _)) => match state.speed {
             Some(written) if (written - speed).abs() <= 1e-6 * speed => None,
-            written => Some(format!("S is {}, it is to be {speed}", told(written))),
+            written => Some(format!("S is {}, expected {speed}", told(written))),
         },
     }
 }
@@ -277,8 +286,8 @@ fn spindle(state: &State, wanted: Option<(f64, Rotation)>) -> Option<String> {
 fn coolant(state: &State, wanted: u8) -> Option<String> {
     match state.coolant {
         Some(bits) if bits == wanted => None,
-        Some(_) if wanted == 0 => Some("coolant is on, and it is to be off".to_owned()),
-        None => Some("nobody has said whether coolant is on".to_owned()),
-        Some(_) => Some("coolant is not what the CL data asks for".to_owned()),
+        Some(_) if wanted == 0 => Some("coolant is on, expected off".to_owned()),
+        None => Some("coolant state is unknown: neither on nor off has been programmed before this block".to_owned()),
+        Some(_) => Some("coolant differs from that of the CL data (COOLNT)".to_owned()),
     }
 }

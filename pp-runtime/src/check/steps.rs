@@ -89,9 +89,9 @@ impl<R: Read> Checker<'_, R> {
     pub(super) fn ends_steps(&mut self, block: &Block, shown: Shown<'_>) {
         let Some(steps) = self.steps.take() else { return };
         if !self.lies_on_way(&steps, &block.values) {
-            self.found(shown, "the steps of this rapid do not lie on its way");
+            self.found(shown, "the intermediate points of this rapid are not on its path");
         } else if self.short_way(&steps.start, &block.values) < PI - self.slack.angle {
-            self.found(shown, "this rapid is run in steps, and no axis has half a turn to go");
+            self.found(shown, "this rapid is split into steps, but no rotary axis moves by 180° or more");
         }
     }
 

@@ -406,7 +406,7 @@ GOTO/-10,20,5
         assert!(program.contains(half), "{program}");
         let aside = program.replace(half, &half.replace("90", "91"));
         let found = again::<Tables>(control, Mode::Axes, set_up, data, &aside);
-        assert!(found.len() == 1 && found[0].starts_with("7: the steps of this rapid"), "{found:?}");
+        assert!(found.len() == 1 && found[0].starts_with("7: the intermediate points of this rapid"), "{found:?}");
     }
     // A step farther than the end, one backwards, one in another state.
     let program = posted_right::<Tables>("linuxcnc", Mode::Axes, set_up, data);

@@ -198,14 +198,14 @@ impl<R: Read> Checker<'_, R> {
         if block.state.vector.is_none() {
             // Past the pole the axes may have swung to the other position that shows the same tool axis.
             if words.rotary_way(&last.words, &block.values) <= SAME_PLACE {
-                self.judge(&reach, [&values, &last.values], "on its way ", shown);
+                self.judge(&reach, [&values, &last.values], "within this block ", shown);
             }
             return;
         }
         self.stands = Some(last.words);
         match self.travel.turned_over(&last.values).then(|| self.other_position(&last.words, &end.axis)).flatten() {
             Some(other) => self.stands = Some(other),
-            None => self.judge(&reach, [&values, &last.values], "on its way ", shown),
+            None => self.judge(&reach, [&values, &last.values], "within this block ", shown),
         }
     }
 
@@ -245,7 +245,7 @@ impl<R: Read> Checker<'_, R> {
         };
         let last = search.go(late, 1.0, step);
         let reach = search.reach;
-        self.judge(&reach, [&first.values, &last.values], "on its way ", shown);
+        self.judge(&reach, [&first.values, &last.values], "within this block ", shown);
     }
 
     /// Tells each axis that leaves its travel on the way of a block, farther than at the ends of it.
@@ -258,7 +258,7 @@ impl<R: Read> Checker<'_, R> {
                 if ends.iter().all(|end| farthest > side * end[axis.index] + NOISE)
                     && let Some(text) = axis.judge(side * farthest, &self.words, slack)
                 {
-                    self.tally.outcome.limits += 1;
+                    self.tally.outcome.outside_limits += 1;
                     self.tally.found(self.served, shown, &format!("{place}{text}"), None);
                 }
             }
@@ -310,7 +310,7 @@ impl<R: Read> Checker<'_, R> {
                 }
             }
         }
-        self.judge(&reach, [&first, &last], "where each axis of this rapid runs on its own, ", shown);
+        self.judge(&reach, [&first, &last], "if each axis of this rapid moves on its own, ", shown);
     }
 
     /// Whether the axes are within their travel at the words of a block; says so if not.
@@ -319,7 +319,7 @@ impl<R: Read> Checker<'_, R> {
         let values = turned.and_then(|words| self.words.axes_turned(&words, &block.state));
         let Some(values) = values else { return };
         let Some(text) = self.travel.check(&self.words, &values, block.known, NOISE) else { return };
-        self.tally.outcome.limits += 1;
+        self.tally.outcome.outside_limits += 1;
         self.tally.found(self.served, shown, &text, None);
     }
 }
@@ -399,7 +399,7 @@ impl Axis {
         self.span = (self.span.0.min(place), self.span.1.max(place));
         let (span, travel) = (self.span.1 - self.span.0, self.limits.upper - self.limits.lower);
         (span > travel + slack)
-            .then(|| format!("{} needs {span:.3} mm of travel, there are {travel:.3} mm", self.letter))
+            .then(|| format!("{} needs {span:.3} mm of travel, its limits allow {travel:.3} mm", self.letter))
     }
 
     fn outside(&self, place: f64, slack: f64) -> Option<String> {
@@ -410,6 +410,6 @@ impl Axis {
         }
         let shown = |value: f64| if self.rotary { value.to_degrees() } else { value };
         let [place, lower, upper] = [place, lower, upper].map(shown);
-        Some(format!("{} goes to {place:.4}, its limits are {lower:.4} to {upper:.4}", self.letter))
+        Some(format!("{} moves to {place:.4}, outside its limits {lower:.4} to {upper:.4}", self.letter))
     }
 }

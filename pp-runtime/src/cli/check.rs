@@ -1,4 +1,4 @@
-//! `check IN.cls OUT.nc`: a program that was posted earlier, or edited by hand, beside its CL data.
+//! `check IN.cls OUT.nc`: compares a program that was posted earlier, or edited by hand, with its CL data.
 
 use std::fs::File;
 use std::io::{Read, Seek as _};
@@ -11,11 +11,11 @@ use crate::diag::Diagnostic;
 use crate::kinematics::AnyMachine;
 
 use super::args::{CheckArgs, MessageFormat};
-use super::inputs::{open, read_config};
+use super::inputs::{open_cl_data, read_config};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, is_standard, print};
 
-/// The figures for programs.
+/// The figures of a check as JSON.
 #[derive(Serialize)]
 struct Figures {
     passed: bool,
@@ -31,7 +31,7 @@ struct Figures {
 pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.format());
     let config = read_config(machine, &args.set_up, &mut messages)?;
-    let mut source = open(&args.input, streams.input)?;
+    let mut source = open_cl_data(&args.input, streams.input)?;
     let name = source.name().to_owned();
     let mut program: Box<dyn Read + '_> = match (is_standard(&args.program), is_standard(&args.input)) {
         (true, true) => {
@@ -44,8 +44,8 @@ pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Stre
     let checked =
         check_for(machine, &job, &mut source, &mut program).map_err(|error| failure(error, &name, &args.program))?;
     drop(program);
-    if let Some(what) = source.disturbed() {
-        return Err(Failure::Disturbed(name, what));
+    if let Some(what) = source.changed_since_opened() {
+        return Err(Failure::Changed(name, what));
     }
     let found = findings(&checked);
     if !found.is_empty() {
@@ -64,7 +64,7 @@ pub(crate) fn run(machine: &dyn AnyMachine, args: &CheckArgs, streams: &mut Stre
     Ok(if passed { Status::Done } else { Status::Rejected })
 }
 
-/// Why there is no comparison.
+/// The reason why a program could not be compared.
 pub(crate) fn failure(error: CheckError, name: &str, program: &Path) -> Failure {
     match error {
         CheckError::Input(error) => Failure::Unreadable(name.to_owned(), error),
@@ -73,7 +73,7 @@ pub(crate) fn failure(error: CheckError, name: &str, program: &Path) -> Failure 
     }
 }
 
-/// Everything that speaks against a program.
+/// All errors of a check: the first error of the CL data, and the findings in the program.
 pub(crate) fn findings(checked: &Checked) -> Vec<Diagnostic> {
     checked.fault.iter().chain(&checked.outcome.findings).cloned().collect()
 }
@@ -84,10 +84,10 @@ fn figures(checked: &Checked, passed: bool) -> Figures {
         passed,
         findings: outcome.count,
         blocks: outcome.blocks,
-        tip_mm: outcome.tip,
-        axis_deg: outcome.axis.to_degrees(),
-        path_mm: outcome.path,
-        tolerance_mm: outcome.tolerance,
-        outside_limits: outcome.limits,
+        tip_mm: outcome.tip_mm,
+        axis_deg: outcome.axis_rad.to_degrees(),
+        path_mm: outcome.path_mm,
+        tolerance_mm: outcome.tolerance_mm,
+        outside_limits: outcome.outside_limits,
     }
 }

@@ -1,4 +1,5 @@
-//! The CL data: a file, or a spooled stream, that can be read twice and must not change meanwhile.
+//! The CL data: a file, or a stream copied to a temporary file. It can be read several times and must not change
+//! meanwhile.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read, Seek, SeekFrom};
@@ -8,24 +9,24 @@ use std::time::SystemTime;
 use indicatif::{ProgressBar, ProgressStyle};
 use tempfile::NamedTempFile;
 
-/// Input above this size shows a progress bar on a terminal, bytes.
-const LONG_INPUT: u64 = 8 << 20;
+/// Size in bytes above which a progress bar is shown on a terminal.
+const LONG_INPUT_BYTES: u64 = 8 << 20;
 
-/// The text is read once for what needs the future, once for the program.
+/// The text is read once for the survey and once for the program.
 const PASSES: u64 = 2;
 
 /// CL data, open for reading.
 pub(crate) struct ClSource {
     file: File,
     name: String,
-    /// Path and state of a regular file when it was opened; a spooled stream has none.
+    /// Path of a regular file, and its state when it was opened; none for a stream.
     watched: Option<(PathBuf, FileState)>,
-    /// Where a stream is kept.
+    /// Copy of a stream.
     spooled: Option<NamedTempFile>,
     progress: ProgressBar,
 }
 
-/// What a file looks like from outside; a file that changes looks different.
+/// Length, time of change and identity of a file; they differ after a change.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct FileState {
     length: u64,
@@ -40,7 +41,7 @@ impl FileState {
 }
 
 impl ClSource {
-    /// Opens `path`; what is not a regular file is spooled to a temporary file.
+    /// Opens `path`. A pipe or device is copied to a temporary file.
     pub(crate) fn open(path: &Path) -> io::Result<Self> {
         let mut file = File::open(path)?;
         let metadata = file.metadata()?;
@@ -55,7 +56,7 @@ impl ClSource {
         Ok(Self { file, name, watched, spooled: None, progress: ProgressBar::hidden() })
     }
 
-    /// Keeps a stream in a temporary file.
+    /// Copies a stream to a temporary file.
     pub(crate) fn spool(stream: &mut dyn Read, name: impl Into<String>) -> io::Result<Self> {
         let mut spooled = NamedTempFile::new()?;
         io::copy(stream, &mut spooled)?;
@@ -64,43 +65,43 @@ impl ClSource {
         Ok(Self { file, name: name.into(), watched: None, spooled, progress: ProgressBar::hidden() })
     }
 
-    /// The same data from its beginning, read on its own.
-    pub(crate) fn again(&self) -> io::Result<File> {
+    /// Opens the same data once more, from its start and with a read position of its own.
+    pub(crate) fn reopen(&self) -> io::Result<File> {
         match (&self.spooled, &self.watched) {
             (Some(spooled), _) => spooled.reopen(),
             (None, Some((path, _))) => File::open(path),
-            (None, None) => Err(io::Error::other("it cannot be read twice at once")),
+            (None, None) => Err(io::Error::other("it cannot be opened a second time")),
         }
     }
 
-    /// The name that messages use.
+    /// Name of the CL data in messages.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
-    /// Shows a progress bar from here on if the input is long.
+    /// Shows a progress bar from now on if the input is long.
     pub(crate) fn show_progress(&mut self) {
         let length = self.file.metadata().map_or(0, |metadata| metadata.len());
-        if length > LONG_INPUT {
+        if length > LONG_INPUT_BYTES {
             let style = ProgressStyle::with_template("{bar:40} {percent}% {binary_bytes_per_sec} {eta}");
             self.progress = ProgressBar::new(length * PASSES);
             self.progress.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
         }
     }
 
-    /// Takes the progress bar away.
+    /// Removes the progress bar.
     pub(crate) fn hide_progress(&mut self) {
         self.progress.finish_and_clear();
         self.progress = ProgressBar::hidden();
     }
 
-    /// Says what happened to the file since it was opened, if anything did.
-    pub(crate) fn disturbed(&self) -> Option<&'static str> {
+    /// What happened to the file since it was opened; `None` if it is unchanged.
+    pub(crate) fn changed_since_opened(&self) -> Option<&'static str> {
         let (path, state) = self.watched.as_ref()?;
         match fs::metadata(path) {
             Ok(now) if FileState::of(&now) == *state => None,
             Ok(_) => Some("changed while it was read"),
-            Err(_) => Some("vanished while it was read"),
+            Err(_) => Some("was removed while it was read"),
         }
     }
 }
@@ -119,24 +120,25 @@ impl Seek for ClSource {
     }
 }
 
-/// Whether two paths lead to one file, by whatever names.
+/// Whether two paths lead to the same file, also through links.
 pub(crate) fn same_file(one: &Path, other: &Path) -> bool {
     if let (Ok(first), Ok(second)) = (fs::metadata(one), fs::metadata(other))
         && let (Some(first), Some(second)) = (identity(&first), identity(&second))
     {
         return first == second;
     }
-    matches!((place(one), place(other)), (Ok(one), Ok(other)) if one == other)
+    matches!((canonical(one), canonical(other)), (Ok(one), Ok(other)) if one == other)
 }
 
-/// The path of a file that exists or could, by whatever name its folder is called.
-fn place(path: &Path) -> io::Result<PathBuf> {
+/// Canonical path of a file; if the file does not exist, its name in the canonical path of its folder.
+fn canonical(path: &Path) -> io::Result<PathBuf> {
     fs::canonicalize(path).or_else(|_| {
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         Ok(fs::canonicalize(folder)?.join(path.file_name().unwrap_or_default()))
     })
 }
 
+/// Device and inode number of a file, on systems that have them.
 #[cfg(unix)]
 #[expect(clippy::unnecessary_wraps, reason = "other systems have no such numbers")]
 fn identity(metadata: &Metadata) -> Option<(u64, u64)> {

@@ -1,4 +1,4 @@
-//! The lines that diagnostics speak of, found in one more scan of the text.
+//! Excerpts: the source lines that diagnostics refer to, found in one more pass over the text.
 
 use std::collections::BTreeMap;
 use std::io::{self, Read};
@@ -7,39 +7,39 @@ use memchr::memchr2;
 
 use crate::program::Location;
 
-/// Characters of a line that are shown.
+/// Largest number of characters of a line that are shown.
 pub(crate) const WIDTH: usize = 100;
 
-/// Bytes kept on each side of a column: four bytes a character at most.
-const REACH: u64 = 4 * WIDTH as u64;
+/// Bytes kept on each side of a column: at most four bytes per character.
+const WINDOW_BYTES: u64 = 4 * WIDTH as u64;
 
-/// How much is read at once.
-const CHUNK: usize = 64 * 1024;
+/// Bytes read at once.
+const CHUNK_BYTES: usize = 64 * 1024;
 
 /// The part of a line around a column.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Excerpt {
-    /// The line as it can be shown: control characters visible, bytes that are not text replaced.
+    /// The line in visible characters: control characters as symbols, bytes that are not UTF-8 replaced.
     pub(crate) text: String,
-    /// Characters of `text` before the column.
+    /// Number of characters of `text` before the column.
     pub(crate) indent: usize,
-    /// Characters of `text` from the column that the diagnostic speaks of, at least 1.
+    /// Number of characters of `text` that the diagnostic marks from the column on, at least 1.
     pub(crate) marked: usize,
 }
 
-/// Bytes of a line around a column, while they are collected.
+/// Bytes of a line around a column, being collected.
 #[derive(Debug, Default)]
 struct Window {
     bytes: Vec<u8>,
     /// Offset in the line of the first byte kept.
     start: u64,
-    /// The line goes on after what is kept.
+    /// The line has more bytes after those kept.
     cut: bool,
 }
 
-/// The text around each place (first byte and number of bytes); a place that the text does not have is left out.
+/// The text around each place (first byte and number of bytes). A place after the end of the text is left out.
 ///
-/// Lines end in LF, CRLF or a lone CR, as they do for the reader of CL data.
+/// Lines end with LF, CRLF or a single CR, as in the reader of CL data.
 pub(crate) fn excerpts(
     input: &mut dyn Read,
     places: impl Iterator<Item = (Location, u32)>,
@@ -47,7 +47,7 @@ pub(crate) fn excerpts(
     let mut windows: BTreeMap<(Location, u32), Window> = places.map(|place| (place, Window::default())).collect();
     let mut scan = LineScan { line: 1, offset: 0, after_cr: false };
     let last = windows.keys().next_back().map_or(0, |(location, _)| location.line);
-    let mut buffer = vec![0; CHUNK];
+    let mut buffer = vec![0; CHUNK_BYTES];
     while scan.line <= last {
         let count = match input.read(&mut buffer) {
             Ok(0) => break,
@@ -62,6 +62,7 @@ pub(crate) fn excerpts(
     Ok(windows.into_iter().map(|(place, window)| (place, show(place, &window))).collect())
 }
 
+/// Position of the pass in the text.
 struct LineScan {
     line: u64,
     /// Offset in the line of the next byte.
@@ -93,28 +94,28 @@ impl LineScan {
         }
     }
 
-    /// Copies what windows on this line want of `piece`.
+    /// Copies the bytes of `piece` that lie in the windows of this line.
     fn keep(&self, piece: &[u8], windows: &mut BTreeMap<(Location, u32), Window>) {
         let on_line = Location { line: self.line, column: 0 }..Location { line: self.line + 1, column: 0 };
         let end = self.offset + piece.len() as u64;
         for ((location, _), window) in windows.range_mut((on_line.start, 0)..(on_line.end, 0)) {
             let column = u64::from(location.column.saturating_sub(1));
-            window.start = column.saturating_sub(REACH);
-            let wanted_end = column + REACH;
+            window.start = column.saturating_sub(WINDOW_BYTES);
+            let wanted_end = column + WINDOW_BYTES;
             let from = window.start.clamp(self.offset, end) - self.offset;
             let to = wanted_end.clamp(self.offset, end) - self.offset;
-            // Both lie within `piece`.
+            // Both are offsets within `piece`.
             window.bytes.extend_from_slice(&piece[from as usize..to as usize]);
             window.cut |= end > wanted_end;
         }
     }
 }
 
-/// Makes a window readable and clips it.
+/// Turns a window into an excerpt: visible characters, clipped to `WIDTH` around the column.
 fn show((location, length): (Location, u32), window: &Window) -> Excerpt {
     let column = u64::from(location.column.saturating_sub(1)).saturating_sub(window.start) as usize;
     let marked_end = column + length.max(1) as usize;
-    // A window may begin inside a character.
+    // A window may begin within a UTF-8 character.
     let skipped =
         if window.start > 0 { window.bytes.iter().take_while(|&&byte| byte & 0xC0 == 0x80).count() } else { 0 };
     let cells = cells(&window.bytes[skipped..], skipped);
@@ -135,7 +136,7 @@ fn show((location, length): (Location, u32), window: &Window) -> Excerpt {
     Excerpt { text, indent: first - from + usize::from(cut_left), marked: after.min(to).saturating_sub(first).max(1) }
 }
 
-/// Each character with the offset of its first byte.
+/// The visible characters of a text, each with the offset of its first byte.
 fn cells(bytes: &[u8], mut at: usize) -> Vec<(usize, char)> {
     let mut cells = Vec::with_capacity(bytes.len());
     for chunk in bytes.utf8_chunks() {
@@ -151,12 +152,12 @@ fn cells(bytes: &[u8], mut at: usize) -> Vec<(usize, char)> {
     cells
 }
 
-/// A character that occupies one cell and commands no terminal.
+/// A character as one visible cell: control characters, which a terminal would execute, become symbols.
 pub(crate) fn visible(character: char) -> char {
     match character {
         '\0'..='\u{1f}' => char::from_u32(0x2400 + u32::from(character)).unwrap_or(char::REPLACEMENT_CHARACTER),
         '\u{7f}' => '\u{2421}',
-        // Second control set, and the marks that reorder or hide text.
+        // The C1 control set, and the marks that reorder or hide text.
         '\u{80}'..='\u{9f}'
         | '\u{ad}'
         | '\u{61c}'

@@ -1,10 +1,10 @@
-//! The derivation of a machine's kinematics as a page of text, or as a LaTeX document.
+//! `explain`: the derivation of a machine's kinematics as text or as a LaTeX document.
 
 use std::io::{self, Write};
 
 use crate::kinematics::AnyMachine;
 
-/// Writes what is known about the kinematics of `M` as text.
+/// Writes the derivation of the kinematics as text.
 pub(crate) fn text(machine: &dyn AnyMachine, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "{}: derivation of the kinematics; formulas in millimetres and radians", machine.name())?;
     for (title, section) in machine.explanation().sections() {
@@ -23,7 +23,7 @@ pub(crate) fn text(machine: &dyn AnyMachine, out: &mut dyn Write) -> io::Result<
     Ok(())
 }
 
-/// Formulas are paragraphs, so that TeX breaks long ones at a sign.
+/// Preamble of the document. Formulas are set as paragraphs, so that TeX breaks long ones at an operator.
 const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 \usepackage[T1]{fontenc}
 \IfFileExists{lmodern.sty}{\usepackage{lmodern}}{}
@@ -40,7 +40,7 @@ const PREAMBLE: &str = r"\documentclass[a4paper,11pt]{article}
 \raggedbottom
 ";
 
-/// Writes the same as a complete LaTeX document.
+/// Writes the derivation as a complete LaTeX document.
 pub(crate) fn latex(machine: &dyn AnyMachine, out: &mut dyn Write) -> io::Result<()> {
     let name = machine.name().replace('_', r"\_");
     writeln!(out, "{PREAMBLE}\\begin{{document}}\n")?;

@@ -1,69 +1,72 @@
-//! `explain-block IN.cls N1230`: where a block of the program comes from.
+//! `explain-block IN.cls N1230`: the CL record that a block of the program comes from, why the block was written, and
+//! the position of the machine after it.
 //!
-//! The CL data is posted once more, with the same set-up and into nothing that stays: the same data gives the same program.
+//! The CL data is posted once more with the same set-up, to a temporary file: the same data gives the same program.
 
 use std::fmt::Write as _;
 use std::io::{self, Seek as _};
 use std::path::Path;
 
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Pose};
-use crate::post::{Account, Origin, Stand};
+use crate::post::{LineMap, LineOrigin, OwnedPosition};
 use crate::program::Location;
 
 use super::args::{BlockName, ExplainBlockArgs, MessageFormat};
 use super::excerpt::excerpts;
-use super::inputs::{open, read_config};
-use super::map::{MapLine, axis_values, branch_number};
+use super::inputs::{open_cl_data, read_config};
+use super::map::{MapEntry, axis_values, branch_number};
 use super::messages::Messages;
 use super::outcome::{Failure, Status, Streams, print};
-use super::posting::{Post, Run};
+use super::posting::{PostFn, PostRun};
 
-/// Where the program is written to.
+/// Name of the temporary program in messages.
 const TEMPORARY: &str = "a temporary file";
 
-/// Block numbers start again after the last one: at most this many blocks of one number are listed.
-const MOST: usize = 20;
+/// Largest number of blocks that are explained. Several blocks can have one number: block numbers start again after the
+/// largest.
+const MOST_EXPLAINED: usize = 20;
 
 /// A line that was asked for, and the position of the machine after it.
 struct FoundLine {
-    origin: Origin<'static>,
-    stand: Option<Stand>,
+    origin: LineOrigin<'static>,
+    position_after: Option<OwnedPosition>,
 }
 
 impl FoundLine {
-    fn of(origin: &Origin<'_>) -> Self {
+    fn of(origin: &LineOrigin<'_>) -> Self {
         Self {
-            origin: Origin { standing: None, ..*origin },
-            stand: origin.standing.map(|standing| Stand::of(&standing)),
+            origin: LineOrigin { position_after: None, ..*origin },
+            position_after: origin.position_after.map(|position| OwnedPosition::of(&position)),
         }
     }
 
-    fn origin(&self) -> Origin<'_> {
-        Origin { standing: self.stand.as_ref().map(Stand::standing), ..self.origin }
+    fn origin(&self) -> LineOrigin<'_> {
+        LineOrigin { position_after: self.position_after.as_ref().map(OwnedPosition::borrowed), ..self.origin }
     }
 }
 
-/// Looks for a block among the lines of a program.
+/// Search for a block among the lines of a program.
 struct BlockSearch {
     wanted: BlockName,
     found: Vec<FoundLine>,
-    /// Blocks that are meant.
+    /// Number of blocks that match.
     count: usize,
+    /// Number of lines of the program.
     lines: u64,
-    /// Every block has a number, not restart points alone.
+    /// Every block has a number, not only the restart points.
     numbered: bool,
 }
 
-impl Account for BlockSearch {
-    fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
+impl LineMap for BlockSearch {
+    fn line(&mut self, origin: &LineOrigin<'_>) -> io::Result<()> {
         self.lines = origin.line;
-        let is_it = match self.wanted {
+        let matches = match self.wanted {
             BlockName::Number(number) => origin.number == Some(number),
             BlockName::Line(line) => origin.line == line,
         };
-        if is_it {
+        if matches {
             self.count += 1;
-            if self.found.len() < MOST {
+            if self.found.len() < MOST_EXPLAINED {
                 self.found.push(FoundLine::of(origin));
             }
         }
@@ -72,15 +75,15 @@ impl Account for BlockSearch {
 }
 
 impl BlockSearch {
-    /// Why there is nothing to explain.
+    /// The message that no block matches.
     fn missing(&self) -> String {
         let has = format!("the program has {} lines", self.lines);
         match self.wanted {
             BlockName::Line(line) => format!("there is no line {line}: {has}"),
             BlockName::Number(number) if self.numbered => format!("there is no block N{number}: {has}"),
             BlockName::Number(number) => format!(
-                "there is no block N{number}: {has}, and only its restart points have numbers; was it posted \
-                 with --line-numbers? A line is asked for by its number alone"
+                "there is no block N{number}: {has}, and only its restart points have block numbers; was it posted \
+                 with --line-numbers? A line of the program is given as a number alone: `57`"
             ),
         }
     }
@@ -90,42 +93,42 @@ pub(crate) fn run(
     machine: &dyn AnyMachine,
     args: &ExplainBlockArgs,
     streams: &mut Streams<'_>,
-    post: Post<'_>,
+    post: PostFn<'_>,
 ) -> Result<Status, Failure> {
     let format = args.set_up.message_format;
     let config = read_config(machine, &args.set_up, &mut Messages::new(streams.errors, format))?;
-    let mut source = open(&args.input, streams.input)?;
+    let mut source = open_cl_data(&args.input, streams.input)?;
     let (name, control) = (source.name().to_owned(), args.set_up.control());
     let numbered = config.control.program.line_numbers.is_some() || control.spellings().numbers_every_line;
     let mut search = BlockSearch { wanted: args.block, found: Vec::new(), count: 0, lines: 0, numbered };
-    let no_room = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
-    let mut program = tempfile::tempfile().map_err(no_room)?;
-    // The number of lines about the check is known only after it.
+    let unwritable = |error| Failure::Unwritable(TEMPORARY.to_owned(), error);
+    let mut program = tempfile::tempfile().map_err(unwritable)?;
+    // With `[program] checked` the check runs too: the number of lines that it adds is known only after it.
     let (output, no_check) = (Path::new(TEMPORARY), !config.control.program.checked);
-    let run = Run { input: &args.input, output, no_check, config: &config, control, post };
-    // Messages about the whole program were written when it was posted.
-    let mut said = Vec::new();
-    let mut unheard = Messages::new(&mut said, format);
-    let written = run.write(machine, &mut source, &mut program, Some(&mut search), &mut unheard)?;
+    let run = PostRun { input: &args.input, output, no_check, config: &config, control, post };
+    // Messages about the program were written when it was posted; they are repeated only if it was rejected.
+    let mut repeated = Vec::new();
+    let mut messages = Messages::new(&mut repeated, format);
+    let written = run.write(machine, &mut source, &mut program, Some(&mut search), &mut messages)?;
     if written.is_err() {
-        // Where standard error is closed the message is lost.
-        let _ = streams.errors.write_all(&said);
+        // If standard error is closed, the messages are lost.
+        let _ = streams.errors.write_all(&repeated);
     }
     let unreadable = |error| Failure::Unreadable(name.clone(), error);
     if search.found.is_empty() {
         return Err(Failure::Argument(search.missing()));
     }
-    program.rewind().map_err(no_room)?;
+    program.rewind().map_err(unwritable)?;
     source.rewind().map_err(unreadable)?;
     let in_program = |found: &FoundLine| (Location { line: found.origin.line, column: 1 }, 1);
     let in_cl = |found: &FoundLine| found.origin.at.filter(|at| at.line > 0).map(|at| (at, 1));
-    let blocks = excerpts(&mut program, search.found.iter().map(in_program)).map_err(no_room)?;
+    let blocks = excerpts(&mut program, search.found.iter().map(in_program)).map_err(unwritable)?;
     let records = excerpts(&mut source, search.found.iter().filter_map(in_cl)).map_err(unreadable)?;
     print(streams, |out| {
         search.found.iter().enumerate().try_for_each(|(index, found)| {
             let origin = found.origin();
             if args.set_up.message_format == MessageFormat::Json {
-                serde_json::to_writer(&mut *out, &MapLine::new(&origin, machine.axes()))?;
+                serde_json::to_writer(&mut *out, &MapEntry::new(&origin, machine.axes()))?;
                 return out.write_all(b"\n");
             }
             if index > 0 {
@@ -146,29 +149,30 @@ pub(crate) fn run(
     Ok(if written.is_err() { Status::Rejected } else { Status::Done })
 }
 
-/// The explanation of a block, for people. `record`: file, line and text.
-fn explanation(origin: &Origin<'_>, axes: &[Axis], block: &str, record: Option<(&str, u64, &str)>) -> String {
+/// The explanation of a block as text. `record`: file, line and text of its CL record.
+fn explanation(origin: &LineOrigin<'_>, axes: &[Axis], block: &str, record: Option<(&str, u64, &str)>) -> String {
     let mut text = format!("line {} of the program ({}):\n    {block}\n", origin.line, origin.step);
-    // A string takes everything.
+    // Writing to a string cannot fail.
     let _ = writeln!(text, "{}", origin.why.text());
     if let Some((file, line, record)) = record {
         let _ = write!(text, "{file}, line {line}:\n    {record}\n");
     }
-    let Some(standing) = &origin.standing else { return text };
-    if let Some(Pose { tip, axis }) = standing.pose {
-        let _ = writeln!(text, "tip {:.4} {:.4} {:.4} mm in the workpiece", tip.x + 0.0, tip.y + 0.0, tip.z + 0.0);
-        let _ = writeln!(text, "tool axis {:.7} {:.7} {:.7}", axis.x + 0.0, axis.y + 0.0, axis.z + 0.0);
+    let Some(position) = &origin.position_after else { return text };
+    if let Some(Pose { tip, axis }) = position.pose {
+        let _ =
+            writeln!(text, "tip X {:.4}, Y {:.4}, Z {:.4} mm in the workpiece", tip.x + 0.0, tip.y + 0.0, tip.z + 0.0);
+        let _ = writeln!(text, "tool axis I {:.7}, J {:.7}, K {:.7}", axis.x + 0.0, axis.y + 0.0, axis.z + 0.0);
     }
     let unit = |letter: char| {
         let rotary = axes.iter().any(|axis| axis.letter == letter && axis.kind == AxisKind::Rotary);
         if rotary { "°" } else { "" }
     };
     let values: Vec<String> =
-        axis_values(axes, standing).map(|(letter, value)| format!("{letter} {value:.4}{}", unit(letter))).collect();
-    let alone = if standing.pose.is_none() { " (these axes alone)" } else { "" };
-    let _ = writeln!(text, "axis values {}{alone}", values.join(", "));
+        axis_values(axes, position).map(|(letter, value)| format!("{letter} {value:.4}{}", unit(letter))).collect();
+    let note = if position.pose.is_none() { " (only these axes are in position)" } else { "" };
+    let _ = writeln!(text, "axis values {}{note}", values.join(", "));
     if axes.iter().any(|axis| axis.kind == AxisKind::Rotary) {
-        let _ = writeln!(text, "branch {} of the inverse kinematics", branch_number(standing.branch));
+        let _ = writeln!(text, "branch {} of the inverse kinematics", branch_number(position.branch));
     }
     text
 }

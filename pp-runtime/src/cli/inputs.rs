@@ -1,4 +1,4 @@
-//! What a run reads: its configuration, which has to fit the control, and the CL data.
+//! Inputs of a run: the configuration, which has to suit the control, and the CL data.
 
 use std::borrow::Cow;
 use std::fs;
@@ -14,26 +14,27 @@ use super::cl_source::ClSource;
 use super::messages::Messages;
 use super::outcome::{Failure, is_standard};
 
-/// The configuration of a run: defaults of the control, file, command line, in this order.
+/// The configuration of a run: defaults of the control, then the file, then the command line; the later takes
+/// precedence.
 pub(crate) fn read_config(
     machine: &dyn AnyMachine,
     args: &SetUpArgs,
     messages: &mut Messages<'_>,
 ) -> Result<Config, Failure> {
-    let mut config = read_file(machine, args.config.as_deref(), args.control(), messages)?;
+    let mut config = read_config_file(machine, args.config.as_deref(), args.control(), messages)?;
     args.apply(machine, &mut config).map_err(Failure::Argument)?;
-    fit(machine, args.control(), &config)?;
+    refuse_unfit(machine, args.control(), &config)?;
     Ok(config)
 }
 
-/// Whether the control can do what the configuration asks for.
-pub(crate) fn fit(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Result<(), Failure> {
+/// Refuses a configuration that asks for something that control or machine cannot do.
+pub(crate) fn refuse_unfit(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Result<(), Failure> {
     let unfit = control::unfit(machine, control, config.demands());
     if unfit.is_empty() { Ok(()) } else { Err(Failure::Argument(unfit.join("\n"))) }
 }
 
-/// The configuration of a file on top of the defaults of a control.
-pub(crate) fn read_file(
+/// The configuration of a file over the defaults of a control.
+pub(crate) fn read_config_file(
     machine: &dyn AnyMachine,
     path: Option<&Path>,
     control: &dyn Control,
@@ -50,20 +51,20 @@ pub(crate) fn read_file(
             })?;
             start.read_over(machine, &text).map_err(|faults| {
                 messages.diagnostics(&path.display().to_string(), &mut text.as_bytes(), &faults);
-                Failure::Said
+                Failure::Reported
             })
         }
     }
 }
 
-/// The CL data; a stream is kept so that it can be read twice.
-pub(crate) fn open(path: &Path, input: &mut dyn Read) -> Result<ClSource, Failure> {
+/// Opens the CL data. Standard input is copied to a temporary file, so that it can be read twice.
+pub(crate) fn open_cl_data(path: &Path, input: &mut dyn Read) -> Result<ClSource, Failure> {
     let source = if is_standard(path) { ClSource::spool(input, "<stdin>") } else { ClSource::open(path) };
     source.map_err(|error| Failure::unreadable(path, error))
 }
 
-/// What the head of a program calls its CL data: the file and not the folder, so that the same data gives the same program
-/// anywhere.
+/// Name of the CL data in the header: the file without its folder, so that the program does not depend on where it was
+/// posted.
 pub(crate) fn cl_name(path: &Path) -> Cow<'_, str> {
     if is_standard(path) { "standard input".into() } else { path.file_name().unwrap_or_default().to_string_lossy() }
 }

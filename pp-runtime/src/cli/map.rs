@@ -1,5 +1,5 @@
-//! `post --map FILE.json`: which record of the CL data each line of the program serves, why it is there, and where the
-//! machine is after it. One object per line, written while the program is.
+//! `post --map FILE.json`: for each line of the program the CL record that it comes from, why it was written, and the
+//! position of the machine after it. One JSON object per line, written together with the program.
 
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -10,20 +10,20 @@ use serde::ser::{SerializeMap as _, Serializer};
 use crate::control::Control;
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Branch};
 use crate::motion::Standing;
-use crate::post::{Account, Origin};
+use crate::post::{LineMap, LineOrigin};
 
 use super::outcome::Failure;
 use super::output_file::OutputFile;
 
-/// Lengths and angles have no more digits than these: 1/10⁶ mm and degree.
-const FINE: f64 = 1e6;
+/// Resolution of lengths and angles in the map: steps per mm and per degree.
+const STEPS_PER_UNIT: f64 = 1e6;
 
-/// Components of tool axes.
-const FINE_AXIS: f64 = 1e9;
+/// Resolution of the components of a tool axis in the map: steps per 1.
+const AXIS_STEPS: f64 = 1e9;
 
-/// One line of a program for programs.
+/// The JSON object of one line of a program.
 #[derive(Serialize)]
-pub(crate) struct MapLine<'a> {
+pub(crate) struct MapEntry<'a> {
     line: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     number: Option<u32>,
@@ -38,40 +38,40 @@ pub(crate) struct MapLine<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     branch: Option<u8>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    axes: Option<Axes<'a>>,
+    axes: Option<ValuesByLetter<'a>>,
 }
 
-/// Axis values by letter, mm and degrees.
-struct Axes<'a> {
+/// Axis values by letter, mm and degrees, as one JSON object.
+struct ValuesByLetter<'a> {
     axes: &'a [Axis],
-    standing: Standing<'a>,
+    position: Standing<'a>,
 }
 
-impl Serialize for Axes<'_> {
+impl Serialize for ValuesByLetter<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        for (letter, value) in axis_values(self.axes, &self.standing) {
+        for (letter, value) in axis_values(self.axes, &self.position) {
             map.serialize_entry(&letter, &value)?;
         }
         map.end()
     }
 }
 
-/// Letters and values of the axes that are known, mm and degrees.
-pub(crate) fn axis_values<'a>(axes: &'a [Axis], standing: &'a Standing<'_>) -> impl Iterator<Item = (char, f64)> + 'a {
-    let known = axes.iter().zip(standing.axes).enumerate().filter(|(index, _)| standing.mask & (1 << index) != 0);
+/// Letters and values of the axes whose position is known, mm and degrees.
+pub(crate) fn axis_values<'a>(axes: &'a [Axis], position: &'a Standing<'_>) -> impl Iterator<Item = (char, f64)> + 'a {
+    let known = axes.iter().zip(position.axes).enumerate().filter(|(index, _)| position.mask & (1 << index) != 0);
     known.map(|(_, (axis, value))| {
         let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { *value };
-        (axis.letter, rounded(value, FINE))
+        (axis.letter, rounded(value, STEPS_PER_UNIT))
     })
 }
 
-/// Without the digits that are arithmetic, and without a minus on nothing.
-fn rounded(value: f64, fine: f64) -> f64 {
-    (value * fine).round() / fine + 0.0
+/// A value rounded to a resolution, without rounding noise and without a negative zero.
+fn rounded(value: f64, steps_per_unit: f64) -> f64 {
+    (value * steps_per_unit).round() / steps_per_unit + 0.0
 }
 
-/// `explain` numbers them from 1.
+/// Number of a branch, from 1 as in `explain`.
 pub(crate) fn branch_number(branch: Branch) -> u8 {
     match branch {
         Branch::First => 1,
@@ -79,28 +79,28 @@ pub(crate) fn branch_number(branch: Branch) -> u8 {
     }
 }
 
-impl<'a> MapLine<'a> {
-    /// The line of an origin, for a machine with these axes.
-    pub(crate) fn new(origin: &Origin<'a>, axes: &'a [Axis]) -> Self {
-        let pose = origin.standing.and_then(|standing| standing.pose);
+impl<'a> MapEntry<'a> {
+    /// The JSON object of a line, for a machine with these axes.
+    pub(crate) fn new(origin: &LineOrigin<'a>, axes: &'a [Axis]) -> Self {
+        let pose = origin.position_after.and_then(|position| position.pose);
         Self {
             line: origin.line,
             number: origin.number,
             step: origin.step,
             cl_line: origin.at.map(|at| at.line).filter(|line| *line > 0),
             why: origin.why.name(),
-            tip: pose.map(|pose| [pose.tip.x, pose.tip.y, pose.tip.z].map(|value| rounded(value, FINE))),
+            tip: pose.map(|pose| [pose.tip.x, pose.tip.y, pose.tip.z].map(|value| rounded(value, STEPS_PER_UNIT))),
             axis: pose.map(|pose| {
                 let axis = pose.axis.into_inner();
-                [axis.x, axis.y, axis.z].map(|value| rounded(value, FINE_AXIS))
+                [axis.x, axis.y, axis.z].map(|value| rounded(value, AXIS_STEPS))
             }),
-            branch: origin.standing.map(|standing| branch_number(standing.branch)),
-            axes: origin.standing.map(|standing| Axes { axes, standing }),
+            branch: origin.position_after.map(|position| branch_number(position.branch)),
+            axes: origin.position_after.map(|position| ValuesByLetter { axes, position }),
         }
     }
 }
 
-/// Writes a map line by line.
+/// Writes a map, one JSON object per line of the program.
 pub(crate) struct MapWriter<'a, W> {
     out: W,
     axes: &'a [Axis],
@@ -116,65 +116,67 @@ impl<W: Write> MapWriter<'_, W> {
         Ok(Self { out, axes: machine.axes(), begun: false })
     }
 
-    /// Ends it.
+    /// Ends the map.
     pub(crate) fn end(mut self) -> io::Result<()> {
         self.out.write_all(b"\n]}\n")?;
         self.out.flush()
     }
 }
 
-impl<W: Write> Account for MapWriter<'_, W> {
-    fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
+impl<W: Write> LineMap for MapWriter<'_, W> {
+    fn line(&mut self, origin: &LineOrigin<'_>) -> io::Result<()> {
         if self.begun {
             self.out.write_all(b",\n")?;
         }
         self.begun = true;
-        let written = serde_json::to_writer(&mut self.out, &MapLine::new(origin, self.axes)).map_err(io::Error::from);
-        written.map_err(|error| io::Error::new(error.kind(), format!("its map: {error}")))
+        let written = serde_json::to_writer(&mut self.out, &MapEntry::new(origin, self.axes)).map_err(io::Error::from);
+        written.map_err(|error| io::Error::new(error.kind(), format!("map of the program: {error}")))
     }
 }
 
-/// Keeps the last lines of an account back: before these something may be written that the posting does not know of.
-pub(crate) struct Tail<'a> {
-    account: &'a mut dyn Account,
-    end: Vec<Origin<'static>>,
+/// Holds back the last lines of a line map: before them the comment about the check may be inserted, which is written
+/// after posting.
+pub(crate) struct EndBuffer<'a> {
+    line_map: &'a mut dyn LineMap,
+    end: Vec<LineOrigin<'static>>,
 }
 
-impl<'a> Tail<'a> {
-    pub(crate) fn new(account: &'a mut dyn Account) -> Self {
-        Self { account, end: Vec::new() }
+impl<'a> EndBuffer<'a> {
+    pub(crate) fn new(line_map: &'a mut dyn LineMap) -> Self {
+        Self { line_map, end: Vec::new() }
     }
 
-    /// Hands them on. `inserted` lines come before the `last` ones; `counted`: every line has a number of its own.
+    /// Hands the lines on. `inserted`: number of lines inserted before the `last` ones; `counted`: every line has a
+    /// line number (Heidenhain).
     pub(crate) fn end(self, inserted: usize, last: usize, counted: bool) -> io::Result<()> {
-        let Self { account, end } = self;
-        let later = |origin: &Origin<'static>, lines: u32| Origin {
+        let Self { line_map, end } = self;
+        let later = |origin: &LineOrigin<'static>, lines: u32| LineOrigin {
             line: origin.line + u64::from(lines),
             number: origin.number.map(|number| if counted { number + lines } else { number }),
             ..*origin
         };
         let (before, after) = end.split_at(end.len().saturating_sub(last));
-        before.iter().try_for_each(|origin| account.line(origin))?;
+        before.iter().try_for_each(|origin| line_map.line(origin))?;
         let more = u32::try_from(inserted).unwrap_or_default();
         if let Some(first) = after.first() {
-            let first = Origin { step: "check", number: first.number.filter(|_| counted), ..*first };
-            (0..more).try_for_each(|index| account.line(&later(&first, index)))?;
+            let first = LineOrigin { step: "check", number: first.number.filter(|_| counted), ..*first };
+            (0..more).try_for_each(|index| line_map.line(&later(&first, index)))?;
         }
-        after.iter().try_for_each(|origin| account.line(&later(origin, more)))
+        after.iter().try_for_each(|origin| line_map.line(&later(origin, more)))
     }
 }
 
-impl Account for Tail<'_> {
-    fn line(&mut self, origin: &Origin<'_>) -> io::Result<()> {
+impl LineMap for EndBuffer<'_> {
+    fn line(&mut self, origin: &LineOrigin<'_>) -> io::Result<()> {
         if origin.step != "end" {
-            return self.account.line(origin);
+            return self.line_map.line(origin);
         }
-        self.end.push(Origin { standing: None, ..*origin });
+        self.end.push(LineOrigin { position_after: None, ..*origin });
         Ok(())
     }
 }
 
-/// The file of a map: its name holds the map of the program that was written with it, or nothing.
+/// The file of a map: its final name holds the map of the program of the same run, or does not exist.
 pub(crate) struct MapFile {
     path: PathBuf,
     target: OutputFile,
@@ -196,7 +198,7 @@ impl MapFile {
         MapWriter::begin(machine, out, cl, control).map_err(|error| Failure::unwritable(&self.path, error))
     }
 
-    /// Takes the map of an earlier program away, before there is another program.
+    /// Removes the map of an earlier program.
     pub(crate) fn clear(&self) -> Result<(), Failure> {
         self.target.clear().map_err(|error| Failure::unwritable(&self.path, error))
     }

@@ -1,6 +1,6 @@
-//! Messages on standard error: diagnostics with the lines they refer to, remarks, and faults without a place.
+//! Messages on standard error: diagnostics with the source line, notes, and errors without a place in a file.
 //!
-//! Nothing here fails: where standard error is closed the message is lost.
+//! Writing a message never fails: if standard error is closed, the message is lost.
 
 use std::collections::BTreeMap;
 use std::io::{Read, Write};
@@ -14,13 +14,13 @@ use crate::program::Location;
 use super::args::MessageFormat;
 use super::excerpt::{Excerpt, WIDTH, excerpts, visible};
 
-/// Writes messages in the format asked for.
+/// Writes messages in the format of `--message-format`.
 pub(crate) struct Messages<'a> {
     out: &'a mut dyn Write,
     format: MessageFormat,
 }
 
-/// A message for programs: one such object per line.
+/// A message as JSON, one object per line.
 #[derive(Serialize)]
 struct JsonMessage<'a> {
     file: Option<&'a str>,
@@ -30,7 +30,7 @@ struct JsonMessage<'a> {
     severity: &'a str,
     text: &'a str,
     help: Option<&'a str>,
-    /// Number of messages that it represents.
+    /// number of findings that the message represents.
     count: u64,
 }
 
@@ -39,17 +39,17 @@ impl<'a> Messages<'a> {
         Self { out, format }
     }
 
-    /// A fault of the run, not of a line.
+    /// An error of the run, without a place in a file.
     pub(crate) fn error(&mut self, text: &str) {
-        self.without_place("error", &format!("error: {text}"), text);
+        self.without_location("error", &format!("error: {text}"), text);
     }
 
-    /// A remark.
+    /// A note without a place in a file.
     pub(crate) fn note(&mut self, text: &str) {
-        self.without_place("note", text, text);
+        self.without_location("note", text, text);
     }
 
-    fn without_place(&mut self, severity: &str, human: &str, text: &str) {
+    fn without_location(&mut self, severity: &str, human: &str, text: &str) {
         match self.format {
             MessageFormat::Human => self.line(human),
             MessageFormat::Json => {
@@ -59,7 +59,7 @@ impl<'a> Messages<'a> {
         }
     }
 
-    /// Diagnostics about the text `file`, in its order. `source` is read once more for the lines to show.
+    /// Diagnostics about the text `file`, in its order. Reads `source` to find the lines to show.
     pub(crate) fn diagnostics(&mut self, file: &str, source: &mut dyn Read, diagnostics: &[Diagnostic]) {
         let mut ordered: Vec<&Diagnostic> = diagnostics.iter().collect();
         ordered.sort_by_key(|diagnostic| diagnostic.location);
@@ -78,11 +78,12 @@ impl<'a> Messages<'a> {
                     });
                 }
             }
-            MessageFormat::Human => self.for_people(file, source, &ordered),
+            MessageFormat::Human => self.human(file, source, &ordered),
         }
     }
 
-    fn for_people(&mut self, file: &str, source: &mut dyn Read, ordered: &[&Diagnostic]) {
+    /// Diagnostics as text: the first of each kind with their lines, a count of the others, and the totals.
+    fn human(&mut self, file: &str, source: &mut dyn Read, ordered: &[&Diagnostic]) {
         let mut kinds: BTreeMap<String, KindCount> = BTreeMap::new();
         let mut shown = Vec::new();
         for diagnostic in ordered {
@@ -94,7 +95,7 @@ impl<'a> Messages<'a> {
             kind.last_line = diagnostic.location.line;
         }
         let places = shown.iter().map(|diagnostic| (diagnostic.location, diagnostic.length));
-        // Without the lines the messages are still complete sentences.
+        // If the lines cannot be read, the messages are shown without them.
         let excerpts = excerpts(source, places).unwrap_or_default();
         for diagnostic in &shown {
             self.show(file, diagnostic, excerpts.get(&(diagnostic.location, diagnostic.length)));
@@ -129,7 +130,7 @@ impl<'a> Messages<'a> {
         let marked = &marked_as_word(text, *indent, *marked, diagnostic.length);
         let at = |character: usize| text.char_indices().nth(character).map_or(text.len(), |(byte, _)| byte);
         let level = if diagnostic.severity == Severity::Error { Level::ERROR } else { Level::WARNING };
-        // A number that does not fit is not the number of a line.
+        // No file has more lines than `usize` can count.
         let line = usize::try_from(diagnostic.location.line).unwrap_or_default();
         let snippet = Snippet::source(text.as_str())
             .line_start(line)
@@ -138,7 +139,7 @@ impl<'a> Messages<'a> {
         self.block(&render(group));
     }
 
-    /// Lines that are fit to be shown.
+    /// Writes text whose characters are all visible, without blanks at the end of a line.
     fn block(&mut self, text: &str) {
         for line in text.lines() {
             let _ = writeln!(self.out, "{}", line.trim_end());
@@ -146,29 +147,30 @@ impl<'a> Messages<'a> {
     }
 
     fn json(&mut self, message: &JsonMessage<'_>) {
-        // Plain structures of text and numbers always serialise.
+        // A structure of text and numbers always serialises.
         let _ = serde_json::to_string(message).map(|line| writeln!(self.out, "{line}"));
     }
 
+    /// Writes a line, control characters made visible.
     fn line(&mut self, text: &str) {
         let text: String = text.chars().map(visible).collect();
         let _ = writeln!(self.out, "{text}");
     }
 }
 
-/// The line, what is marked in it, and the remedy, without colours.
+/// The source line with its mark, and the help, without colours.
 fn render(group: Group<'_>) -> String {
     Renderer::plain().term_width(WIDTH + 40).render(&[group])
 }
 
-/// How often something was found.
+/// Number of diagnostics of one kind.
 #[derive(Default)]
 struct KindCount {
     count: u64,
     last_line: u64,
 }
 
-/// `part.cls:12:5: error: text`.
+/// First line of a diagnostic: `part.cls:12:5: error: text`.
 pub(crate) fn headline(file: &str, diagnostic: &Diagnostic) -> String {
     let Location { line, column } = diagnostic.location;
     format!("{file}:{line}:{column}: {}: {}", name(diagnostic.severity), diagnostic.text)
@@ -181,7 +183,8 @@ fn name(severity: Severity) -> &'static str {
     }
 }
 
-/// A diagnostic about a statement as a whole points at its first byte; the word that begins there is marked.
+/// Number of characters to mark. A diagnostic about a whole statement points at its first byte; then the word that
+/// begins there is marked.
 fn marked_as_word(text: &str, indent: usize, marked: usize, length: u32) -> usize {
     let mut characters = text.chars();
     if length > 1 || !characters.by_ref().take(indent).all(char::is_whitespace) {

@@ -1,7 +1,8 @@
 //! The command line of a machine's binary: arguments, files, streams and exit status.
 //!
-//! Status 0: done. 1: the CL data has errors; there is no file of the final name. 2: could not run; a closed pipe is
-//! status 2 without a message. The program goes to standard output or a file, everything else to standard error.
+//! Exit status 0: done. 1: the CL data has errors or a check has findings; there is no file of the final name. 2: the
+//! run was not possible; a closed pipe is status 2 without a message. The program goes to standard output or to a file,
+//! messages go to standard error.
 
 mod args;
 mod check;
@@ -29,10 +30,10 @@ use crate::kinematics::{AnyMachine, Machine};
 use crate::post::{Proof, post_for, prove};
 
 use args::{Command, MessageFormat, ProofArgs};
-use inputs::{fit, read_file};
+use inputs::{read_config_file, refuse_unfit};
 use messages::Messages;
 use outcome::{Failure, Status, Streams, print};
-use posting::Post;
+use posting::PostFn;
 
 /// Runs the command line of the machine `M`: the whole of a machine's `main`.
 #[must_use]
@@ -40,7 +41,7 @@ pub fn run<M: Machine>() -> ExitCode {
     run_for(&M::default())
 }
 
-/// [`run`] for a machine whose type is not known.
+/// [`run`] for a machine whose type is known at run time only.
 #[must_use]
 pub fn run_for(machine: &dyn AnyMachine) -> ExitCode {
     let args: Vec<OsString> = std::env::args_os().collect();
@@ -48,14 +49,14 @@ pub fn run_for(machine: &dyn AnyMachine) -> ExitCode {
     let (mut input, mut output, mut errors) = (io::stdin(), io::stdout(), io::stderr());
     let streams = Streams { input: &mut input, output: &mut output, errors: &mut errors, terminal };
     let status =
-        execute(machine, &args, streams, &|job, source, sink, account| post_for(machine, job, source, sink, account));
+        execute(machine, &args, streams, &|job, source, sink, line_map| post_for(machine, job, source, sink, line_map));
     ExitCode::from(status as u8)
 }
 
-fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>, post: Post<'_>) -> Status {
+fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>, post: PostFn<'_>) -> Status {
     let command = match args::parse(machine.name(), args) {
         Ok(cli) => cli.command,
-        Err(error) => return usage(&error, &mut streams),
+        Err(error) => return print_usage(&error, &mut streams),
     };
     let format = match &command {
         Command::Post(args) => args.set_up.message_format,
@@ -73,23 +74,23 @@ fn execute(machine: &dyn AnyMachine, args: &[OsString], mut streams: Streams<'_>
             print(&mut streams, |out| out.write_all(text.as_bytes()))
         }
         Command::Explain(args) if args.latex => print(&mut streams, |out| explain::latex(machine, out)),
-        Command::Explain(args) if args.proof_program => prove_machine(machine, &args.proof, &mut streams),
+        Command::Explain(args) if args.proof_program => print_proof_program(machine, &args.proof, &mut streams),
         Command::Explain(args) if args.cl => print(&mut streams, |out| cl::list_words(out)),
         Command::Explain(_) => print(&mut streams, |out| explain::text(machine, out)),
     };
     result.unwrap_or_else(|failure| {
-        if !matches!(failure, Failure::Said) {
+        if !matches!(failure, Failure::Reported) {
             Messages::new(streams.errors, format).error(&failure.to_string());
         }
         Status::NotRun
     })
 }
 
-/// Help and version go to standard output, mistakes to standard error.
-fn usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
+/// Prints help and version to standard output, errors of the command line to standard error.
+fn print_usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
     let text = error.render().to_string();
     if error.use_stderr() {
-        // Where standard error is closed the message is lost.
+        // If standard error is closed, the message is lost.
         let _ = streams.errors.write_all(text.as_bytes());
         return Status::NotRun;
     }
@@ -99,12 +100,16 @@ fn usage(error: &clap::Error, streams: &mut Streams<'_>) -> Status {
     }
 }
 
-/// Writes the program that proves the kinematics at the machine; nothing of it where it cannot be planned.
-fn prove_machine(machine: &dyn AnyMachine, args: &ProofArgs, streams: &mut Streams<'_>) -> Result<Status, Failure> {
+/// Writes the proof program; writes nothing if it cannot be planned.
+fn print_proof_program(
+    machine: &dyn AnyMachine,
+    args: &ProofArgs,
+    streams: &mut Streams<'_>,
+) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, MessageFormat::Human);
-    let config = read_file(machine, args.config.as_deref(), args.control(), &mut messages)?;
-    fit(machine, args.control(), &config)?;
-    let proof = Proof { config: &config, control: args.control(), tool: args.tool, point: args.point };
+    let config = read_config_file(machine, args.config.as_deref(), args.control(), &mut messages)?;
+    refuse_unfit(machine, args.control(), &config)?;
+    let proof = Proof { config: &config, control: args.control(), tool: args.tool, point_mm: args.point_mm };
     let text = prove(machine, &proof).map_err(Failure::Argument)?;
     print(streams, |out| out.write_all(&text))
 }

@@ -1,14 +1,17 @@
-//! The standard streams, how a run ended, and why it has no result.
+//! The standard streams, the exit status of a run, and the errors that prevent a run.
 
 use std::io::{self, BufWriter, Read, Write};
 use std::path::Path;
 
-/// How a run ended.
+/// Exit status of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub(crate) enum Status {
+    /// Done.
     Done = 0,
+    /// The CL data has errors, or a check has findings.
     Rejected = 1,
+    /// The run was not possible.
     NotRun = 2,
 }
 
@@ -17,11 +20,11 @@ pub(crate) struct Streams<'a> {
     pub(crate) input: &'a mut dyn Read,
     pub(crate) output: &'a mut dyn Write,
     pub(crate) errors: &'a mut dyn Write,
-    /// `errors` is a terminal.
+    /// Standard error is a terminal.
     pub(crate) terminal: bool,
 }
 
-/// Why there is no result.
+/// The reason why a run was not possible.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     #[error("cannot read {0}: {1}")]
@@ -29,14 +32,14 @@ pub(crate) enum Failure {
     #[error("cannot write {0}: {1}")]
     Unwritable(String, io::Error),
     #[error("{0} {1}: post it again")]
-    Disturbed(String, &'static str),
+    Changed(String, &'static str),
     #[error("{0} would overwrite {1}")]
     Overwrites(String, String),
     #[error("{0}")]
     Argument(String),
-    /// Everything has been said.
+    /// The message has already been written, or nobody can read it.
     #[error("")]
-    Said,
+    Reported,
 }
 
 impl Failure {
@@ -46,9 +49,9 @@ impl Failure {
     }
 
     pub(crate) fn unwritable(path: &Path, error: io::Error) -> Self {
-        // Whoever closed the pipe does not want to hear about it.
+        // The reader closed the pipe on purpose (`head`): no message.
         if error.kind() == io::ErrorKind::BrokenPipe {
-            return Self::Said;
+            return Self::Reported;
         }
         let name = if is_standard(path) { "standard output".to_owned() } else { path.display().to_string() };
         Self::Unwritable(name, error)
@@ -65,7 +68,7 @@ pub(crate) fn print(
     Ok(Status::Done)
 }
 
-/// `-` is standard input or output.
+/// Whether a path is `-`, standard input or output.
 pub(crate) fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
 }

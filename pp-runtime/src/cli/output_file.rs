@@ -1,8 +1,8 @@
-//! The program's file: its final name holds a complete program, or does not exist.
+//! The file of the program: its final name holds a complete program, or does not exist.
 //!
-//! The program is written to a temporary file next to the final name and renamed when it is done. A program that was
-//! cut short goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is removed: nobody
-//! shall run yesterday's program because today's failed.
+//! The program is written to a temporary file in the same folder and renamed when it is complete. An incomplete program
+//! goes to `OUT.rejected` instead, with the reason in its first line, and an earlier OUT is removed: otherwise an old
+//! program could be run in place of the one that failed.
 
 use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
@@ -11,30 +11,30 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
 
-/// A program in the making.
+/// A program that is being written.
 pub(crate) struct OutputFile {
     path: PathBuf,
     destination: Destination,
 }
 
 enum Destination {
-    /// A regular file to be.
+    /// A temporary file, renamed at the end.
     Renamed(NamedTempFile),
-    /// A device or a pipe, which cannot be replaced: written as standard output is.
+    /// A device or a pipe, which cannot be replaced: written directly, as standard output is.
     Direct(File),
 }
 
-/// What became of a program that was cut short.
+/// Result of rejecting a program.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Rejected {
-    /// Its file; `None` if it went to a device.
+    /// File of the rejected program; `None` if it went to a device.
     pub(crate) path: Option<PathBuf>,
     /// An earlier program under the final name was removed.
     pub(crate) removed: bool,
 }
 
 impl OutputFile {
-    /// Makes sure that `path` can be written, and starts the temporary file.
+    /// Checks that `path` can be written, and creates the temporary file.
     pub(crate) fn create(path: &Path) -> io::Result<Self> {
         match fs::metadata(path) {
             Ok(metadata) if metadata.is_dir() => {
@@ -44,23 +44,23 @@ impl OutputFile {
                 let destination = Destination::Direct(OpenOptions::new().write(true).open(path)?);
                 return Ok(Self { path: path.to_owned(), destination });
             }
-            // A rename would replace a write-protected file: ask first.
+            // A rename would replace a write-protected file; opening it for writing fails.
             Ok(_) => drop(OpenOptions::new().append(true).open(path)?),
             Err(_) => {}
         }
-        // A link is followed, so that the link survives and its target is replaced.
+        // A symbolic link is followed: the link stays and its target is replaced.
         let is_link = fs::symlink_metadata(path).is_ok_and(|metadata| metadata.is_symlink());
         let path = match is_link {
             true => fs::canonicalize(path).map_err(|error| {
-                io::Error::new(error.kind(), format!("it is a link to where nothing stands: {error}"))
+                io::Error::new(error.kind(), format!("it is a symbolic link to a file that does not exist: {error}"))
             })?,
             false => path.to_owned(),
         };
-        let destination = Destination::Renamed(temporary_beside(&path)?);
+        let destination = Destination::Renamed(temporary_next_to(&path)?);
         Ok(Self { path, destination })
     }
 
-    /// Where the program is written to.
+    /// Writer of the program.
     pub(crate) fn writer(&mut self) -> &mut dyn Write {
         match &mut self.destination {
             Destination::Renamed(file) => file,
@@ -68,8 +68,8 @@ impl OutputFile {
         }
     }
 
-    /// Gives the program its final name. `is_rejected` knows the first line of a rejected one: one from an earlier run
-    /// is removed, and `true` is returned then.
+    /// Gives the program its final name. Removes a rejected program of an earlier run, and returns whether there was
+    /// one; `is_rejected` recognises it by its first line.
     pub(crate) fn finish(self, is_rejected: impl Fn(&[u8]) -> bool) -> io::Result<bool> {
         let Destination::Renamed(file) = self.destination else { return Ok(false) };
         persist(file, &self.path)?;
@@ -77,7 +77,7 @@ impl OutputFile {
         Ok(first_line(&rejected).is_ok_and(|line| is_rejected(&line)) && fs::remove_file(rejected).is_ok())
     }
 
-    /// Removes the file of the final name; whether there was one.
+    /// Removes the file of the final name. Returns whether there was one.
     fn remove(&self) -> io::Result<bool> {
         if let Destination::Direct(_) = self.destination {
             return Ok(false);
@@ -89,17 +89,17 @@ impl OutputFile {
         }
     }
 
-    /// Leaves nothing under the final name, for now.
+    /// Removes an earlier file of the final name.
     pub(crate) fn clear(&self) -> io::Result<()> {
         self.remove().map(drop)
     }
 
-    /// Puts the program next to the final name with `reason` as its first line, and removes the file of the final name.
+    /// Writes the program to `OUT.rejected` with `reason` as its first line, and removes the file of the final name.
     pub(crate) fn reject(self, reason: &[u8]) -> io::Result<Rejected> {
         let removed = self.remove()?;
         let Destination::Renamed(mut file) = self.destination else { return Ok(Rejected { path: None, removed }) };
         let path = rejected_path(&self.path);
-        let mut whole = temporary_beside(&path)?;
+        let mut whole = temporary_next_to(&path)?;
         whole.write_all(reason)?;
         whole.write_all(b"\n")?;
         file.rewind()?;
@@ -109,14 +109,14 @@ impl OutputFile {
     }
 }
 
-/// `OUT.rejected`.
+/// Name of a rejected program: `OUT.rejected`.
 pub(crate) fn rejected_path(path: &Path) -> PathBuf {
     let mut name = OsString::from(path);
     name.push(".rejected");
     name.into()
 }
 
-fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
+fn temporary_next_to(path: &Path) -> io::Result<NamedTempFile> {
     let directory = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -133,14 +133,14 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt as _;
-        // Temporary files are private by default; this one becomes an ordinary file, as the user's mask has it.
+        // Temporary files are private by default; this one gets the permissions of an ordinary file (umask).
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     builder.tempfile_in(directory)
 }
 
 fn persist(file: NamedTempFile, path: &Path) -> io::Result<()> {
-    // A full disk or share is an error here at the latest.
+    // Reports a full disk or network share before the file is renamed.
     file.as_file().sync_all()?;
     file.persist(path).map(drop).map_err(|error| error.error)
 }

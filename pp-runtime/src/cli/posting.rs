@@ -1,4 +1,5 @@
-//! `post IN.cls -o OUT`: from CL data to a program under its name, checked, and with its map; or to nothing of the kind.
+//! `post IN.cls -o OUT`: posts CL data, checks the program, and gives program and map their final names, or rejects
+//! both.
 
 use std::io::{BufWriter, Seek as _, Write};
 use std::path::Path;
@@ -8,38 +9,38 @@ use crate::config::Config;
 use crate::control::{self, Control};
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::AnyMachine;
-use crate::post::{Account, Job, PostError, Report};
+use crate::post::{Job, LineMap, PostError, Report};
 
 use super::args::{MessageFormat, PostArgs};
 use super::check;
 use super::cl_source::{ClSource, same_file};
-use super::inputs::{cl_name, open, read_config};
-use super::map::{MapFile, MapWriter, Tail};
+use super::inputs::{cl_name, open_cl_data, read_config};
+use super::map::{EndBuffer, MapFile, MapWriter};
 use super::messages::{Messages, headline};
 use super::outcome::{Failure, Status, Streams, is_standard};
 use super::output_file::{OutputFile, Rejected, rejected_path};
-use super::self_check::{self, Checking, SelfCheck};
+use super::self_check::{self, CheckedOutput, SelfCheck};
 
-/// Where a program is written to.
+/// Writer of a program.
 pub(crate) type ProgramSink<'a> = BufWriter<&'a mut dyn Write>;
 
-/// The posting, so that tests can put their own in its place.
-pub(crate) type Post<'a> =
-    &'a dyn Fn(&Job<'_>, &mut ClSource, &mut ProgramSink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError>;
+/// The function that posts; tests replace it.
+pub(crate) type PostFn<'a> =
+    &'a dyn Fn(&Job<'_>, &mut ClSource, &mut ProgramSink<'_>, Option<&mut dyn LineMap>) -> Result<Report, PostError>;
 
-/// Remarks about a program, or why it must not be run.
-type Written = Result<Vec<String>, String>;
+/// Lines of the summary, or the reason why the program is rejected.
+type SummaryOrReason = Result<Vec<String>, String>;
 
 pub(crate) fn run(
     machine: &dyn AnyMachine,
     args: &PostArgs,
     streams: &mut Streams<'_>,
-    post: Post<'_>,
+    post: PostFn<'_>,
 ) -> Result<Status, Failure> {
     let mut messages = Messages::new(streams.errors, args.set_up.message_format);
     let config = read_config(machine, &args.set_up, &mut messages)?;
     refuse_overwriting(args)?;
-    let mut source = open(&args.input, streams.input)?;
+    let mut source = open_cl_data(&args.input, streams.input)?;
     let unwritable = |error| Failure::unwritable(&args.output, error);
     let mut target = match is_standard(&args.output) {
         true => None,
@@ -54,22 +55,23 @@ pub(crate) fn run(
         None => &mut *streams.output,
     };
     let control = args.set_up.control();
-    let run = Run { input: &args.input, output: &args.output, no_check: args.no_check, config: &config, control, post };
+    let run =
+        PostRun { input: &args.input, output: &args.output, no_check: args.no_check, config: &config, control, post };
     let mut map = map_file.as_mut().map(|file| file.begin(machine, &cl_name(&args.input), control)).transpose()?;
     let written =
-        run.write(machine, &mut source, out, map.as_mut().map(|map| map as &mut dyn Account), &mut messages)?;
+        run.write(machine, &mut source, out, map.as_mut().map(|map| map as &mut dyn LineMap), &mut messages)?;
     let ended = map.map_or(Ok(()), MapWriter::end);
-    let remarks = match written {
-        Ok(remarks) => remarks,
+    let summary = match written {
+        Ok(summary) => summary,
         Err(reason) => {
             reject(args, target, &reason, &mut messages)?;
-            // Nobody shall look into the map of yesterday's program.
+            // The map of an earlier program must not be taken for that of this one.
             map_file.map_or(Ok(()), |file| file.clear())?;
             return Ok(Status::Rejected);
         }
     };
     ended.map_err(|error| Failure::unwritable(args.map.as_deref().unwrap_or(&args.output), error))?;
-    remarks.iter().for_each(|line| messages.note(line));
+    summary.iter().for_each(|line| messages.note(line));
     map_file.as_ref().map_or(Ok(()), MapFile::clear)?;
     if let Some(target) = target {
         let removed = target.finish(|line| is_rejected(control, line)).map_err(unwritable)?;
@@ -82,85 +84,86 @@ pub(crate) fn run(
     Ok(Status::Done)
 }
 
-/// One run of the posting.
-pub(crate) struct Run<'a> {
+/// One run of posting and check.
+pub(crate) struct PostRun<'a> {
     pub(crate) input: &'a Path,
-    /// As messages name it.
+    /// Path of the program, for messages.
     pub(crate) output: &'a Path,
     pub(crate) no_check: bool,
     pub(crate) config: &'a Config,
     pub(crate) control: &'static dyn Control,
-    pub(crate) post: Post<'a>,
+    pub(crate) post: PostFn<'a>,
 }
 
-impl Run<'_> {
-    /// Posts, checks, and closes the program: with its end code, or with why it has none.
+impl PostRun<'_> {
+    /// Posts, checks, and ends the program: with its end code, or with comments that state why it was rejected.
     pub(crate) fn write(
         &self,
         machine: &dyn AnyMachine,
         source: &mut ClSource,
         out: &mut dyn Write,
-        account: Option<&mut dyn Account>,
+        line_map: Option<&mut dyn LineMap>,
         messages: &mut Messages<'_>,
-    ) -> Result<Written, Failure> {
+    ) -> Result<SummaryOrReason, Failure> {
         let Self { output, config, control, .. } = *self;
         let name = source.name().to_owned();
         let unreadable = |error| Failure::Unreadable(name.clone(), error);
         let unwritable = |error| Failure::unwritable(output, error);
         let (closing, counted) = (1 + control.spellings().closing.len(), control.spellings().numbers_every_line);
         let check = (!self.no_check).then(|| SelfCheck::start(machine, config, control, source)).transpose();
-        let mut checking = Checking::new(out, check.map_err(unreadable)?, closing);
-        let mut tail = account.map(Tail::new);
-        let report = self.report(source, &mut checking, tail.as_mut().map(|tail| tail as &mut dyn Account))?;
+        let mut output_with_check = CheckedOutput::new(out, check.map_err(unreadable)?, closing);
+        let mut map = line_map.map(EndBuffer::new);
+        let report = self.report(source, &mut output_with_check, map.as_mut().map(|map| map as &mut dyn LineMap))?;
         if !report.diagnostics.is_empty() {
             source.rewind().map_err(unreadable)?;
             messages.diagnostics(&name, source, &report.diagnostics);
         }
-        let account_for = |tail: Option<Tail<'_>>, lines| {
-            tail.map_or(Ok(()), |tail| tail.end(lines, closing, counted)).map_err(unwritable)
+        let end_map = |map: Option<EndBuffer<'_>>, lines| {
+            map.map_or(Ok(()), |map| map.end(lines, closing, counted)).map_err(unwritable)
         };
-        if let Some(reason) = refused(&report, &name) {
-            checking.close().map_err(unwritable)?;
-            account_for(tail, 0)?;
+        if let Some(reason) = error_of(&report, &name) {
+            output_with_check.close().map_err(unwritable)?;
+            end_map(map, 0)?;
             return Ok(Err(reason));
         }
-        let checked = checking.verdict().transpose().map_err(|error| check::failure(error, &name, output))?;
-        if let Some(reason) = self_check::against(checked.as_ref(), &name, source, messages) {
+        let checked =
+            output_with_check.finish_check().transpose().map_err(|error| check::failure(error, &name, output))?;
+        if let Some(reason) = self_check::rejection(checked.as_ref(), &name, source, messages) {
             let lines = [format!("ERROR: {reason}"), "the program ends here: do not run it".to_owned()];
             let lines: Vec<Vec<u8>> = lines.iter().flat_map(|line| comments(control, line)).collect();
-            checking.close_with(&lines).map_err(unwritable)?;
+            output_with_check.close_with(&lines).map_err(unwritable)?;
             return Ok(Err(reason));
         }
         let verdict = verdict(checked.as_ref());
         let footer = if config.control.program.checked { comments(control, &verdict) } else { Vec::new() };
-        checking.close_before_end(&footer, counted).map_err(unwritable)?;
-        account_for(tail, footer.len())?;
+        output_with_check.close_before_end(&footer, counted).map_err(unwritable)?;
+        end_map(map, footer.len())?;
         let assumed = "assumed: lengths of the configuration file are in mm (`units` is not set there)";
-        let mut remarks: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
-        remarks.append(&mut report.summary());
-        remarks.push(verdict);
-        Ok(Ok(remarks))
+        let mut summary: Vec<String> = config.file_units_assumed.then(|| assumed.to_owned()).into_iter().collect();
+        summary.append(&mut report.summary());
+        summary.push(verdict);
+        Ok(Ok(summary))
     }
 
-    /// The posting itself.
+    /// Posts the CL data.
     fn report(
         &self,
         source: &mut ClSource,
-        checking: &mut Checking<'_>,
-        account: Option<&mut dyn Account>,
+        output_with_check: &mut CheckedOutput<'_>,
+        line_map: Option<&mut dyn LineMap>,
     ) -> Result<Report, Failure> {
         let cl_name = cl_name(self.input);
         let unwritable = |error| Failure::unwritable(self.output, error);
         let job = Job { cl_name: &cl_name, config: self.config, control: self.control, units: self.config.cl_units };
-        let mut sink = ProgramSink::new(checking);
-        let posted = (self.post)(&job, source, &mut sink, account);
+        let mut sink = ProgramSink::new(output_with_check);
+        let posted = (self.post)(&job, source, &mut sink, line_map);
         let written = sink.flush();
-        // What could not be written is not tried again.
+        // Drops the bytes that could not be written; dropping the writer itself would try them again.
         drop(sink.into_parts());
         source.hide_progress();
         let name = source.name().to_owned();
-        if let Some(what) = source.disturbed() {
-            return Err(Failure::Disturbed(name, what));
+        if let Some(what) = source.changed_since_opened() {
+            return Err(Failure::Changed(name, what));
         }
         let report = posted.map_err(|error| match error {
             PostError::Input(error) => Failure::Unreadable(name, error),
@@ -172,20 +175,20 @@ impl Run<'_> {
     }
 }
 
-/// Why a program with an error in its CL data is not handed over, whatever the report states.
-fn refused(report: &Report, name: &str) -> Option<String> {
+/// The reason to reject a program whose CL data has errors, even if the report is not marked as failed.
+fn error_of(report: &Report, name: &str) -> Option<String> {
     let errors = report.diagnostics.iter().filter(|found| found.severity == Severity::Error);
     let first: Option<&Diagnostic> = errors.min_by_key(|found| found.location);
     let unnamed = || report.failed.then(|| "the CL data has errors".to_owned());
     first.map(|found| headline(name, found)).or_else(unnamed)
 }
 
-/// What the check has found, in a line.
+/// The result of the check in one line.
 fn verdict(checked: Option<&Checked>) -> String {
     checked.map_or_else(|| "not checked".to_owned(), |checked| checked.outcome.summary())
 }
 
-/// Reports the file of a program that was cut short; the final name does not exist afterwards.
+/// Moves an incomplete program to `OUT.rejected` and reports it; the final name does not exist afterwards.
 fn reject(
     args: &PostArgs,
     target: Option<OutputFile>,
@@ -193,26 +196,26 @@ fn reject(
     messages: &mut Messages<'_>,
 ) -> Result<(), Failure> {
     let Some(target) = target else {
-        messages.note("rejected: the program on standard output is not complete and must not be run");
+        messages.note("rejected: the program on standard output is incomplete and must not be run");
         return Ok(());
     };
     let first = comments(args.set_up.control(), &format!("{REJECTED}{reason}")).join(&b'\n');
     let rejected = target.reject(&first).map_err(|error| Failure::unwritable(&args.output, error))?;
     let out = args.output.display();
     messages.note(&match rejected {
-        Rejected { path: None, .. } => format!("rejected: the program on {out} is not complete and must not be run"),
+        Rejected { path: None, .. } => format!("rejected: the program on {out} is incomplete and must not be run"),
         Rejected { path: Some(path), removed } => {
             let earlier = if removed { format!("; the earlier {out} was removed") } else { String::new() };
-            format!("rejected: {out} was not written, what could be posted stands in {}{earlier}", path.display())
+            format!("rejected: {out} was not written; the incomplete program is in {}{earlier}", path.display())
         }
     });
     Ok(())
 }
 
-/// Nothing that is written may replace a file that is read, or another that is written.
+/// Refuses an output file that would replace an input file or another output file.
 fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
     let output = Some(&args.output).filter(|path| !is_standard(path));
-    // Standard output may have been led into a file.
+    // Standard output may be redirected to a file.
     if let Some(map) = args.map.as_ref().filter(|map| output.is_none() && same_file(map, Path::new(STANDARD_OUTPUT))) {
         let what = "the program on standard output".to_owned();
         return Err(Failure::Overwrites(map.display().to_string(), what));
@@ -236,13 +239,13 @@ fn refuse_overwriting(args: &PostArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where standard output goes, on systems that name it.
+/// Path of standard output, on systems that have one.
 const STANDARD_OUTPUT: &str = "/dev/stdout";
 
-/// How the first line of a rejected program begins, inside the comment.
+/// First word of the first line of a rejected program, inside the comment.
 const REJECTED: &str = "REJECTED ";
 
-/// A comment as the control spells it, on as many lines as it needs.
+/// A text as comments of the control, split into lines of the length that the control allows.
 fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
     let text = control::legible(text.as_bytes());
     let lines = control::lines_of(&text, control.spellings().comment.length);
@@ -254,9 +257,9 @@ fn comments(control: &dyn Control, text: &str) -> Vec<Vec<u8>> {
     spelled.collect()
 }
 
-/// Whether a line is the first one of a rejected program.
+/// Whether a line is the first line of a rejected program.
 fn is_rejected(control: &dyn Control, line: &[u8]) -> bool {
-    // The comment without what closes it.
+    // The comment without its closing character.
     let mark = comments(control, REJECTED).concat();
     let end = mark.windows(REJECTED.len()).position(|window| window == REJECTED.as_bytes());
     end.is_some_and(|at| line.starts_with(&mark[..at + REJECTED.len()]))

@@ -1,8 +1,9 @@
-//! The check of the program that is being written: read back while it is posted, in a thread of its own.
+//! The check of the program that is being posted: it reads the program back while it is written, in a thread of its
+//! own.
 //!
-//! Bytes go to the output and, in pieces over a bounded channel, to the check, which reads the CL data on its own. The
-//! last lines, in which the program ends, are held back until the check has passed: a program that did not pass has no
-//! end code, and one that did may state it before the end code.
+//! The bytes go to the output and, in pieces over a bounded channel, to the check, which reads the CL data itself. The
+//! last lines, with the end code, are held back until the check is done: a program with findings gets no end code, and
+//! one without may state the figures of the check before the end code.
 
 use std::io::{self, Read, Seek as _, Write};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -17,11 +18,13 @@ use super::check::findings;
 use super::cl_source::ClSource;
 use super::messages::{Messages, headline};
 
-/// Bytes of a piece, and pieces in the channel at most.
-const PIECE: usize = 1 << 16;
-const PIECES: usize = 16;
+/// Bytes of a piece.
+const PIECE_BYTES: usize = 1 << 16;
 
-/// A check that runs.
+/// Largest number of pieces in the channel.
+const MOST_PIECES: usize = 16;
+
+/// A running check.
 pub(crate) struct SelfCheck {
     sender: Option<SyncSender<Vec<u8>>>,
     piece: Vec<u8>,
@@ -29,53 +32,55 @@ pub(crate) struct SelfCheck {
 }
 
 impl SelfCheck {
-    /// Begins to check what will be written.
+    /// Starts the check of a program that is about to be written.
     pub(crate) fn start(
         machine: &dyn AnyMachine,
         config: &Config,
         control: &'static dyn Control,
         source: &ClSource,
     ) -> io::Result<Self> {
-        let (sender, receiver) = sync_channel(PIECES);
-        let (machine, config, mut input) = (machine.to_boxed(), config.clone(), source.again()?);
+        let (sender, receiver) = sync_channel(MOST_PIECES);
+        let (machine, config, mut input) = (machine.to_boxed(), config.clone(), source.reopen()?);
         let body = move || {
             let job = Job { config: &config, control, units: config.cl_units };
             let mut program = PieceReader { receiver, piece: Vec::new(), at: 0 };
             check_for(&*machine, &job, &mut input, &mut program)
         };
         let thread = thread::Builder::new().name("check".to_owned()).spawn(body)?;
-        Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE), thread })
+        Ok(Self { sender: Some(sender), piece: Vec::with_capacity(PIECE_BYTES), thread })
     }
 
     fn take(&mut self, bytes: &[u8]) {
         self.piece.extend_from_slice(bytes);
-        if self.piece.len() >= PIECE {
+        if self.piece.len() >= PIECE_BYTES {
             self.send();
         }
     }
 
-    /// Hands a piece over; a check that has ended early reports why when it is joined.
+    /// Hands a piece over. If the check has ended early, `finish` returns the reason.
     fn send(&mut self) {
-        let piece = std::mem::replace(&mut self.piece, Vec::with_capacity(PIECE));
+        let piece = std::mem::replace(&mut self.piece, Vec::with_capacity(PIECE_BYTES));
         if self.sender.as_ref().is_some_and(|sender| sender.send(piece).is_err()) {
             self.sender = None;
         }
     }
 
-    /// Waits for the check of everything that was written.
+    /// Hands the last piece over and waits for the result.
     fn finish(mut self) -> Result<Checked, CheckError> {
         self.send();
         drop(self.sender);
         self.thread.join().unwrap_or_else(|_| {
             Err(CheckError::Impossible(
-                "the check of the program ended by itself: this is a fault of the program that checks".to_owned(),
+                "the check of the program stopped unexpectedly: this is a bug of the postprocessor, not an error in the \
+                 CL data; post with --no-check to do without it"
+                    .to_owned(),
             ))
         })
     }
 }
 
-/// Why the program may not be handed over, if its check has found anything; all findings are written.
-pub(crate) fn against(
+/// The reason to reject a program, if its check has findings. Writes all findings as messages.
+pub(crate) fn rejection(
     checked: Option<&Checked>,
     name: &str,
     source: &mut ClSource,
@@ -88,10 +93,10 @@ pub(crate) fn against(
         messages.diagnostics(name, source, &found);
     }
     messages.note(&checked.outcome.summary());
-    Some(format!("the program does not do what the CL data asks for: {}", headline(name, first)))
+    Some(format!("the program differs from the CL data: {}", headline(name, first)))
 }
 
-/// The pieces as a stream.
+/// Reads the pieces as a stream.
 struct PieceReader {
     receiver: Receiver<Vec<u8>>,
     piece: Vec<u8>,
@@ -111,53 +116,54 @@ impl Read for PieceReader {
     }
 }
 
-/// Writes to the output and to the check, where there is one.
-pub(crate) struct Checking<'a> {
+/// Output of a program: writes to the file or stream, and to the check if there is one.
+pub(crate) struct CheckedOutput<'a> {
     out: &'a mut dyn Write,
     check: Option<SelfCheck>,
-    /// Lines that the program ends with.
-    lines: usize,
-    /// What may be the end.
+    /// Number of lines of the program's end: the end code and the lines after it.
+    end_lines: usize,
+    /// Bytes held back, which may be the end.
     held: Vec<u8>,
 }
 
-impl<'a> Checking<'a> {
-    /// `lines`: the end code and the lines after it.
-    pub(crate) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, lines: usize) -> Self {
-        Self { out, check, lines, held: Vec::new() }
+impl<'a> CheckedOutput<'a> {
+    /// `end_lines`: number of lines from the end code to the end of the program.
+    pub(crate) fn new(out: &'a mut dyn Write, check: Option<SelfCheck>, end_lines: usize) -> Self {
+        Self { out, check, end_lines, held: Vec::new() }
     }
 
-    /// What has become of the check, once everything is written; `None` without one.
-    pub(crate) fn verdict(&mut self) -> Option<Result<Checked, CheckError>> {
+    /// Result of the check, once everything is written; `None` without a check.
+    pub(crate) fn finish_check(&mut self) -> Option<Result<Checked, CheckError>> {
         self.check.take().map(SelfCheck::finish)
     }
 
-    /// Writes what was held back.
+    /// Writes the end, which was held back.
     pub(crate) fn close(mut self) -> io::Result<()> {
         self.out.write_all(&std::mem::take(&mut self.held))?;
         self.out.flush()
     }
 
-    /// Writes comments in the place of the end.
+    /// Writes comments instead of the end.
     pub(crate) fn close_with(self, comments: &[Vec<u8>]) -> io::Result<()> {
-        let kept = self.without_end();
+        let kept = self.bytes_before_end();
         self.out.write_all(&self.held[..kept])?;
         comments.iter().try_for_each(|comment| write_line(self.out, None, comment))?;
         self.out.flush()
     }
 
-    /// Writes comments before the end; `counted`: every line has its number, one more than that of the line before.
+    /// Writes comments before the end. `counted`: every line begins with its line number, which goes up by one
+    /// (Heidenhain).
     pub(crate) fn close_before_end(self, comments: &[Vec<u8>], counted: bool) -> io::Result<()> {
-        let kept = self.without_end();
+        let kept = self.bytes_before_end();
         self.out.write_all(&self.held[..kept])?;
-        let mut number = if counted { numbered(&self.held[kept..]).map(|(number, _)| number) } else { None };
+        let mut number = if counted { split_line_number(&self.held[kept..]).map(|(number, _)| number) } else { None };
         for comment in comments {
             write_line(self.out, number, comment)?;
             number = number.map(|number| number + 1);
         }
         for line in self.held[kept..].split_inclusive(|byte| *byte == b'\n') {
             let line = line.strip_suffix(b"\n").unwrap_or(line);
-            match (number, numbered(line)) {
+            match (number, split_line_number(line)) {
                 (Some(now), Some((_, text))) => {
                     write_line(self.out, number, text)?;
                     number = Some(now + 1);
@@ -168,22 +174,22 @@ impl<'a> Checking<'a> {
         self.out.flush()
     }
 
-    /// Number of the bytes held back that come before the end.
-    fn without_end(&self) -> usize {
+    /// Number of bytes held back that come before the end.
+    fn bytes_before_end(&self) -> usize {
         let body = self.held.len() - usize::from(self.held.last() == Some(&b'\n'));
         let mut ends = memchr::memrchr_iter(b'\n', &self.held[..body]);
-        ends.nth(self.lines - 1).map_or(0, |end| end + 1)
+        ends.nth(self.end_lines - 1).map_or(0, |end| end + 1)
     }
 }
 
-impl Write for Checking<'_> {
+impl Write for CheckedOutput<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         if let Some(check) = self.check.as_mut() {
             check.take(bytes);
         }
         self.held.extend_from_slice(bytes);
-        if self.held.len() >= PIECE {
-            let kept = self.without_end();
+        if self.held.len() >= PIECE_BYTES {
+            let kept = self.bytes_before_end();
             self.out.write_all(&self.held[..kept])?;
             self.held.drain(..kept);
         }
@@ -195,6 +201,7 @@ impl Write for Checking<'_> {
     }
 }
 
+/// Writes a line, with its line number if it has one.
 fn write_line(out: &mut dyn Write, number: Option<u64>, text: &[u8]) -> io::Result<()> {
     if let Some(number) = number {
         write!(out, "{number} ")?;
@@ -203,8 +210,8 @@ fn write_line(out: &mut dyn Write, number: Option<u64>, text: &[u8]) -> io::Resu
     out.write_all(b"\n")
 }
 
-/// The number that a line begins with, and the text after it.
-fn numbered(line: &[u8]) -> Option<(u64, &[u8])> {
+/// Line number at the start of a line, and the text after it.
+fn split_line_number(line: &[u8]) -> Option<(u64, &[u8])> {
     let blank = line.iter().position(|byte| *byte == b' ')?;
     let number = str::from_utf8(&line[..blank]).ok()?.parse().ok()?;
     Some((number, &line[blank + 1..]))

@@ -1,4 +1,4 @@
-//! The command line: what a run leaves under its names, and what it takes from arguments and configuration.
+//! Tests of the command line: the files that a run leaves, and the values taken from options and configuration.
 
 mod checked;
 mod messages;
@@ -12,29 +12,29 @@ use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
 use super::cl_source::ClSource;
-use super::posting::ProgramSink;
+use super::posting::{PostFn, ProgramSink};
 use super::*;
 use crate::config::Config;
 use crate::config::sample::Sample;
 use crate::diag::{Diagnostic, Severity};
 use crate::kinematics::Machine;
-use crate::post::{Account, Job, PostError, Report};
+use crate::post::{Job, LineMap, PostError, Report};
 use crate::program::Location;
 use crate::program::Units;
 
-/// What a run leaves on the streams.
+/// Exit status and text on the standard streams of a run.
 struct Outcome {
     status: Status,
     output: String,
     errors: String,
 }
 
-fn run_with(args: &[&str], input: &[u8], post: Post<'_>) -> Outcome {
+fn run_with(args: &[&str], input: &[u8], post: PostFn<'_>) -> Outcome {
     run_on::<Sample>(args, input, post)
 }
 
-/// On a machine of its own.
-fn run_on<M: Machine>(args: &[&str], input: &[u8], post: Post<'_>) -> Outcome {
+/// Runs the command line of machine `M`.
+fn run_on<M: Machine>(args: &[&str], input: &[u8], post: PostFn<'_>) -> Outcome {
     let args: Vec<OsString> = ["/bin/sample_post.exe"].iter().chain(args).map(OsString::from).collect();
     let (mut output, mut errors) = (Vec::new(), Vec::new());
     let streams = Streams { input: &mut &*input, output: &mut output, errors: &mut errors, terminal: false };
@@ -43,12 +43,12 @@ fn run_on<M: Machine>(args: &[&str], input: &[u8], post: Post<'_>) -> Outcome {
     Outcome { status, output: text(output), errors: text(errors) }
 }
 
-/// Reads the text twice, as the posting does, and writes it behind a `;`.
+/// Reads the text twice, as posting does, and writes it after a `;`.
 fn echo(
     _job: &Job<'_>,
     source: &mut ClSource,
     sink: &mut ProgramSink<'_>,
-    _: Option<&mut dyn Account>,
+    _: Option<&mut dyn LineMap>,
 ) -> Result<Report, PostError> {
     let (mut first, mut second) = (Vec::new(), Vec::new());
     source.read_to_end(&mut first).map_err(PostError::Input)?;
@@ -64,12 +64,12 @@ fn finding(severity: Severity, line: u64, column: u32, length: u32, text: &str, 
     Diagnostic { severity, location: Location { line, column }, length, text, help, count: 1 }
 }
 
-/// Writes one block and then finds an error in line 2.
-fn stumble(
+/// Writes one block and then reports an error in line 2.
+fn fails_in_line_2(
     _job: &Job<'_>,
     _source: &mut ClSource,
     sink: &mut ProgramSink<'_>,
-    _: Option<&mut dyn Account>,
+    _: Option<&mut dyn LineMap>,
 ) -> Result<Report, PostError> {
     sink.write_all(b"G0 X0\n(error)\n").map_err(PostError::Output)?;
     let error = finding(Severity::Error, 2, 6, 3, "GOTO needs 3 or 6 numbers (found 1)", Some("write X, Y and Z"));
@@ -80,7 +80,7 @@ fn never(
     _job: &Job<'_>,
     _source: &mut ClSource,
     _sink: &mut ProgramSink<'_>,
-    _: Option<&mut dyn Account>,
+    _: Option<&mut dyn LineMap>,
 ) -> Result<Report, PostError> {
     panic!("there is nothing to post")
 }
@@ -121,9 +121,9 @@ impl Shop {
         names
     }
 
-    fn post(&self, extra: &[&str], post: Post<'_>) -> Outcome {
+    fn post(&self, extra: &[&str], post: PostFn<'_>) -> Outcome {
         let (input, output) = (self.arg("part.cls"), self.arg("part.ngc"));
-        // What these tests post is no program.
+        // The output of these tests is no program that could be checked.
         let mut args = vec!["post", &input, "-o", &output, "--no-check"];
         args.extend(extra);
         run_with(&args, b"", post)
@@ -131,7 +131,7 @@ impl Shop {
 }
 
 #[test]
-fn a_program_stands_under_its_name_when_it_is_done() {
+fn a_program_has_its_final_name_when_it_is_done() {
     let shop = Shop::new();
     let outcome = shop.post(&[], &echo);
     assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
@@ -143,11 +143,11 @@ fn a_program_stands_under_its_name_when_it_is_done() {
 }
 
 #[test]
-fn nothing_stands_under_the_final_name_while_the_program_is_written() {
+fn the_final_name_does_not_exist_while_the_program_is_written() {
     let shop = Shop::new();
     let out = shop.path("part.ngc");
-    let outcome = shop.post(&[], &|job, source, sink, account| {
-        let report = echo(job, source, sink, account)?;
+    let outcome = shop.post(&[], &|job, source, sink, line_map| {
+        let report = echo(job, source, sink, line_map)?;
         sink.flush().map_err(PostError::Output)?;
         assert!(!out.exists());
         Ok(report)
@@ -160,7 +160,7 @@ fn nothing_stands_under_the_final_name_while_the_program_is_written() {
 fn an_error_in_the_cl_data_leaves_only_a_rejected_program() {
     let shop = Shop::new();
     shop.write("part.ngc", "yesterday");
-    let outcome = shop.post(&[], &stumble);
+    let outcome = shop.post(&[], &fails_in_line_2);
     assert_eq!(outcome.status, Status::Rejected);
     assert_eq!(shop.names(), ["part.cls", "part.ngc.rejected"]);
     let rejected = shop.text("part.ngc.rejected");
@@ -174,17 +174,18 @@ fn an_error_in_the_cl_data_leaves_only_a_rejected_program() {
         format!(
             "{input}:2:6: error: GOTO needs 3 or 6 numbers (found 1)\n  |\n2 | GOTO/1.0\n  |      ^^^\n  |\n  = \
              help: write X, Y and Z\n{input}: 1 error\n\
-             rejected: {output} was not written, what could be posted stands in {output}.rejected; \
+             rejected: {output} was not written; the incomplete program is in {output}.rejected; \
              the earlier {output} was removed\n"
         )
     );
 }
 
 #[test]
-fn an_error_diagnostic_rejects_even_if_the_report_does_not_say_failed() {
+fn an_error_diagnostic_rejects_even_if_the_report_is_not_marked_as_failed() {
     let shop = Shop::new();
-    let outcome = shop
-        .post(&[], &|job, source, sink, account| Ok(Report { failed: false, ..stumble(job, source, sink, account)? }));
+    let outcome = shop.post(&[], &|job, source, sink, line_map| {
+        Ok(Report { failed: false, ..fails_in_line_2(job, source, sink, line_map)? })
+    });
     assert_eq!(outcome.status, Status::Rejected);
     assert!(!shop.path("part.ngc").exists());
 }
@@ -192,9 +193,9 @@ fn an_error_diagnostic_rejects_even_if_the_report_does_not_say_failed() {
 #[test]
 fn a_warning_does_not_reject() {
     let shop = Shop::new();
-    let outcome = shop.post(&[], &|job, source, sink, account| {
+    let outcome = shop.post(&[], &|job, source, sink, line_map| {
         let warning = finding(Severity::Warning, 1, 1, 6, "the name is short", None);
-        Ok(Report { diagnostics: vec![warning], ..echo(job, source, sink, account)? })
+        Ok(Report { diagnostics: vec![warning], ..echo(job, source, sink, line_map)? })
     });
     assert_eq!(outcome.status, Status::Done);
     assert!(outcome.errors.contains("part.cls:1:1: warning: the name is short\n  |\n1 | PARTNO A\n  | ^^^^^^\n"));
@@ -202,9 +203,9 @@ fn a_warning_does_not_reject() {
 }
 
 #[test]
-fn a_rejected_program_of_an_earlier_run_goes_when_the_next_run_is_done() {
+fn a_rejected_program_of_an_earlier_run_is_removed_when_the_next_run_is_done() {
     let shop = Shop::new();
-    shop.post(&[], &stumble);
+    shop.post(&[], &fails_in_line_2);
     let outcome = shop.post(&[], &echo);
     assert_eq!(shop.names(), ["part.cls", "part.ngc"]);
     assert!(outcome.errors.contains("part.ngc.rejected of an earlier run\ndone\n"), "{}", outcome.errors);
@@ -219,14 +220,14 @@ fn a_file_that_is_not_ours_stays_although_it_is_called_rejected() {
 }
 
 #[test]
-fn the_command_line_goes_on_top_of_the_configuration_file() {
+fn the_command_line_takes_precedence_over_the_configuration_file() {
     let shop = Shop::new();
     shop.write("shop.toml", "cl_units = 'mm'\nwork_offset = 'G55'\n");
     let seen = RefCell::new(None);
     let flags = ["--config", &shop.arg("shop.toml"), "--units", "in", "--output-units", "mm", "--line-numbers"];
-    let outcome = shop.post(&flags, &|job, source, sink, account| {
+    let outcome = shop.post(&flags, &|job, source, sink, line_map| {
         *seen.borrow_mut() = Some((job.config.clone(), job.units));
-        echo(job, source, sink, account)
+        echo(job, source, sink, line_map)
     });
     assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
     let (config, units) = seen.into_inner().expect("it was posted");
@@ -254,7 +255,7 @@ fn a_fault_in_the_configuration_is_shown_with_its_line_and_is_status_2() {
 }
 
 #[test]
-fn an_assumed_unit_of_the_configuration_is_told() {
+fn an_assumed_unit_of_the_configuration_is_reported() {
     let shop = Shop::new();
     shop.write("shop.toml", "floor = -3\n");
     let outcome = shop.post(&["--config", &shop.arg("shop.toml")], &echo);
@@ -275,7 +276,7 @@ fn bad_arguments_are_status_2_and_help_is_status_0() {
 }
 
 #[test]
-fn the_command_goes_by_the_name_of_its_file() {
+fn help_calls_the_command_by_the_name_of_its_file() {
     let outcome = run_with(&["--version"], b"", &never);
     assert!(outcome.output.starts_with("sample_post "), "{}", outcome.output);
     let outcome = run_with(&["--help"], b"", &never);
@@ -292,7 +293,7 @@ fn config_prints_a_file_that_post_accepts() {
 }
 
 #[test]
-fn explain_prints_what_the_machine_knows_and_no_empty_headings() {
+fn explain_prints_the_derivation_without_empty_headings() {
     let outcome = run_with(&["explain"], b"", &never);
     assert_eq!(outcome.status, Status::Done);
     assert!(outcome.output.starts_with("Sample"), "{}", outcome.output);

@@ -1,8 +1,10 @@
-//! The head of a program: what it is for, what it was made from, and what was assumed.
+//! The header of a program: comments that state machine, set-up, CL file, tools, axis directions and assumptions.
+//!
+//! Part of it is shown in the summary as well: `assumptions`, `set_up`, `reading` and `unchecked_limits`.
 
 use std::io;
 
-use crate::cl::{ArcVote, Frames, Insert};
+use crate::cl::{ArcVote, Dialect, Frames, Insert};
 use crate::config::Config;
 use crate::control::{Control, Encoder, LengthGuard};
 use crate::kinematics::{AnyMachine, Axis, AxisKind, Side, Sign};
@@ -16,16 +18,16 @@ use crate::set_up::{LengthMode, ProgramZero, Stock};
 use super::Job;
 use super::survey::{Survey, ToolUse};
 
-/// A blank thinner than this is none, mm.
-const THINNEST: f64 = 0.1;
+/// Smallest thickness of a blank that is written, mm.
+const MIN_BLANK_MM: f64 = 0.1;
 
-/// Everything the header tells.
+/// The header and the data that it is written from.
 pub(crate) struct Header<'a> {
     pub(crate) job: &'a Job<'a>,
     pub(crate) survey: &'a Survey,
     pub(crate) units: Units,
     pub(crate) machine: &'a dyn AnyMachine,
-    /// Linear axes whose limits are not checked, and why.
+    /// Linear axes whose limits are not checked, with the reason.
     pub(crate) unchecked: Vec<(char, &'static str)>,
 }
 
@@ -33,14 +35,14 @@ fn rotaries(machine: &dyn AnyMachine, side: Side) -> impl Iterator<Item = &'stat
     machine.axes().iter().filter(move |axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == side)
 }
 
-/// The work offset as the control names it.
+/// Name of the work offset, as the control writes it.
 pub(crate) fn work_offset(control: &dyn Control, config: &Config) -> String {
     let word = &config.set_up.work_offset;
     let spelled = control.work_offset(word).unwrap_or_else(|| word.clone());
     format!("{}{spelled}", control.spellings().offset_title)
 }
 
-/// What the program takes for granted because nothing was given, one sentence each.
+/// Settings that were assumed because they were not given, one sentence each.
 pub(crate) fn assumptions(
     machine: &dyn AnyMachine,
     control: &dyn Control,
@@ -50,16 +52,16 @@ pub(crate) fn assumptions(
     let mut list = Vec::new();
     if survey.file.units_only_given {
         let unit = survey.file.units.map_or("", Units::name);
-        list.push(format!("the unit of the CL data, which does not state one, is {unit} as given with the job"));
+        list.push(format!("unit of the CL data is {unit}, as given; the CL file states none"));
     }
-    if !survey.file.framed {
-        list.push("the points of the CL data count from the part zero".to_owned());
+    if !survey.file.states_frame {
+        list.push("points of the CL data are coordinates from the part zero".to_owned());
     }
-    // A control that counts the tip in the frame of the part knows where the part lies.
+    // A control that takes tip coordinates in the frame of the part needs no part origin: the work offset holds it.
     let known = config.motion.mode != Mode::Axes
         && config.motion.tip.tcp_frame.is_none_or(|frame| frame == TcpFrame::TableAtZero);
     if !known && rotaries(machine, Side::Workpiece).next().is_some() && !config.is_given("part_origin") {
-        list.push("part_origin 0, 0, 0: the part zero is the table's reference point".to_owned());
+        list.push("part_origin 0, 0, 0: the part zero is the reference point of the table".to_owned());
     }
     if !config.is_given("work_offset") {
         list.push(format!("work offset {}", work_offset(control, config)));
@@ -68,7 +70,7 @@ pub(crate) fn assumptions(
         list.push(format!("retract to machine coordinate {} mm", config.motion.retract.position()));
     }
     if !config.is_given("approach.distance") {
-        list.push(format!("approach from {} mm along the tool axis", config.motion.approach.distance));
+        list.push(format!("approach distance {} mm along the tool axis", config.motion.approach.distance));
     }
     for tool in survey.tools.iter().filter(|tool| tool.spindle_assumed) {
         let number = tool.call.number;
@@ -81,55 +83,59 @@ pub(crate) fn assumptions(
                 Rotation::CounterClockwise => "CCLW",
             };
             list.push(format!(
-                "spindle of T{number} from the configuration where the CL data gives none: S{speed} {sense}"
+                "spindle of T{number} from the configuration where the CL data has none: S{speed} {sense}"
             ));
         }
     }
     for (letter, wrap) in &config.motion.rotaries.wrap {
         match wrap {
             Wrap::Positive | Wrap::Symmetric => {
-                list.push(format!("{letter} rolls over, and the control turns it the short way to every angle"));
+                list.push(format!("{letter} rolls over, and the control moves it to every angle by the shortest path"));
             }
-            Wrap::Sign => list.push(format!("{letter} rolls over, and the control turns it in the sense of the sign")),
+            Wrap::Sign => {
+                list.push(format!("{letter} rolls over, and the control rotates it in the direction of the sign"))
+            }
         }
     }
     for tool in &survey.tools {
         let number = tool.call.number;
-        if length(tool, config).is_none() {
-            list.push(format!("the gauge length of T{number} is unknown: its offset must hold the true one"));
+        if gauge_length_mm(tool, config).is_none() {
+            list.push(format!("gauge length of T{number} unknown: its length offset must hold the true length"));
         }
     }
     list
 }
 
-/// How the part is set up where that is not the plain case, one sentence each.
+/// Settings of the set-up that differ from the plain case, one sentence each.
 pub(crate) fn set_up(config: &Config, survey: &Survey) -> Vec<String> {
     let mut list = Vec::new();
-    if let Some(Ok(wanted)) = &survey.wanted {
-        let (first, last, all) = (wanted.start(), wanted.end(), survey.operations);
-        list.push(format!("operations {first} to {last} of {all} only, entered as at their restart points"));
+    if let Some(Ok(selected)) = &survey.selected {
+        let (first, last, all) = (selected.start(), selected.end(), survey.operations);
+        list.push(format!("operations {first} to {last} of {all} only, each started as at its restart point"));
     }
     let [x, y, z] = config.set_up.part_angles();
     if [x, y, z].iter().any(|angle| angle.abs() > 0.0) {
         list.push(format!(
-            "part rotation {x}, {y}, {z}: the CL data is turned by these degrees about X, then Y, then Z of the table"
+            "part rotation {x}, {y}, {z}: the CL data is rotated by these degrees about X, then Y, then Z of the table"
         ));
     }
     if let Some(lift) = config.motion.lift {
-        list.push(format!("DRY RUN: every point {lift} mm out along the tool axis, spindle and coolant off"));
+        list.push(format!(
+            "DRY RUN: every point is {lift} mm further out along the tool axis, spindle and coolant off"
+        ));
     }
     if config.set_up.program_zero == ProgramZero::Table {
-        list.push("program zero: linear words count from the reference point of the table".to_owned());
+        list.push("program zero: linear words are coordinates from the reference point of the table".to_owned());
     }
     if config.set_up.length_mode == LengthMode::Gauge {
         list.push(
-            "length mode: linear words are coordinates of the gauge line, no length offset may be active".to_owned(),
+            "length mode: linear words are coordinates of the gauge line; no length offset may be active".to_owned(),
         );
     }
     list
 }
 
-/// What the rotary entries of the work offset must hold: those of the table always, those of the head where any of them
+/// Required rotary entries of the work offset: those of the table always, those of the head only where `rotary_offset`
 /// is used.
 fn rotary_entries(machine: &dyn AnyMachine, control: &dyn Control, config: &Config) -> Vec<String> {
     let entries_of = work_offset(control, config);
@@ -148,45 +154,51 @@ fn rotary_entries(machine: &dyn AnyMachine, control: &dyn Control, config: &Conf
         }
     }
     if !zero.is_empty() {
-        list.push(format!("the entries of {} in {entries_of} must be zero", spaced(&zero)));
+        list.push(format!("the entries of {} in {entries_of} must be zero", joined_by_and(&zero)));
     }
     list
 }
 
-/// Without the noise of the last binary digits.
+/// An angle in degrees without the rounding error of its conversion from radians.
 fn rounded(degrees: f64) -> f64 {
     (degrees * 1e9).round() / 1e9 + 0.0
 }
 
-/// How the CL data was read, one sentence each.
+/// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.
 pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
-    let given = if config.cl.dialect.is_some() { "as given" } else { "by its own evidence" };
-    let mut list = vec![format!("CL data of {}, {given}", survey.file.dialect.title())];
+    let how = match (config.cl.dialect, survey.file.dialect) {
+        (Some(_), _) => ", as given",
+        (None, Dialect::Generic) => "",
+        (None, _) => ", recognised from the file",
+    };
+    let mut list = vec![format!("CL data of {}{how}", survey.file.dialect.title())];
     let ArcVote { arcs, agree, against, given } = survey.file.arcs;
     let decided = agree + against;
     if arcs > 0 {
         let arcs = super::counted(arcs, "arc");
         list.push(match (given, decided) {
-            (true, _) => format!("{arcs}, their sense as given"),
-            (false, 0) => format!("{arcs}, sense by form only, 0 arcs confirmed"),
-            (false, decided) => format!("{arcs}, {agree} of {decided} decided arcs agree with their form"),
+            (true, _) => format!("{arcs}, sense as given"),
+            (false, 0) => format!("{arcs}, sense by form, not confirmed by a neighbouring line"),
+            (false, decided) => {
+                format!("{arcs}, sense by form, confirmed by {agree} of {decided} neighbouring lines")
+            }
         });
     }
     if survey.file.frames > 1 {
         list.push(match config.cl.frames {
             Frames::Offset => format!("{} frames, each with a work offset of its own", survey.file.frames),
-            Frames::Main | Frames::Refuse => format!("{} frames, mapped into the first", survey.file.frames),
+            Frames::Main | Frames::Refuse => format!("{} frames, transformed into the first", survey.file.frames),
         });
     }
     if survey.file.setup_changes > 0 {
         let times = super::counted(survey.file.setup_changes, "time");
-        list.push(format!("CSYS changes {times}: its points stay in one common frame"));
+        list.push(format!("CSYS changes {times}: all points are read in one common frame"));
     }
     if !config.cl.inert.is_empty() {
-        list.push(format!("words passed over as inert: {}", config.cl.inert.join(" ")));
+        list.push(format!("words ignored as inert: {}", config.cl.inert.join(" ")));
     }
     if config.cl.insert == Insert::Write {
-        list.push("INSERT written as it stands: nobody has checked it".to_owned());
+        list.push("the text of INSERT is written without a check".to_owned());
     }
     if survey.file.inverse_time {
         list.push("the CL data asks for inverse-time feed: written wherever a rotary axis moves".to_owned());
@@ -194,12 +206,13 @@ pub(crate) fn reading(config: &Config, survey: &Survey) -> Vec<String> {
     list
 }
 
-pub(crate) fn length(tool: &ToolUse, config: &Config) -> Option<f64> {
+/// Gauge length of a tool, from the configuration, else from the CL data.
+fn gauge_length_mm(tool: &ToolUse, config: &Config) -> Option<f64> {
     config.set_up.tools.get(&tool.call.number).and_then(|given| given.length_mm).or(tool.call.length_mm)
 }
 
-/// One sentence for each reason why limits were not checked.
-pub(crate) fn unchecked(axes: &[(char, &'static str)]) -> Vec<String> {
+/// One sentence for each reason why limits of linear axes were not checked, with the axes.
+pub(crate) fn unchecked_limits(axes: &[(char, &'static str)]) -> Vec<String> {
     let mut lines: Vec<(&str, String)> = Vec::new();
     for &(letter, why) in axes {
         match lines.iter_mut().find(|(reason, _)| *reason == why) {
@@ -229,25 +242,26 @@ impl Header<'_> {
                 config.motion.mode.name()
             ),
             format!("UNITS {}, WORK OFFSET {}", self.units.name(), work_offset(self.job.control, config)),
-            format!("PART ORIGIN {} from the table reference", self.point(config.set_up.part_origin)),
+            format!("PART ORIGIN {} from the reference point of the table", self.point(config.set_up.part_origin)),
             format!("PROGRAMMED POINT {}", programmed_point(config)),
-            format!("ARCS AND CURVES left by at most {}", self.length(config.motion.tolerance)),
+            format!("TOLERANCE {} for arcs and curves", self.length(config.motion.tolerance)),
         ];
         lines.extend(set_up(config, self.survey));
         lines.extend(config.motion.compensation.map(|path| match path {
-            CutterPath::Centre => "CUTTER COMPENSATION of the path of the tool's centre: D holds wear only".to_owned(),
-            CutterPath::Contour => "CUTTER COMPENSATION of the contour: D holds the radius".to_owned(),
+            CutterPath::Centre => "CUTTER COMPENSATION of the centre path: D must hold wear only".to_owned(),
+            CutterPath::Contour => "CUTTER COMPENSATION of the contour: D must hold the radius".to_owned(),
         }));
         lines.extend(reading(config, self.survey));
-        let turns = rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
-        let kept = (turns && config.motion.mode != Mode::Plane).then(|| {
+        let has_rotaries =
+            rotaries(self.machine, Side::Workpiece).chain(rotaries(self.machine, Side::Tool)).next().is_some();
+        let tolerances = (has_rotaries && config.motion.mode != Mode::Plane).then(|| {
             format!(
                 "WHILE A ROTARY AXIS MOVES the tip stays within {} of its line at feed, the tool axis within {} deg",
                 self.length(config.motion.tolerance),
                 (config.motion.axis_tolerance_path.to_degrees() * 1e6).round() / 1e6
             )
         });
-        lines.extend(self.machine_lines(kept));
+        lines.extend(self.machine_lines(tolerances));
         lines.extend(assumptions.iter().map(|assumption| format!("ASSUMED {assumption}")));
         for line in lines {
             encoder.comment(line.as_bytes())?;
@@ -255,8 +269,8 @@ impl Header<'_> {
         encoder.start()
     }
 
-    /// The box around the blank as words count, mm: that of the configuration, or else one around all cuts and their tools.
-    /// None around cuts in one plane, and none where words count to the gauge line.
+    /// Box of the blank in the coordinates of the program, mm: that of the configuration, or else one around all cuts
+    /// and the tool's radius. None where all cuts lie in one plane, and none in length mode `gauge`.
     fn blank(&self) -> Option<Stock> {
         let config = self.job.config;
         let mut blank = config.set_up.stock.or_else(|| self.around_cuts())?;
@@ -266,17 +280,18 @@ impl Header<'_> {
                 blank.upper[index] += origin;
             }
         }
-        let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < THINNEST);
+        let flat = (0..3).any(|index| blank.upper[index] - blank.lower[index] < MIN_BLANK_MM);
         Some(blank).filter(|_| !flat && config.set_up.length_mode == LengthMode::Tip)
     }
 
+    /// Box around all cuts, widened in X and Y by the radius of each tool, mm.
     fn around_cuts(&self) -> Option<Stock> {
         let boxes = self.survey.tools.iter().filter_map(|tool| {
             let given = self.job.config.set_up.tools.get(&tool.call.number).and_then(|given| given.diameter_mm);
             let radius = given.or(tool.call.diameter_mm).unwrap_or(0.0) / 2.0;
-            let [lower, upper] = tool.cuts?;
-            let aside = [radius, radius, 0.0];
-            Some((std::array::from_fn(|i| lower[i] - aside[i]), std::array::from_fn(|i| upper[i] + aside[i])))
+            let [lower, upper] = tool.cuts_mm?;
+            let margin = [radius, radius, 0.0];
+            Some((std::array::from_fn(|i| lower[i] - margin[i]), std::array::from_fn(|i| upper[i] + margin[i])))
         });
         let around = |one: ([f64; 3], [f64; 3]), other: ([f64; 3], [f64; 3])| {
             (std::array::from_fn(|i| one.0[i].min(other.0[i])), std::array::from_fn(|i| one.1[i].max(other.1[i])))
@@ -284,26 +299,27 @@ impl Header<'_> {
         boxes.reduce(around).map(|(lower, upper)| Stock { lower, upper })
     }
 
-    /// What the program takes for granted about axes, set-up and tools; `kept`: what holds while a rotary axis moves.
-    pub(crate) fn machine_lines(&self, kept: Option<String>) -> Vec<String> {
+    /// Lines about axes, limits, work offset and tools. `tolerances`: the line about motions with rotary axes.
+    pub(crate) fn machine_lines(&self, tolerances: Option<String>) -> Vec<String> {
         let config = self.job.config;
-        let mut lines: Vec<String> = (0..self.machine.axes().len()).map(|index| self.sign(index)).collect();
-        lines.extend(kept);
+        let mut lines: Vec<String> = (0..self.machine.axes().len()).map(|index| self.axis_line(index)).collect();
+        lines.extend(tolerances);
         lines.extend(self.rotary_words());
-        lines.extend(framed(self.job.control, config));
-        lines.extend(unchecked(&self.unchecked));
+        lines.extend(mode_lines(self.job.control, config));
+        lines.extend(unchecked_limits(&self.unchecked));
         if config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Workpiece).next().is_some() {
             lines.push(format!(
-                "valid only for part origin {} from the table reference; do not touch off again",
+                "valid only for part origin {} from the reference point of the table; do not touch off again",
                 self.point(config.set_up.part_origin)
             ));
         }
         lines.extend(rotary_entries(self.machine, self.job.control, config));
-        lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool(tool)));
+        lines.extend(self.survey.tools.iter().flat_map(|tool| self.tool_lines(tool)));
         lines
     }
 
-    /// What words beyond a turn take for granted; nothing where every rotary axis rolls over, or has no words.
+    /// Required setting of the control for rotary words beyond 360; none where every rotary axis rolls over, or none
+    /// has words.
     fn rotary_words(&self) -> Option<String> {
         let (wrap, codes) = (&self.job.config.motion.rotaries.wrap, self.job.control.spellings());
         let counting = |axis: &&Axis| axis.kind == AxisKind::Rotary && !axis.held && !wrap.contains_key(&axis.letter);
@@ -311,71 +327,73 @@ impl Header<'_> {
         if letters.is_empty() || self.job.config.motion.mode == Mode::Plane {
             return None;
         }
-        let of = if wrap.is_empty() { String::new() } else { format!(" of {}", spaced(&letters)) };
+        let of = if wrap.is_empty() { String::new() } else { format!(" of {}", joined_by_and(&letters)) };
         let shortest = codes.rotary_path[1];
         let note = match wrap.values().any(|wrap| *wrap != Wrap::Sign) && !shortest.is_empty() {
-            true => format!("{shortest} is in force, so they must not be shown within a turn"),
+            true => format!("{shortest} is active, so these axes must not be displayed within one revolution"),
             false => codes.rotary_note.to_owned(),
         };
-        Some(format!("ROTARY WORDS{of} are absolute and count on past 360: {note}"))
+        Some(format!("ROTARY WORDS{of} are absolute and go beyond 360: {note}"))
     }
 
-    pub(crate) fn point(&self, point: [f64; 3]) -> String {
-        let [x, y, z] = point.map(|value| self.length(value));
+    /// A point in the unit of the program.
+    pub(crate) fn point(&self, point_mm: [f64; 3]) -> String {
+        let [x, y, z] = point_mm.map(|value| self.length(value));
         format!("X{x} Y{y} Z{z}")
     }
 
     /// A length in the unit of the program.
-    pub(crate) fn length(&self, mm: f64) -> String {
+    pub(crate) fn length(&self, length_mm: f64) -> String {
         let decimals = self.job.config.formats.linear(self.units);
         let mut text = Vec::new();
-        write_decimal(&mut text, Decimal::fixed(mm / self.units.in_mm(), decimals).unwrap_or_default());
+        write_decimal(&mut text, Decimal::fixed(length_mm / self.units.in_mm(), decimals).unwrap_or_default());
         String::from_utf8_lossy(&text).into_owned()
     }
 
-    /// The sign of an axis in words.
-    fn sign(&self, index: usize) -> String {
+    /// Positive direction of an axis in words; for a held axis its required position.
+    fn axis_line(&self, index: usize) -> String {
         let axis = &self.machine.axes()[index];
         let letter = axis.letter;
         if axis.held {
             let value = self.machine.held()[index];
             let value = if axis.kind == AxisKind::Rotary { value.to_degrees() } else { value / self.units.in_mm() };
-            return format!("AXIS {letter} is not moved and must stand at {value}");
+            return format!("AXIS {letter} is not moved and must be at {value}");
         }
         let direction = direction_name(self.machine.joint(index).direction.into_inner().into());
         let word = match axis.sign {
-            Sign::Plus => "word as in ISO 841",
-            Sign::Minus => "word backwards",
+            Sign::Plus => "as in ISO 841",
+            Sign::Minus => "opposite to ISO 841",
         };
         let moves = match (axis.kind, axis.side, axis.sign) {
             (AxisKind::Linear, Side::Tool, Sign::Plus) => format!("+ moves the tool along {direction}"),
             (AxisKind::Linear, Side::Tool, Sign::Minus) => format!("+ moves the tool against {direction}"),
             (AxisKind::Linear, Side::Workpiece, Sign::Plus) => format!("+ moves the table against {direction}"),
             (AxisKind::Linear, Side::Workpiece, Sign::Minus) => format!("+ moves the table along {direction}"),
-            (AxisKind::Rotary, Side::Tool, Sign::Plus) => format!("+ turns the tool right-handed about {direction}"),
-            (AxisKind::Rotary, Side::Tool, Sign::Minus) => format!("+ turns the tool left-handed about {direction}"),
+            (AxisKind::Rotary, Side::Tool, Sign::Plus) => format!("+ rotates the tool right-handed about {direction}"),
+            (AxisKind::Rotary, Side::Tool, Sign::Minus) => format!("+ rotates the tool left-handed about {direction}"),
             (AxisKind::Rotary, Side::Workpiece, Sign::Plus) => {
-                format!("+ turns the table left-handed about {direction}")
+                format!("+ rotates the table left-handed about {direction}")
             }
             (AxisKind::Rotary, Side::Workpiece, Sign::Minus) => {
-                format!("+ turns the table right-handed about {direction}")
+                format!("+ rotates the table right-handed about {direction}")
             }
         };
-        format!("AXIS {letter} {moves}: {word}")
+        format!("AXIS {letter}{moves}, {word}")
     }
 
-    /// Whether the control can compare the length of a tool with its own.
-    fn compares(&self, tool: u32, offset: Option<u32>, length: f64) -> bool {
+    /// Whether the program can compare the tool length in the control's offset with the posted one (`length_guard`).
+    fn can_guard_length(&self, tool: u32, offset: Option<u32>, length_mm: f64) -> bool {
         let Some(offset) = self.job.control.spellings().length.registers.of_tool(tool, offset) else { return false };
         let (tolerance, units) = (self.job.config.motion.guards.length_tolerance, self.units);
         !self
             .job
             .control
-            .length_guard(&LengthGuard { label: 1, tool, offset, length_mm: length, tolerance_mm: tolerance, units })
+            .length_guard(&LengthGuard { label: 1, tool, offset, length_mm, tolerance_mm: tolerance, units })
             .is_empty()
     }
 
-    fn tool(&self, tool: &ToolUse) -> Vec<String> {
+    /// Data and use of a tool; a second line where the program is valid for its posted length only.
+    fn tool_lines(&self, tool: &ToolUse) -> Vec<String> {
         let config = self.job.config;
         let number = tool.call.number;
         let given = config.set_up.tools.get(&number);
@@ -389,7 +407,7 @@ impl Header<'_> {
         if let Some(radius) = tool.call.corner_radius_mm {
             text += &format!(" R{}", self.length(radius));
         }
-        let length = length(tool, config);
+        let length = gauge_length_mm(tool, config);
         text += &length.map_or_else(|| " L unknown".to_owned(), |length| format!(" L{}", self.length(length)));
         let registers = &self.job.control.spellings().length;
         let offset = given.and_then(|given| given.offset).or(tool.call.length_offset);
@@ -401,7 +419,7 @@ impl Header<'_> {
             text += &format!(" {register}");
         }
         text += &format!(", {}", super::counted(tool.operations, "operation"));
-        if let Some((low, high)) = tool.tip {
+        if let Some((low, high)) = tool.tip_z_mm {
             text += &format!(", tip Z {} to {}", self.length(low), self.length(high));
         }
         let mut lines = vec![text];
@@ -410,8 +428,8 @@ impl Header<'_> {
             && (gauge_line || config.motion.mode == Mode::Axes && rotaries(self.machine, Side::Tool).next().is_some())
         {
             let mut held = format!("{register} must hold exactly this");
-            if config.motion.guards.length_guard != Some(false) && !self.compares(number, offset, length) {
-                held += ", and nothing compares it";
+            if config.motion.guards.length_guard != Some(false) && !self.can_guard_length(number, offset, length) {
+                held += ", which the program does not check";
             }
             let length = self.length(length);
             let who = if gauge_line { "the tool must be exactly this long" } else { &held };
@@ -421,34 +439,37 @@ impl Header<'_> {
     }
 }
 
-/// What the words count in a mode in which the control moves the tip, and what it takes for granted.
-fn framed(control: &dyn Control, config: &Config) -> Vec<String> {
+/// Frame of the linear words in modes `tcp` and `plane`, and required settings of the control.
+fn mode_lines(control: &dyn Control, config: &Config) -> Vec<String> {
     let codes = control.spellings();
-    let note = |note: &str| {
-        (!note.is_empty()).then(|| format!("MODE {} takes for granted: {note}", config.motion.mode.name()))
-    };
+    let note = |note: &str| (!note.is_empty()).then(|| format!("MODE {}: {note}", config.motion.mode.name()));
     match config.motion.mode {
         Mode::Axes => Vec::new(),
         Mode::Tcp => {
             let frame = match config.motion.tip.tcp_frame {
-                None | Some(TcpFrame::TableAtZero) => "fixed to the table as it stands with its rotary axes at zero",
-                Some(TcpFrame::TableAtStart) => "fixed to the table as it stands where tip control begins",
-                Some(TcpFrame::NotTurning) => "standing still while the table turns",
+                None | Some(TcpFrame::TableAtZero) => {
+                    "fixed to the table, aligned with the machine axes when its rotary axes are at zero"
+                }
+                Some(TcpFrame::TableAtStart) => {
+                    "fixed to the table, aligned with the machine axes at the start of tip control"
+                }
+                Some(TcpFrame::NotTurning) => "that does not rotate with the table",
             };
             let posture = match config.motion.tip.tool_posture {
                 ToolPosture::Axes => "rotary axes move evenly",
-                ToolPosture::Plane => "the tool axis turns in the plane of its ends",
+                ToolPosture::Plane => "the tool axis rotates in the plane of its start and end",
             };
-            let words = format!("LINEAR WORDS are coordinates of the tip in a frame {frame}; {posture}");
+            let words = format!("LINEAR WORDS are tip coordinates in a frame {frame}; {posture}");
             std::iter::once(words).chain(codes.tip.as_ref().and_then(|tip| note(tip.note))).collect()
         }
         Mode::Plane => {
-            let words = "LINEAR WORDS are coordinates of the tip in the tilted plane, about the same zero".to_owned();
+            let words = "LINEAR WORDS are tip coordinates in the tilted plane, from the same zero".to_owned();
             std::iter::once(words).chain(codes.plane.as_ref().and_then(|plane| note(plane.note))).collect()
         }
     }
 }
 
+/// The point of the tool that the CL data describes.
 fn programmed_point(config: &Config) -> String {
     let name = |point: ClPoint| match point {
         ClPoint::Tip => "tool tip",
@@ -456,17 +477,18 @@ fn programmed_point(config: &Config) -> String {
     };
     let mut text = name(config.cl.cl_point).to_owned();
     for (tool, point) in &config.cl.cl_point_of {
-        text += &format!(", of T{tool} {}", name(*point));
+        text += &format!(", for T{tool} {}", name(*point));
     }
     text
 }
 
-fn spaced(letters: &str) -> String {
+/// `C and B`.
+fn joined_by_and(letters: &str) -> String {
     let letters: Vec<String> = letters.chars().map(String::from).collect();
     letters.join(" and ")
 }
 
-/// `+Z`, or the components where it is no coordinate direction.
+/// Name of a direction: `+Z`, or its components where it is not along a coordinate axis.
 fn direction_name(direction: [f64; 3]) -> String {
     for (index, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
         if (direction[index].abs() - 1.0).abs() < 1e-12 {

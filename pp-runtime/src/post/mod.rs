@@ -1,12 +1,17 @@
-//! The pipeline: CL text → events → steps → blocks. The only module that sees both ends.
+//! Posting: CL text → events → steps → blocks. The only module that puts all stages together.
 //!
-//! The text is read twice, and a third time where rotary axes have clamps. The survey collects what the header needs and
-//! what can only be known at the end: every diagnostic of the reader, the tools with their operations and extremes, and
-//! whether all tool axes point into the table. The last pass plans and writes motion by motion, in constant memory. The
-//! same input gives the same bytes.
+//! The CL text is read twice, and a third time where rotary axes have clamps:
+//!
+//! 1. `survey` collects what the header needs and what is known only at the end of the text: all diagnostics of the
+//!    reader, the tools with their operations and Z range, whether all tool axes point into the table, and the course
+//!    (branch and turns of the rotary axes).
+//! 2. With clamps only: a rehearsal plans the program without writing it, to find where a rotary axis can stay clamped.
+//! 3. The last pass plans and writes motion by motion, in constant memory.
+//!
+//! The same input gives the same bytes.
 
-mod account;
 mod header;
+mod line_map;
 mod proof;
 mod survey;
 mod time;
@@ -27,27 +32,27 @@ use crate::motion::{
 use crate::program::Location;
 use crate::program::Units;
 
-use account::Recorded;
-pub(crate) use account::Stand;
-pub use account::{Account, Origin};
+use line_map::MappedEncoder;
+pub(crate) use line_map::OwnedPosition;
+pub use line_map::{LineMap, LineOrigin};
 pub use proof::{Proof, prove};
 pub use survey::Stretches;
 use survey::Survey;
 
-/// What is to be posted, and how.
+/// A posting job: set-up, control and name of the CL file.
 #[derive(Clone, Copy)]
 pub struct Job<'a> {
-    /// Name of the CL file, without its folder: it stands in the header.
+    /// Name of the CL file without its folder, for the header.
     pub cl_name: &'a str,
     /// The set-up.
     pub config: &'a Config,
-    /// The control that is to read the program.
+    /// The control that will run the program.
     pub control: &'a dyn Control,
-    /// Unit of a CL file that does not state one (`--units`); before that of the configuration.
+    /// Unit of a CL file that states none (`--units`); takes precedence over that of the configuration.
     pub units: Option<Units>,
 }
 
-/// Why nothing can be said about the CL data.
+/// Why a job could not be run.
 #[derive(Debug, thiserror::Error)]
 pub enum PostError {
     /// The CL data cannot be read.
@@ -56,46 +61,48 @@ pub enum PostError {
     /// The program cannot be written.
     #[error("cannot write the program: {0}")]
     Output(#[source] io::Error),
-    /// The control cannot do what the configuration asks for, or the machine does not suit the mode: one sentence a line.
+    /// The control cannot do what the configuration asks for, or the machine does not suit the mode. One sentence per
+    /// line.
     #[error("{0}")]
     Unfit(String),
-    /// The operations that are wanted are not there.
+    /// The selected operations are not in the CL data.
     #[error("{0}")]
     Operations(String),
 }
 
-/// What became of a job.
+/// Result of a job.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Report {
-    /// Everything found, in the order of the CL data.
+    /// Errors and warnings, in the order of the CL data.
     pub diagnostics: Vec<Diagnostic>,
-    /// The program is not to be used: it ends with an error comment instead of the end code.
+    /// The program must not be run: it ends with an error comment instead of the end code.
     pub failed: bool,
-    /// What was met on the way.
+    /// Counts and largest deviations of the planner.
     pub statistics: Statistics,
-    /// How long the program takes.
+    /// Machining times.
     pub times: Times,
-    /// Blocks written, comments not counted.
+    /// Number of blocks written, without comments.
     pub blocks: u64,
-    /// Lines of CL data read.
+    /// Number of lines of CL data read.
     pub lines: u64,
-    /// Stretches of the program by what the tool axis does in them.
+    /// Number of stretches in which the tool axis is held, and in which it turns.
     pub stretches: Stretches,
-    /// How the part is set up where that is not the plain case, one sentence each.
+    /// Settings of the set-up that differ from the plain case, one sentence each.
     pub set_up: Vec<String>,
-    /// How the CL data was read: which CAM system wrote it, arcs, frames, words that were passed over.
+    /// How the CL data was read: CAM system, arcs, frames, words that were ignored. One sentence each.
     pub reading: Vec<String>,
-    /// What the course of the rotary axes costs, with and without a view ahead; empty without rotary axes.
+    /// Rewinds and travel of the rotary axes, as planned and as they would be chosen motion by motion; empty without
+    /// rotary axes.
     pub course: String,
-    /// What was assumed rather than given, one sentence each.
+    /// Assumptions: settings that were not given, one sentence each.
     pub assumptions: Vec<String>,
-    /// Linear axes whose limits were not checked, and why; empty if all were.
+    /// Linear axes whose limits were not checked, with the reason; empty if all were.
     pub unchecked: Vec<String>,
-    /// Tools by number, in the order of their numbers.
+    /// Tool numbers in ascending order.
     pub tools: Vec<u32>,
 }
 
-/// `1 tool`, `2 tools`, `2 stretches`.
+/// A count with its noun: `1 tool`, `2 tools`, `2 stretches`.
 fn counted(count: u64, word: &str) -> String {
     let ending = match word.ends_with("ch") {
         _ if count == 1 => "",
@@ -106,7 +113,7 @@ fn counted(count: u64, word: &str) -> String {
 }
 
 impl Report {
-    /// What the survey has found.
+    /// The report as far as the survey knows it.
     fn of(machine: &dyn AnyMachine, job: &Job<'_>, survey: &Survey) -> Self {
         let mut report = Self {
             tools: survey.tools.iter().map(|tool| tool.call.number).collect(),
@@ -121,23 +128,23 @@ impl Report {
         report
     }
 
-    /// Nothing is written: the machine cannot be built.
+    /// Adds the error that the dimensions of the machine are invalid; nothing is written then.
     fn refuse(&mut self, machine: &dyn AnyMachine, invalid: &Invalid) {
         self.fault(Diagnostic {
             severity: Severity::Error,
             location: Location::default(),
             length: 1,
             count: 1,
-            text: format!("{} cannot be posted for: {invalid}", machine.name()),
+            text: format!("the dimensions of {} are not valid: {invalid}", machine.name()),
             help: Some("correct the dimensions in the configuration".to_owned()),
         });
     }
 
-    /// The summary for people, one line each.
+    /// The summary that is shown after posting, line by line.
     #[must_use]
     pub fn summary(&self) -> Vec<String> {
         let mut lines = vec![format!(
-            "{}, {}, {}, {}, {} in inverse time",
+            "{}, {}, {}, {}, {} with inverse-time feed",
             counted(self.statistics.motions, "motion"),
             counted(self.tools.len() as u64, "tool"),
             counted(self.blocks, "block"),
@@ -153,21 +160,23 @@ impl Report {
         lines.extend(self.unchecked.iter().cloned());
         if self.statistics.deviations > 0 {
             lines.push(format!(
-                "tool axes outside what the machine reaches: {}, by up to {:.2e} rad; the nearest one was used",
-                self.statistics.deviations, self.statistics.largest_deviation
+                "tool axes out of reach of the machine: {}, by at most {:.1e}°; the nearest one within reach was used",
+                self.statistics.deviations,
+                self.statistics.largest_deviation.to_degrees()
             ));
         }
         if self.statistics.near_pole > 0 {
             lines.push(format!(
-                "tool axes near the pole that were put there: {}, by up to {:.2e} rad; the first rotary kept its value",
-                self.statistics.near_pole, self.statistics.largest_at_pole
+                "tool axes set to the pole: {}, by at most {:.1e}°; the first rotary axis kept its value",
+                self.statistics.near_pole,
+                self.statistics.largest_at_pole.to_degrees()
             ));
         }
         let statistics = &self.statistics;
         if statistics.largest_tip_bound > 0.0 {
             lines.push(format!(
-                "linearised: {} inserted; while a rotary axis moves at feed the tip leaves its line by at most {:.4} mm, \
-                 the tool axis its even turn by at most {:.4}°",
+                "linearised: {} inserted; while a rotary axis moves at feed, the tip deviates from its line by at most \
+                 {:.4} mm, the tool axis from its even rotation by at most {:.4}°",
                 counted(statistics.inserted, "block"),
                 statistics.largest_tip_bound,
                 statistics.largest_axis_bound.to_degrees(),
@@ -175,7 +184,7 @@ impl Report {
         }
         lines.extend(arcs_text(statistics));
         if statistics.cycles > 0 {
-            lines.push(format!("holes by cycles of the control: {}", statistics.cycles));
+            lines.push(format!("holes made with canned cycles: {}", statistics.cycles));
         }
         lines.push("rapids are not linearised".to_owned());
         lines
@@ -187,26 +196,26 @@ impl Report {
     }
 }
 
-/// How many arcs the control traces, and why others became lines.
+/// Number of arcs written as arcs, and of those written as lines with the reasons.
 fn arcs_text(statistics: &Statistics) -> Option<String> {
     let Chorded { frame, plane, radius, rounding } = statistics.chorded;
     let reasons = [
-        (frame, "rotary axes turn in them, or the linear axes are not square"),
-        (plane, "in no plane in which the control has arcs"),
-        (radius, "their radius is outside `[arcs]`"),
-        (rounding, "rounded words do not say them within tolerance"),
+        (frame, "in which a rotary axis moves, or the linear axes are not perpendicular"),
+        (plane, "outside the planes in which the control has arcs"),
+        (radius, "with a radius outside the limits of `[arcs]`"),
+        (rounding, "that rounded words do not hold within the tolerance"),
     ];
     let total: u64 = reasons.iter().map(|(count, _)| count).sum();
     if statistics.arcs + total == 0 {
         return None;
     }
-    let traced = format!("arcs: {} by the control", statistics.arcs);
+    let traced = format!("arcs: {} as arcs of the control", statistics.arcs);
     let why: Vec<String> =
         reasons.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{count} {why}")).collect();
     Some(if why.is_empty() { traced } else { format!("{traced}, {total} as lines: {}", why.join("; ")) })
 }
 
-/// What the course costs, and what it would cost motion by motion.
+/// Rewinds and travel of the course, and what they would be if chosen motion by motion.
 fn course_text(course: &Course, config: &Config) -> String {
     let cost = |cost: &Cost| {
         let degrees = cost.travel_units as f64 / 10_f64.powi(config.formats.rotary as i32);
@@ -219,19 +228,20 @@ fn course_text(course: &Course, config: &Config) -> String {
     let planned = format!("rotary axes: {}", cost(&course.cost));
     match &course.greedy {
         _ if config.motion.course.greedy => format!("{planned}, chosen motion by motion"),
-        None => format!("{planned}; motion by motion there would be no way through"),
+        None => format!("{planned}; chosen motion by motion there would be no solution"),
         Some(greedy) if *greedy == course.cost => planned,
-        Some(greedy) => format!("{planned}; motion by motion: {}", cost(greedy)),
+        Some(greedy) => format!("{planned}; chosen motion by motion: {}", cost(greedy)),
     }
 }
 
 /// Posts CL data for a machine.
 ///
-/// Faults of the CL data are in the report, not errors: what stands before the first of them is written, followed by an
-/// error comment in the place of the end code.
+/// Errors of the CL data are reported in [`Report::diagnostics`]. The program is then written up to the first of them
+/// and ends with an error comment instead of the end code.
 ///
 /// # Errors
-/// [`PostError`] if the configuration does not fit, the input cannot be read or the output not written.
+/// [`PostError`] if the configuration does not suit control or machine, the selected operations do not exist, the input
+/// cannot be read or the output not written.
 pub fn post<M: Machine>(
     job: &Job<'_>,
     input: &mut (impl Read + Seek),
@@ -240,16 +250,16 @@ pub fn post<M: Machine>(
     post_for(&M::default(), job, input, output, None)
 }
 
-/// [`post`] for a machine whose type is not known, with an account of each line that is written.
+/// [`post`] for a machine whose type is known at run time only, with a line map if `line_map` is given.
 ///
 /// # Errors
-/// Those of [`post`]; an account that cannot be written is an error of the output.
+/// Those of [`post`]; a line map that cannot be written is [`PostError::Output`].
 pub fn post_for(
     machine: &dyn AnyMachine,
     job: &Job<'_>,
     input: &mut dyn ReadSeek,
     output: &mut dyn Write,
-    account: Option<&mut dyn Account>,
+    line_map: Option<&mut dyn LineMap>,
 ) -> Result<Report, PostError> {
     let unfit = control::unfit(machine, job.control, job.config.demands());
     if !unfit.is_empty() {
@@ -258,8 +268,8 @@ pub fn post_for(
     let mut text = ClText::new(job, input)?;
     let ready = job.config.set_up.machine_for(machine);
     let mut survey = text.survey(machine, ready.as_deref().ok())?;
-    if let (Some(Err(missing)), None) = (&survey.wanted, survey.first_error) {
-        // What is wrong with the CL data is reported first: with it, operations may be missing.
+    if let (Some(Err(missing)), None) = (&survey.selected, survey.first_error) {
+        // Errors of the CL data are reported first: they may be why operations are missing.
         return Err(PostError::Operations(missing.clone()));
     }
     let mut report = Report::of(machine, job, &survey);
@@ -277,19 +287,19 @@ pub fn post_for(
     let units = job.config.output_units.unwrap_or_else(|| survey.file.units.unwrap_or(Units::Millimetres));
     let layout = Layout::new(machine, job.config.demands(), units, &survey.name);
     let abilities = control::abilities(job.control, job.config.demands());
-    let pass = Pass { job, survey: &survey, machine, units, abilities: &abilities };
+    let pass = PlanningPass { job, survey: &survey, machine, units, abilities: &abilities };
     let moving = if job.config.motion.rotaries.clamp.is_empty() {
         MovingAxes::default()
     } else {
         pass.rehearse(text.reader()?, course.clone())?
     };
-    let recorded = Recorded::new(Encoder::new(job.control, &layout, output), account);
-    pass.write(text.reader()?, recorded, course, moving, &mut report)?;
+    let mapped = MappedEncoder::new(Encoder::new(job.control, &layout, output), line_map);
+    pass.write(text.reader()?, mapped, course, moving, &mut report)?;
     report.diagnostics.sort_by_key(|diagnostic| diagnostic.location);
     Ok(report)
 }
 
-/// The CL text, which is read from its start in each pass.
+/// The CL text; each pass reads it from its start.
 struct ClText<'a> {
     job: &'a Job<'a>,
     input: &'a mut dyn ReadSeek,
@@ -307,7 +317,7 @@ impl<'a> ClText<'a> {
         cl::ReadingOptions { units: self.job.units.or(config.cl_units), ..config.cl.clone() }
     }
 
-    /// The first pass; without a machine there is no course.
+    /// The first pass. `ready`: the machine with the dimensions of the set-up; without it no course is planned.
     fn survey(&mut self, machine: &dyn AnyMachine, ready: Option<&dyn AnyMachine>) -> Result<Survey, PostError> {
         let policy = self.job.config.policy();
         let navigator = ready.map(|ready| Navigator::new(ready.to_boxed(), policy));
@@ -315,7 +325,7 @@ impl<'a> ClText<'a> {
         Survey::take(machine, &mut *self.input, options, policy, navigator).map_err(PostError::Input)
     }
 
-    /// A reader at the start.
+    /// A reader of the text from its start.
     fn reader(&mut self) -> Result<ClReader<&mut dyn ReadSeek>, PostError> {
         self.input.seek(SeekFrom::Start(self.start)).map_err(PostError::Input)?;
         let options = self.options();
@@ -323,8 +333,8 @@ impl<'a> ClText<'a> {
     }
 }
 
-/// What a pass that plans has to know.
-struct Pass<'a> {
+/// A pass that plans motions: the rehearsal or the last pass.
+struct PlanningPass<'a> {
     job: &'a Job<'a>,
     survey: &'a Survey,
     machine: &'a dyn AnyMachine,
@@ -332,39 +342,39 @@ struct Pass<'a> {
     abilities: &'a Abilities,
 }
 
-impl Pass<'_> {
+impl PlanningPass<'_> {
     fn planner<S: Sink>(&self, course: Course, sink: S) -> Planner<'_, S> {
         let Self { job, survey, machine, units, abilities } = *self;
         Planner::new(machine.to_boxed(), job.config.policy(), units, abilities, survey.upside_down, sink)
             .with_course(course)
             .with_tools(survey.order.clone())
-            .with_operations(survey.wanted.clone().and_then(Result::ok))
+            .with_operations(survey.selected.clone().and_then(Result::ok))
     }
 
-    /// Which rotary axes stay still for how long: the whole program is planned and nothing written.
+    /// Plans the whole program without writing it. Returns which axes move between each approach and the next.
     fn rehearse(&self, reader: ClReader<impl Read>, course: Course) -> Result<MovingAxes, PostError> {
         let mut planner = self.planner(course, Nowhere);
-        // What goes wrong here goes wrong again when the program is written, and is reported then.
+        // An error here occurs again when the program is written, and is reported then.
         let _ = self.plan(reader, &mut planner, &mut Remarks::default())?;
         Ok(planner.rehearsed())
     }
 
-    /// The last pass: header, program, and end code.
+    /// The last pass: writes header, blocks and end code.
     fn write(
         &self,
         reader: ClReader<impl Read>,
-        recorded: Recorded<'_, '_>,
+        mapped: MappedEncoder<'_, '_>,
         course: Course,
         moving: MovingAxes,
         report: &mut Report,
     ) -> Result<(), PostError> {
         let Self { job, survey, machine, units, .. } = *self;
-        let mut planner = self.planner(course, recorded).with_clamps(moving);
+        let mut planner = self.planner(course, mapped).with_clamps(moving);
         let unchecked = planner.unchecked_axes();
         let header = header::Header { job, survey, units, machine, unchecked };
-        let recorded = planner.sink();
-        header.write(&report.assumptions, recorded.encoder()).map_err(PostError::Output)?;
-        recorded.account_for_head().map_err(PostError::Output)?;
+        let mapped = planner.sink();
+        header.write(&report.assumptions, mapped.encoder()).map_err(PostError::Output)?;
+        mapped.map_head().map_err(PostError::Output)?;
 
         let mut remarks = Remarks::default();
         let planned = self.plan(reader, &mut planner, &mut remarks)?;
@@ -372,20 +382,20 @@ impl Pass<'_> {
         report.diagnostics.append(&mut remarks.conclude());
         report.statistics = planner.statistics();
         report.times = planner.times().clone();
-        report.unchecked = header::unchecked(&planner.unchecked_axes());
+        report.unchecked = header::unchecked_limits(&planner.unchecked_axes());
         match planned {
             Ok(()) => {}
             Err(Stop::Output(error)) => return Err(PostError::Output(error)),
             Err(Stop::Fault(diagnostic)) => report.fault(diagnostic),
         }
-        let recorded = planner.sink();
-        close(job, report, recorded.encoder()).map_err(PostError::Output)?;
-        recorded.account_for_end().map_err(PostError::Output)?;
-        report.blocks = recorded.encoder().blocks();
-        recorded.encoder().finish().map_err(PostError::Output)
+        let mapped = planner.sink();
+        close(job, report, mapped.encoder()).map_err(PostError::Output)?;
+        mapped.map_end().map_err(PostError::Output)?;
+        report.blocks = mapped.encoder().blocks();
+        mapped.encoder().finish().map_err(PostError::Output)
     }
 
-    /// Plans the CL data from its first event to its last, or to the first error of the reader.
+    /// Plans the CL data from the first event to the last, or to the first error of the reader.
     fn plan<S: Sink>(
         &self,
         mut reader: ClReader<impl Read>,
@@ -396,7 +406,7 @@ impl Pass<'_> {
         let first_error = self.survey.first_error;
         let mut last = Location::default();
         loop {
-            // Looked at where it lies: to move an event costs as much as to look at it.
+            // Matched by reference: moving an event costs as much as reading it.
             let found = reader.next_event();
             match &found {
                 Err(_) => {
@@ -409,9 +419,9 @@ impl Pass<'_> {
                     }
                 }
                 _ if first_error.is_some() => {
-                    let first = source.awaits_second_motion();
+                    let first_is_waiting = source.awaits_second_motion();
                     let released = source.finish(planner);
-                    return Ok(if first { abandoned(released) } else { released });
+                    return Ok(if first_is_waiting { without_fault(released) } else { released });
                 }
                 Ok(Some(_)) => {}
                 Ok(None) => return Ok(source.finish(planner).and_then(|()| planner.finish(last))),
@@ -423,16 +433,16 @@ impl Pass<'_> {
     }
 }
 
-/// What became of a first motion that still waited where the reader stopped: its approach depends on a motion that nobody
-/// could read, so the reader's error is the one to be reported.
-fn abandoned(released: Result<(), Stop>) -> Result<(), Stop> {
+/// Drops the fault of a first motion that was still held back when the reader stopped: its approach depends on the next
+/// motion, which could not be read, so the error of the reader is the one to report.
+fn without_fault(released: Result<(), Stop>) -> Result<(), Stop> {
     match released {
         Err(Stop::Output(error)) => Err(Stop::Output(error)),
         Ok(()) | Err(Stop::Fault(_)) => Ok(()),
     }
 }
 
-/// The end code, or the first error in its place.
+/// Writes the end code, or the first error in its place.
 fn close(job: &Job<'_>, report: &Report, encoder: &mut Encoder<'_>) -> io::Result<()> {
     if !report.failed {
         let times = if job.config.control.program.times { time::lines(&report.times) } else { Vec::new() };

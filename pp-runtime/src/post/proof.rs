@@ -1,6 +1,8 @@
-//! The program that proves the kinematics at the machine, before anything is cut with it.
+//! The proof program: a program that shows at the machine whether the declared kinematics are right, before anything is
+//! cut.
 //!
-//! Planned and written as every program is; what it is to show stands in its head.
+//! The tip stays on one point while each rotary axis runs through its travel. Planned and written as every program is;
+//! its head tells the operator how to run it and what an indicator must show.
 
 use std::io;
 
@@ -16,44 +18,44 @@ use crate::program::ToolCall;
 use crate::program::Units;
 
 use super::Job;
-use super::account::Recorded;
 use super::header::{Header, work_offset};
+use super::line_map::MappedEncoder;
 use super::survey::{Survey, ToolUse};
 
-/// Largest speed of a rotary axis in the proof, rad/min: an eye has to follow the indicator.
-const SLOW: f64 = 360_f64.to_radians();
+/// Largest speed of a rotary axis in a proof program, rad/min: slow enough to read the indicator.
+const MAX_ROTARY_SPEED_RAD_PER_MIN: f64 = 360_f64.to_radians();
 
-/// What is to be proven.
+/// A proof program to be written: set-up, control, tool and point.
 #[derive(Clone, Copy)]
 pub struct Proof<'a> {
     /// The set-up.
     pub config: &'a Config,
-    /// The control that is to read the program.
+    /// The control that will run the program.
     pub control: &'a dyn Control,
-    /// Tool in the spindle; that of the configuration if there is none.
+    /// Tool in the spindle; `None`: the tool of the configuration.
     pub tool: Option<u32>,
-    /// Where the tip stands in the part, mm; at the part zero if there is none.
-    pub point: Option<[f64; 3]>,
+    /// Point of the part at which the tip is held, mm; `None`: the part zero.
+    pub point_mm: Option<[f64; 3]>,
 }
 
 /// Writes the proof program of a machine.
 ///
 /// # Errors
-/// A sentence about what is missing, or what cannot be reached.
+/// A sentence that names what is missing in the set-up, or the position that cannot be reached.
 pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, String> {
     let given = proof.config;
     let table =
         machine.axes().iter().any(|axis| axis.kind == AxisKind::Rotary && !axis.held && axis.side == Side::Workpiece);
-    if proof.point.is_none() && table && !given.is_given("part_origin") {
+    if proof.point_mm.is_none() && table && !given.is_given("part_origin") {
         return Err(
-            "the tip would stand on the table, at its reference point: give `part_origin` in the configuration, \
-                    or a point above the table, --point 60,0,120"
+            "the tip would be on the table, at its reference point: set `part_origin` in the configuration, or give a \
+                    point above the table (--point 60,0,120)"
                 .to_owned(),
         );
     }
-    // A dry run that stays where it is: no spindle, no coolant. What is proven is the declaration of the machine, and not what
-    // the control makes of tip control or a plane.
-    let slow = given.motion.rapids.reorient_speed.min(SLOW);
+    // A dry run with a distance of 0: no spindle, no coolant. Mode `axes`, because the declaration of the machine is to
+    // be shown, not the control's own tip control or tilted plane.
+    let slow = given.motion.rapids.reorient_speed.min(MAX_ROTARY_SPEED_RAD_PER_MIN);
     let mut config = given.clone();
     config.motion.lift = Some(0.0);
     config.motion.mode = Mode::Axes;
@@ -62,29 +64,29 @@ pub fn prove(machine: &dyn AnyMachine, proof: &Proof<'_>) -> Result<Vec<u8>, Str
     let machine = config
         .set_up
         .machine_for(machine)
-        .map_err(|invalid| format!("{} cannot be built like this: {invalid}", machine.name()))?;
+        .map_err(|invalid| format!("the dimensions of {} are not valid: {invalid}", machine.name()))?;
     let abilities = control::abilities(proof.control, config.demands());
     let mut out = Vec::new();
     let layout = Layout::new(&*machine, config.demands(), units, b"PROOF");
-    let recorded = Recorded::new(Encoder::new(proof.control, &layout, &mut out), None);
-    let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, recorded);
-    let sweeps = ProofProgram::new(&mut planner).sweeps().map_err(told)?;
+    let mapped = MappedEncoder::new(Encoder::new(proof.control, &layout, &mut out), None);
+    let mut planner = Planner::new(machine.clone(), config.policy(), units, &abilities, false, mapped);
+    let sweeps = ProofProgram::new(&mut planner).sweeps().map_err(sentence)?;
 
-    let number = proof.tool.unwrap_or_else(|| usual_tool(&config));
-    let point = Point3::from(proof.point.unwrap_or_default());
+    let number = proof.tool.unwrap_or_else(|| default_tool(&config));
+    let point = Point3::from(proof.point_mm.unwrap_or_default());
     let job = Job { cl_name: "", config: &config, control: proof.control, units: None };
     let survey = survey(number, &point);
     let header = Header { job: &job, survey: &survey, units, machine: &*machine, unchecked: planner.unchecked_axes() };
-    head(&header, &point, &sweeps, planner.sink().encoder()).map_err(|error| told(Stop::Output(error)))?;
-    ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(told)?;
+    head(&header, &point, &sweeps, planner.sink().encoder()).map_err(|error| sentence(Stop::Output(error)))?;
+    ProofProgram::new(&mut planner).plan(number, point, &sweeps).map_err(sentence)?;
     let encoder = planner.sink().encoder();
-    encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| told(Stop::Output(error)))?;
+    encoder.end(&[]).and_then(|()| encoder.finish()).map_err(|error| sentence(Stop::Output(error)))?;
     drop(planner);
     Ok(out)
 }
 
-/// Why there is no proof program.
-fn told(stop: Stop) -> String {
+/// The reason why the program cannot be planned or written, as one sentence.
+fn sentence(stop: Stop) -> String {
     match stop {
         Stop::Output(error) => error.to_string(),
         Stop::Fault(Diagnostic { text, help: Some(help), .. }) => format!("{text}: {help}"),
@@ -92,33 +94,35 @@ fn told(stop: Stop) -> String {
     }
 }
 
-/// The tool of the configuration, if there is one, or the first of a magazine.
-fn usual_tool(config: &Config) -> u32 {
+/// The default tool of the configuration, else the first tool of its tool list, else 1.
+fn default_tool(config: &Config) -> u32 {
     config.motion.defaults.tool.or_else(|| config.set_up.tools.keys().next().copied()).unwrap_or(1)
 }
 
-/// One tool that does one thing.
+/// A survey of one tool with one operation, for the header. `point`: position of the tip in the part, mm.
 fn survey(number: u32, point: &Point3<f64>) -> Survey {
     let call = ToolCall { number, ..ToolCall::default() };
-    let tool = ToolUse { call, operations: 1, tip: Some((point.z, point.z)), cuts: None, spindle_assumed: false };
+    let tool =
+        ToolUse { call, operations: 1, tip_z_mm: Some((point.z, point.z)), cuts_mm: None, spindle_assumed: false };
     let mut survey = Survey::default();
     survey.tools.push(tool);
     survey
 }
 
+/// Writes the head of the program. `point`: position of the tip in the part, mm.
 fn head(header: &Header<'_>, point: &Point3<f64>, sweeps: &[Sweep], encoder: &mut Encoder<'_>) -> io::Result<()> {
     encoder.open(None)?;
     let (config, control) = (header.job.config, header.job.control);
     let mut lines = vec![
-        "PROOF OF THE KINEMATICS: nothing is cut, the spindle stands".to_owned(),
+        "PROOF OF THE KINEMATICS: no cutting, spindle off".to_owned(),
         format!("MACHINE {}, CONTROL {}, MODE axes", header.machine.name(), control.spellings().title),
         format!("UNITS {}, WORK OFFSET {}", header.units.name(), work_offset(control, config)),
-        format!("PART ORIGIN {} from the table reference", header.point(config.set_up.part_origin)),
-        format!("THE TIP STANDS AT {} of the part while the rotary axes turn", header.point((*point).into())),
-        "WHAT MUST BE SEEN: an indicator that stands on the table and touches a ball at the tip stays still".to_owned(),
-        "touch it along X, then Y, then Z of the table, and run the program for each".to_owned(),
-        "a small drift means a pivot or a length that is off, a large one a sign".to_owned(),
-        "before the first run: without the indicator, at low feed override, a hand at the stop".to_owned(),
+        format!("PART ORIGIN {} from the reference point of the table", header.point(config.set_up.part_origin)),
+        format!("THE TIP STAYS AT {} of the part while the rotary axes move", header.point((*point).into())),
+        "EXPECTED: an indicator that is fixed to the table and touches a ball at the tip does not move".to_owned(),
+        "touch the ball along X, then Y, then Z of the table, and run the program once for each".to_owned(),
+        "a small movement means that a pivot or a length is off, a large one that a sign is wrong".to_owned(),
+        "first run: without the indicator, at low feed override, ready to press feed hold".to_owned(),
     ];
     let number = |index: usize, sweep: &Sweep| format!("SWEEP {}: {}", index + 1, sweep.name);
     lines.extend(sweeps.iter().enumerate().map(|(index, sweep)| number(index, sweep)));

@@ -1,4 +1,7 @@
-//! The first pass over the CL text: what the header needs, and what can be known only at the end.
+//! The survey: first pass over the CL text. Collects what the header needs and what is known only at the end of the
+//! text.
+//!
+//! Plans the course of the rotary axes in the same pass, where a machine is given. Writes nothing.
 
 use std::collections::BTreeMap;
 use std::io::{self, Read};
@@ -16,45 +19,49 @@ use crate::motion::{
 };
 use crate::program::{Event, Location, Spindle, ToolCall, Units};
 
-/// More tools than this are not one program; it bounds the memory and the header.
+/// Largest number of different tools of a program; bounds the memory and the header.
 const MOST_TOOLS: usize = 1000;
 
-/// Names of operations that are remembered, and that a message lists.
+/// Largest number of operation names that are kept for a message.
 const MOST_NAMES: usize = 1000;
+
+/// Largest number of operation names that a message lists.
 const MOST_LISTED: usize = 10;
 
-/// So many tool changes are known beforehand; it bounds the memory.
+/// Largest number of tool changes that are known in advance, for the next tool at a tool change; bounds the memory.
 const MOST_CHANGES: usize = 10_000;
 
-/// One tool of the program.
+/// A tool of the program and its use.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ToolUse {
     pub(crate) call: ToolCall,
-    /// Operations that cut or move with it.
+    /// Number of operations in which the tool moves.
     pub(crate) operations: u64,
-    /// Lowest and highest tip of the part as it lies, mm.
-    pub(crate) tip: Option<(f64, f64)>,
-    /// Lowest and highest corner of the box around the tips of its cuts, mm.
-    pub(crate) cuts: Option<[[f64; 3]; 2]>,
-    /// It cuts before any SPINDL/.. behind its call: speed and direction come from the configuration.
+    /// Lowest and highest Z of the tip, after `part_rotation`, mm.
+    pub(crate) tip_z_mm: Option<(f64, f64)>,
+    /// Lowest and highest corner of the box around the tip positions at feed, mm.
+    pub(crate) cuts_mm: Option<[[f64; 3]; 2]>,
+    /// The tool cuts without a SPINDL record after its call: speed and direction come from the configuration.
     pub(crate) spindle_assumed: bool,
 }
 
-/// What the reader has found out about a file.
+/// Facts about the CL file, found by the reader.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct FileFacts {
     pub(crate) units: Option<Units>,
+    /// The file states no unit; `units` comes from the job or the configuration.
     pub(crate) units_only_given: bool,
-    /// A frame is stated in the file.
-    pub(crate) framed: bool,
+    /// The file states a coordinate frame.
+    pub(crate) states_frame: bool,
     pub(crate) dialect: Dialect,
     pub(crate) arcs: ArcVote,
-    /// Different frames.
+    /// Number of different frames.
     pub(crate) frames: usize,
-    /// How often CSYS changes.
+    /// Number of changes of CSYS.
     pub(crate) setup_changes: u64,
-    /// The CAM system asks for inverse-time feed.
+    /// The CL data asks for inverse-time feed.
     pub(crate) inverse_time: bool,
+    /// Number of lines.
     pub(crate) lines: u64,
 }
 
@@ -63,7 +70,7 @@ impl FileFacts {
         Self {
             units: reader.units(),
             units_only_given: reader.units_are_only_given(),
-            framed: reader.frame().is_some(),
+            states_frame: reader.frame().is_some(),
             dialect: reader.dialect(),
             arcs: reader.arcs(),
             frames: reader.different_frames(),
@@ -74,49 +81,50 @@ impl FileFacts {
     }
 }
 
-/// What the whole program says.
+/// Facts about the whole program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Survey {
     pub(crate) name: Vec<u8>,
     pub(crate) file: FileFacts,
-    /// Operations of the whole program.
+    /// Number of operations of the whole program.
     pub(crate) operations: u64,
-    /// Stretches of operations in which the tool axis is held, and in which it turns at feed.
+    /// Stretches in which the tool axis is held, and in which it turns at feed.
     pub(crate) stretches: Stretches,
-    /// Tools that move, by number.
+    /// Tools that move, in the order of their numbers.
     pub(crate) tools: Vec<ToolUse>,
-    /// Tools in the order in which they come into the spindle.
+    /// Tool numbers in the order in which the tools are used.
     pub(crate) order: Vec<u32>,
     pub(crate) diagnostics: Vec<Diagnostic>,
-    /// Nothing may be posted from here on.
+    /// Place of the first error: from here on nothing is posted.
     pub(crate) first_error: Option<Location>,
-    /// The course of the rotary axes.
+    /// Branch and turns of the rotary axes.
     pub(crate) course: Course,
-    /// Every tool axis of a feed motion points down: the frame of the part is probably upside down.
+    /// In every feed motion the tool axis points down: the frame of the part is probably upside down.
     pub(crate) upside_down: bool,
-    /// The operations that are posted, `None` for all; a sentence if there are none, or not as many.
-    pub(crate) wanted: Option<Result<RangeInclusive<u64>, String>>,
+    /// Numbers of the operations to be posted, `None` for all; a sentence if they do not exist.
+    pub(crate) selected: Option<Result<RangeInclusive<u64>, String>>,
 }
 
-/// Stretches by what the tool axis does in them: a stretch is what is cut between two changes of the tool axis in the air.
+/// Number of stretches by the motion of the tool axis. A stretch is the part of an operation between two changes of the
+/// tool axis in the air.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Stretches {
     /// The tool axis is held.
     pub held: u64,
-    /// It turns at feed.
+    /// The tool axis turns at feed.
     pub turning: u64,
 }
 
 impl Stretches {
-    /// For people.
+    /// The line of the summary.
     pub(crate) fn summary(self) -> String {
         let (held, turning) = (super::counted(self.held, "stretch"), super::counted(self.turning, "stretch"));
-        format!("tool axis: held in {held}, turning at feed in {turning}")
+        format!("tool axis: held in {held}, rotating at feed in {turning}")
     }
 }
 
 impl Survey {
-    /// The first pass: reads the whole file, for the survey and the course alike.
+    /// Runs the first pass: reads the whole file once, for the survey and the course.
     pub(crate) fn take(
         machine: &dyn AnyMachine,
         input: impl Read,
@@ -129,10 +137,10 @@ impl Survey {
         let surveyor = Surveyor::new(policy.options.operations.clone(), machine.tool_axis());
         let mut pass = FirstPass { surveyor, navigator };
         loop {
-            // Looked at where it lies: to move an event costs as much as to look at it.
+            // Matched by reference: moving an event costs as much as reading it.
             let found = reader.next_event();
             match &found {
-                // What cannot be expanded is the planner's to report.
+                // An event that cannot be expanded is reported by the planner in the last pass.
                 Ok(Some((at, event))) => drop(source.event(*at, event, &mut pass)),
                 Ok(None) => break,
                 Err(_) => {
@@ -140,7 +148,7 @@ impl Survey {
                 }
             }
         }
-        // The first pass refuses nothing.
+        // The first pass reports no errors of the source.
         let _ = source.finish(&mut pass);
         let course = pass.navigator.map_or_else(Course::default, Navigator::finish);
         let mut survey = Self { course, file: FileFacts::of(&reader), ..pass.surveyor.finish() };
@@ -153,13 +161,13 @@ impl Survey {
     }
 }
 
-/// Everything that sees the first pass.
+/// Receivers of the first pass.
 struct FirstPass {
     surveyor: Surveyor,
     navigator: Option<Navigator>,
 }
 
-/// What the first pass refuses: nothing, all of it comes up again in the last.
+/// An error of the first pass, ignored: it occurs again in the last pass and is reported there.
 struct Ignored;
 
 impl From<Diagnostic> for Ignored {
@@ -180,28 +188,29 @@ impl Stage for FirstPass {
     }
 }
 
-/// The survey while it is taken.
+/// The survey in progress.
 #[derive(Debug)]
 struct Surveyor {
     survey: Survey,
-    selection: WantedOperations,
-    /// Tool axis with every rotary axis at zero.
+    selection: OperationSelection,
+    /// Tool axis in the workpiece with all rotary axes at zero.
     tool_axis: UnitVector3<f64>,
-    /// Tools called so far, and where those that have moved are in the list.
+    /// Tools called so far, by number; for those that have moved their index in `survey.tools`.
     called_so_far: BTreeMap<u32, Option<usize>>,
     call: Option<ToolCall>,
-    /// Index of the current tool, once it has moved.
+    /// Index of the current tool in `survey.tools`, once it has moved.
     tool: Option<usize>,
-    /// The spindle has been programmed for the tool.
+    /// The spindle has been programmed for the current tool.
     spindle: bool,
-    /// Nothing has moved since the last operation.
+    /// No motion since the end of the last operation.
     between: bool,
-    /// A tool has been called and nothing has moved since.
+    /// A tool has been called and there was no motion since.
     called: bool,
-    /// The tool axis turns at feed in the stretch at hand.
+    /// The tool axis turns at feed in the current stretch.
     turning: bool,
-    /// Feed motions, and those with the tool axis down.
+    /// Number of feed motions.
     feeds: u64,
+    /// Number of feed motions with the tool axis pointing down.
     feeds_down: u64,
 }
 
@@ -209,7 +218,7 @@ impl Surveyor {
     fn new(select: Option<Operations>, tool_axis: UnitVector3<f64>) -> Self {
         Self {
             survey: Survey::default(),
-            selection: WantedOperations { select, ..WantedOperations::default() },
+            selection: OperationSelection { select, ..OperationSelection::default() },
             tool_axis,
             called_so_far: BTreeMap::new(),
             call: None,
@@ -228,7 +237,7 @@ impl Surveyor {
             self.end_stretch();
         }
         self.survey.upside_down = self.feeds > 0 && self.feeds == self.feeds_down;
-        self.survey.wanted = self.selection.wanted(self.survey.operations);
+        self.survey.selected = self.selection.numbers(self.survey.operations);
         self.survey
     }
 
@@ -298,7 +307,7 @@ impl Surveyor {
             self.survey.diagnostics.push(too_many_tools(at));
         }
         if self.call.is_none_or(|before| before.number != call.number) {
-            // A SPINDL in the same start counts for the first tool that is called there.
+            // A SPINDL before the first tool call of an operation counts for that tool.
             self.spindle &= self.between && !self.called;
         }
         self.called = true;
@@ -306,7 +315,7 @@ impl Surveyor {
         self.tool = None;
     }
 
-    /// A motion begins; it may be the first of an operation, or of a stretch.
+    /// Notes the begin of a motion, which may be the first of an operation or of a stretch.
     fn begin(&mut self, index: MotionIndex) {
         if index.stretch != self.survey.stretches.held + self.survey.stretches.turning + 1 {
             self.end_stretch();
@@ -332,8 +341,8 @@ impl Surveyor {
         self.selection.begin(number);
         let call = self.call.filter(|_| self.selection.holds(number));
         self.tool = call.and_then(|call| {
-            let place = self.called_so_far.get_mut(&call.number)?;
-            Some(self.survey.tool(call, place))
+            let known_index = self.called_so_far.get_mut(&call.number)?;
+            Some(self.survey.tool(call, known_index))
         });
         let order = &mut self.survey.order;
         if let Some(call) = self.call.filter(|call| order.last() != Some(&call.number))
@@ -346,7 +355,7 @@ impl Surveyor {
         }
     }
 
-    /// A motion, at feed or not, of the tip between two corners.
+    /// Notes a motion of the tip within a box (lowest and highest corner, mm). `cuts`: at feed.
     fn moved(&mut self, cuts: bool, [lowest, highest]: [[f64; 3]; 2], pose: &Pose) {
         if cuts {
             self.feeds += 1;
@@ -354,10 +363,10 @@ impl Surveyor {
         }
         if let Some(index) = self.tool {
             let tool = &mut self.survey.tools[index];
-            let (low, high) = tool.tip.unwrap_or((lowest[2], highest[2]));
-            tool.tip = Some((low.min(lowest[2]), high.max(highest[2])));
+            let (low, high) = tool.tip_z_mm.unwrap_or((lowest[2], highest[2]));
+            tool.tip_z_mm = Some((low.min(lowest[2]), high.max(highest[2])));
             if cuts {
-                let [lower, upper] = tool.cuts.get_or_insert([lowest, highest]);
+                let [lower, upper] = tool.cuts_mm.get_or_insert([lowest, highest]);
                 for index in 0..3 {
                     (lower[index], upper[index]) = (lower[index].min(lowest[index]), upper[index].max(highest[index]));
                 }
@@ -378,20 +387,20 @@ fn too_many_tools(location: Location) -> Diagnostic {
     }
 }
 
-/// Which operations are asked for, and whether they are there.
+/// The selected operations (`--ops`, `--from-op`), and whether the CL data has them.
 #[derive(Debug, Default)]
-struct WantedOperations {
+struct OperationSelection {
     select: Option<Operations>,
-    /// The coming operation bears the name that was asked for.
+    /// The next operation has the selected name.
     named: bool,
-    /// The first operation of that name.
+    /// Number of the first operation of that name.
     first: Option<u64>,
-    /// Names that were seen before it.
+    /// Other names of operations, for the message.
     names: Vec<String>,
 }
 
-impl WantedOperations {
-    /// TOOL PATH.
+impl OperationSelection {
+    /// Takes the name of a TOOL PATH record.
     fn name(&mut self, name: &[u8]) {
         let Some(Operations::From(wanted)) = &self.select else { return };
         let name = String::from_utf8_lossy(name).trim().to_owned();
@@ -402,14 +411,14 @@ impl WantedOperations {
         self.named |= found;
     }
 
-    /// The operation of this number begins.
+    /// Notes that the operation of this number begins.
     fn begin(&mut self, number: u64) {
         if std::mem::take(&mut self.named) {
             self.first.get_or_insert(number);
         }
     }
 
-    /// Whether the operation that has begun is posted.
+    /// Whether the operation that has just begun is selected.
     fn holds(&self, number: u64) -> bool {
         match &self.select {
             None => true,
@@ -418,8 +427,8 @@ impl WantedOperations {
         }
     }
 
-    /// The operations that are posted out of so many; `None` for all.
-    fn wanted(&self, operations: u64) -> Option<Result<RangeInclusive<u64>, String>> {
+    /// Numbers of the selected operations, of `operations` in all; `None` for all, a sentence if they do not exist.
+    fn numbers(&self, operations: u64) -> Option<Result<RangeInclusive<u64>, String>> {
         Some(match self.select.as_ref()? {
             Operations::Range(first, last) => {
                 let last = last.unwrap_or(operations).max(*first);
@@ -448,10 +457,10 @@ impl WantedOperations {
 }
 
 impl Survey {
-    /// The index of a tool, with what its calls say together.
-    fn tool(&mut self, call: ToolCall, place: &mut Option<usize>) -> usize {
-        let index = *place.get_or_insert_with(|| {
-            self.tools.push(ToolUse { call, operations: 0, tip: None, cuts: None, spindle_assumed: false });
+    /// Index of a tool in `tools`; adds it if it is new, and completes it with the data of this call.
+    fn tool(&mut self, call: ToolCall, known_index: &mut Option<usize>) -> usize {
+        let index = *known_index.get_or_insert_with(|| {
+            self.tools.push(ToolUse { call, operations: 0, tip_z_mm: None, cuts_mm: None, spindle_assumed: false });
             self.tools.len() - 1
         });
         let known = &mut self.tools[index].call;

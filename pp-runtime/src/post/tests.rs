@@ -1,4 +1,4 @@
-//! CL text to bytes.
+//! Tests of posting, from CL text to the bytes of a program.
 
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 
@@ -131,7 +131,7 @@ fn a_siemens_program_begins_with_the_name_of_its_file_where_that_is_wanted() {
 }
 
 #[test]
-fn times_stand_behind_the_blocks_of_the_user_and_before_the_end_code() {
+fn times_are_written_after_the_blocks_of_the_user_and_before_the_end_code() {
     let mut config = Config::default();
     config.control.program.times = true;
     config.control.program.end = vec!["M60".to_owned()];
@@ -144,7 +144,7 @@ fn times_stand_behind_the_blocks_of_the_user_and_before_the_end_code() {
 }
 
 #[test]
-fn only_axes_that_do_not_roll_over_count_on_past_a_turn() {
+fn only_axes_that_do_not_roll_over_have_words_beyond_a_revolution() {
     let line = |control: &dyn Control, wrapped: &str, wrap: Wrap| {
         let mut config = crate::config::starting_point(control);
         config.motion.rotaries.wrap.extend(wrapped.chars().map(|letter| (letter, wrap)));
@@ -154,19 +154,24 @@ fn only_axes_that_do_not_roll_over_count_on_past_a_turn() {
         let text = String::from_utf8(out).expect("ASCII");
         text.lines().find_map(|line| Some(line[line.find("ROTARY WORDS")?..].to_owned()))
     };
-    let counts = "are absolute and count on past 360";
+    let counts = "are absolute and go beyond 360";
     let none = line(&Heidenhain, "", Wrap::Positive).expect("a line");
     assert_eq!(none, format!("ROTARY WORDS {counts}: M127 is in force, so the axes do not take the shortest path"));
     let both = [Wrap::Positive, Wrap::Sign].map(|wrap| line(&Heidenhain, "BC", wrap));
     assert_eq!(both, [None, None]);
     let one = line(&Heidenhain, "C", Wrap::Positive).expect("a line");
-    assert_eq!(one, format!("ROTARY WORDS of B {counts}: M126 is in force, so they must not be shown within a turn"));
+    assert_eq!(
+        one,
+        format!(
+            "ROTARY WORDS of B {counts}: M126 is active, so these axes must not be displayed within one revolution"
+        )
+    );
     let linuxcnc = line(&LinuxCnc, "C", Wrap::Positive).expect("a line");
     assert_eq!(linuxcnc, format!("ROTARY WORDS of B {counts}: the axes must not be wrapped [WRAPPED_ROTARY = 0])"));
 }
 
 #[test]
-fn the_header_says_what_the_program_is_valid_for() {
+fn the_header_states_the_set_up_that_the_program_is_valid_for() {
     let mut config = Config::default();
     config.set_up.part_origin = [1.0, 2.0, 50.25];
     config.set_up.tools.insert(
@@ -180,12 +185,12 @@ fn the_header_says_what_the_program_is_valid_for() {
         "(CL FILE bracket.cls)",
         "(MACHINE Cb, CONTROL LinuxCNC, MODE axes)",
         "(UNITS mm, WORK OFFSET G54)",
-        "(PART ORIGIN X1 Y2 Z50.25 from the table reference)",
+        "(PART ORIGIN X1 Y2 Z50.25 from the reference point of the table)",
         "(WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)",
-        "(AXIS C + turns the table left-handed about +Z: word as in ISO 841)",
-        "(AXIS X + moves the tool along +X: word as in ISO 841)",
+        "(AXIS C+ rotates the table left-handed about +Z, as in ISO 841)",
+        "(AXIS X+ moves the tool along +X, as in ISO 841)",
         "(linear limits not checked: no machine_zero [X Y Z])",
-        "(valid only for part origin X1 Y2 Z50.25 from the table reference; do not touch off again)",
+        "(valid only for part origin X1 Y2 Z50.25 from the reference point of the table; do not touch off again)",
         "(T1 END MILL D10 R0.5 L80 H21, 2 operations, tip Z -3 to 20)",
         "(ASSUMED work offset G54)",
     ] {
@@ -196,7 +201,7 @@ fn the_header_says_what_the_program_is_valid_for() {
 }
 
 #[test]
-fn a_head_program_says_the_length_it_was_posted_with() {
+fn a_program_for_a_head_states_the_length_it_was_posted_with() {
     let text = PART.replace("LOADTL/1\nSPINDL", "LOADTL/1,LENGTH,95.5\nSPINDL");
     let mut config = Config::default();
     config.motion.retract = crate::motion::Retract { distance: Some(30.0), ..Config::default().motion.retract };
@@ -244,13 +249,13 @@ fn a_program_whose_tool_axes_all_point_into_the_table_is_refused() {
     };
     let report = free(true);
     assert!(report.diagnostics[0].help.as_ref().is_some_and(|help| help.contains("part_rotation")), "{report:?}");
-    // The whole program is upside down: its first motion already says so.
+    // The whole program is upside down: the error is reported at its first motion.
     assert_eq!(report.diagnostics[0].location.line, 5);
     assert!(!free(false).failed);
 }
 
 #[test]
-fn a_program_upside_down_is_told_so_before_any_limit() {
+fn a_program_upside_down_is_reported_before_any_limit() {
     let down = "UNITS/MM\nLOADTL/1\nSPINDL/RPM,100,CLW\nRAPID\nGOTO/0,0,-20,0,0,-1\nFEDRAT/MMPM,100\nGOTO/0,0,0\n";
     let report = posted::<Cb>(&Config::default(), down).1;
     assert_eq!(report.diagnostics[0].text, "every tool axis of this program points into the table");
@@ -273,7 +278,7 @@ fn more_tools_than_any_magazine_holds_are_refused() {
 }
 
 #[test]
-fn remarks_of_a_kind_are_counted_and_records_do_not_wait_without_end() {
+fn remarks_of_a_kind_are_counted_and_only_so_many_records_are_held_back() {
     let part = PART.replace("RAPID\nGOTO/0,0,20", &format!("{}RAPID\nGOTO/0,0,20", "MACHIN/ABC\n".repeat(5000)));
     let (_, report) = posted::<Cb>(&Config::default(), &part);
     assert!(!report.failed);
@@ -288,7 +293,7 @@ fn remarks_of_a_kind_are_counted_and_records_do_not_wait_without_end() {
 }
 
 #[test]
-fn what_was_assumed_stands_in_the_summary() {
+fn assumptions_are_listed_in_the_summary() {
     let mut config = Config::default();
     config.motion.defaults.speed = Some(3000.0);
     config.motion.defaults.rotation = Some(Rotation::Clockwise);
@@ -307,7 +312,7 @@ fn what_was_assumed_stands_in_the_summary() {
 }
 
 #[test]
-fn blocks_of_the_configuration_stand_behind_the_header_and_before_the_end() {
+fn blocks_of_the_configuration_come_after_the_header_and_before_the_end() {
     let mut config = Config::default();
     config.control.program.start = vec!["G64 P0.01".into()];
     config.control.program.end = vec!["M64 P0".into()];
@@ -377,7 +382,7 @@ fn overturned(text: &str) -> String {
 }
 
 #[test]
-fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it() {
+fn part_rotation_turns_a_part_that_was_programmed_upside_down_before_any_other_stage() {
     let upright = PART.replace("TOOL PATH/SIDE", "GOTO/25,0,9\nTOOL PATH/SIDE");
     let mut config = Config::default();
     config.motion.guards.floor = Some(-3.0);
@@ -390,7 +395,7 @@ fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it(
     let (text, report) = posted::<Cb>(&config, &overturned(&upright));
     assert!(!report.failed, "{report:?}");
     assert_eq!(blocks(&text), blocks(&expected));
-    let said = "part rotation 180, 0, 0: the CL data is turned by these degrees about X, then Y, then Z of the table";
+    let said = "part rotation 180, 0, 0: the CL data is rotated by these degrees about X, then Y, then Z of the table";
     assert_eq!(report.set_up, [said]);
     assert!(text.lines().any(|line| line == format!("({said})")), "{text}");
     assert!(text.contains("tip Z -3 to 20"), "{text}");
@@ -399,7 +404,7 @@ fn a_part_that_was_programmed_upside_down_is_turned_before_anything_looks_at_it(
 }
 
 #[test]
-fn the_header_says_what_the_rotary_entries_of_the_work_offset_must_hold() {
+fn the_header_states_the_required_rotary_entries_of_the_work_offset() {
     let mut config = Config::default();
     config.set_up.rotary_offset.insert('C', 12.5_f64.to_radians());
     let (text, _) = posted::<Cb>(&config, PART);
@@ -409,13 +414,13 @@ fn the_header_says_what_the_rotary_entries_of_the_work_offset_must_hold() {
 }
 
 #[test]
-fn a_dry_run_says_so_and_runs_the_same_path_further_out() {
+fn a_dry_run_is_named_in_the_header_and_runs_the_same_path_further_out() {
     let (_, report) = posted::<Cb>(&Config::default(), PART);
     let mut config = Config::default();
     config.motion.lift = Some(50.0);
     let (text, dry) = posted::<Cb>(&config, PART);
     assert!(!dry.failed && dry.statistics.motions == report.statistics.motions, "{dry:?}");
-    let said = "DRY RUN: every point 50 mm out along the tool axis, spindle and coolant off";
+    let said = "DRY RUN: every point is 50 mm further out along the tool axis, spindle and coolant off";
     assert!(dry.set_up == [said] && text.contains(said), "{text}");
     assert!(text.contains("\nG1 Z47 F800\nX25\n"), "{text}");
     assert!(!text.contains("M3\n") && !text.contains("M8\n"), "{text}");
@@ -509,7 +514,7 @@ fn without_transitions_an_operation_that_is_posted_alone_is_entered_and_left_saf
 }
 
 #[test]
-fn what_is_between_operations_goes_with_the_one_it_speaks_of() {
+fn records_between_operations_belong_to_the_operation_they_refer_to() {
     let some = |first, last| {
         let operations = Some(Operations::Range(first, Some(last)));
         let mut config = Config::default();
@@ -525,7 +530,7 @@ fn what_is_between_operations_goes_with_the_one_it_speaks_of() {
 }
 
 #[test]
-fn operations_are_found_by_name_and_what_is_not_there_is_said() {
+fn operations_are_found_by_name_and_a_missing_one_is_reported() {
     let post = |operations| {
         let mut config = Config::default();
         config.motion.operations = Some(operations);
@@ -577,7 +582,7 @@ fn a_rapid_before_the_first_tool_is_no_operation() {
     assert!(text.contains("(OPERATION CHAMFER)\nN4 "), "{text}");
 }
 
-/// The last of several operations holds B, which the one before it turns at feed.
+/// The last operation holds B, which the one before it rotates at feed.
 const TURNS_THEN_HOLDS: &str = "\
 UNITS/MM
 LOADTL/1
@@ -629,7 +634,7 @@ fn clamps_of_some_operations_are_open_where_these_turn_an_axis() {
 }
 
 #[test]
-fn a_rapid_that_cannot_be_posted_is_reported_beside_an_error_of_the_reader_after_it() {
+fn a_rapid_that_cannot_be_posted_is_reported_together_with_a_later_error_of_the_reader() {
     let mut config = Config::default();
     config.motion.guards.floor = Some(-10.0);
     let broken = PART.replace("GOTO/25,0,-3\n", "GOTO/25,0,-3\nRAPID\nGOTO/25,0,-30\nNOSUCHWORD/1\n");

@@ -1,11 +1,11 @@
-//! Machining times in words.
+//! Machining times as text, for the summary and the end of the program.
 
 use crate::motion::{OperationTime, Times};
 
-/// Operations whose times are listed.
+/// Largest number of operations whose times are listed.
 const MOST_LISTED: usize = 20;
 
-/// `1 h 02 min`, `12 min 05 s`, `3.2 s`.
+/// A time in readable units: `1 h 02 min`, `12 min 05 s`, `3.2 s`.
 fn duration(minutes: f64) -> String {
     let seconds = minutes * 60.0;
     if seconds < 60.0 {
@@ -18,7 +18,7 @@ fn duration(minutes: f64) -> String {
     }
 }
 
-/// The lines of the summary.
+/// The lines about machining times: total, operations, fastest rotary axis in a cut, blocks slowed down.
 pub(crate) fn lines(times: &Times) -> Vec<String> {
     if times.total() <= 0.0 {
         return Vec::new();
@@ -28,20 +28,20 @@ pub(crate) fn lines(times: &Times) -> Vec<String> {
         total += &format!(", rapids {}", duration(times.rapid));
     }
     if times.waiting > 0.0 {
-        total += &format!(", waits {}", duration(times.waiting));
+        total += &format!(", dwells {}", duration(times.waiting));
     }
     if times.unknown > 0 {
-        total += "; rapids of axes without `speeds` not counted";
+        total += "; rapids of axes without a speed in `speeds` are not counted";
     }
     let mut lines = vec![total];
     if times.operations.len() > 1 {
         lines.extend(times.operations.iter().take(MOST_LISTED).map(of_operation));
         let more = times.operations.len().saturating_sub(MOST_LISTED) as u64 + times.others;
-        lines.extend((more > 0).then(|| format!("  and {more} operations more")));
+        lines.extend((more > 0).then(|| format!("  and {more} more operations")));
     }
     if let Some(fastest) = times.fastest {
         lines.push(format!(
-            "fastest turn asked for in a cut: {} at {:.0} degrees/min (line {})",
+            "fastest rotary axis programmed in a cut: {} at {:.0} degrees/min (CL line {})",
             fastest.letter,
             fastest.speed.to_degrees(),
             fastest.at.line
@@ -49,7 +49,8 @@ pub(crate) fn lines(times: &Times) -> Vec<String> {
     }
     if times.slowed > 0 {
         lines.push(format!(
-            "slower than programmed because of axis speeds or the control: {} blocks from line {} on, {} in all",
+            "slower than programmed because of axis speeds or limits of the control: {} blocks from CL line {} on, \
+             by {} in all",
             times.slowed,
             times.slowed_first.line,
             duration(times.slowed_by)
@@ -60,7 +61,7 @@ pub(crate) fn lines(times: &Times) -> Vec<String> {
 
 fn of_operation(operation: &OperationTime) -> String {
     let name = String::from_utf8_lossy(&operation.name);
-    format!("  {}: {} (line {})", name.trim(), duration(operation.total), operation.at.line)
+    format!("  {}: {} (CL line {})", name.trim(), duration(operation.total), operation.at.line)
 }
 
 #[cfg(test)]

@@ -2,23 +2,23 @@
 (CL FILE blade.cls)
 (MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
 (UNITS mm, WORK OFFSET G54)
-(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PART ORIGIN X0 Y0 Z0 from the reference point of the table)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES left by at most 0.01)
-(CL data of NX, by its own evidence)
-(AXIS X + moves the table against +X: word as in ISO 841)
-(AXIS Y + moves the tool along +Y: word as in ISO 841)
-(AXIS Z + moves the tool along +Z: word as in ISO 841)
-(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
-(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(TOLERANCE 0.01 for arcs and curves)
+(CL data of NX, recognised from the file)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
 (T3 D10 R5 L101.5 H3, 2 operations, tip Z -6.2 to 74.3)
 (T3 posted with L = 101.5: H3 must hold exactly this)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach from 50 mm along the tool axis)
+(ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION LEADING_EDGE)
 N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
 M9
@@ -27,7 +27,7 @@ T3 M6
 G53 G0 Z0
 G43 H3
 o1 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]
-(abort, T3 was posted with L = 101.5 mm: the length in the tool table differs)
+(abort, T3 was posted with L = 101.5 mm: the tool table says something else)
 o1 endif
 S8200 M3
 G0 A0 B0
@@ -85,7 +85,7 @@ G53 G0 Z0
 (T3 stays in the spindle)
 G43 H3
 o2 if [[ABS[#5403 - 101.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.5] GT 0.01]]
-(abort, T3 was posted with L = 101.5 mm: the length in the tool table differs)
+(abort, T3 was posted with L = 101.5 mm: the tool table says something else)
 o2 endif
 S7600 M3
 G0 A17.2259 B-14.3825

@@ -2,25 +2,25 @@
 ; CL FILE blade.cls
 ; MACHINE SpinnerU5620, CONTROL Siemens 840D, MODE axes
 ; UNITS mm, WORK OFFSET G54
-; PART ORIGIN X0 Y0 Z0 from the table reference
+; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.01
-; CL data of NX, by its own evidence
-; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-; AXIS B + turns the table left-handed about +Y: word as in ISO 841
-; AXIS X + moves the tool along +X: word as in ISO 841
-; AXIS Y + moves the tool along +Y: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
+; TOLERANCE 0.01 for arcs and curves
+; CL data of NX, recognised from the file
+; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+; AXIS X+ moves the tool along +X, as in ISO 841
+; AXIS Y+ moves the tool along +Y, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
-; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 ; the entries of C and B in G54 must be zero
 ; T3 D10 R5 L101.5 D1, 2 operations, tip Z -6.2 to 74.3
-; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
-; ASSUMED approach from 50 mm along the tool axis
+; ASSUMED approach distance 50 mm along the tool axis
 MSG("LEADING_EDGE")
 N1 TRAFOOF
 CYCLE800()

@@ -5,17 +5,17 @@
 4 ; CL FILE coil.cls
 5 ; MACHINE MultiProDesk, CONTROL Heidenhain TNC, MODE axes
 6 ; UNITS mm, WORK OFFSET datum row 2
-7 ; PART ORIGIN X35 Y4.5 Z62 from the table reference
+7 ; PART ORIGIN X35 Y4.5 Z62 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.01
-10 ; CL data of NX, by its own evidence
-11 ; AXIS A + turns the table right-handed about +X: word backwards
-12 ; AXIS Y + moves the table along +Y: word backwards
-13 ; AXIS X + moves the tool along +X: word as in ISO 841
-14 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+9 ; TOLERANCE 0.01 for arcs and curves
+10 ; CL data of NX, recognised from the file
+11 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
+12 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
+13 ; AXIS X+ moves the tool along +X, as in ISO 841
+14 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 15 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-16 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
-17 ; valid only for part origin X35 Y4.5 Z62 from the table reference; do not touch off again
+16 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
+17 ; valid only for part origin X35 Y4.5 Z62 from the reference point of the table; do not touch off again
 18 ; the entries of A in datum row 2 must be zero
 19 ; T4 D4 R2 L92.3, 1 operation, tip Z -18.388 to 47.342
 20 * - COIL

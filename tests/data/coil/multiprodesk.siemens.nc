@@ -2,17 +2,17 @@
 ; CL FILE coil.cls
 ; MACHINE MultiProDesk, CONTROL Siemens 840D, MODE axes
 ; UNITS mm, WORK OFFSET G55
-; PART ORIGIN X35 Y4.5 Z62 from the table reference
+; PART ORIGIN X35 Y4.5 Z62 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.01
-; CL data of NX, by its own evidence
-; AXIS A + turns the table right-handed about +X: word backwards
-; AXIS Y + moves the table along +Y: word backwards
-; AXIS X + moves the tool along +X: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
+; TOLERANCE 0.01 for arcs and curves
+; CL data of NX, recognised from the file
+; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
+; AXIS Y+ moves the table along +Y, opposite to ISO 841
+; AXIS X+ moves the tool along +X, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
-; valid only for part origin X35 Y4.5 Z62 from the table reference; do not touch off again
+; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
+; valid only for part origin X35 Y4.5 Z62 from the reference point of the table; do not touch off again
 ; the entries of A in G55 must be zero
 ; T4 D4 R2 L92.3 D1, 1 operation, tip Z -18.388 to 47.342
 MSG("COIL")

@@ -5,26 +5,26 @@
 4 ; CL FILE facets.aptsource
 5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
 6 ; UNITS mm, WORK OFFSET datum row 1
-7 ; PART ORIGIN X0 Y0 Z0 from the table reference
+7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.01
-10 ; CL data of CATIA, by its own evidence
-11 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-12 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
-13 ; AXIS X + moves the tool along +X: word as in ISO 841
-14 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-15 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+9 ; TOLERANCE 0.01 for arcs and curves
+10 ; CL data of CATIA, recognised from the file
+11 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+12 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
+13 ; AXIS X+ moves the tool along +X, as in ISO 841
+14 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+15 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 16 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-17 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
+17 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
 18 ; linear limits not checked: no travel declared (X Y Z)
-19 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+19 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 20 ; the entries of C and B in datum row 1 must be zero
 21 ; T5 D16 R0 L132.5, 3 operations, tip Z -13.517 to 58.514
 22 ; T6 D6 R0 L97.25, 1 operation, tip Z -4.281 to 61.011
-23 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+23 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 24 ; ASSUMED work offset datum row 1
 25 ; ASSUMED retract to machine coordinate 0 mm
-26 ; ASSUMED approach from 50 mm along the tool axis
+26 ; ASSUMED approach distance 50 mm along the tool axis
 27 M129
 28 PLANE RESET STAY
 29 M127

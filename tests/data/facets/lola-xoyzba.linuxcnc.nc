@@ -2,17 +2,17 @@
 (CL FILE facets.aptsource)
 (MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
 (UNITS mm, WORK OFFSET G54)
-(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PART ORIGIN X0 Y0 Z0 from the reference point of the table)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES left by at most 0.01)
-(CL data of CATIA, by its own evidence)
-(AXIS X + moves the table against +X: word as in ISO 841)
-(AXIS Y + moves the tool along +Y: word as in ISO 841)
-(AXIS Z + moves the tool along +Z: word as in ISO 841)
-(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
-(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(TOLERANCE 0.01 for arcs and curves)
+(CL data of CATIA, recognised from the file)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
 (T5 D16 R0 L132.5 H5, 3 operations, tip Z -13.517 to 58.514)
 (T5 posted with L = 132.5: H5 must hold exactly this)
@@ -20,7 +20,7 @@
 (T6 posted with L = 97.25: H6 must hold exactly this)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach from 50 mm along the tool axis)
+(ASSUMED approach distance 50 mm along the tool axis)
 N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
 M9
 G53 G0 Z0
@@ -28,7 +28,7 @@ T5 M6
 G53 G0 Z0
 G43 H5
 o1 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
-(abort, T5 was posted with L = 132.5 mm: the length in the tool table differs)
+(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
 o1 endif
 S4500 M3
 G0 A-9.2399 B26.5487
@@ -59,7 +59,7 @@ G53 G0 Z0
 (T5 stays in the spindle)
 G43 H5
 o2 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
-(abort, T5 was posted with L = 132.5 mm: the length in the tool table differs)
+(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
 o2 endif
 S4500 M3
 G0 A22.6175 B8.2477
@@ -78,7 +78,7 @@ T6 M6
 G53 G0 Z0
 G43 H6
 o3 if [[ABS[#5403 - 97.25] GT 0.01] AND [ABS[[#5403 * 25.4] - 97.25] GT 0.01]]
-(abort, T6 was posted with L = 97.25 mm: the length in the tool table differs)
+(abort, T6 was posted with L = 97.25 mm: the tool table says something else)
 o3 endif
 S9000 M3
 G0 A4.2453 B-11.7678
@@ -97,7 +97,7 @@ T5 M6
 G53 G0 Z0
 G43 H5
 o4 if [[ABS[#5403 - 132.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 132.5] GT 0.01]]
-(abort, T5 was posted with L = 132.5 mm: the length in the tool table differs)
+(abort, T5 was posted with L = 132.5 mm: the tool table says something else)
 o4 endif
 S4200 M3
 G0 A-5.8906 B-40.6489

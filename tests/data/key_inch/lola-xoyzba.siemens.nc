@@ -2,23 +2,23 @@
 ; CL FILE key_inch.cls
 ; MACHINE LolaXoyzba, CONTROL Siemens 840D, MODE axes
 ; UNITS in, WORK OFFSET G54
-; PART ORIGIN X0 Y0 Z0 from the table reference
+; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.0004
-; CL data of NX, by its own evidence
-; AXIS X + moves the table against +X: word as in ISO 841
-; AXIS Y + moves the tool along +Y: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
-; AXIS B + turns the tool right-handed about +Y: word as in ISO 841
-; AXIS A + turns the tool right-handed about +X: word as in ISO 841
+; TOLERANCE 0.0004 for arcs and curves
+; CL data of NX, recognised from the file
+; AXIS X+ moves the table against +X, as in ISO 841
+; AXIS Y+ moves the tool along +Y, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
+; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
+; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.0004 of its line at feed, the tool axis within 0.1 deg
-; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
 ; T12 D0.375 R0 L4.75 D1, 1 operation, tip Z -0.2227 to 2.8269
 ; T12 posted with L = 4.75: D1 must hold exactly this
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
-; ASSUMED approach from 50 mm along the tool axis
+; ASSUMED approach distance 50 mm along the tool axis
 MSG("KEYWAY")
 N1 TRAFOOF
 CYCLE800()

@@ -5,28 +5,28 @@
 4 ; CL FILE nest.apt
 5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
 6 ; UNITS mm, WORK OFFSET datum row 1
-7 ; PART ORIGIN X0 Y0 Z0 from the table reference
+7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.01
-10 ; CL data of SolidWorks CAM, by its own evidence
-11 ; 2 arcs, sense by form only, 0 arcs confirmed
-12 ; CSYS changes 1 time: its points stay in one common frame
-13 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-14 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
-15 ; AXIS X + moves the tool along +X: word as in ISO 841
-16 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-17 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+9 ; TOLERANCE 0.01 for arcs and curves
+10 ; CL data of SolidWorks CAM, recognised from the file
+11 ; 2 arcs, sense by form, not confirmed by a neighbouring line
+12 ; CSYS changes 1 time: all points are read in one common frame
+13 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+14 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
+15 ; AXIS X+ moves the tool along +X, as in ISO 841
+16 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+17 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 18 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-19 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
+19 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
 20 ; linear limits not checked: no travel declared (X Y Z)
-21 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+21 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 22 ; the entries of C and B in datum row 1 must be zero
 23 ; T4 D10 R0 L120, 2 operations, tip Z -15 to 60
-24 ; ASSUMED the points of the CL data count from the part zero
-25 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+24 ; ASSUMED points of the CL data are coordinates from the part zero
+25 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 26 ; ASSUMED work offset datum row 1
 27 ; ASSUMED retract to machine coordinate 0 mm
-28 ; ASSUMED approach from 50 mm along the tool axis
+28 ; ASSUMED approach distance 50 mm along the tool axis
 29 ; [HOLDER=H1] 10MM END MILL
 30 ; Stock Size X40. Y60. Z40.
 31 M129

@@ -2,28 +2,28 @@
 ; CL FILE nest.apt
 ; MACHINE Dmu70e, CONTROL Siemens 840D, MODE axes
 ; UNITS mm, WORK OFFSET G54
-; PART ORIGIN X0 Y0 Z0 from the table reference
+; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.01
-; CL data of SolidWorks CAM, by its own evidence
-; 2 arcs, sense by form only, 0 arcs confirmed
-; CSYS changes 1 time: its points stay in one common frame
-; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
-; AXIS X + moves the tool along +X: word as in ISO 841
-; AXIS Y + moves the tool along +Y: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
+; TOLERANCE 0.01 for arcs and curves
+; CL data of SolidWorks CAM, recognised from the file
+; 2 arcs, sense by form, not confirmed by a neighbouring line
+; CSYS changes 1 time: all points are read in one common frame
+; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
+; AXIS X+ moves the tool along +X, as in ISO 841
+; AXIS Y+ moves the tool along +Y, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
-; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 ; the entries of C and B in G54 must be zero
 ; T4 D10 R0 L120 D1, 2 operations, tip Z -15 to 60
-; ASSUMED the points of the CL data count from the part zero
-; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+; ASSUMED points of the CL data are coordinates from the part zero
+; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
-; ASSUMED approach from 50 mm along the tool axis
+; ASSUMED approach distance 50 mm along the tool axis
 ; [HOLDER=H1] 10MM END MILL
 ; Stock Size X40. Y60. Z40.
 N1 TRAFOOF

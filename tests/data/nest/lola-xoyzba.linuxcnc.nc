@@ -2,26 +2,26 @@
 (CL FILE nest.apt)
 (MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
 (UNITS mm, WORK OFFSET G54)
-(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PART ORIGIN X0 Y0 Z0 from the reference point of the table)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES left by at most 0.01)
-(CL data of SolidWorks CAM, by its own evidence)
-(2 arcs, sense by form only, 0 arcs confirmed)
-(CSYS changes 1 time: its points stay in one common frame)
-(AXIS X + moves the table against +X: word as in ISO 841)
-(AXIS Y + moves the tool along +Y: word as in ISO 841)
-(AXIS Z + moves the tool along +Z: word as in ISO 841)
-(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
-(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(TOLERANCE 0.01 for arcs and curves)
+(CL data of SolidWorks CAM, recognised from the file)
+(2 arcs, sense by form, not confirmed by a neighbouring line)
+(CSYS changes 1 time: all points are read in one common frame)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
 (T4 D10 R0 L120 H4, 2 operations, tip Z -15 to 60)
 (T4 posted with L = 120: H4 must hold exactly this)
-(ASSUMED the points of the CL data count from the part zero)
+(ASSUMED points of the CL data are coordinates from the part zero)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach from 50 mm along the tool axis)
+(ASSUMED approach distance 50 mm along the tool axis)
 ([HOLDER=H1] 10MM END MILL)
 (Stock Size X40. Y60. Z40.)
 N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
@@ -31,7 +31,7 @@ T4 M6
 G53 G0 Z0
 G43 H4
 o1 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
-(abort, T4 was posted with L = 120 mm: the length in the tool table differs)
+(abort, T4 was posted with L = 120 mm: the tool table says something else)
 o1 endif
 S3000 M3
 G0 A0 B0
@@ -61,7 +61,7 @@ G53 G0 Z0
 (T4 stays in the spindle)
 G43 H4
 o2 if [[ABS[#5403 - 120] GT 0.01] AND [ABS[[#5403 * 25.4] - 120] GT 0.01]]
-(abort, T4 was posted with L = 120 mm: the length in the tool table differs)
+(abort, T4 was posted with L = 120 mm: the tool table says something else)
 o2 endif
 S3000 M3
 G0 A0 B90

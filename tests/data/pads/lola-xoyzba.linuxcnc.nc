@@ -2,21 +2,21 @@
 (CL FILE pads.cls)
 (MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
 (UNITS mm, WORK OFFSET G57)
-(PART ORIGIN X12.5 Y-8 Z40 from the table reference)
+(PART ORIGIN X12.5 Y-8 Z40 from the reference point of the table)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES left by at most 0.01)
-(CL data of NX, by its own evidence)
-(AXIS X + moves the table against +X: word as in ISO 841)
-(AXIS Y + moves the tool along +Y: word as in ISO 841)
-(AXIS Z + moves the tool along +Z: word as in ISO 841)
-(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
-(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(TOLERANCE 0.01 for arcs and curves)
+(CL data of NX, recognised from the file)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
 (T21 bull 12 D12 R1 L120.25 H21, 1 operation, tip Z -9.4 to 0.521)
 (T21 posted with L = 120.25: H21 must hold exactly this)
 (T22 D12 R1 L96.5 H52, 1 operation, tip Z -3.3 to -1.375)
-(T22 posted with L = 96.5: H52 must hold exactly this, and nothing compares it)
+(T22 posted with L = 96.5: H52 must hold exactly this, which the program does not check)
 (ASSUMED retract to machine coordinate 0 mm)
 (OPERATION SOUTH)
 N1 G21 G17 G40 G49 G80 G90 G94 G57 G64 P0.01
@@ -26,7 +26,7 @@ T21 M6
 G53 G0 Z0
 G43 H21
 o1 if [[ABS[#5403 - 120.25] GT 0.01] AND [ABS[[#5403 * 25.4] - 120.25] GT 0.01]]
-(abort, T21 was posted with L = 120.25 mm: the length in the tool table differs)
+(abort, T21 was posted with L = 120.25 mm: the tool table says something else)
 o1 endif
 S5200 M3
 G0 A18.266 B2.2556

@@ -2,17 +2,17 @@
 ; CL FILE pads.cls
 ; MACHINE LolaXoyzba, CONTROL Siemens 840D, MODE axes
 ; UNITS mm, WORK OFFSET G57
-; PART ORIGIN X12.5 Y-8 Z40 from the table reference
+; PART ORIGIN X12.5 Y-8 Z40 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.01
-; CL data of NX, by its own evidence
-; AXIS X + moves the table against +X: word as in ISO 841
-; AXIS Y + moves the tool along +Y: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
-; AXIS B + turns the tool right-handed about +Y: word as in ISO 841
-; AXIS A + turns the tool right-handed about +X: word as in ISO 841
+; TOLERANCE 0.01 for arcs and curves
+; CL data of NX, recognised from the file
+; AXIS X+ moves the table against +X, as in ISO 841
+; AXIS Y+ moves the tool along +Y, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
+; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
+; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; T21 bull 12 D12 R1 L120.25 D1, 1 operation, tip Z -9.4 to 0.521
 ; T21 posted with L = 120.25: D1 must hold exactly this
 ; T22 D12 R1 L96.5 D52, 1 operation, tip Z -3.3 to -1.375

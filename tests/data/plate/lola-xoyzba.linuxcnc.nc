@@ -2,24 +2,24 @@
 (CL FILE plate.ncl)
 (MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
 (UNITS in, WORK OFFSET G54)
-(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PART ORIGIN X0 Y0 Z0 from the reference point of the table)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES left by at most 0.001)
-(CL data of Creo, by its own evidence)
-(1 arc, 1 of 1 decided arcs agree with their form)
-(AXIS X + moves the table against +X: word as in ISO 841)
-(AXIS Y + moves the tool along +Y: word as in ISO 841)
-(AXIS Z + moves the tool along +Z: word as in ISO 841)
-(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
-(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(TOLERANCE 0.001 for arcs and curves)
+(CL data of Creo, recognised from the file)
+(1 arc, sense by form, confirmed by 1 of 1 neighbouring lines)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.001 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
 (T3 D0.25 L4 H3, 1 operation, tip Z -0.4 to 1)
 (T3 posted with L = 4: H3 must hold exactly this)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach from 50 mm along the tool axis)
+(ASSUMED approach distance 50 mm along the tool axis)
 N1 G20 G17 G40 G49 G80 G90 G94 G54 G64 P0.000394
 M9
 G53 G0 Z0
@@ -27,7 +27,7 @@ T3 M6
 G53 G0 Z0
 G43 H3
 o1 if [[ABS[#5403 - 101.6] GT 0.01] AND [ABS[[#5403 * 25.4] - 101.6] GT 0.01]]
-(abort, T3 was posted with L = 101.6 mm: the length in the tool table differs)
+(abort, T3 was posted with L = 101.6 mm: the tool table says something else)
 o1 endif
 S3000 M3
 G0 A0 B0

@@ -2,27 +2,27 @@
 (CL FILE pocket.cls)
 (MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
 (UNITS mm, WORK OFFSET G54)
-(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PART ORIGIN X0 Y0 Z0 from the reference point of the table)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES left by at most 0.05)
-(CL data of NX, by its own evidence)
-(3 arcs, 3 of 3 decided arcs agree with their form)
-(AXIS X + moves the table against +X: word as in ISO 841)
-(AXIS Y + moves the tool along +Y: word as in ISO 841)
-(AXIS Z + moves the tool along +Z: word as in ISO 841)
-(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
-(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(TOLERANCE 0.05 for arcs and curves)
+(CL data of NX, recognised from the file)
+(3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
 (T1 D10 R0 L110 H1, 1 operation, tip Z -2 to 20)
 (T1 posted with L = 110: H1 must hold exactly this)
 (T2 D5 L130 H2, 2 operations, tip Z -15 to 60)
 (T2 posted with L = 130: H2 must hold exactly this)
-(ASSUMED the unit of the CL data, which does not state one, is mm as given with the job)
+(ASSUMED unit of the CL data is mm, as given; the CL file states none)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach from 50 mm along the tool axis)
+(ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION POCKET)
 N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
 M9
@@ -31,7 +31,7 @@ T1 M6
 G53 G0 Z0
 G43 H1
 o1 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
-(abort, T1 was posted with L = 110 mm: the length in the tool table differs)
+(abort, T1 was posted with L = 110 mm: the tool table says something else)
 o1 endif
 S4000 M3
 G0 A0 B0
@@ -67,7 +67,7 @@ T2 M6
 G53 G0 Z0
 G43 H2
 o2 if [[ABS[#5403 - 130] GT 0.01] AND [ABS[[#5403 * 25.4] - 130] GT 0.01]]
-(abort, T2 was posted with L = 130 mm: the length in the tool table differs)
+(abort, T2 was posted with L = 130 mm: the tool table says something else)
 o2 endif
 S2500 M3
 G0 A0 B0
@@ -91,7 +91,7 @@ G53 G0 Z0
 (T2 stays in the spindle)
 G43 H2
 o3 if [[ABS[#5403 - 130] GT 0.01] AND [ABS[[#5403 * 25.4] - 130] GT 0.01]]
-(abort, T2 was posted with L = 130 mm: the length in the tool table differs)
+(abort, T2 was posted with L = 130 mm: the tool table says something else)
 o3 endif
 S2500 M3
 G0 A0 B0

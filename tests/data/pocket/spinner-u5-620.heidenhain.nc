@@ -5,28 +5,28 @@
 4 ; CL FILE pocket.cls
 5 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE axes
 6 ; UNITS mm, WORK OFFSET datum row 1
-7 ; PART ORIGIN X0 Y0 Z0 from the table reference
+7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.05
-10 ; CL data of NX, by its own evidence
-11 ; 3 arcs, 3 of 3 decided arcs agree with their form
-12 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-13 ; AXIS B + turns the table left-handed about +Y: word as in ISO 841
-14 ; AXIS X + moves the tool along +X: word as in ISO 841
-15 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-16 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+9 ; TOLERANCE 0.05 for arcs and curves
+10 ; CL data of NX, recognised from the file
+11 ; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
+12 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+13 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+14 ; AXIS X+ moves the tool along +X, as in ISO 841
+15 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg
-18 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
+18 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
 19 ; linear limits not checked: no travel declared (X Y Z)
-20 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+20 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 21 ; the entries of C and B in datum row 1 must be zero
 22 ; T1 D10 R0 L110, 1 operation, tip Z -2 to 20
 23 ; T2 D5 L130, 2 operations, tip Z -15 to 60
-24 ; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
-25 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+24 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
+25 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 26 ; ASSUMED work offset datum row 1
 27 ; ASSUMED retract to machine coordinate 0 mm
-28 ; ASSUMED approach from 50 mm along the tool axis
+28 ; ASSUMED approach distance 50 mm along the tool axis
 29 * - POCKET
 30 M129
 31 PLANE RESET STAY

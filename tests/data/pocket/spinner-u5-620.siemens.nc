@@ -2,28 +2,28 @@
 ; CL FILE pocket.cls
 ; MACHINE SpinnerU5620, CONTROL Siemens 840D, MODE axes
 ; UNITS mm, WORK OFFSET G54
-; PART ORIGIN X0 Y0 Z0 from the table reference
+; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.05
-; CL data of NX, by its own evidence
-; 3 arcs, 3 of 3 decided arcs agree with their form
-; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-; AXIS B + turns the table left-handed about +Y: word as in ISO 841
-; AXIS X + moves the tool along +X: word as in ISO 841
-; AXIS Y + moves the tool along +Y: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
+; TOLERANCE 0.05 for arcs and curves
+; CL data of NX, recognised from the file
+; 3 arcs, sense by form, confirmed by 3 of 3 neighbouring lines
+; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+; AXIS X+ moves the tool along +X, as in ISO 841
+; AXIS Y+ moves the tool along +Y, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.05 of its line at feed, the tool axis within 0.1 deg
-; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
-; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 ; the entries of C and B in G54 must be zero
 ; T1 D10 R0 L110 D1, 1 operation, tip Z -2 to 20
 ; T2 D5 L130 D1, 2 operations, tip Z -15 to 60
-; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
-; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+; ASSUMED unit of the CL data is mm, as given; the CL file states none
+; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
-; ASSUMED approach from 50 mm along the tool axis
+; ASSUMED approach distance 50 mm along the tool axis
 MSG("POCKET")
 N1 TRAFOOF
 CYCLE800()

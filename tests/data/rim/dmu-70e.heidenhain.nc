@@ -3,25 +3,25 @@
 2 ; CL FILE rim.ncl
 3 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE axes
 4 ; UNITS mm, WORK OFFSET datum row 1
-5 ; PART ORIGIN X0 Y0 Z0 from the table reference
+5 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 6 ; PROGRAMMED POINT tool tip
-7 ; ARCS AND CURVES left by at most 0.01
-8 ; CL data of Creo, by its own evidence
-9 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-10 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
-11 ; AXIS X + moves the tool along +X: word as in ISO 841
-12 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-13 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+7 ; TOLERANCE 0.01 for arcs and curves
+8 ; CL data of Creo, recognised from the file
+9 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+10 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
+11 ; AXIS X+ moves the tool along +X, as in ISO 841
+12 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+13 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 14 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-15 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
+15 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
 16 ; linear limits not checked: no travel declared (X Y Z)
-17 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+17 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 18 ; the entries of C and B in datum row 1 must be zero
 19 ; T7 D8 L84.3, 1 operation, tip Z -4.2 to 54.606
-20 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+20 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 21 ; ASSUMED work offset datum row 1
 22 ; ASSUMED retract to machine coordinate 0 mm
-23 ; ASSUMED approach from 50 mm along the tool axis
+23 ; ASSUMED approach distance 50 mm along the tool axis
 24 M129
 25 PLANE RESET STAY
 26 M127

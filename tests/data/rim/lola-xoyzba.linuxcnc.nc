@@ -2,23 +2,23 @@
 (CL FILE rim.ncl)
 (MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
 (UNITS mm, WORK OFFSET G54)
-(PART ORIGIN X0 Y0 Z0 from the table reference)
+(PART ORIGIN X0 Y0 Z0 from the reference point of the table)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES left by at most 0.01)
-(CL data of Creo, by its own evidence)
-(AXIS X + moves the table against +X: word as in ISO 841)
-(AXIS Y + moves the tool along +Y: word as in ISO 841)
-(AXIS Z + moves the tool along +Z: word as in ISO 841)
-(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
-(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(TOLERANCE 0.01 for arcs and curves)
+(CL data of Creo, recognised from the file)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
 (T7 D8 L84.3 H7, 1 operation, tip Z -4.2 to 54.606)
 (T7 posted with L = 84.3: H7 must hold exactly this)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach from 50 mm along the tool axis)
+(ASSUMED approach distance 50 mm along the tool axis)
 N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
 M9
 G53 G0 Z0
@@ -26,7 +26,7 @@ T7 M6
 G53 G0 Z0
 G43 H7
 o1 if [[ABS[#5403 - 84.3] GT 0.01] AND [ABS[[#5403 * 25.4] - 84.3] GT 0.01]]
-(abort, T7 was posted with L = 84.3 mm: the length in the tool table differs)
+(abort, T7 was posted with L = 84.3 mm: the tool table says something else)
 o1 endif
 S6500 M3
 G0 A13.5222 B23.5932

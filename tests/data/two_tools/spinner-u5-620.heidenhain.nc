@@ -5,26 +5,26 @@
 4 ; CL FILE two_tools.cls
 5 ; MACHINE SpinnerU5620, CONTROL Heidenhain TNC, MODE axes
 6 ; UNITS mm, WORK OFFSET datum row 1
-7 ; PART ORIGIN X0 Y0 Z0 from the table reference
+7 ; PART ORIGIN X0 Y0 Z0 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.01
-10 ; CL data of NX, by its own evidence
-11 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-12 ; AXIS B + turns the table left-handed about +Y: word as in ISO 841
-13 ; AXIS X + moves the tool along +X: word as in ISO 841
-14 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-15 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+9 ; TOLERANCE 0.01 for arcs and curves
+10 ; CL data of NX, recognised from the file
+11 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+12 ; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+13 ; AXIS X+ moves the tool along +X, as in ISO 841
+14 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+15 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 16 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-17 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
+17 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
 18 ; linear limits not checked: no travel declared (X Y Z)
-19 ; valid only for part origin X0 Y0 Z0 from the table reference; do not touch off again
+19 ; valid only for part origin X0 Y0 Z0 from the reference point of the table; do not touch off again
 20 ; the entries of C and B in datum row 1 must be zero
 21 ; T1 D20 R0 L120, 1 operation, tip Z -26 to 49.301
 22 ; T2 D8 R0 L95, 1 operation, tip Z -3.759 to 52.623
-23 ; ASSUMED part_origin 0, 0, 0: the part zero is the table's reference point
+23 ; ASSUMED part_origin 0, 0, 0: the part zero is the reference point of the table
 24 ; ASSUMED work offset datum row 1
 25 ; ASSUMED retract to machine coordinate 0 mm
-26 ; ASSUMED approach from 50 mm along the tool axis
+26 ; ASSUMED approach distance 50 mm along the tool axis
 27 * - TILTED_FACE
 28 M129
 29 PLANE RESET STAY

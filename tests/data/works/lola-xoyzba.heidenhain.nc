@@ -5,19 +5,19 @@
 4 ; CL FILE works.cls
 5 ; MACHINE LolaXoyzba, CONTROL Heidenhain TNC, MODE axes
 6 ; UNITS mm, WORK OFFSET datum row 1
-7 ; PART ORIGIN X10 Y-20 Z35 from the table reference
+7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.01
-10 ; operations 1 to 5 of 6 only, entered as at their restart points
-11 ; CL data of NX, by its own evidence
-12 ; 5 arcs, 4 of 4 decided arcs agree with their form
-13 ; AXIS X + moves the table against +X: word as in ISO 841
-14 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-15 ; AXIS Z + moves the tool along +Z: word as in ISO 841
-16 ; AXIS B + turns the tool right-handed about +Y: word as in ISO 841
-17 ; AXIS A + turns the tool right-handed about +X: word as in ISO 841
+9 ; TOLERANCE 0.01 for arcs and curves
+10 ; operations 1 to 5 of 6 only, each started as at its restart point
+11 ; CL data of NX, recognised from the file
+12 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+13 ; AXIS X+ moves the table against +X, as in ISO 841
+14 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+15 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+16 ; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
+17 ; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 18 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-19 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
+19 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
 20 ; linear limits not checked: no travel declared (X Y Z)
 21 ; T1 D10 R0 L110, 3 operations, tip Z -7.398 to 36.793
 22 ; T1 posted with L = 110: the tool table must hold exactly this
@@ -25,10 +25,10 @@
 24 ; T2 posted with L = 130: the tool table must hold exactly this
 25 ; T3 D6 L95, 1 operation, tip Z -10 to 25
 26 ; T3 posted with L = 95: the tool table must hold exactly this
-27 ; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+27 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 28 ; ASSUMED work offset datum row 1
 29 ; ASSUMED retract to machine coordinate 0 mm
-30 ; ASSUMED approach from 50 mm along the tool axis
+30 ; ASSUMED approach distance 50 mm along the tool axis
 31 * - ARCS
 32 M129
 33 PLANE RESET STAY
@@ -46,7 +46,7 @@
 44 FN 12: IF +QL1 LT +109.99 GOTO LBL "OFF1"
 45 FN 12: IF +QL1 LT +110.01 GOTO LBL "FITS1"
 46 LBL "OFF1"
-47 ; T1 was posted with L = 110 mm: the length in the tool table differs
+47 ; T1 was posted with L = 110 mm: the tool table says something else
 48 FN 14: ERROR = 100
 49 LBL "FITS1"
 50 M3
@@ -88,7 +88,7 @@
 85 FN 12: IF +QL1 LT +109.99 GOTO LBL "OFF2"
 86 FN 12: IF +QL1 LT +110.01 GOTO LBL "FITS2"
 87 LBL "OFF2"
-88 ; T1 was posted with L = 110 mm: the length in the tool table differs
+88 ; T1 was posted with L = 110 mm: the tool table says something else
 89 FN 14: ERROR = 100
 90 LBL "FITS2"
 91 TOOL CALL S4000
@@ -157,7 +157,7 @@
 153 FN 12: IF +QL1 LT +129.99 GOTO LBL "OFF3"
 154 FN 12: IF +QL1 LT +130.01 GOTO LBL "FITS3"
 155 LBL "OFF3"
-156 ; T2 was posted with L = 130 mm: the length in the tool table differs
+156 ; T2 was posted with L = 130 mm: the tool table says something else
 157 FN 14: ERROR = 100
 158 LBL "FITS3"
 159 M3
@@ -239,7 +239,7 @@
 234 FN 12: IF +QL1 LT +109.99 GOTO LBL "OFF4"
 235 FN 12: IF +QL1 LT +110.01 GOTO LBL "FITS4"
 236 LBL "OFF4"
-237 ; T1 was posted with L = 110 mm: the length in the tool table differs
+237 ; T1 was posted with L = 110 mm: the tool table says something else
 238 FN 14: ERROR = 100
 239 LBL "FITS4"
 240 M3
@@ -409,7 +409,7 @@
 403 FN 12: IF +QL1 LT +94.99 GOTO LBL "OFF5"
 404 FN 12: IF +QL1 LT +95.01 GOTO LBL "FITS5"
 405 LBL "OFF5"
-406 ; T3 was posted with L = 95 mm: the length in the tool table differs
+406 ; T3 was posted with L = 95 mm: the tool table says something else
 407 FN 14: ERROR = 100
 408 LBL "FITS5"
 409 M3

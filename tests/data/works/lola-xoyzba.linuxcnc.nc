@@ -2,19 +2,19 @@
 (CL FILE works.cls)
 (MACHINE LolaXoyzba, CONTROL LinuxCNC, MODE axes)
 (UNITS mm, WORK OFFSET G54)
-(PART ORIGIN X10 Y-20 Z35 from the table reference)
+(PART ORIGIN X10 Y-20 Z35 from the reference point of the table)
 (PROGRAMMED POINT tool tip)
-(ARCS AND CURVES left by at most 0.01)
-(operations 1 to 5 of 6 only, entered as at their restart points)
-(CL data of NX, by its own evidence)
-(5 arcs, 4 of 4 decided arcs agree with their form)
-(AXIS X + moves the table against +X: word as in ISO 841)
-(AXIS Y + moves the tool along +Y: word as in ISO 841)
-(AXIS Z + moves the tool along +Z: word as in ISO 841)
-(AXIS B + turns the tool right-handed about +Y: word as in ISO 841)
-(AXIS A + turns the tool right-handed about +X: word as in ISO 841)
+(TOLERANCE 0.01 for arcs and curves)
+(operations 1 to 5 of 6 only, each started as at its restart point)
+(CL data of NX, recognised from the file)
+(5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines)
+(AXIS X+ moves the table against +X, as in ISO 841)
+(AXIS Y+ moves the tool along +Y, as in ISO 841)
+(AXIS Z+ moves the tool along +Z, as in ISO 841)
+(AXIS B+ rotates the tool right-handed about +Y, as in ISO 841)
+(AXIS A+ rotates the tool right-handed about +X, as in ISO 841)
 (WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg)
-(ROTARY WORDS are absolute and count on past 360: the axes must not be wrapped [WRAPPED_ROTARY = 0])
+(ROTARY WORDS are absolute and go beyond 360: the axes must not be wrapped)
 (linear limits not checked: no travel declared [X Y Z])
 (T1 D10 R0 L110 H1, 3 operations, tip Z -7.398 to 36.793)
 (T1 posted with L = 110: H1 must hold exactly this)
@@ -22,10 +22,10 @@
 (T2 posted with L = 130: H2 must hold exactly this)
 (T3 D6 L95 H3, 1 operation, tip Z -10 to 25)
 (T3 posted with L = 95: H3 must hold exactly this)
-(ASSUMED the unit of the CL data, which does not state one, is mm as given with the job)
+(ASSUMED unit of the CL data is mm, as given; the CL file states none)
 (ASSUMED work offset G54)
 (ASSUMED retract to machine coordinate 0 mm)
-(ASSUMED approach from 50 mm along the tool axis)
+(ASSUMED approach distance 50 mm along the tool axis)
 (OPERATION ARCS)
 N1 G21 G17 G40 G49 G80 G90 G94 G54 G64 P0.01
 M9
@@ -34,7 +34,7 @@ T1 M6
 G53 G0 Z0
 G43 H1
 o1 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
-(abort, T1 was posted with L = 110 mm: the length in the tool table differs)
+(abort, T1 was posted with L = 110 mm: the tool table says something else)
 o1 endif
 S4000 M3
 G0 A0 B0
@@ -62,7 +62,7 @@ G53 G0 Z0
 (T1 stays in the spindle)
 G43 H1
 o2 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
-(abort, T1 was posted with L = 110 mm: the length in the tool table differs)
+(abort, T1 was posted with L = 110 mm: the tool table says something else)
 o2 endif
 S4000 M3
 G0 A-15.7987 B19.6289
@@ -120,7 +120,7 @@ T2 M6
 G53 G0 Z0
 G43 H2
 o3 if [[ABS[#5403 - 130] GT 0.01] AND [ABS[[#5403 * 25.4] - 130] GT 0.01]]
-(abort, T2 was posted with L = 130 mm: the length in the tool table differs)
+(abort, T2 was posted with L = 130 mm: the tool table says something else)
 o3 endif
 S2500 M3
 G0 A-15.7987 B19.6289
@@ -191,7 +191,7 @@ T1 M6
 G53 G0 Z0
 G43 H1
 o4 if [[ABS[#5403 - 110] GT 0.01] AND [ABS[[#5403 * 25.4] - 110] GT 0.01]]
-(abort, T1 was posted with L = 110 mm: the length in the tool table differs)
+(abort, T1 was posted with L = 110 mm: the tool table says something else)
 o4 endif
 S4000 M3
 G0 A9.752 B23.9854
@@ -353,7 +353,7 @@ T3 M6
 G53 G0 Z0
 G43 H3
 o5 if [[ABS[#5403 - 95] GT 0.01] AND [ABS[[#5403 * 25.4] - 95] GT 0.01]]
-(abort, T3 was posted with L = 95 mm: the length in the tool table differs)
+(abort, T3 was posted with L = 95 mm: the tool table says something else)
 o5 endif
 S500 M3
 G0 A0 B0

@@ -2,19 +2,19 @@
 ; CL FILE works.cls
 ; MACHINE LolaXoyzba, CONTROL Siemens 840D, MODE axes
 ; UNITS mm, WORK OFFSET G54
-; PART ORIGIN X10 Y-20 Z35 from the table reference
+; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.01
-; operations 1 to 5 of 6 only, entered as at their restart points
-; CL data of NX, by its own evidence
-; 5 arcs, 4 of 4 decided arcs agree with their form
-; AXIS X + moves the table against +X: word as in ISO 841
-; AXIS Y + moves the tool along +Y: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
-; AXIS B + turns the tool right-handed about +Y: word as in ISO 841
-; AXIS A + turns the tool right-handed about +X: word as in ISO 841
+; TOLERANCE 0.01 for arcs and curves
+; operations 1 to 5 of 6 only, each started as at its restart point
+; CL data of NX, recognised from the file
+; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+; AXIS X+ moves the table against +X, as in ISO 841
+; AXIS Y+ moves the tool along +Y, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
+; AXIS B+ rotates the tool right-handed about +Y, as in ISO 841
+; AXIS A+ rotates the tool right-handed about +X, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (X Y Z)
 ; T1 D10 R0 L110 D1, 3 operations, tip Z -7.398 to 36.793
 ; T1 posted with L = 110: D1 must hold exactly this
@@ -22,10 +22,10 @@
 ; T2 posted with L = 130: D1 must hold exactly this
 ; T3 D6 L95 D1, 1 operation, tip Z -10 to 25
 ; T3 posted with L = 95: D1 must hold exactly this
-; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
-; ASSUMED approach from 50 mm along the tool axis
+; ASSUMED approach distance 50 mm along the tool axis
 MSG("ARCS")
 N1 TRAFOOF
 CYCLE800()

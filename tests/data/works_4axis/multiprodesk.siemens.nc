@@ -2,28 +2,28 @@
 ; CL FILE works_4axis.cls
 ; MACHINE MultiProDesk, CONTROL Siemens 840D, MODE axes
 ; UNITS mm, WORK OFFSET G54
-; PART ORIGIN X10 Y-20 Z35 from the table reference
+; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.01
-; operations 1 to 5 of 6 only, entered as at their restart points
-; CL data of NX, by its own evidence
-; 5 arcs, 4 of 4 decided arcs agree with their form
-; AXIS A + turns the table right-handed about +X: word backwards
-; AXIS Y + moves the table along +Y: word backwards
-; AXIS X + moves the tool along +X: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
+; TOLERANCE 0.01 for arcs and curves
+; operations 1 to 5 of 6 only, each started as at its restart point
+; CL data of NX, recognised from the file
+; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
+; AXIS Y+ moves the table along +Y, opposite to ISO 841
+; AXIS X+ moves the tool along +X, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-; ROTARY WORDS are absolute and count on past 360: the axes must not be modulo axes (MD30310 = 0)
+; ROTARY WORDS are absolute and go beyond 360: the axes must not be modulo axes (MD30310 = 0)
 ; linear limits not checked: no travel declared (Y X Z)
-; valid only for part origin X10 Y-20 Z35 from the table reference; do not touch off again
+; valid only for part origin X10 Y-20 Z35 from the reference point of the table; do not touch off again
 ; the entries of A in G54 must be zero
 ; T1 D10 R0 L110 D1, 3 operations, tip Z -35.818 to 45.394
 ; T2 D5 L130 D1, 1 operation, tip Z -8.509 to 29.729
 ; T3 D6 L95 D1, 1 operation, tip Z -10 to 25
-; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
-; ASSUMED approach from 50 mm along the tool axis
+; ASSUMED approach distance 50 mm along the tool axis
 MSG("ARCS")
 N1 TRAFOOF
 CYCLE800()

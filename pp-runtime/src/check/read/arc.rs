@@ -21,20 +21,20 @@ pub(super) fn of(
     (from, known): ([f64; MAX_AXES], u16),
     clockwise: bool,
 ) -> Result<ArcMove, String> {
-    let Some(plane) = machine.state.plane else { return Err("an arc without a plane".to_owned()) };
+    let Some(plane) = machine.state.plane else { return Err("arc without a working plane".to_owned()) };
     let [u, v, w] = plane.axes();
     let (Some(first), Some(second)) = (machine.linear[u], machine.linear[v]) else {
-        return Err("an arc in a plane that the machine does not have".to_owned());
+        return Err("arc in a plane for which the machine has no linear axes".to_owned());
     };
     let (end, bits) = (machine.position(), 1 << first | 1 << second);
     if known & bits != bits {
-        return Err("an arc from a place that is not known".to_owned());
+        return Err("arc from an unknown position".to_owned());
     }
     let start = [from[first], from[second]];
     let stop = [end[first], end[second]];
     let centre = match draft.radius {
         Some(radius) if draft.centre_written == 0 => by_radius(start, stop, radius * machine.unit(), clockwise)?,
-        Some(_) => return Err("an arc with a radius and a centre".to_owned()),
+        Some(_) => return Err("arc with both a radius and a centre".to_owned()),
         None => by_centre(draft, machine.unit(), start, [u, v, w])?,
     };
     let mut sweep = match draft.sweep {
@@ -44,7 +44,10 @@ pub(super) fn of(
     let radii = [start, stop].map(|[x, y]| (x - centre[0]).hypot(y - centre[1]));
     let largest = SAME_RADIUS + 3.0 * machine.rounding;
     if (radii[0] - radii[1]).abs() > largest || radii[0] < ONE_POINT {
-        return Err(format!("the ends of the arc are {:.4} and {:.4} mm from its centre", radii[0], radii[1]));
+        return Err(format!(
+            "start and end of the arc are {:.4} and {:.4} mm from its centre: expected equal radii above 0",
+            radii[0], radii[1]
+        ));
     }
     sweep += f64::from(draft.turns) * TAU.copysign(sweep);
     let mut all = [0.0; 3];
@@ -55,10 +58,10 @@ pub(super) fn of(
 
 fn by_centre(draft: &Draft, unit: f64, start: [f64; 2], [u, v, w]: [usize; 3]) -> Result<[f64; 2], String> {
     if draft.centre_written & (1 << w) != 0 {
-        return Err("an arc with a centre outside its plane".to_owned());
+        return Err("arc with a centre outside its plane".to_owned());
     }
     if draft.centre_written == 0 {
-        return Err("an arc without centre and radius".to_owned());
+        return Err("arc without a centre or a radius".to_owned());
     }
     let coordinate = |axis: usize, from: f64| {
         if draft.centre_absolute & (1 << axis) == 0 {
@@ -75,7 +78,7 @@ fn by_radius(start: [f64; 2], stop: [f64; 2], radius: f64, clockwise: bool) -> R
     let (dx, dy) = (stop[0] - start[0], stop[1] - start[1]);
     let chord = dx.hypot(dy);
     if chord < ONE_POINT {
-        return Err("a full circle cannot be written with its radius".to_owned());
+        return Err("a full circle cannot be programmed with its radius".to_owned());
     }
     let square = radius * radius - chord * chord / 4.0;
     if square < -1e-3 * radius.abs() {

@@ -71,12 +71,12 @@ impl Side {
 }
 
 impl Side {
-    /// Where the cutter runs, in front of `its path`.
-    pub(crate) const fn told(self) -> &'static str {
+    /// Name in messages.
+    pub(crate) const fn name(self) -> &'static str {
         match self {
-            Self::None => "on",
-            Self::Left => "left of",
-            Self::Right => "right of",
+            Self::None => "off",
+            Self::Left => "left",
+            Self::Right => "right",
         }
     }
 }
@@ -106,7 +106,7 @@ impl fmt::Display for WorkOffset {
         match *self {
             Self::Code(tenths) if tenths % 10 == 0 => write!(f, "G{}", tenths / 10),
             Self::Code(tenths) => write!(f, "G{}.{}", tenths / 10, tenths % 10),
-            Self::Further(number) => write!(f, "P{number} of the further ones"),
+            Self::Further(number) => write!(f, "P{number} of the additional work offsets"),
             Self::Row(row) => write!(f, "row {row} of the datum table"),
         }
     }
@@ -116,7 +116,7 @@ impl fmt::Display for Length {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Off => f.write_str("off"),
-            Self::Register(number) => write!(f, "that of register {number}"),
+            Self::Register(number) => write!(f, "register {number}"),
         }
     }
 }
@@ -276,13 +276,13 @@ pub enum CycleKind {
 impl fmt::Display for CycleKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Drill => f.write_str("a hole in one go"),
+            Self::Drill => f.write_str("a drilled hole"),
             Self::Ream => f.write_str("a reamed hole"),
             Self::Bore => f.write_str("a bored hole"),
-            Self::Peck(step) => write!(f, "a hole in steps of {step} mm, the chips cleared"),
-            Self::ChipBreak(step) => write!(f, "a hole in steps of {step} mm, the chips broken"),
-            Self::Tap(pitch) if *pitch < 0.0 => write!(f, "a left-hand thread of {} mm a turn", -pitch),
-            Self::Tap(pitch) => write!(f, "a thread of {pitch} mm a turn"),
+            Self::Peck(step) => write!(f, "a peck-drilled hole, full retract after each {step} mm"),
+            Self::ChipBreak(step) => write!(f, "a peck-drilled hole, chip break after each {step} mm"),
+            Self::Tap(pitch) if *pitch < 0.0 => write!(f, "a left-hand thread with a pitch of {} mm", -pitch),
+            Self::Tap(pitch) => write!(f, "a thread with a pitch of {pitch} mm"),
         }
     }
 }

@@ -54,7 +54,7 @@ impl<'a> Line<'a> {
     pub(super) fn unknown(&mut self, column: usize) {
         let text = self.read_from(column);
         if !self.in_set_up(text) {
-            self.fault(column, format!("`{}` is not known here", shown(text)));
+            self.fault(column, format!("`{}` is not known to the check", shown(text)));
         }
     }
 

@@ -88,7 +88,7 @@ impl Interpreter {
         let round = matches!(block.action, Action::Arc(_))
             || matches!(self.modal, Some(Code::Clockwise | Code::CounterClockwise));
         if draft.centre_written != 0 && !round {
-            fault(&mut block.faults, 0, "I J K stand beside no arc");
+            fault(&mut block.faults, 0, "I, J or K without an arc");
         }
         block.values = self.act_values(block);
         block.known = self.known;
@@ -160,7 +160,7 @@ impl Interpreter {
             state.coolant = Some(state.coolant.unwrap_or(0) | draft.coolant_on);
         }
         if draft.coolant_on & !(coolant::FLOOD | coolant::MIST | coolant::THROUGH | coolant::AIR) != 0 {
-            fault(faults, 0, "unknown coolant");
+            fault(faults, 0, "unknown coolant code");
         }
         self.set_length(draft, faults);
         self.set_frames(draft);
@@ -189,7 +189,7 @@ impl Interpreter {
             None if draft.length_with_tool => state.length = state.tool.map(Length::Register),
             None => {
                 if draft.register.is_some() {
-                    fault(faults, 0, "a register of a length without the code that puts it in force");
+                    fault(faults, 0, "length register without the code for length compensation");
                 }
             }
             Some(LengthCode::Off) => state.length = Some(Length::Off),
@@ -197,7 +197,7 @@ impl Interpreter {
                 match with(draft.register, state) {
                     Some(0) => state.length = Some(Length::Off),
                     Some(register) => state.length = Some(Length::Register(register)),
-                    None => fault(faults, 0, "a length compensation without a register"),
+                    None => fault(faults, 0, "length compensation without its register"),
                 }
             }
         }
@@ -266,7 +266,7 @@ impl Interpreter {
         };
         let alone = matches!(block.action, Action::End | Action::Stop | Action::OptionalStop | Action::Dwell(_));
         if (alone || block.action == Action::ToolChange) && draft.written != 0 {
-            fault(&mut block.faults, 0, "axes shall move in a block that does something else");
+            fault(&mut block.faults, 0, "axis words in a block with another function");
         }
         if matches!(draft.tilt, Some(TiltCode::Orient | TiltCode::On { oriented: true, .. }))
             && block.action == Action::Nothing
@@ -286,7 +286,7 @@ impl Interpreter {
                 return self.hole(&mut block.faults);
             }
             if draft.machine {
-                fault(&mut block.faults, 0, "machine coordinates without an axis");
+                fault(&mut block.faults, 0, "machine coordinates without an axis word");
             }
             return self.still(draft, &mut block.faults);
         }
@@ -294,7 +294,7 @@ impl Interpreter {
             return self.machine_block(draft, block);
         }
         let Some(code) = self.modal else {
-            fault(&mut block.faults, 0, "axes without a motion code in force");
+            fault(&mut block.faults, 0, "axis words, but no motion code is active");
             return Action::Nothing;
         };
         let from = (self.values, self.known);
@@ -304,7 +304,7 @@ impl Interpreter {
         self.place(draft, code == Code::Cycle, &mut block.faults);
         match code {
             Code::None => {
-                fault(&mut block.faults, 0, "axes without a motion code in force");
+                fault(&mut block.faults, 0, "axis words, but no motion code is active");
                 Action::Nothing
             }
             Code::Cycle => self.hole(&mut block.faults),
@@ -355,10 +355,10 @@ impl Interpreter {
             return Action::Reference;
         }
         if self.modal != Some(Code::Rapid) {
-            fault(&mut block.faults, 0, "machine coordinates at feed");
+            fault(&mut block.faults, 0, "machine coordinates in a feed motion");
         }
         if self.state.incremental == Some(true) {
-            fault(&mut block.faults, 0, "machine coordinates while distances are programmed");
+            fault(&mut block.faults, 0, "machine coordinates in incremental mode");
         }
         Action::Machine
     }
@@ -398,7 +398,7 @@ impl Interpreter {
                 draft.incremental & bit != 0 || (self.state.incremental == Some(true) && draft.absolute & bit == 0);
             if incremental {
                 if self.known & bit == 0 {
-                    fault(faults, 0, "a distance from a place that is not known");
+                    fault(faults, 0, "incremental motion from an unknown position");
                 }
                 self.values[index] += value;
             } else if rotary {
@@ -432,7 +432,7 @@ impl Interpreter {
             Wrap::Positive | Wrap::Symmetric => {
                 let way = (value - from + TAU / 2.0).rem_euclid(TAU) - TAU / 2.0;
                 if TAU / 2.0 - way.abs() < HALF_TURN {
-                    fault(faults, 0, "half a turn: the control may take either way");
+                    fault(faults, 0, "rotary motion of exactly 180°: the control may rotate in either direction");
                 }
                 from + way
             }
@@ -442,7 +442,7 @@ impl Interpreter {
     /// The hole of the cycle that is defined, where the axes stand.
     fn hole(&mut self, faults: &mut Vec<Fault>) -> Action {
         let (Some(cycle), Some(normal)) = (self.cycle, self.normal()) else {
-            fault(faults, 0, "a cycle that has not been defined, or no plane");
+            fault(faults, 0, "cycle call without a cycle definition, or without a working plane");
             return Action::Nothing;
         };
         let back_to = cycle.back_to.unwrap_or(if self.state.to_initial { self.initial } else { cycle.reference });
@@ -462,7 +462,7 @@ impl Interpreter {
     /// G33.1 to a depth along the normal; it comes back to where it began.
     fn rigid_tap(&mut self, draft: &Draft, from: [f64; MAX_AXES], faults: &mut Vec<Fault>) -> Action {
         let (Some(pitch), Some(normal)) = (draft.pitch, self.normal()) else {
-            fault(faults, 0, "a thread without its pitch, or no plane");
+            fault(faults, 0, "thread without a pitch, or without a working plane");
             return Action::Nothing;
         };
         let bottom = self.values[normal];

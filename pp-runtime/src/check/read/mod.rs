@@ -145,8 +145,8 @@ impl<R: Read> Reader<R> {
             }
             if let Some(encoding) = mark {
                 let text = format!(
-                    "the program begins with a byte order mark ({encoding}), which the control takes for a part of its \
-                     first block: save the file as plain ASCII, or without the mark"
+                    "the program begins with a byte order mark ({encoding}), which the control reads as part of the first \
+                     block: save the file as plain ASCII, or without the mark"
                 );
                 // In front of what follows from it.
                 self.block.faults.insert(0, Fault { column: 1, text });
@@ -197,7 +197,7 @@ impl<R: Read> Reader<R> {
         }
         if self.line.trim_ascii_start().first() == Some(&b'/') && line.draft.groups | u32::from(line.draft.written) != 0
         {
-            line.fault(0, "whether this block runs depends on a switch of the control (block delete)");
+            line.fault(0, "a switch of the control decides whether this block is executed (block delete)");
         }
         // What the shop writes into its programs is the shop's to know.
         if !line.faults.is_empty() && known.iter().any(|text| is_line(text, &self.line)) {

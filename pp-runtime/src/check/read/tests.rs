@@ -68,7 +68,7 @@ fn words_stay_in_force_and_are_mm_and_rad() {
 fn distances_add_up_and_are_known_only_from_a_known_place() {
     let block = last(Family::LinuxCnc, &format!("{LINUXCNC}G0 X1 Y2 Z3\nG91\nG1 X5 F100"));
     assert!(near(xyz(&block), [6.0, 2.0, 3.0]));
-    assert!(faults(Family::LinuxCnc, &format!("{LINUXCNC}G91\nG1 X5 F100"))[0].contains("a place that is not known"));
+    assert!(faults(Family::LinuxCnc, &format!("{LINUXCNC}G91\nG1 X5 F100"))[0].contains("an unknown position"));
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn a_number_without_a_point_is_least_increments_on_fanuc_and_haas() {
     let fanuc = last(Family::Fanuc, &format!("{}G1 X10 Y10. Z0. F100.\n", &LINUXCNC.replace(" G64 P0.01", "")));
     assert!(near(xyz(&fanuc), [0.01, 10.0, 0.0]));
     let haas = format!("{}G1 X1. Y0. Z0. F100\n", &LINUXCNC.replace(" G64 P0.01", ""));
-    assert!(faults(Family::Haas, &haas)[0].contains("a setting says"));
+    assert!(faults(Family::Haas, &haas)[0].contains("depends on a setting"));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The words of the command line.
+//! Commands, arguments and options of the command line, with their help texts.
 
 mod values;
 
@@ -17,10 +17,10 @@ use crate::motion::{CourseOptions, Mode, Operations};
 pub(crate) use values::{BlockName, MessageFormat};
 use values::{
     BranchName, DialectName, FramesName, FromName, InsertName, SenseName, UnitsName, axis_tolerance, block_name,
-    control_name, control_names, inert, lift, map_file, named, operations, point, pole_tolerance, tolerance,
+    control_name, control_named, control_names, inert, lift, map_file, operations, point, pole_tolerance, tolerance,
 };
 
-/// Turns CL data (APT/CLS) into a program for one machine.
+/// Command line of a machine's postprocessor.
 #[derive(Debug, Parser)]
 #[command(version, disable_help_subcommand = true)]
 pub(crate) struct Cli {
@@ -28,92 +28,98 @@ pub(crate) struct Cli {
     pub(crate) command: Command,
 }
 
-/// What to do.
+/// The command.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Post CL data: write the program for this machine
+    /// Post CL data: write the NC program for this machine and check it
     Post(Box<PostArgs>),
-    /// Compare a program with its CL data: path, feed, state and safe sequences
+    /// Compare a program with its CL data: path, feed, modal state and safe sequences
     Check(Box<CheckArgs>),
-    /// Tell where a block of the program comes from: its record, why it is there, and where the machine stands behind it
+    /// Explain a block of the program: its CL record, why it was written, and the position of the machine after it
     ExplainBlock(Box<ExplainBlockArgs>),
-    /// Print a configuration file that holds every default
+    /// Print a configuration file with all keys and their defaults
     Config(ConfigArgs),
-    /// Print how the kinematics of this machine were derived, and a jog sheet
+    /// Print the derivation of the kinematics of this machine, and a jog sheet
     Explain(ExplainArgs),
 }
 
 /// Arguments of `config`.
 #[derive(Debug, Args)]
 pub(crate) struct ConfigArgs {
-    /// Print a JSON schema of the file for editors instead
+    /// Print the JSON schema of the configuration file instead, for editors
     #[arg(long)]
     pub(crate) schema: bool,
-    /// Control whose defaults it holds
+    /// Control whose defaults are printed
     #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
     control: String,
 }
 
 impl ConfigArgs {
-    /// The control that was asked for.
+    /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        named(&self.control)
+        control_named(&self.control)
     }
 }
 
 /// Arguments of `explain`.
 #[derive(Debug, Args)]
 pub(crate) struct ExplainArgs {
-    /// Write a LaTeX document instead of text
+    /// Print the derivation as a LaTeX document
     #[arg(long, conflicts_with = "cl")]
     pub(crate) latex: bool,
-    /// Print what becomes of each word of CL data instead
+    /// Print the list of all words of CL data instead: read, ignored (inert) or refused
     #[arg(long)]
     pub(crate) cl: bool,
-    /// Write a program that proves the kinematics at the machine: the tip stays while each rotary axis sweeps its travel
+    /// Print a proof program for the machine instead: the tip stays on one point while each rotary axis runs its travel
     #[arg(long, conflicts_with_all = ["latex", "cl"])]
     pub(crate) proof_program: bool,
     #[command(flatten)]
     pub(crate) proof: ProofArgs,
 }
 
-/// What a proof program is written for.
+/// Arguments of `explain --proof-program`.
 #[derive(Debug, Args)]
 pub(crate) struct ProofArgs {
     /// Control that will run the proof program
     #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
     control: String,
-    /// Configuration of machine and set-up
+    /// Configuration file of machine and set-up (see `config`)
     #[arg(long, value_name = "FILE.toml", requires = "proof_program")]
     pub(crate) config: Option<PathBuf>,
-    /// Where the tip stands in the part, mm; without it at the part zero
-    #[arg(long, value_name = "X,Y,Z", requires = "proof_program", value_parser = point, allow_hyphen_values = true)]
-    pub(crate) point: Option<[f64; 3]>,
-    /// Tool in the spindle; without it that of the configuration, or 1
+    /// Point of the part at which the tip is held, mm; without it the part zero
+    #[arg(
+        long = "point",
+        value_name = "X,Y,Z",
+        requires = "proof_program",
+        value_parser = point,
+        allow_hyphen_values = true
+    )]
+    pub(crate) point_mm: Option<[f64; 3]>,
+    /// Tool number in the spindle; without it that of the configuration, else 1
     #[arg(long, value_name = "N", requires = "proof_program", value_parser = clap::value_parser!(u32).range(1..=99_999))]
     pub(crate) tool: Option<u32>,
 }
 
 impl ProofArgs {
-    /// The control that was asked for.
+    /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        named(&self.control)
+        control_named(&self.control)
     }
 }
 
 /// Arguments of `post`.
 #[derive(Debug, Args)]
 pub(crate) struct PostArgs {
-    /// CL data; `-` is standard input
+    /// CL file; `-` is standard input
     #[arg(value_name = "IN.cls")]
     pub(crate) input: PathBuf,
-    /// Program to write; `-` is standard output
+    /// NC program to write; `-` is standard output
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     pub(crate) output: PathBuf,
-    /// Write for each line of the program which record it serves, why, and where the machine stands behind it
+    /// Also write a map: for each line of the program its CL record, its reason, and the machine position after it
     #[arg(long, value_name = "FILE.json", value_parser = map_file)]
     pub(crate) map: Option<PathBuf>,
-    /// Do not read the program back and compare it with the CL data
+    /// Do not check the program against the CL data
     #[arg(long)]
     pub(crate) no_check: bool,
     #[command(flatten)]
@@ -123,13 +129,13 @@ pub(crate) struct PostArgs {
 /// Arguments of `check`.
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
-    /// CL data; `-` is standard input
+    /// CL file; `-` is standard input
     #[arg(value_name = "IN.cls")]
     pub(crate) input: PathBuf,
-    /// Program to compare with it; `-` is standard input
+    /// NC program to check; `-` is standard input
     #[arg(value_name = "OUT.nc")]
     pub(crate) program: PathBuf,
-    /// Messages as JSON, and the figures as an object on standard output
+    /// Write messages as JSON, and the figures of the check as a JSON object to standard output
     #[arg(long)]
     pub(crate) json: bool,
     #[command(flatten)]
@@ -137,7 +143,7 @@ pub(crate) struct CheckArgs {
 }
 
 impl CheckArgs {
-    /// How messages are written.
+    /// Format of the messages.
     pub(crate) fn format(&self) -> MessageFormat {
         if self.json { MessageFormat::Json } else { self.set_up.message_format }
     }
@@ -146,106 +152,106 @@ impl CheckArgs {
 /// Arguments of `explain-block`.
 #[derive(Debug, Args)]
 pub(crate) struct ExplainBlockArgs {
-    /// CL data; `-` is standard input
+    /// CL file; `-` is standard input
     #[arg(value_name = "IN.cls")]
     pub(crate) input: PathBuf,
-    /// The block: `N1230` by its number, `57` by its line in the program
+    /// Block to explain: `N1230` is a block number, `57` is a line of the program
     #[arg(value_name = "BLOCK", value_parser = block_name)]
     pub(crate) block: BlockName,
     #[command(flatten)]
     pub(crate) set_up: SetUpArgs,
 }
 
-/// How CL data becomes a program: what posting and checking have to agree on.
+/// Options that determine the program, for `post`, `check` and `explain-block` alike.
 #[derive(Debug, Args)]
 pub(crate) struct SetUpArgs {
     /// Control that will run the program
     #[arg(long, value_name = "NAME", value_parser = control_names(), default_value = control_name(CONTROLS[0]))]
     control: String,
-    /// Configuration of machine and set-up (see `config`)
+    /// Configuration file of machine and set-up (see `config`)
     #[arg(long, value_name = "FILE.toml")]
     pub(crate) config: Option<PathBuf>,
-    /// Unit of the CL data where it does not say so itself
+    /// Unit of the CL data if the file states none
     #[arg(long, value_enum)]
     pub(crate) units: Option<UnitsName>,
-    /// Unit of the program; without it that of the CL data
+    /// Unit of the program; without it the unit of the CL data
     #[arg(long, value_enum)]
     pub(crate) output_units: Option<UnitsName>,
-    /// How far arcs and chords may leave the arcs and curves of the CL data, and the tip its line while a rotary axis moves, mm
-    #[arg(long, value_name = "MM", value_parser = tolerance)]
-    pub(crate) tolerance: Option<f64>,
-    /// How far the tool axis may leave its even turn from one point to the next, degrees
-    #[arg(long, value_name = "DEG", value_parser = axis_tolerance)]
-    axis_tolerance_path: Option<f64>,
-    /// LINTOL of the CL data may be wider than the tolerance
+    /// Largest deviation from arcs and curves, and of the tip from its line while a rotary axis moves, mm
+    #[arg(long = "tolerance", value_name = "MM", value_parser = tolerance)]
+    pub(crate) tolerance_mm: Option<f64>,
+    /// Largest deviation of the tool axis from its even rotation between two points, degrees
+    #[arg(long = "axis-tolerance-path", value_name = "DEG", value_parser = axis_tolerance)]
+    axis_tolerance_path_rad: Option<f64>,
+    /// Allow LINTOL of the CL data to be wider than the tolerance
     #[arg(long)]
     allow_lintol: bool,
-    /// CAM system that wrote the CL data where it does not tell, or tells wrongly
+    /// CAM system that wrote the CL data, if it is not recognised from the file or not correctly
     #[arg(long, value_enum)]
     dialect: Option<DialectName>,
-    /// Columns of a line that count
+    /// Number of columns of a CL line that are read; the rest is ignored
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=4096))]
     columns: Option<u32>,
-    /// Pass this word of the CL data over; may be repeated
+    /// Ignore this word of the CL data; may be repeated
     #[arg(long, value_name = "WORD", value_parser = inert)]
     pub(crate) inert: Vec<String>,
-    /// What to do with a frame that differs from the first
+    /// Treatment of a coordinate frame that differs from the first
     #[arg(long, value_enum)]
     frames: Option<FramesName>,
-    /// Sense of every CIRCLE about its axis, whatever its form says
+    /// Sense of every CIRCLE about its axis, instead of the sense found from its form
     #[arg(long, value_enum)]
     circle_sense: Option<SenseName>,
-    /// What to do with INSERT
+    /// Treatment of INSERT
     #[arg(long, value_enum)]
     insert: Option<InsertName>,
-    /// Write INSERT as NC text that nobody checks
+    /// Write the text of INSERT to the program without checking it
     #[arg(long, conflicts_with = "insert")]
     allow_insert: bool,
-    /// Write FROM as the first approach
+    /// Treatment of FROM
     #[arg(long, value_enum)]
     pub(crate) from: Option<FromName>,
-    /// Branch on which operations begin where they can
+    /// Preferred branch of the inverse kinematics at the start of operations
     #[arg(long, value_enum)]
     start_branch: Option<BranchName>,
-    /// Side of zero on which operations begin where they can: `B+`
+    /// Preferred sign of a rotary axis at the start of operations: `B+`
     #[arg(long, value_name = "AXIS±", allow_hyphen_values = true)]
     prefer: Option<String>,
-    /// Choose branch and turns motion by motion, without a view ahead
+    /// Choose branch and turns of the rotary axes motion by motion, not for the whole program
     #[arg(long)]
     greedy: bool,
-    /// Angle to the pole within which the tool axis is put there, degrees
-    #[arg(long, value_name = "DEGREES", value_parser = pole_tolerance)]
-    pub(crate) axis_tolerance: Option<f64>,
-    /// What the words of a motion say: axis values, tip coordinates, or coordinates in a tilted plane
+    /// Angle to the pole within which the tool axis is set to the pole, degrees
+    #[arg(long = "axis-tolerance", value_name = "DEGREES", value_parser = pole_tolerance)]
+    pub(crate) pole_tolerance_rad: Option<f64>,
+    /// Coordinates of the program: axis positions, tip coordinates under tip control, or coordinates in a tilted plane
     #[arg(long, value_name = "MODE", value_parser = PossibleValuesParser::new(Mode::NAMES.map(|(name, _)| name)))]
     mode: Option<String>,
-    /// Dry run: move every point out along the tool axis by so many mm, with the spindle off
-    #[arg(long, value_name = "MM", value_parser = lift)]
-    pub(crate) lift: Option<f64>,
-    /// Post these operations only: `3..5`, `3..` or `3`
+    /// Dry run: move every point out along the tool axis by this distance, spindle and coolant off
+    #[arg(long = "lift", value_name = "MM", value_parser = lift)]
+    pub(crate) lift_mm: Option<f64>,
+    /// Post only these operations: `3..5`, `3..` or `3`
     #[arg(long, value_name = "M..N", value_parser = operations)]
     pub(crate) ops: Option<Operations>,
-    /// Post from this operation on
+    /// Post from the operation of this name on
     #[arg(long, value_name = "NAME", conflicts_with = "ops")]
     from_op: Option<String>,
-    /// Number the blocks
+    /// Write block numbers
     #[arg(long)]
     pub(crate) line_numbers: bool,
-    /// How messages are written
+    /// Format of the messages
     #[arg(long, value_enum, default_value_t)]
     pub(crate) message_format: MessageFormat,
 }
 
 impl SetUpArgs {
-    /// The control that was asked for.
+    /// The control of `--control`.
     pub(crate) fn control(&self) -> &'static dyn Control {
-        named(&self.control)
+        control_named(&self.control)
     }
 
-    /// Puts the arguments on top of the configuration file.
+    /// Sets the given options in the configuration; they take precedence over the file.
     ///
     /// # Errors
-    /// A sentence about an argument that does not fit the machine.
+    /// A sentence about an option that does not suit the machine.
     pub(crate) fn apply(&self, machine: &dyn AnyMachine, config: &mut Config) -> Result<(), String> {
         if let Some(units) = self.units {
             config.cl_units = Some(units.into());
@@ -255,12 +261,12 @@ impl SetUpArgs {
             config.output_units = Some(units.into());
             config.given.insert("output_units");
         }
-        if let Some(tolerance) = self.tolerance {
-            config.motion.tolerance = tolerance;
+        if let Some(tolerance_mm) = self.tolerance_mm {
+            config.motion.tolerance = tolerance_mm;
             config.given.insert("tolerance");
         }
-        if let Some(tolerance) = self.axis_tolerance_path {
-            config.motion.axis_tolerance_path = tolerance.to_radians();
+        if let Some(tolerance_rad) = self.axis_tolerance_path_rad {
+            config.motion.axis_tolerance_path = tolerance_rad;
             config.given.insert("axis_tolerance_path");
         }
         config.motion.allow_lintol |= self.allow_lintol;
@@ -268,21 +274,21 @@ impl SetUpArgs {
         if let Some(text) = &self.prefer {
             let help = || {
                 format!(
-                    "--prefer {text} is not known here: {}",
+                    "--prefer {text} does not suit this machine: {}",
                     CourseOptions::preferences(machine.name(), machine.axes())
                 )
             };
             config.motion.course.prefer = Some(CourseOptions::preference(machine.axes(), text).ok_or_else(help)?);
         }
         config.motion.operations = self.from_op.clone().map(Operations::From).or_else(|| self.ops.clone());
-        let named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);
-        if let Some(mode) = self.mode.as_ref().and_then(named) {
+        let mode_named = |mode: &String| Mode::NAMES.iter().find(|(name, _)| name == mode).map(|(_, mode)| *mode);
+        if let Some(mode) = self.mode.as_ref().and_then(mode_named) {
             config.motion.mode = mode;
             config.given.insert("mode");
         }
-        config.motion.lift = self.lift.or(config.motion.lift);
+        config.motion.lift = self.lift_mm.or(config.motion.lift);
         config.motion.course.greedy |= self.greedy;
-        config.motion.course.axis_tolerance = self.axis_tolerance.unwrap_or(config.motion.course.axis_tolerance);
+        config.motion.course.axis_tolerance = self.pole_tolerance_rad.unwrap_or(config.motion.course.axis_tolerance);
         let cl = &mut config.cl;
         cl.dialect = self.dialect.map(Into::into).or(cl.dialect);
         cl.columns = self.columns.or(cl.columns);
@@ -303,12 +309,12 @@ impl SetUpArgs {
     }
 }
 
-/// Parses the command line; the command goes by the name of its file.
+/// Parses the command line. Help and errors call the command by the name of its file.
 pub(crate) fn parse(machine: &str, args: &[OsString]) -> Result<Cli, clap::Error> {
     let stem =
         args.first().and_then(|name| Path::new(name).file_stem()).map(|stem| stem.to_string_lossy().into_owned());
     let name = stem.unwrap_or_else(|| machine.to_owned());
-    let about = format!("Postprocessor for {machine}: turns CL data (APT/CLS) into a program for this machine");
+    let about = format!("Postprocessor for {machine}: converts CL data (APT/CLS) into NC programs");
     let command = Cli::command().bin_name(&name).display_name(name).about(about);
     Cli::from_arg_matches(&command.try_get_matches_from(args)?)
 }

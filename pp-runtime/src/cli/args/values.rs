@@ -1,4 +1,4 @@
-//! Values on the command line: their names, and what is wrong with them.
+//! Values of options: their names, their parsers, and the messages for values that are refused.
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
@@ -12,8 +12,8 @@ use crate::kinematics::Branch;
 use crate::motion::{Operations, Options};
 use crate::program::Units;
 
-/// The control of a name that the parser has let pass.
-pub(crate) fn named(name: &str) -> &'static dyn Control {
+/// The control of a name that the parser has accepted.
+pub(crate) fn control_named(name: &str) -> &'static dyn Control {
     control::by_name(name).unwrap_or(CONTROLS[0])
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn control_names() -> PossibleValuesParser {
     PossibleValuesParser::new(CONTROLS.iter().map(|control| control_name(*control)))
 }
 
-/// A word that may be declared inert.
+/// A word of CL data to be ignored, in capitals; refuses a word that must not be ignored.
 pub(crate) fn inert(word: &str) -> Result<String, String> {
     match not_inert(word) {
         Some(why) => Err(why),
@@ -33,20 +33,20 @@ pub(crate) fn inert(word: &str) -> Result<String, String> {
     }
 }
 
-/// An angle to the pole in degrees, in rad.
+/// Parses an angle to the pole in degrees; returns it in rad.
 pub(crate) fn pole_tolerance(text: &str) -> Result<f64, String> {
-    let degrees: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    let degrees: f64 = text.parse().map_err(|_| "expected a number of degrees".to_owned())?;
     match (0.0..=5.0).contains(&degrees) {
         true => Ok(degrees.to_radians()),
-        false => Err("0 to 5 degrees are needed".to_owned()),
+        false => Err("expected 0 to 5 degrees".to_owned()),
     }
 }
 
-/// A range of operations, both ends included.
+/// Parses a range of operation numbers, both ends included.
 pub(crate) fn operations(text: &str) -> Result<Operations, String> {
     let number = |text: &str| {
         let number = text.trim().parse().ok().filter(|number| *number > 0);
-        number.ok_or_else(|| "operations count from 1: `3..5`, `3..` or `3` is needed".to_owned())
+        number.ok_or_else(|| "operations are numbered from 1: expected `3..5`, `3..` or `3`".to_owned())
     };
     let (first, last) = match text.split_once("..") {
         Some((first, "")) => (number(first)?, None),
@@ -54,48 +54,48 @@ pub(crate) fn operations(text: &str) -> Result<Operations, String> {
         None => (number(text)?, Some(number(text)?)),
     };
     match last {
-        Some(last) if last < first => Err(format!("this range is empty: `{last}..{first}`?")),
+        Some(last) if last < first => Err(format!("the range is empty; did you mean `{last}..{first}`?")),
         last => Ok(Operations::Range(first, last)),
     }
 }
 
-/// How far a dry run stays away, mm.
+/// Parses the distance of a dry run from the part, mm.
 pub(crate) fn lift(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    let value: f64 = text.parse().map_err(|_| "expected a distance in mm".to_owned())?;
     match (1.0..=10_000.0).contains(&value) {
         true => Ok(value),
-        false => Err("1 to 10000 mm are needed".to_owned()),
+        false => Err("expected 1 to 10000 mm".to_owned()),
     }
 }
 
-/// A point, mm.
+/// Parses a point, mm.
 pub(crate) fn point(text: &str) -> Result<[f64; 3], String> {
     let number = |text: &str| text.trim().parse().ok().filter(|number: &f64| number.abs() <= 1e5);
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     let point = numbers.and_then(|numbers| numbers.try_into().ok());
-    point.ok_or_else(|| "three numbers are needed: 60,0,120".to_owned())
+    point.ok_or_else(|| "expected three coordinates in mm, such as 60,0,120".to_owned())
 }
 
-/// A tolerance in mm.
+/// Parses a tolerance, mm.
 pub(crate) fn tolerance(text: &str) -> Result<f64, String> {
     within(text, &Options::TOLERANCE, "mm")
 }
 
-/// A tolerance in degrees.
+/// Parses a tolerance in degrees; returns it in rad.
 pub(crate) fn axis_tolerance(text: &str) -> Result<f64, String> {
-    within(text, &Options::AXIS_TOLERANCE, "degrees")
+    within(text, &Options::AXIS_TOLERANCE, "degrees").map(f64::to_radians)
 }
 
 fn within(text: &str, range: &RangeInclusive<f64>, unit: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "a number is needed".to_owned())?;
+    let value: f64 = text.parse().map_err(|_| format!("expected a number in {unit}"))?;
     if range.contains(&value) {
         Ok(value)
     } else {
-        Err(format!("between {} and {} {unit}", range.start(), range.end()))
+        Err(format!("expected a value between {} and {} {unit}", range.start(), range.end()))
     }
 }
 
-/// CAM systems on the command line.
+/// CAM system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum DialectName {
     /// Siemens NX
@@ -122,12 +122,12 @@ impl From<DialectName> for Dialect {
     }
 }
 
-/// What becomes of a second frame.
+/// Treatment of a coordinate frame that differs from the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FramesName {
-    /// Mapped into the first
+    /// Its points are transformed into the first frame
     Main,
-    /// A work offset of its own
+    /// It gets a work offset of its own
     Offset,
 }
 
@@ -158,12 +158,12 @@ impl From<SenseName> for Sense {
     }
 }
 
-/// A branch, as `explain` numbers them.
+/// Branch of the inverse kinematics, as `explain` numbers them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum BranchName {
-    /// The first
+    /// The first branch, as `explain` numbers them
     First,
-    /// The second
+    /// The second branch
     Second,
 }
 
@@ -176,21 +176,21 @@ impl From<BranchName> for Branch {
     }
 }
 
-/// What becomes of INSERT.
+/// Treatment of INSERT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum InsertName {
-    /// Written as a comment
+    /// Its text is written as a comment
     Comment,
 }
 
-/// What becomes of FROM.
+/// Treatment of FROM.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum FromName {
-    /// Written as the first approach
+    /// It is written as the first approach
     Move,
 }
 
-/// Unit of length on the command line.
+/// Unit of length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum UnitsName {
     /// Millimetres
@@ -208,33 +208,33 @@ impl From<UnitsName> for Units {
     }
 }
 
-/// How messages are written.
+/// Format of the messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub(crate) enum MessageFormat {
-    /// Text with the line it speaks of
+    /// Text, with the line of the file that the message refers to
     #[default]
     Human,
     /// One JSON object per line
     Json,
 }
 
-/// Which block is meant.
+/// A block, as the user names it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BlockName {
     /// By its block number.
     Number(u32),
-    /// By its place in the program, from 1.
+    /// By its line in the program, from 1.
     Line(u64),
 }
 
-/// The file of a map.
+/// Parses the name of the map file.
 pub(crate) fn map_file(text: &str) -> Result<PathBuf, String> {
-    if text == "-" { Err("the name of a file is needed".to_owned()) } else { Ok(text.into()) }
+    if text == "-" { Err("expected the name of a file".to_owned()) } else { Ok(text.into()) }
 }
 
-/// `N1230` or `57`.
+/// Parses a block: `N1230` (block number) or `57` (line).
 pub(crate) fn block_name(text: &str) -> Result<BlockName, String> {
     let number = text.strip_prefix(['N', 'n']).map(|number| number.parse().map(BlockName::Number).ok());
     let name = number.unwrap_or_else(|| text.parse().ok().filter(|line| *line > 0).map(BlockName::Line));
-    name.ok_or_else(|| "`N1230`, a block number, or `57`, a line of the program, is needed".to_owned())
+    name.ok_or_else(|| "expected a block number such as `N1230`, or a line of the program such as `57`".to_owned())
 }

@@ -1,4 +1,4 @@
-//! Programs that are checked before they are handed over, and `check`.
+//! Tests of the check that runs while a program is posted, and of `check`.
 
 use super::*;
 use crate::motion::machines::Cb;
@@ -7,11 +7,11 @@ use crate::motion::machines::Cb;
 const PART: &str = "UNITS/MM\nTOOL PATH/FACE,TOOL,MILL\nLOADTL/1\nSPINDL/RPM,3000,CLW\nCOOLNT/ON\nFEDRAT/MMPM,500\n\
     RAPID\nGOTO/0,0,50,0,0,1\nRAPID\nGOTO/0,0,5\nGOTO/0,0,-1\nGOTO/40,0,-1\nGOTO/40,20,-1\nRAPID\nGOTO/40,20,50\nFINI\n";
 
-/// Posts for real, and changes the program on its way out.
+/// Posts with the real function and changes the program while it is written.
 fn tampered(
     from: &'static str,
     to: &'static str,
-) -> impl Fn(&Job<'_>, &mut ClSource, &mut ProgramSink<'_>, Option<&mut dyn Account>) -> Result<Report, PostError> {
+) -> impl Fn(&Job<'_>, &mut ClSource, &mut ProgramSink<'_>, Option<&mut dyn LineMap>) -> Result<Report, PostError> {
     move |job, source, sink, _| {
         let mut program = Vec::new();
         let report = crate::post::post::<Cb>(job, source, &mut program)?;
@@ -22,18 +22,18 @@ fn tampered(
 }
 
 /// Posts a part without `--no-check`, to a file.
-fn posted(shop: &Shop, post: Post<'_>) -> Outcome {
+fn posted(shop: &Shop, post: PostFn<'_>) -> Outcome {
     shop.write("part.cls", PART);
     run_on::<Cb>(&["post", &shop.arg("part.cls"), "-o", &shop.arg("part.ngc")], b"", post)
 }
 
 #[test]
-fn a_program_that_passes_its_check_says_so() {
+fn a_program_that_passes_its_check_is_reported_as_checked() {
     let shop = Shop::new();
     let outcome = posted(&shop, &tampered("", ""));
     assert_eq!(outcome.status, Status::Done, "{}", outcome.errors);
     assert!(
-        outcome.errors.contains("\nchecked: ") && outcome.errors.contains("0 outside limits\n"),
+        outcome.errors.contains("\nchecked: ") && outcome.errors.contains(" 0 points outside limits\n"),
         "{}",
         outcome.errors
     );
@@ -41,13 +41,13 @@ fn a_program_that_passes_its_check_says_so() {
 }
 
 #[test]
-fn a_program_that_does_not_pass_its_check_is_not_handed_over() {
+fn a_program_that_does_not_pass_its_check_is_rejected() {
     for (from, to, what) in [
-        ("X40", "X41", "serves no motion"),
-        ("M3", "M4", "the other way round"),
+        ("X40", "X41", "matches no motion"),
+        ("M3", "M4", "wrong direction"),
         ("F500", "F5000", "F is 5000"),
         ("M8\n", "", "coolant"),
-        ("G53 G0 Z0\nG43", "G43", "without having come there by the approach"),
+        ("G53 G0 Z0\nG43", "G43", "without an approach before it"),
     ] {
         let shop = Shop::new();
         let outcome = posted(&shop, &tampered(from, to));

@@ -1,4 +1,4 @@
-//! What is told on standard error: places with their lines, for people and as JSON.
+//! Tests of messages on standard error: with source lines as text, and as JSON.
 
 use proptest::prelude::*;
 
@@ -7,7 +7,7 @@ use super::*;
 #[test]
 fn json_messages_are_one_object_per_line() {
     let shop = Shop::new();
-    let outcome = shop.post(&["--message-format", "json"], &stumble);
+    let outcome = shop.post(&["--message-format", "json"], &fails_in_line_2);
     let lines: Vec<serde_json::Value> =
         outcome.errors.lines().map(|line| serde_json::from_str(line).expect("an object")).collect();
     assert_eq!(lines.len(), 2);
@@ -28,7 +28,7 @@ fn messages(text: &[u8], found: &[Diagnostic]) -> String {
 }
 
 #[test]
-fn diagnostics_stand_in_the_order_of_the_text_and_are_counted() {
+fn diagnostics_are_shown_in_the_order_of_the_text_and_counted() {
     let found = [
         finding(Severity::Warning, 3, 1, 1, "later", None),
         finding(Severity::Error, 1, 1, 1, "first", None),
@@ -75,7 +75,7 @@ fn control_characters_and_bytes_that_are_not_text_are_made_visible() {
     let found = [finding(Severity::Error, 1, 7, 2, "odd", None)];
     let shown = messages(b"\tA\x1b[\xff\xc3\xa4B\r\n", &found);
     assert_eq!(shown.lines().nth(2), Some("1 | ␉A␛[\u{fffd}äB"));
-    // Two bytes in front of the column are one character: the caret stands below the one at or behind it.
+    // Two bytes before the column are one character: the caret is below the character at or after the column.
     assert_eq!(shown.lines().nth(3), Some("  |       ^"));
 }
 
@@ -122,7 +122,7 @@ fn lines_end_in_lf_crlf_or_a_lone_cr_also_across_reads() {
 }
 
 #[test]
-fn a_place_behind_the_end_of_the_text_is_shown_without_a_line() {
+fn a_place_after_the_end_of_the_text_is_shown_without_a_line() {
     assert_eq!(
         messages(b"A\n", &[finding(Severity::Error, 2, 1, 1, "the file ends early", None)]),
         "p.cls:2:1: error: the file ends early\np.cls: 1 error\n"
@@ -130,7 +130,7 @@ fn a_place_behind_the_end_of_the_text_is_shown_without_a_line() {
 }
 
 proptest! {
-    /// The caret stands below the text and the excerpt is short, whatever the bytes and wherever the place.
+    /// The caret is below the text and the excerpt is short, for any bytes and any place.
     #[test]
     fn any_place_in_any_text_can_be_shown(
         bytes in proptest::collection::vec(prop_oneof![any::<u8>(), Just(b'\n'), Just(b'\r'), Just(0xC3), Just(b'A')], 0..600),

@@ -1,12 +1,12 @@
-//! Files, links, devices and pipes, and what becomes of them when something goes wrong.
+//! Tests with files, links, devices and pipes, and of errors in reading and writing them.
 
 use super::*;
 
 #[test]
 fn standard_input_is_spooled_and_read_twice() {
-    let outcome = run_with(&["post", "-", "--no-check"], b"GOTO/1,2,3\n", &|job, source, sink, account| {
+    let outcome = run_with(&["post", "-", "--no-check"], b"GOTO/1,2,3\n", &|job, source, sink, line_map| {
         assert_eq!(job.cl_name, "standard input");
-        echo(job, source, sink, account)
+        echo(job, source, sink, line_map)
     });
     assert_eq!(outcome.status, Status::Done);
     assert_eq!(outcome.output, ";GOTO/1,2,3\n");
@@ -14,7 +14,7 @@ fn standard_input_is_spooled_and_read_twice() {
 
 #[test]
 fn a_rejected_program_on_standard_output_is_status_1() {
-    let outcome = run_with(&["post", "-", "-o", "-"], b"A\nGOTO/1\n", &stumble);
+    let outcome = run_with(&["post", "-", "-o", "-"], b"A\nGOTO/1\n", &fails_in_line_2);
     assert_eq!(outcome.status, Status::Rejected);
     assert_eq!(outcome.output, "G0 X0\n(error)\n");
     assert!(outcome.errors.contains("<stdin>:2:6: error: "), "{}", outcome.errors);
@@ -139,11 +139,11 @@ fn a_device_is_written_and_not_replaced() {
 fn cl_data_that_changes_or_vanishes_meanwhile_is_status_2() {
     let changes: [fn(&Path); 2] =
         [|path| fs::write(path, "GOTO/9,9,9,9\n").expect("writable"), |path| fs::remove_file(path).expect("there")];
-    for (change, words) in changes.into_iter().zip(["changed while it was read", "vanished while it was read"]) {
+    for (change, words) in changes.into_iter().zip(["changed while it was read", "was removed while it was read"]) {
         let shop = Shop::new();
         shop.write("part.ngc", "yesterday");
-        let outcome = shop.post(&[], &|job, source, sink, account| {
-            let report = echo(job, source, sink, account)?;
+        let outcome = shop.post(&[], &|job, source, sink, line_map| {
+            let report = echo(job, source, sink, line_map)?;
             change(&shop.path("part.cls"));
             Ok(report)
         });

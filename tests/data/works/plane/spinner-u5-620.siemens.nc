@@ -2,27 +2,27 @@
 ; CL FILE works.cls
 ; MACHINE SpinnerU5620, CONTROL Siemens 840D, MODE plane
 ; UNITS mm, WORK OFFSET G54
-; PART ORIGIN X10 Y-20 Z35 from the table reference
+; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 ; PROGRAMMED POINT tool tip
-; ARCS AND CURVES left by at most 0.01
-; operations 1 to 3 of 6 only, entered as at their restart points
-; CL data of NX, by its own evidence
-; 5 arcs, 4 of 4 decided arcs agree with their form
-; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-; AXIS B + turns the table left-handed about +Y: word as in ISO 841
-; AXIS X + moves the tool along +X: word as in ISO 841
-; AXIS Y + moves the tool along +Y: word as in ISO 841
-; AXIS Z + moves the tool along +Z: word as in ISO 841
-; LINEAR WORDS are coordinates of the tip in the tilted plane, about the same zero
-; MODE plane takes for granted: the direction reference of the swivel data must be the rotary axis nearest the tool
+; TOLERANCE 0.01 for arcs and curves
+; operations 1 to 3 of 6 only, each started as at its restart point
+; CL data of NX, recognised from the file
+; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+; AXIS B+ rotates the table left-handed about +Y, as in ISO 841
+; AXIS X+ moves the tool along +X, as in ISO 841
+; AXIS Y+ moves the tool along +Y, as in ISO 841
+; AXIS Z+ moves the tool along +Z, as in ISO 841
+; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
+; MODE plane: the direction reference of the swivel data must be the rotary axis nearest the tool
 ; linear limits not checked: no travel declared (X Y Z)
 ; the entries of C and B in G54 must be zero
 ; T1 D10 R0 L110 D1, 2 operations, tip Z -7.398 to 36.793
 ; T2 D5 L130 D1, 1 operation, tip Z -15.078 to 28.689
-; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+; ASSUMED unit of the CL data is mm, as given; the CL file states none
 ; ASSUMED work offset G54
 ; ASSUMED retract to machine coordinate 0 mm
-; ASSUMED approach from 50 mm along the tool axis
+; ASSUMED approach distance 50 mm along the tool axis
 MSG("ARCS")
 N1 TRAFOOF
 CYCLE800()

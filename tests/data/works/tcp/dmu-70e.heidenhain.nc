@@ -5,28 +5,28 @@
 4 ; CL FILE works.cls
 5 ; MACHINE Dmu70e, CONTROL Heidenhain TNC, MODE tcp
 6 ; UNITS mm, WORK OFFSET datum row 1
-7 ; PART ORIGIN X10 Y-20 Z35 from the table reference
+7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.01
-10 ; operations 1 to 4 of 6 only, entered as at their restart points
-11 ; CL data of NX, by its own evidence
-12 ; 5 arcs, 4 of 4 decided arcs agree with their form
-13 ; AXIS C + turns the table left-handed about +Z: word as in ISO 841
-14 ; AXIS B + turns the table left-handed about [0.0000, 0.7071, -0.7071]: word as in ISO 841
-15 ; AXIS X + moves the tool along +X: word as in ISO 841
-16 ; AXIS Y + moves the tool along +Y: word as in ISO 841
-17 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+9 ; TOLERANCE 0.01 for arcs and curves
+10 ; operations 1 to 4 of 6 only, each started as at its restart point
+11 ; CL data of NX, recognised from the file
+12 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+13 ; AXIS C+ rotates the table left-handed about +Z, as in ISO 841
+14 ; AXIS B+ rotates the table left-handed about [0.0000, 0.7071, -0.7071], as in ISO 841
+15 ; AXIS X+ moves the tool along +X, as in ISO 841
+16 ; AXIS Y+ moves the tool along +Y, as in ISO 841
+17 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 18 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-19 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
-20 ; LINEAR WORDS are coordinates of the tip in a frame fixed to the table as it stands with its rotary axes at zero; rotary axes move evenly
+19 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
+20 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 21 ; linear limits not checked: no travel declared (X Y Z)
 22 ; the entries of C and B in datum row 1 must be zero
 23 ; T1 D10 R0 L110, 3 operations, tip Z -7.398 to 36.793
 24 ; T2 D5 L130, 1 operation, tip Z -15.078 to 28.689
-25 ; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+25 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 26 ; ASSUMED work offset datum row 1
 27 ; ASSUMED retract to machine coordinate 0 mm
-28 ; ASSUMED approach from 50 mm along the tool axis
+28 ; ASSUMED approach distance 50 mm along the tool axis
 29 * - ARCS
 30 M129
 31 PLANE RESET STAY

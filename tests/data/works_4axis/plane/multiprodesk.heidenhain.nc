@@ -5,26 +5,26 @@
 4 ; CL FILE works_4axis.cls
 5 ; MACHINE MultiProDesk, CONTROL Heidenhain TNC, MODE plane
 6 ; UNITS mm, WORK OFFSET datum row 1
-7 ; PART ORIGIN X10 Y-20 Z35 from the table reference
+7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.01
-10 ; operations 1 to 3 of 6 only, entered as at their restart points
-11 ; CL data of NX, by its own evidence
-12 ; 5 arcs, 4 of 4 decided arcs agree with their form
-13 ; AXIS A + turns the table right-handed about +X: word backwards
-14 ; AXIS Y + moves the table along +Y: word backwards
-15 ; AXIS X + moves the tool along +X: word as in ISO 841
-16 ; AXIS Z + moves the tool along +Z: word as in ISO 841
-17 ; LINEAR WORDS are coordinates of the tip in the tilted plane, about the same zero
-18 ; MODE plane takes for granted: the master axis of SEQ must be the rotary axis nearest the tool
+9 ; TOLERANCE 0.01 for arcs and curves
+10 ; operations 1 to 3 of 6 only, each started as at its restart point
+11 ; CL data of NX, recognised from the file
+12 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+13 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
+14 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
+15 ; AXIS X+ moves the tool along +X, as in ISO 841
+16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
+17 ; LINEAR WORDS are tip coordinates in the tilted plane, from the same zero
+18 ; MODE plane: the master axis of SEQ must be the rotary axis nearest the tool
 19 ; linear limits not checked: no travel declared (Y X Z)
 20 ; the entries of A in datum row 1 must be zero
 21 ; T1 D10 R0 L110, 2 operations, tip Z -4.039 to 24.963
 22 ; T2 D5 L130, 1 operation, tip Z -8.509 to 29.729
-23 ; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+23 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 24 ; ASSUMED work offset datum row 1
 25 ; ASSUMED retract to machine coordinate 0 mm
-26 ; ASSUMED approach from 50 mm along the tool axis
+26 ; ASSUMED approach distance 50 mm along the tool axis
 27 * - ARCS
 28 M129
 29 PLANE RESET STAY

@@ -5,27 +5,27 @@
 4 ; CL FILE works_4axis.cls
 5 ; MACHINE MultiProDesk, CONTROL Heidenhain TNC, MODE tcp
 6 ; UNITS mm, WORK OFFSET datum row 1
-7 ; PART ORIGIN X10 Y-20 Z35 from the table reference
+7 ; PART ORIGIN X10 Y-20 Z35 from the reference point of the table
 8 ; PROGRAMMED POINT tool tip
-9 ; ARCS AND CURVES left by at most 0.01
-10 ; operations 1 to 4 of 6 only, entered as at their restart points
-11 ; CL data of NX, by its own evidence
-12 ; 5 arcs, 4 of 4 decided arcs agree with their form
-13 ; AXIS A + turns the table right-handed about +X: word backwards
-14 ; AXIS Y + moves the table along +Y: word backwards
-15 ; AXIS X + moves the tool along +X: word as in ISO 841
-16 ; AXIS Z + moves the tool along +Z: word as in ISO 841
+9 ; TOLERANCE 0.01 for arcs and curves
+10 ; operations 1 to 4 of 6 only, each started as at its restart point
+11 ; CL data of NX, recognised from the file
+12 ; 5 arcs, sense by form, confirmed by 4 of 4 neighbouring lines
+13 ; AXIS A+ rotates the table right-handed about +X, opposite to ISO 841
+14 ; AXIS Y+ moves the table along +Y, opposite to ISO 841
+15 ; AXIS X+ moves the tool along +X, as in ISO 841
+16 ; AXIS Z+ moves the tool along +Z, as in ISO 841
 17 ; WHILE A ROTARY AXIS MOVES the tip stays within 0.01 of its line at feed, the tool axis within 0.1 deg
-18 ; ROTARY WORDS are absolute and count on past 360: M127 is in force, so the axes do not take the shortest path
-19 ; LINEAR WORDS are coordinates of the tip in a frame fixed to the table as it stands with its rotary axes at zero; rotary axes move evenly
+18 ; ROTARY WORDS are absolute and go beyond 360: M127 is in force, the axes take no shorter way
+19 ; LINEAR WORDS are tip coordinates in a frame fixed to the table, aligned with the machine axes when its rotary axes are at zero; rotary axes move evenly
 20 ; linear limits not checked: no travel declared (Y X Z)
 21 ; the entries of A in datum row 1 must be zero
 22 ; T1 D10 R0 L110, 3 operations, tip Z -35.818 to 45.394
 23 ; T2 D5 L130, 1 operation, tip Z -8.509 to 29.729
-24 ; ASSUMED the unit of the CL data, which does not state one, is mm as given with the job
+24 ; ASSUMED unit of the CL data is mm, as given; the CL file states none
 25 ; ASSUMED work offset datum row 1
 26 ; ASSUMED retract to machine coordinate 0 mm
-27 ; ASSUMED approach from 50 mm along the tool axis
+27 ; ASSUMED approach distance 50 mm along the tool axis
 28 * - ARCS
 29 M129
 30 PLANE RESET STAY

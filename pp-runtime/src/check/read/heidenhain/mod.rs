@@ -44,7 +44,7 @@ impl Heidenhain {
         line.draft.speaks();
         let start = line.at;
         if !self.statement(line) && !line.in_set_up(start.rest().trim_ascii()) {
-            line.fault(start.at, format!("`{}` is not known here", shown(start.rest())));
+            line.fault(start.at, format!("`{}` is not known to the check", shown(start.rest())));
         }
         true
     }
@@ -52,10 +52,10 @@ impl Heidenhain {
     /// The number of the line.
     fn number(&mut self, line: &mut Line<'_>) {
         let Some(number) = line.at.number().and_then(whole).map(u64::from) else {
-            return line.fault(0, "a line without its number");
+            return line.fault(0, "line without its line number");
         };
         if self.last.is_some_and(|last| last + 1 != number) {
-            line.fault(0, "the number of the line does not follow that of the line before");
+            line.fault(0, "the line number does not follow that of the previous line");
         }
         self.last = Some(number);
         line.draft.number = Some(number);

@@ -110,7 +110,7 @@ impl Reading<'_, '_> {
         let first = self.line.draft.group(group);
         if !first && group != group::FREE && group != group::COOLANT {
             let text = shown(self.line.read_from(column));
-            self.line.fault(column, format!("`{text}` beside another code of its group"));
+            self.line.fault(column, format!("`{text}` together with another code of its group"));
         }
     }
 }

@@ -43,7 +43,7 @@ impl Reading<'_, '_> {
                 let cycle = Cycle { kind, reference, bottom, back_to: None, dwell: words.dwell, feed: None };
                 self.line.draft.define = Some(cycle);
             }
-            _ => self.line.fault(0, "a cycle without the words it needs, or not known here"),
+            _ => self.line.fault(0, "unknown cycle, or a word of the cycle is missing"),
         }
     }
 

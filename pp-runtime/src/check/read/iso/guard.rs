@@ -36,23 +36,23 @@ impl Guards {
     pub(super) fn o_word(&mut self, line: &mut Line<'_>) -> bool {
         line.at.at += 1;
         let Some(label) = line.at.number().and_then(whole) else {
-            line.fault(0, "an O word without a number");
+            line.fault(0, "O word without a number");
             return false;
         };
         if line.at.ended() || line.at.peek() == Some(b'(') {
             if line.family() == Family::LinuxCnc && line.at.ended() {
-                line.fault(0, "an O word that does nothing");
+                line.fault(0, "O word without a function");
             }
         } else if line.at.word(b"if") && self.open.is_none() {
             self.open = Some(label);
             line.draft.guard = compared(line.at.rest());
             if line.draft.guard.is_none() {
-                line.fault(line.at.at, "a condition that is not known here");
+                line.fault(line.at.at, "unknown condition");
             }
         } else if line.at.word(b"endif") && self.open == Some(label) && line.at.ended() {
             self.open = None;
         } else {
-            line.fault(0, format!("`{}` is not known here", shown(line.at.rest())));
+            line.fault(0, format!("`{}` is not known to the check", shown(line.at.rest())));
         }
         line.draft.guard.is_some()
     }
@@ -67,7 +67,7 @@ impl Guards {
         };
         match length.filter(|_| line.family() != Family::LinuxCnc) {
             Some(length) => line.draft.guard = Some(length),
-            None => line.fault(0, "a condition that is not known here"),
+            None => line.fault(0, "unknown condition"),
         }
         true
     }
@@ -83,7 +83,7 @@ impl Guards {
     /// `#3000 = 1 (TEXT)`: only a guard jumps over it.
     pub(super) fn alarm(&self, line: &mut Line<'_>) {
         if !is_alarm(&mut line.at) || self.jump.is_none() {
-            line.fault(0, "a variable is set, or an alarm is raised, whatever happens");
+            line.fault(0, "a variable is set or an alarm is raised without a condition");
         }
     }
 }

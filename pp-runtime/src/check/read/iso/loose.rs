@@ -50,7 +50,7 @@ impl Reading<'_, '_> {
     /// Gives the loose words to what they belong to.
     pub(super) fn conclude(&mut self) {
         if self.iso.guards.open() && (self.line.draft.groups != 0 || self.line.draft.written != 0) {
-            self.line.fault(0, "a block that runs only where a guard lets it");
+            self.line.fault(0, "this block is executed only under a condition");
         }
         if self.loose.dwell {
             self.dwell();
@@ -73,7 +73,7 @@ impl Reading<'_, '_> {
         self.arc_words();
         for (word, letter) in [(self.loose.p, 'P'), (self.loose.q, 'Q'), (self.loose.l, 'L')] {
             if word.is_some() {
-                self.line.fault(0, format!("{letter} has no business in this block"));
+                self.line.fault(0, format!("{letter} has no meaning in this block"));
             }
         }
         self.tool_words();
@@ -84,14 +84,14 @@ impl Reading<'_, '_> {
         self.line.draft.written = 0;
         self.line.draft.dwell = word.map(|word| self.seconds(word));
         if word.is_none() {
-            self.line.fault(0, "a dwell without its time");
+            self.line.fault(0, "dwell without its time");
         }
     }
 
     fn further_offset(&mut self) {
         match self.loose.p.take().and_then(whole) {
             Some(number) => self.line.draft.work_offset = Some(WorkOffset::Further(number)),
-            None => self.line.fault(0, "a work offset without its number"),
+            None => self.line.fault(0, "work offset without its number"),
         }
     }
 
@@ -116,7 +116,7 @@ impl Reading<'_, '_> {
                 None | Some(Some(0)) => Some(false),
                 Some(Some(1)) => Some(true),
                 Some(_) => {
-                    self.line.fault(0, "a form of tip control that is not known here");
+                    self.line.fault(0, "unknown form of tip control");
                     None
                 }
             };
@@ -141,7 +141,7 @@ impl Reading<'_, '_> {
             Some(rotation) => {
                 draft.tilt = Some(TiltCode::On { rotation, origin: origin.into(), oriented: false });
             }
-            None => self.line.fault(0, "a tilted plane in a form that is not known here"),
+            None => self.line.fault(0, "unknown form of tilted plane"),
         }
     }
 
@@ -161,10 +161,10 @@ impl Reading<'_, '_> {
     fn tool_words(&mut self) {
         let (tool, change) = (self.line.draft.tool.is_some(), self.line.draft.change);
         if change && !tool && self.line.machine.state.selected.is_none() {
-            self.line.fault(0, "a tool change without a tool");
+            self.line.fault(0, "tool change without a tool number");
         }
         if tool && !change && self.line.family() == Family::LinuxCnc && self.line.draft.written != 0 {
-            self.line.fault(0, "a tool is called up in a block that moves");
+            self.line.fault(0, "tool call in a block with axis motion");
         }
     }
 }

@@ -76,7 +76,7 @@ impl Reading<'_, '_> {
                     Some((letter, number)) => self.word(letter.to_ascii_uppercase(), number, start),
                     None => {
                         self.line.at.at = start;
-                        self.line.fault(start, format!("`{}` is no word", shown(self.line.at.rest())));
+                        self.line.fault(start, format!("`{}` is not a word", shown(self.line.at.rest())));
                         return false;
                     }
                 },
@@ -94,7 +94,7 @@ impl Reading<'_, '_> {
             Some(end) if !rest[..end].contains(&b'(') => at.at += end + 2,
             _ => {
                 at.take_rest();
-                self.line.fault(start, "a comment that does not end, or holds a bracket");
+                self.line.fault(start, "comment without its closing bracket, or with a bracket in it");
             }
         }
     }
@@ -129,7 +129,7 @@ impl Reading<'_, '_> {
             }
             b'F' => {
                 if self.line.family() == Family::Haas && !self.counts_plainly(number) {
-                    self.line.fault(column, "F without a decimal point means what a setting says");
+                    self.line.fault(column, "F without a decimal point: its value depends on a setting of the control");
                 }
                 self.line.draft.feed.replace(number.value).is_none()
             }

@@ -17,7 +17,7 @@ pub(super) fn call(line: &mut Line<'_>, name: &[u8]) -> bool {
     let start = line.at.at;
     let Some((arguments, count)) = arguments(&mut line.at) else {
         line.at.take_rest();
-        line.fault(start, "a call that does not end");
+        line.fault(start, "call without its closing bracket");
         return true;
     };
     if name.eq_ignore_ascii_case(b"CYCLE800") {

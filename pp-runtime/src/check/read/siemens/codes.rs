@@ -46,7 +46,9 @@ pub(super) fn g(line: &mut Line<'_>, loose: &mut Loose, number: Number, column: 
         _ => return false,
     };
     let first = draft.group(group);
-    line.once(first, b"codes of one group", column);
+    if !first {
+        line.fault(column, "two G codes of one group");
+    }
     true
 }
 
@@ -66,7 +68,9 @@ pub(super) fn m(line: &mut Line<'_>, number: Number, column: usize) -> bool {
         9 => coolant(&mut draft.coolant_off, coolant::FLOOD | coolant::MIST),
         _ => return false,
     };
-    line.once(first, b"M codes of one group", column);
+    if !first {
+        line.fault(column, "two M codes of one group");
+    }
     true
 }
 

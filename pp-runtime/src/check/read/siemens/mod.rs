@@ -59,7 +59,7 @@ impl Siemens {
                 let mut from = line.at;
                 from.at = start;
                 let word = from.rest().split(|byte| *byte == b' ').next().unwrap_or_default();
-                line.fault(start, format!("`{}` is not known here", shown(word)));
+                line.fault(start, format!("`{}` is not known to the check", shown(word)));
                 if line.at.at == start {
                     line.at.at += word.len().max(1);
                 }
@@ -197,7 +197,7 @@ fn dwell(line: &mut Line<'_>) {
     let seconds = line.draft.feed.take().or(turns.map(|(turns, speed)| turns / speed * 60.0));
     line.draft.dwell = seconds;
     if seconds.is_none() {
-        line.fault(0, "a dwell without its time");
+        line.fault(0, "dwell without its time");
     }
 }
 
