@@ -8,6 +8,7 @@
 //! - [`heap`]: an allocator that counts.
 //! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
 //! - [`damage`]: programs with one character wrong.
+//! - [`foreign`]: an interpreter for programs of all five controls that shares no code with the postprocessor.
 //! - [`program`]: NC programs, read back word by word.
 //! - [`linuxcnc`]: a real control, its interpreter alone and the whole of it, simulated.
 //! - [`binaries`]: the machines' binaries, built and run.
@@ -18,6 +19,7 @@ pub mod binaries;
 pub mod block;
 pub mod conformance;
 pub mod damage;
+pub mod foreign;
 pub mod further;
 pub mod heap;
 pub mod linuxcnc;
