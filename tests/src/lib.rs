@@ -9,7 +9,6 @@
 //! - [`block`]: how far a block of the machine leaves its line, looked at everywhere.
 //! - [`damage`]: programs with one character wrong.
 //! - [`foreign`]: an interpreter for programs of all five controls that shares no code with the postprocessor.
-//! - [`program`]: NC programs, read back word by word.
 //! - [`linuxcnc`]: a real control, its interpreter alone and the whole of it, simulated.
 //! - [`binaries`]: the machines' binaries, built and run.
 //!
@@ -24,9 +23,7 @@ pub mod further;
 pub mod heap;
 pub mod linuxcnc;
 pub mod oracle;
-pub mod program;
 pub mod random;
-pub mod state;
 mod subject;
 
 #[cfg(test)]

@@ -48,6 +48,15 @@ pub(super) enum Outcome {
     Complete(usize, Effect),
 }
 
+/// Length with which the first line of a LinuxCNC guard compares, in the unit of the program.
+#[must_use]
+pub fn guarded_length(text: &str) -> Option<f64> {
+    match linuxcnc(text)?.0 {
+        Effect::Guard { length, .. } => Some(length),
+        _ => None,
+    }
+}
+
 const REFUSED: &str = "not a guard, or not a whole one";
 
 impl Guards {

@@ -31,6 +31,7 @@ pub mod trace;
 mod tests;
 
 pub use axes::Axes;
+pub use guard::guarded_length;
 pub use state::State;
 pub use trace::{Effect, Executed, Feed, Refused, Trace};
 

@@ -1,6 +1,6 @@
 //! Posted programs, read back block by block and compared with the CL data they were made from.
 //!
-//! The CL data is read by `points`, the program by [`tests::program`], and the machine is the product of matrices of
+//! The CL data is read by `points`, the program by [`tests::foreign`], and the machine is the product of matrices of
 //! [`tests::oracle`]: none of the three shares code with the postprocessor. Every block must be one of the following, and
 //! every GOTO must be met in its order:
 //!
@@ -21,8 +21,9 @@ use pp_runtime::kinematics::{Axis, AxisKind, Machine, Pose, Side, Solution};
 use pp_runtime::nalgebra::{Matrix3, Point3, UnitVector3, Vector3};
 use tests::binaries::{binary, workspace};
 use tests::block::{angle_to_arc, deviation_from, distance_to_line};
+use tests::foreign::state::{Length, Units};
+use tests::foreign::{Axes, Control, Effect, Entry, Executed, Feed, Options, Trace, run};
 use tests::oracle::{Oracle, angle_between, wrapped};
-use tests::program::{Action, Feed, Motion, Position, Program};
 
 use points::{ClData, Goto};
 
@@ -176,6 +177,31 @@ enum Stage {
     Above,
 }
 
+/// A straight motion of the program.
+struct Motion {
+    /// Its words are machine coordinates.
+    machine: bool,
+    rapid: bool,
+    written: Axes,
+    /// Every known position after it.
+    position: Axes,
+    feed: Option<Feed>,
+    inches: bool,
+}
+
+impl Motion {
+    fn of(step: &Executed) -> Self {
+        Self {
+            machine: step.effect == Effect::Machine,
+            rapid: step.effect != Effect::Feed,
+            written: step.words,
+            position: step.state.position,
+            feed: step.feed(),
+            inches: step.state.units == Some(Units::Inches),
+        }
+    }
+}
+
 /// A motion of several blocks: where it began, and how long its blocks have taken.
 #[derive(Debug, Clone, Copy)]
 struct UnderWay {
@@ -201,7 +227,7 @@ struct Reader<'a, M: Machine> {
     stage: Stage,
     next: usize,
     /// Where the tip stands in the CL data's own digits, and the words it stands at.
-    place: Option<(Point3<f64>, Position)>,
+    place: Option<(Point3<f64>, Axes)>,
     /// The motion that is under way in several blocks.
     under_way: Option<UnderWay>,
     /// How far the last motions have led the tool out along its axis, mm.
@@ -268,9 +294,9 @@ impl<'a, M: Machine> Reader<'a, M> {
     }
 
     /// Axis values in chain order, mm and rad; `None` while a word is unknown.
-    fn values(&self, position: &Position, scale: f64) -> Option<Vec<f64>> {
+    fn values(&self, position: &Axes, scale: f64) -> Option<Vec<f64>> {
         let value = |(axis, shift): (&Axis, &f64)| {
-            let word = *position.get(&axis.letter)?;
+            let word = position.get(axis.letter)?;
             let rotary = axis.kind == AxisKind::Rotary;
             Some(if rotary { self.angle(axis.letter, word).to_radians() } else { word * scale - shift })
         };
@@ -291,7 +317,7 @@ impl<'a, M: Machine> Reader<'a, M> {
     }
 
     /// Requires words to stand at a GOTO.
-    fn check_point(&mut self, line: usize, values: &[f64], position: &Position) {
+    fn check_point(&mut self, line: usize, values: &[f64], position: &Axes) {
         let Some(goto) = self.cl.points.get(self.next) else { panic!("line {line} moves on behind the last GOTO") };
         let pose = self.oracle.forward(values);
         let leaning = angle_between(&pose.axis, &goto.axis).to_degrees();
@@ -303,7 +329,7 @@ impl<'a, M: Machine> Reader<'a, M> {
         let missed = (pose.tip - goto.tip).norm();
         assert!(missed <= 0.5 * self.unit * linear_words.sqrt() + NOISE, "line {line}: the tip is {missed} mm off");
         assert_eq!(self.tool, Some(goto.tool), "line {line}: the tool of CL line {}", goto.line);
-        self.place = Some((goto.tip, position.clone()));
+        self.place = Some((goto.tip, *position));
         self.next += 1;
         self.checked.points += 1;
     }
@@ -331,7 +357,7 @@ impl<'a, M: Machine> Reader<'a, M> {
 
     /// GOTOs that repeat the one before need no block.
     fn pass_repeated(&mut self) {
-        while let (Some((_, position)), Some(goto)) = (self.place.clone(), self.cl.points.get(self.next))
+        while let (Some((_, position)), Some(goto)) = (self.place, self.cl.points.get(self.next))
             && self.next > 0
             && self.cl.points[self.next - 1].operation == goto.operation
             && (self.cl.points[self.next - 1].tip - goto.tip).norm() < 1e-9
@@ -348,10 +374,10 @@ impl<'a, M: Machine> Reader<'a, M> {
         if motion.machine {
             return self.machine_motion(line, motion);
         }
-        let written: Vec<char> = motion.written.keys().copied().collect();
+        let written: Vec<char> = motion.written.letters().collect();
         let (linear, rotary) = (Self::letters(AxisKind::Linear), Self::letters(AxisKind::Rotary));
         if self.stage == Stage::Away && self.next == self.cl.points.len() {
-            let parked = |(letter, value): (&char, &f64)| self.set_up.park.contains(&(*letter, *value));
+            let parked = |word: (char, f64)| self.set_up.park.contains(&word);
             assert!(motion.rapid && motion.written.iter().all(parked), "line {line}: neither a point nor parking");
             self.parked.extend(written);
             return;
@@ -389,7 +415,7 @@ impl<'a, M: Machine> Reader<'a, M> {
     }
 
     /// The approach point: the first GOTO if the next lies straight below it, else a point above the first GOTO.
-    fn approach(&mut self, line: usize, values: &[f64], position: &Position) {
+    fn approach(&mut self, line: usize, values: &[f64], position: &Axes) {
         let goto = &self.cl.points[self.next];
         let below = self.cl.points.get(self.next + 1).filter(|next| next.operation == goto.operation);
         let is_above = goto.rapid && below.is_some_and(|below| straight_down(goto, below));
@@ -400,7 +426,7 @@ impl<'a, M: Machine> Reader<'a, M> {
         } else {
             let above = goto.tip + goto.axis * self.set_up.approach;
             self.check_inserted(line, values, &above, &goto.axis);
-            self.place = Some((above, position.clone()));
+            self.place = Some((above, *position));
         }
     }
 
@@ -426,16 +452,16 @@ impl<'a, M: Machine> Reader<'a, M> {
 
     /// A motion to the next GOTO.
     fn go_to(&mut self, line: usize, motion: &Motion, values: &[f64]) {
-        let Some((from, before)) = self.place.clone() else { panic!("line {line}: nobody knows where it begins") };
-        let linear_only = motion.written.keys().all(|letter| !"ABC".contains(*letter));
+        let Some((from, before)) = self.place else { panic!("line {line}: nobody knows where it begins") };
+        let linear_only = motion.written.letters().all(|letter| !"ABC".contains(letter));
         assert!(self.stage == Stage::Running || linear_only, "line {line}: the way in turns an axis");
         let goto = self.cl.points.get(self.next).unwrap_or_else(|| panic!("line {line}: there is no GOTO left"));
         let (rapid, feed, tip, cl_line) = (goto.rapid, goto.feed, goto.tip, goto.line);
         assert_eq!(motion.rapid, rapid, "line {line}: CL line {cl_line} wants the other of G0 and G1");
         let turn = before
             .iter()
-            .filter(|(letter, _)| "ABC".contains(**letter))
-            .map(|(letter, word)| (motion.position[letter] - word).abs())
+            .filter(|(letter, _)| "ABC".contains(*letter))
+            .map(|(letter, word)| (motion.position.get(letter).expect("a position") - word).abs())
             .fold(0.0, f64::max);
         if rapid {
             assert!(turn <= INDEX_ANGLE + 1e-9, "line {line}: a rapid turns an axis by {turn}° without a retract");
@@ -445,7 +471,7 @@ impl<'a, M: Machine> Reader<'a, M> {
             let before = self.values(&before, self.scale).expect("every word is known in the cut");
             if self.piece(line, &before, values, written, turn > 0.0) {
                 let reached = self.oracle.forward(values).tip;
-                self.place = Some((reached, motion.position.clone()));
+                self.place = Some((reached, motion.position));
                 self.led_out = 0.0;
                 self.stage = Stage::Running;
                 return;
@@ -484,6 +510,7 @@ impl<'a, M: Machine> Reader<'a, M> {
         let (minutes, exact) = match written {
             Feed::InverseTime(word) => (1.0 / word, length / goto.feed),
             Feed::PerMinute(word) => (length / (word * self.scale), length / goto.feed),
+            Feed::PerRevolution(_) => panic!("line {line}: G95"),
         };
         let still = length < self.unit + 2.0 * room;
         let late = (minutes - exact).abs();
@@ -519,10 +546,10 @@ impl<'a, M: Machine> Reader<'a, M> {
         self.place = None;
         self.led_out = 0.0;
         let parking = self.next == self.cl.points.len() && self.stage == Stage::Away;
-        for (letter, value) in &motion.written {
+        for (letter, value) in motion.written.iter() {
             let value = value * self.scale;
-            let parked = self.set_up.park.iter().any(|(axis, place)| axis == letter && (place - value).abs() < 1e-9);
-            let retracted = *letter == 'Z' && (value - self.set_up.retract).abs() < 1e-9;
+            let parked = self.set_up.park.iter().any(|(axis, place)| *axis == letter && (place - value).abs() < 1e-9);
+            let retracted = letter == 'Z' && (value - self.set_up.retract).abs() < 1e-9;
             assert!(retracted || (parking && parked), "line {line}: {letter} goes to {value} in machine coordinates");
             self.parked.extend(parked.then_some(letter));
         }
@@ -532,11 +559,11 @@ impl<'a, M: Machine> Reader<'a, M> {
     /// Rotary words against the declared limits, linear words against the travel of the set-up.
     fn check_limits(&self, line: usize, motion: &Motion) {
         for axis in M::AXES {
-            let Some(word) = motion.written.get(&axis.letter) else { continue };
+            let Some(word) = motion.written.get(axis.letter) else { continue };
             if axis.kind == AxisKind::Rotary {
                 if let Some(limits) = axis.limits {
                     let (low, high) = (limits.lower.to_degrees() - 1e-9, limits.upper.to_degrees() + 1e-9);
-                    let inside = (low..=high).contains(&self.angle(axis.letter, *word));
+                    let inside = (low..=high).contains(&self.angle(axis.letter, word));
                     assert!(inside, "line {line}: {}{word} is beyond its limit", axis.letter);
                 }
             } else if let Some((_, zero, low, high)) = self.set_up.travel.iter().find(|travel| travel.0 == axis.letter)
@@ -566,6 +593,7 @@ fn check_feed(line: usize, written: Feed, feed: f64, length: f64, turn: f64, sca
             assert!(turn == 0.0, "line {line}: G94 in a block that turns an axis");
             assert!((word - feed / scale).abs() <= 0.5e-3 + 1e-9, "line {line}: F{word} for {feed} mm/min");
         }
+        Feed::PerRevolution(_) => panic!("line {line}: G95"),
         Feed::InverseTime(word) => {
             assert!(turn > 0.0, "line {line}: G93 in a block that turns nothing");
             let exact = feed / length;
@@ -591,28 +619,26 @@ fn read_back<M: Machine>(name: &str, path: &PathBuf, set_up: &SetUp) -> Checked 
 }
 
 fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Checked {
-    let gauge_line = set_up.counting.gauge_line;
-    let program = if gauge_line { Program::of_gauge_line(text, None) } else { Program::read(text) };
-    let program = program.unwrap_or_else(|refused| panic!("{refused}"));
+    let options = Options { gauge_line: set_up.counting.gauge_line, ..Options::of(Control::LinuxCnc) };
+    let program = run(text, &options).unwrap_or_else(|refused| panic!("{refused}"));
     let mut reader = Reader::<M>::new(set_up, cl);
-    let steps = &program.steps;
+    let steps = &program.blocks;
     for (index, step) in steps.iter().enumerate() {
-        match &step.action {
-            Action::ToolChange(tool) => reader.call(*tool),
-            Action::Length(register) => {
+        match step.effect {
+            Effect::ToolChange(tool) => reader.call(tool),
+            Effect::Length(Length::Register(register)) => {
                 let head = M::AXES.iter().any(|axis| axis.kind == AxisKind::Rotary && axis.side == Side::Tool);
-                let next = steps.get(index + 1).map(|step| &step.action);
-                let guarded = matches!(next, Some(Action::LengthGuard { length, tolerance })
+                let next = steps.get(index + 1).map(|step| step.effect);
+                let guarded = matches!(next, Some(Effect::Guard { length, tolerance })
                     if (length - reader.length()).abs() < 1e-9 && (tolerance - 0.01).abs() < 1e-12);
-                assert_eq!(guarded, head && Some(*register) == reader.tool, "line {}: the length guard", step.line);
+                assert_eq!(guarded, head && Some(register) == reader.tool, "line {}: the length guard", step.line);
             }
-            Action::Motion(motion) => {
-                let later = steps[index + 1..].iter().find_map(|step| match &step.action {
-                    Action::Motion(motion) => Some(motion.machine),
-                    _ => None,
-                });
-                reader.motion(step.line, motion, later == Some(true));
+            Effect::Rapid | Effect::Feed | Effect::Machine => {
+                let later = steps[index + 1..].iter().find(|step| step.effect.moves());
+                let then_machine = later.is_some_and(|step| step.effect == Effect::Machine);
+                reader.motion(step.line, &Motion::of(step), then_machine);
             }
+            Effect::Arc(_) | Effect::Hole(_) | Effect::Orient => panic!("line {}: no straight motion", step.line),
             _ => {}
         }
     }
@@ -621,19 +647,19 @@ fn check<M: Machine>(text: &str, path: &Path, cl: &ClData, set_up: &SetUp) -> Ch
     assert!(!own || edge > 1e-4, "another platform may round a point the other way: {edge} units");
     assert!(reader.stage == Stage::Away, "the program ends in the part");
     assert_eq!(reader.parked, set_up.park.iter().map(|(letter, _)| *letter).collect());
-    enter_everywhere(text, &program, cl, gauge_line);
+    enter_everywhere(text, &program, cl, &options);
     reader.checked
 }
 
 /// Entered at any of its numbers, a program does what it does there when it runs from the top.
-fn enter_everywhere(text: &str, whole: &Program, cl: &ClData, gauge_line: bool) {
+fn enter_everywhere(text: &str, whole: &Trace, cl: &ClData, options: &Options) {
     let mut tool = 0;
     let mut tools = BTreeMap::new();
-    for step in &whole.steps {
+    for step in &whole.blocks {
         if let Some(number) = step.number {
             tools.insert(number, (tool, step.line));
         }
-        if let Action::ToolChange(called) = step.action {
+        if let Effect::ToolChange(called) = step.effect {
             tool = called;
         }
     }
@@ -641,14 +667,11 @@ fn enter_everywhere(text: &str, whole: &Program, cl: &ClData, gauge_line: bool) 
     operations.dedup();
     assert!(tools.keys().copied().eq(1..=operations.len() as u32), "an operation has no number: {tools:?}");
     for (number, (tool, line)) in tools {
-        let entered = match gauge_line {
-            true => Program::of_gauge_line(text, Some((number, tool))),
-            false => Program::read_from(text, number, tool),
-        };
+        let entered = run(text, &Options { entry: Some(Entry { line, tool: Some(tool) }), ..options.clone() });
         let entered = entered.unwrap_or_else(|refused| panic!("N{number}: {refused}"));
-        let behind = |motion: &Motion| (motion.machine, motion.rapid, motion.written.clone(), motion.feed);
-        let expected: Vec<_> = whole.motions().filter(|(at, _)| *at > line).map(|(_, motion)| behind(motion)).collect();
-        let found: Vec<_> = entered.motions().map(|(_, motion)| behind(motion)).collect();
+        let after = |step: &Executed| (step.effect, step.words, step.feed());
+        let expected: Vec<_> = whole.motions().filter(|step| step.line > line).map(after).collect();
+        let found: Vec<_> = entered.motions().map(after).collect();
         assert_eq!(found, expected, "N{number}");
     }
 }
