@@ -68,9 +68,7 @@ fn difference(whole: &Executed, entered: &Executed, axes: usize) -> Option<&'sta
             Some("a cut with the spindle off")
         }
         () if other.position.len() < axes => Some("an axis at an unknown position"),
-        () if whole.feed() != entered.feed() || (one.feed_mode, one.feed) != (other.feed_mode, other.feed) => {
-            Some("another F")
-        }
+        () if whole.feed() != entered.feed() || one.feed_mode != other.feed_mode => Some("another F"),
         () if (one.spindle, one.speed) != (other.spindle, other.speed) => Some("another spindle"),
         () if one.coolant != other.coolant => Some("another coolant"),
         () if (one.units, one.distance, one.plane) != (other.units, other.distance, other.plane) => {

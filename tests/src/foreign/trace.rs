@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::axes::Axes;
-use super::state::{Cycle, FeedMode, Length, MotionMode, Spindle, State};
+use super::state::{Cycle, CycleKind, FeedMode, Length, MotionMode, Spindle, State};
 
 /// An executed program.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -121,10 +121,12 @@ pub enum Feed {
 }
 
 impl Executed {
-    /// F of a block that cuts; `None` for any other.
+    /// F of a block that cuts, that of its cycle before that in force; `None` for any other block, and for a thread, which
+    /// follows its pitch.
     #[must_use]
     pub fn feed(&self) -> Option<Feed> {
         let feed = match self.effect {
+            Effect::Hole(hole) if matches!(hole.cycle.kind, CycleKind::Tap { .. }) => None,
             Effect::Hole(hole) => hole.cycle.feed.or(self.state.feed),
             _ => self.state.feed.filter(|_| self.effect.cuts()),
         }?;
