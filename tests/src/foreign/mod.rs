@@ -99,9 +99,11 @@ pub struct Options {
     pub dry: bool,
     /// Text may be untidy, as edits by hand leave it.
     pub untidy: bool,
+    /// Whole lengths are written with a point on every control.
+    pub pointed: bool,
     /// Fanuc and Haas read a number without a point as one with a point.
     pub plain_numbers: bool,
-    /// Blocks of the shop, such as codes of clamps, that change no state known here.
+    /// Blocks of the shop, such as codes of clamps, that the control's table does not have; they change no state known here.
     pub idle: Vec<String>,
 }
 
@@ -115,6 +117,7 @@ impl Options {
             gauge_line: false,
             dry: false,
             untidy: false,
+            pointed: false,
             plain_numbers: false,
             idle: Vec::new(),
         }
@@ -141,7 +144,11 @@ pub fn run(text: &str, options: &Options) -> Result<Trace, Refused> {
     }
     if !options.untidy {
         for (index, line) in text.split_terminator('\n').enumerate() {
-            let tidy = lexer::tidy::check(options.control, line.strip_suffix('~').map_or(line, str::trim_end));
+            let tidy = lexer::tidy::check(
+                options.control,
+                line.strip_suffix('~').map_or(line, str::trim_end),
+                options.pointed,
+            );
             tidy.map_err(|why| Refused { line: index + 1, why: format!("{why}: {line}") })?;
         }
     }
@@ -179,14 +186,6 @@ struct Run<'a> {
 impl Run<'_> {
     fn line(&mut self, line: usize, text: &str) -> Result<(), String> {
         let control = self.options.control;
-        if self
-            .options
-            .idle
-            .iter()
-            .any(|idle| idle == text || text.split_once(' ').is_some_and(|(_, rest)| rest == idle))
-        {
-            return Ok(());
-        }
         let lexer::Line { number, content } = lexer::line(control, text)?;
         if control == Control::Heidenhain {
             if self.last_number.is_some_and(|last| number != Some(last + 1)) {
@@ -219,7 +218,10 @@ impl Run<'_> {
             Content::Comment(text) => self.trace.comments.push((line, text)),
             Content::Mark(mark) => self.mark(mark),
             Content::Block(tokens) if self.reached => {
-                let command = table::command(self.options, &tokens, &self.machine.state)?;
+                let command = match table::command(self.options, &tokens, &self.machine.state) {
+                    Err(_) if self.is_idle(text) => return Ok(()),
+                    command => command?,
+                };
                 let (effect, words) = self.machine.execute(command)?;
                 let restart = match control {
                     Control::Heidenhain => text.ends_with(" M129"),
@@ -234,6 +236,12 @@ impl Run<'_> {
             Content::Condition(_) => return Err("a condition outside a guard".to_owned()),
         }
         Ok(())
+    }
+
+    /// Whether a block, its number aside, is one of the shop's.
+    fn is_idle(&self, text: &str) -> bool {
+        let unnumbered = text.split_once(' ').map(|(_, rest)| rest);
+        self.options.idle.iter().any(|idle| idle == text || unnumbered == Some(idle.as_str()))
     }
 
     fn mark(&mut self, mark: Mark) {

@@ -159,7 +159,8 @@ mod tests {
 
     #[test]
     fn a_tool_is_as_long_as_its_guard_says() {
-        let program = "T4 M6\no1 if [[ABS[#5403 - 87.5] GT 0.01]]\nG43 H9\nT5 M6\n";
+        let guard = "o1 if [[ABS[#5403 - 87.5] GT 0.01] AND [ABS[[#5403 * 25.4] - 87.5] GT 0.01]]";
+        let program = &format!("T4 M6\n{guard}\nG43 H9\nT5 M6\n");
         assert_eq!(lengths(program), BTreeMap::from([(4, 87.5), (5, ANY_LENGTH), (9, ANY_LENGTH)]));
     }
 }

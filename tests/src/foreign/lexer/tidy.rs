@@ -8,9 +8,11 @@ const LONGEST: usize = 255;
 /// Refuses a line that is not in the form in which programs are posted: two blanks, a blank at an end, lower case, an
 /// exponent, `-0`, `X.5`, `X01`, `X1.50`.
 ///
+/// `pointed`: whole lengths end in their point on every control, as `X1.`.
+///
 /// # Errors
 /// With the piece that is untidy.
-pub fn check(control: Control, text: &str) -> Result<(), String> {
+pub fn check(control: Control, text: &str, pointed: bool) -> Result<(), String> {
     let comment = match control {
         Control::LinuxCnc | Control::Fanuc | Control::Haas => text.starts_with('('),
         Control::Siemens => text.starts_with(';') || text.starts_with("MSG("),
@@ -26,10 +28,14 @@ pub fn check(control: Control, text: &str) -> Result<(), String> {
         return Ok(());
     }
     match control {
-        Control::LinuxCnc => text.split(' ').try_for_each(|piece| word(piece, shortest)),
-        Control::Fanuc | Control::Haas => text.split(' ').try_for_each(|piece| word(piece, pointed)),
-        Control::Siemens => text.split(' ').try_for_each(siemens),
-        Control::Heidenhain => heidenhain(text),
+        Control::LinuxCnc => {
+            text.split(' ').try_for_each(|piece| word(piece, if pointed { with_point } else { shortest }))
+        }
+        Control::Fanuc | Control::Haas => text.split(' ').try_for_each(|piece| word(piece, with_point)),
+        Control::Siemens => {
+            text.split(' ').try_for_each(|piece| siemens(piece, if pointed { with_point } else { shortest }))
+        }
+        Control::Heidenhain => heidenhain(text, pointed),
     }
 }
 
@@ -61,8 +67,8 @@ fn shortest(_: char, number: &str) -> bool {
     digits(number, false) && number != "-0"
 }
 
-/// A number of Fanuc or Haas: codes may have two digits, values may end in their point.
-fn pointed(letter: char, number: &str) -> bool {
+/// A number that may end in its point; codes may have two digits, as on Fanuc and Haas.
+fn with_point(letter: char, number: &str) -> bool {
     let number = match number.strip_prefix('0') {
         Some(rest) if matches!(letter, 'G' | 'M') && rest.starts_with(|digit: char| digit.is_ascii_digit()) => rest,
         _ => number,
@@ -82,7 +88,7 @@ fn digits(number: &str, ends_in_point: bool) -> bool {
 }
 
 /// A word, `NAME=value`, a name, or a call.
-fn siemens(piece: &str) -> Result<(), String> {
+fn siemens(piece: &str, shortest: fn(char, &str) -> bool) -> Result<(), String> {
     let untidy = || format!("`{piece}` is not a word, a name or a call in its shortest form");
     if let Some((name, arguments)) = piece.split_once('(')
         && !name.contains('=')
@@ -104,7 +110,7 @@ fn siemens(piece: &str) -> Result<(), String> {
 }
 
 /// A number, then words and names with one blank between two; parameters of a cycle on lines of their own.
-fn heidenhain(text: &str) -> Result<(), String> {
+fn heidenhain(text: &str, pointed: bool) -> Result<(), String> {
     let text = text.strip_prefix("  Q").map_or(text, |_| &text[2..]);
     let block = text.split(';').next().unwrap_or_default();
     let block = if block.len() < text.len() { block.strip_suffix(' ').unwrap_or(block) } else { block };
@@ -114,11 +120,12 @@ fn heidenhain(text: &str) -> Result<(), String> {
         let signed = number.strip_prefix(['+', '-']).unwrap_or(number);
         let name = number.is_empty() || piece.len() > number.len() && signed.is_empty();
         let zero = signed == "0" && number.starts_with('-');
-        // The parts of an old cycle: `CYCL DEF 9.0`.
-        let part = piece.strip_suffix(".0").is_some_and(|cycle| cycle.parse::<u32>().is_ok());
+        // The parts of an old cycle: `CYCL DEF 9.0`, `CYCL DEF 32.2 HSC-MODE:0`.
+        let part = piece.strip_suffix(".0").is_some_and(|cycle| cycle.parse::<u32>().is_ok())
+            || piece.strip_prefix("HSC-MODE:").is_some_and(|mode| matches!(mode, "0" | "1"));
         let symbol = !number.starts_with(['+', '-']) && !number.starts_with(|digit: char| digit.is_ascii_digit());
-        let tidy =
-            !piece.is_empty() && (name || symbol || part || digits(signed, false) && !signed.starts_with('-') && !zero);
+        let tidy = !piece.is_empty()
+            && (name || symbol || part || digits(signed, pointed) && !signed.starts_with('-') && !zero);
         if tidy { Ok(()) } else { Err(format!("`{piece}` is not a word in its shortest form")) }
     };
     block.split(' ').try_for_each(piece)

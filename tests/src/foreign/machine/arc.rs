@@ -7,8 +7,9 @@ use super::super::state::Plane;
 use super::super::trace::Arc;
 use super::{Machine, modes};
 
-/// Largest difference between the distances of both ends from the centre, mm.
-const SAME_RADIUS_MM: f64 = 0.005;
+/// Largest difference between the distances of both ends from the centre, mm: start, end and centre in words of two
+/// decimals are off by half a unit each.
+const SAME_RADIUS_MM: f64 = 0.017;
 
 /// Ends nearer than this are one point: a full circle, mm.
 const ONE_POINT_MM: f64 = 1e-9;

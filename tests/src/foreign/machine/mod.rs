@@ -75,13 +75,15 @@ impl Machine {
         let meanings = &written.meanings;
         careful::block(self, &written)?;
         self.modes(meanings, &mut command)?;
-        let effect = self.effect(meanings, &mut command)?;
+        let effect = self.effect(&written, &mut command)?;
         command.finish()?;
         careful::effect(self, &written, &effect, &words)?;
         Ok((effect, words))
     }
 
-    fn effect(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<Effect, String> {
+    /// The one thing that a block does; `command` is what its modes have left of `written`.
+    fn effect(&mut self, written: &Command, command: &mut Command) -> Result<Effect, String> {
+        let meanings = &written.meanings;
         if meanings.contains(&Meaning::Dwell) {
             let seconds = command.take(Address::Seconds).ok_or("a dwell without its time")?;
             return Ok(Effect::Dwell(seconds));
@@ -103,7 +105,7 @@ impl Machine {
                 _ => {}
             }
         }
-        if let Some(effect) = self.motion(meanings, command)? {
+        if let Some(effect) = self.motion(written, command)? {
             return Ok(effect);
         }
         Ok(still(meanings, &self.state))

@@ -3,13 +3,14 @@
 use super::super::Control;
 use super::super::axes::{Axes, LETTERS, is_rotary};
 use super::super::meaning::{Address, Command, Counting, Meaning};
-use super::super::state::{Distance, MotionMode, TipControl};
+use super::super::state::{Distance, MotionMode};
 use super::super::trace::Effect;
 use super::{Machine, arc, hole};
 
 impl Machine {
     /// Sets the motion mode, and moves what the block moves; `None` if it moves nothing.
-    pub(super) fn motion(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<Option<Effect>, String> {
+    pub(super) fn motion(&mut self, written: &Command, command: &mut Command) -> Result<Option<Effect>, String> {
+        let meanings = &written.meanings;
         let rigid = meanings.contains(&Meaning::RigidTap);
         self.motion_mode(meanings, command)?;
         if meanings.contains(&Meaning::MachineCoordinates) {
@@ -24,7 +25,8 @@ impl Machine {
         let called = command.cycle.take().or(modal);
         let arcs = matches!(self.state.motion, Some(MotionMode::Clockwise | MotionMode::CounterClockwise));
         let round = arcs && command.words.iter().any(|word| matches!(word.address, Address::Centre(_)));
-        let leans = self.state.under_tip_control() && self.vector_written(meanings);
+        let leans = self.state.under_tip_control()
+            && written.words.iter().any(|word| matches!(word.address, Address::Vector(_)));
         if !command.has_axes() && !round && !command.words.iter().any(|word| word.address == Address::PolarAngle) {
             if call {
                 return hole::called(self, called).map(Some);
@@ -37,7 +39,12 @@ impl Machine {
                 self.state.machine = Axes::default();
                 return Ok(Some(Effect::Orient));
             }
-            return Ok(leans.then_some(Effect::Feed));
+            // Under tip control a block may turn the tool axis alone.
+            return match self.state.motion.filter(|_| leans) {
+                Some(MotionMode::Rapid) => Ok(Some(Effect::Rapid)),
+                Some(MotionMode::Feed) => Ok(Some(Effect::Feed)),
+                None | Some(_) => Ok(None),
+            };
         }
         let mode = self.state.motion.ok_or("no motion mode is in force")?;
         let effect = match mode {
@@ -55,12 +62,6 @@ impl Machine {
             return hole::called(self, called).map(Some);
         }
         Ok(Some(effect))
-    }
-
-    /// Whether the block, whose vector words have been taken, has set the vector.
-    fn vector_written(&self, meanings: &[Meaning]) -> bool {
-        let vectors = matches!(self.state.tip_control, Some(TipControl::On { vectors: true, .. }));
-        vectors && meanings.iter().any(|meaning| matches!(meaning, Meaning::Motion(_)))
     }
 
     fn motion_mode(&mut self, meanings: &[Meaning], command: &mut Command) -> Result<(), String> {
