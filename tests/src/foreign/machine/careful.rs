@@ -60,7 +60,7 @@ fn one_deed(command: &Command) -> Result<(), String> {
         return Err("a code that needs a block of its own has no business in this one".to_owned());
     }
     let feed = command.words.iter().any(|word| word.address == Address::Feed);
-    if deeds == 1 && feed || pole && feed {
+    if feed && (deeds == 1 || pole) {
         return Err("F has no business in this block".to_owned());
     }
     Ok(())

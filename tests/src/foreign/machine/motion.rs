@@ -14,7 +14,7 @@ impl Machine {
         let rigid = meanings.contains(&Meaning::RigidTap);
         self.motion_mode(meanings, command)?;
         if meanings.contains(&Meaning::MachineCoordinates) {
-            return self.to_machine_coordinates(command).map(Some);
+            return self.move_in_machine_coordinates(command).map(Some);
         }
         if rigid {
             return hole::rigid_tap(self, command).map(Some);
@@ -121,7 +121,7 @@ impl Machine {
         from.map(|from| from + value).ok_or_else(|| format!("{letter} moves by a distance from an unknown position"))
     }
 
-    fn to_machine_coordinates(&mut self, command: &mut Command) -> Result<Effect, String> {
+    fn move_in_machine_coordinates(&mut self, command: &mut Command) -> Result<Effect, String> {
         if self.state.motion != Some(MotionMode::Rapid) {
             return Err("G53 with feed: machine coordinates are reached at rapid".to_owned());
         }

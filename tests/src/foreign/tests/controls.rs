@@ -40,7 +40,9 @@ fn sense_full_circles_revolutions_and_planes_are_seen() {
     assert_eq!(last_arc(LinuxCnc, "G0 X5 Y0 Z0\nG2 X0 Y5 I-5 J0 F9").1, -270);
     assert_eq!(last_arc(LinuxCnc, "G0 X5 Y0 Z0\nG2 X5 Y0 I-5 J0 F9").1, -360);
     assert_eq!(last_arc(LinuxCnc, "G0 X5 Y0 Z0\nG3 I-5 J0 F9").1, 360);
-    assert_eq!(last_arc(LinuxCnc, "G0 X5 Y0 Z0\nG3 X0 Y5 R-5 F9").0, [5.0, 5.0, 0.0]);
+    assert_eq!(last_arc(LinuxCnc, "G0 X5 Y0 Z0\nG3 X0 Y5 R-5 F9").0.map(|value| value.round() as i64), [5, 5, 0]);
+    let polar = last_arc(Heidenhain, "L X+0 Y+5 Z+0 R0 FMAX\nCC X+0 Y+0\nCP IPA+90 DR+ R0 F9").2;
+    assert!(polar.get('X').is_some_and(|x| (x + 5.0).abs() < 1e-12), "{polar:?}");
     assert_eq!(last_arc(Siemens, "G0 X5 Y0 Z0\nG3 X5 Y0 Z1 I-5 J0 TURN=2 F9").1, 1080);
     assert_eq!(last_arc(LinuxCnc, "G19\nG0 X0 Y5 Z0\nG3 Y0 Z5 J-5 K0 F9").1, 90);
     assert!(refusal(LinuxCnc, "G0 X5 Y0\nG3 X0 Y6 I-5 J0 F9").contains("from its centre"));
